@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Whole files in and out. Writing is atomic: to a temporary file beside the
+// target, synced, then renamed, so a reader never sees half a file.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace stig {
+
+struct FileError {
+  std::string message;  ///< "cannot open 'x': No such file or directory"
+};
+
+/// The file's bytes, or nothing with `error` set. Files larger than `most` bytes
+/// are refused without being read; directories, devices and pipes too
+/// (except "-": standard input).
+std::optional<std::string> read_file(const std::string& path, std::size_t most, FileError& error);
+
+/// False with `error` set when the file could not be written; the target is then
+/// as it was.
+bool write_file(const std::string& path, std::string_view bytes, FileError& error);
+
+}  // namespace stig

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// A structure: a finite map cell -> brick colour that only grows, unbounded in
+// every direction. Stored as a hash map of 8×8×8 chunks of bytes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rules/rule_set.h"
+#include "rules/symmetry.h"
+
+namespace stig {
+
+/// Bounding box, both corners inclusive.
+struct Bounds {
+  Cell low, high;
+  Offset size() const { return high - low + Offset{1, 1, 1}; }
+  bool operator==(const Bounds&) const = default;
+};
+
+/// The 5×5×5 states around a cell: all that the views of its neighbours see.
+struct Surroundings {
+  std::array<State, 125> at{};
+  static constexpr int index(int dx, int dy, int dz) {
+    return (dz + 2) * 25 + (dy + 2) * 5 + (dx + 2);
+  }
+};
+
+class Structure {
+ public:
+  static constexpr int kChunkSide = 8;
+
+  explicit Structure(Lattice lattice = Lattice::cubic) : lattice_(lattice) {}
+  Structure(Lattice lattice, const std::vector<PlacedBrick>& bricks);
+
+  Lattice lattice() const { return lattice_; }
+  std::size_t size() const { return size_; }
+  bool empty() const { return size_ == 0; }
+
+  /// kEmpty or a colour.
+  State at(Cell cell) const;
+  /// The cell must be empty and the colour 1..kMaxColours (asserted).
+  void place(Cell cell, Colour colour);
+
+  /// Nothing for an empty structure.
+  std::optional<Bounds> bounds() const;
+  /// All bricks in the order of cells (lexicographic): the deterministic iteration.
+  std::vector<PlacedBrick> bricks() const;
+  /// States of the cells around `centre`, without floor.
+  void gather(Cell centre, Surroundings& out) const;
+
+  /// Equal lattice, cells and colours.
+  friend bool operator==(const Structure& a, const Structure& b);
+
+ private:
+  struct Chunk {
+    Cell origin;  ///< lowest cell
+    std::array<State, kChunkSide * kChunkSide * kChunkSide> states{};
+  };
+  const Chunk* find(Cell cell) const;
+  Chunk& find_or_make(Cell cell);
+  void grow_index();
+
+  Lattice lattice_;
+  std::size_t size_ = 0;
+  Bounds bounds_{};
+  std::vector<Chunk> chunks_;
+  std::vector<std::uint32_t> index_;  ///< open addressing: 1 + position in chunks_, 0 free
+};
+
+/// Translated so that its lowest corner is (0, 0, 0).
+Structure to_origin(const Structure& structure);
+/// Image under an orientation (about the cell (0, 0, 0)).
+Structure transformed(const Structure& structure, const Orientation& orientation);
+/// The smallest, as a list of bricks at the origin, of the images under the group.
+Structure canonical(const Structure& structure, Symmetry symmetry, bool inversion);
+
+/// 64-bit hash of lattice, shape and colours modulo translation; the same on every
+/// machine and in every version that reads the same traces.
+std::uint64_t structure_hash(const Structure& structure);
+/// The same modulo the symmetry group too.
+std::uint64_t structure_hash(const Structure& structure, Symmetry symmetry, bool inversion);
+/// Term of one brick in a hash of absolute places that is a plain sum over bricks,
+/// so that it can be kept up to date while the structure grows.
+std::uint64_t placement_hash(Cell cell, Colour colour);
+
+}  // namespace stig

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Structures as text: slices from the top down, parted by lines of "---"; rows y
+// falling, columns x rising, symbols parted by spaces, "." empty. The lowest,
+// left-most drawn cell is (0, 0, 0). Hexagonal slices are drawn on the axial grid.
+//
+//   3 .          a column of two 3s with a 2 beside it, in x
+//   ---
+//   3 2
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "base/diagnostic.h"
+#include "lattice/structure.h"
+
+namespace stig {
+
+/// Symbols are those of `bricks`; errors (unknown symbol, ragged rows, slices of
+/// different size) are reported. Blank lines and lines that start with "//" are
+/// passed over.
+std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
+                                             const std::vector<Brick>& bricks,
+                                             Diagnostics& diagnostics);
+/// For tests: digits 1-9 are colours 1-9; asserts on a malformed literal.
+Structure structure_literal(std::string_view text, Lattice lattice = Lattice::cubic);
+
+/// The drawing of the bounding box; reading it back gives the structure at the
+/// origin. `bricks` gives the symbols; without them colours are numbers.
+std::string print_structure(const Structure& structure, const std::vector<Brick>& bricks = {});
+
+}  // namespace stig

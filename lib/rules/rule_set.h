@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// A rule set as its author wrote it: symbolic, with source ranges. RuleTable
+// (rule_table.h) is the compiled form that worlds run on; neither turns into the
+// other in place.
+//
+// Meaning. A rule places one brick in an empty site whose neighbourhood matches
+// its pattern, in some orientation of the symmetry group, when its conditions
+// hold. Bricks are never removed. A site with a match is an event; agents only
+// choose the order of events. See docs/language.md for the file form.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/source.h"
+#include "rules/neighbourhood.h"
+#include "rules/symmetry.h"
+
+namespace stig {
+
+/// The states allowed at each neighbour index; unused indices hold anything().
+struct Pattern {
+  std::array<StateSet, kMaxNeighbours> allowed;
+  Pattern() { allowed.fill(StateSet::anything()); }
+  bool operator==(const Pattern&) const = default;
+};
+
+/// How many neighbours show a state of a set: min <= number <= max.
+struct CountCondition {
+  StateSet of;
+  bool faces_only = false;  ///< among: faces | all
+  int min = 0;
+  int max = kMaxNeighbours;
+  SourceRange range;
+};
+
+struct Rule {
+  std::string name;
+  Colour place = 0;
+  Pattern pattern;
+  std::optional<int> height_min, height_max;  ///< of the site, inclusive; floor = 0
+  std::vector<CountCondition> counts;
+  double probability = 1;             ///< in (0, 1]: chance to fire when chosen
+  double weight = 1;                  ///< > 0: share in `conflicts: random`
+  int stage = 0;                      ///< 1..; 0: active in every stage
+  std::optional<Symmetry> symmetry;   ///< for this rule alone
+  std::optional<bool> inversion;      ///< for this rule alone
+  SourceRange range;                  ///< the whole entry
+  SourceRange name_range, place_range, when_range;
+};
+
+struct Brick {
+  std::string symbol;  ///< what drawings use
+  std::string name;
+  std::string color;   ///< "#rrggbb"
+  std::string led;     ///< "Q1".."Q4" or empty
+  SourceRange range;
+};
+
+/// A symbol of the drawings that stands for a set of states.
+struct LegendEntry {
+  std::string symbol;
+  StateSet states;
+  SourceRange range;
+};
+
+struct PlacedBrick {
+  Cell at;
+  Colour brick = 0;
+  auto operator<=>(const PlacedBrick&) const = default;
+};
+
+enum class Conflicts : std::uint8_t { error, random, first };
+enum class Verdict : std::uint8_t { coordinated, order_dependent, endless };
+
+/// A bounded world, as far as the file fixes it. Without an origin the box is
+/// laid around the start (see lattice/box.h).
+struct BoxSpec {
+  Offset size;                  ///< cells along x, y, z; each >= 1
+  std::optional<Cell> origin;   ///< lowest cell
+  bool periodic = false;
+};
+
+/// What is assumed of robots; used by compile and validate alone.
+struct PhysicalSpec {
+  std::vector<std::string> sides;  ///< "+x" "-x" "+y" "-y"; empty: from all
+  std::optional<int> robots;
+};
+
+/// What the author says the set builds; `stigc test` holds the file to it.
+struct Expectation {
+  std::optional<std::int64_t> bricks;  ///< in the end, the start included
+  std::optional<Verdict> verdict;
+  std::vector<PlacedBrick> structure;  ///< modulo translation; empty: not said
+  SourceRange range, bricks_range, verdict_range, structure_range;
+};
+
+/// A comment of the file, kept so that `fmt` does not lose it: it is printed
+/// before (or, if trailing, behind) whatever the reader found at `line`.
+struct Comment {
+  std::size_t line = 0;  ///< 1-based line of the element it belongs to; 0: end of file
+  bool trailing = false;
+  std::string text;      ///< from the '#'
+};
+
+struct RuleSet {
+  std::string name, title, source;
+  Lattice lattice = Lattice::cubic;
+  Symmetry symmetry = Symmetry::none;
+  bool inversion = false;
+  bool floor = false;
+  Conflicts conflicts = Conflicts::error;
+  std::vector<Brick> bricks;  ///< colour k is bricks[k - 1]
+  std::vector<LegendEntry> legend;
+  std::vector<PlacedBrick> start;
+  std::vector<Rule> rules;
+  std::map<int, std::int64_t> stages;  ///< stage -> deposits after which the next begins
+  std::optional<BoxSpec> box;
+  std::optional<PhysicalSpec> physical;
+  std::optional<Expectation> expect;
+
+  SourceRef file;
+  std::vector<Comment> comments;
+
+  int colours() const { return static_cast<int>(bricks.size()); }
+  const Brick& brick(Colour colour) const { return bricks[colour - 1U]; }
+  /// 0 when the symbol is no brick's.
+  Colour colour_of(std::string_view symbol) const;
+  /// Highest stage any rule names; 1 for a set without stages.
+  int stage_count() const;
+  Symmetry symmetry_of(const Rule& rule) const { return rule.symmetry.value_or(symmetry); }
+  bool inversion_of(const Rule& rule) const { return rule.inversion.value_or(inversion); }
+};
+
+/// Same meaning and words; source ranges and comments do not count.
+bool operator==(const RuleSet& a, const RuleSet& b);
+
+std::string_view to_string(Conflicts conflicts);
+std::string_view to_string(Verdict verdict);  ///< "order-dependent"
+
+}  // namespace stig
