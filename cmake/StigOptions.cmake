@@ -23,7 +23,7 @@ add_library(stig_settings INTERFACE)
 target_compile_features(stig_settings INTERFACE cxx_std_20)
 target_compile_options(stig_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
-  -ffp-contract=off)
+  -Wno-psabi -ffp-contract=off)
 if(STIG_SANITIZE)
   target_compile_options(stig_settings INTERFACE
     -fsanitize=${STIG_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
