@@ -1,18 +1,24 @@
 # SPDX-License-Identifier: MIT
 # Compile settings that every target shares.
 
-if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
-  set(CMAKE_BUILD_TYPE RelWithAssert CACHE STRING "Build type" FORCE)
-endif()
-# Optimised, assertions on: what tests and daily work use.
-set(CMAKE_CXX_FLAGS_RELWITHASSERT "-O2" CACHE STRING "")
+# RelWithAssert: optimised, assertions on. What tests and daily work use.
+set(CMAKE_CXX_FLAGS_RELWITHASSERT "-O2" CACHE STRING "Flags of the build type RelWithAssert")
+foreach(kind IN ITEMS EXE SHARED MODULE STATIC)
+  set(CMAKE_${kind}_LINKER_FLAGS_RELWITHASSERT "" CACHE STRING
+      "Linker flags of the build type RelWithAssert")
+  mark_as_advanced(CMAKE_${kind}_LINKER_FLAGS_RELWITHASSERT)
+endforeach()
 
-find_program(STIG_CCACHE ccache)
-if(STIG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${STIG_CCACHE})
+if(PROJECT_IS_TOP_LEVEL)
+  if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+    set(CMAKE_BUILD_TYPE RelWithAssert CACHE STRING "Build type" FORCE)
+  endif()
+  set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+  find_program(STIG_CCACHE ccache DOC "Compiler cache, used when found")
+  if(STIG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    set(CMAKE_CXX_COMPILER_LAUNCHER ${STIG_CCACHE})
+  endif()
 endif()
-
-set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 
 set(STIG_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
 option(STIG_COVERAGE "Instrument for coverage" OFF)
@@ -23,13 +29,26 @@ add_library(stig_settings INTERFACE)
 target_compile_features(stig_settings INTERFACE cxx_std_20)
 target_compile_options(stig_settings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Wold-style-cast
+  # clang counts sign conversions among these, GCC does not.
+  $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
+  # GCC's note on passing over-aligned structs concerns its own ABI before 4.6.
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
+  # The same floating-point results whatever the target processor can fuse.
   -ffp-contract=off)
+
+# Flags that change what the linker needs; a program outside the build that links
+# the installed libraries must be built with them too (tests/consumer is).
+set(STIG_INSTRUMENT "")
 if(STIG_SANITIZE)
+  list(APPEND STIG_INSTRUMENT -fsanitize=${STIG_SANITIZE})
   target_compile_options(stig_settings INTERFACE
-    -fsanitize=${STIG_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
-  target_link_options(stig_settings INTERFACE -fsanitize=${STIG_SANITIZE})
+    -fno-omit-frame-pointer -fno-sanitize-recover=all)
 endif()
 if(STIG_COVERAGE)
-  target_compile_options(stig_settings INTERFACE --coverage)
-  target_link_options(stig_settings INTERFACE --coverage)
+  list(APPEND STIG_INSTRUMENT --coverage)
 endif()
+if(STIG_FUZZ)
+  target_compile_options(stig_settings INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+target_compile_options(stig_settings INTERFACE ${STIG_INSTRUMENT})
+target_link_options(stig_settings INTERFACE ${STIG_INSTRUMENT})

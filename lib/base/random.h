@@ -17,6 +17,15 @@ enum class Purpose : std::uint32_t { move = 1, deposit, order, start, event, tes
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                     std::array<std::uint32_t, 2> key);
 
+/// The address of a stream's first block. Word 0 holds the high half of the step
+/// and, above kRandomBlock, the number of the block within the stream.
+std::array<std::uint32_t, 4> random_address(std::uint32_t run, Purpose purpose, std::uint32_t agent,
+                                            std::uint64_t step);
+std::array<std::uint32_t, 2> random_key(std::uint64_t seed);
+/// Added to word 0 from one block of a stream to the next: 2^20 blocks a stream, and
+/// steps below 2^44.
+inline constexpr std::uint32_t kRandomBlock = 1U << 12;
+
 /// A stream of words at (seed, run, purpose, agent, step).
 class Random {
  public:

@@ -5,7 +5,7 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -49,6 +49,16 @@ class Structure {
   std::optional<Bounds> bounds() const;
   /// All bricks in the order of cells (lexicographic): the deterministic iteration.
   std::vector<PlacedBrick> bricks() const;
+  /// Calls visit(cell, colour) for every brick in an order that depends on how the
+  /// structure grew: for sums and sets alone.
+  template <class Visit>
+  void for_each(const Visit& visit) const {
+    for (const Chunk& chunk : chunks_) {
+      for (std::size_t i = 0; i < chunk.states.size(); ++i) {
+        if (chunk.states[i] != kEmpty) visit(cell_in_chunk(chunk.origin, i), chunk.states[i]);
+      }
+    }
+  }
   /// States of the cells around `centre`, without floor.
   void gather(Cell centre, Surroundings& out) const;
 
@@ -60,14 +70,20 @@ class Structure {
     Cell origin;  ///< lowest cell
     std::array<State, kChunkSide * kChunkSide * kChunkSide> states{};
   };
+  static constexpr Cell cell_in_chunk(Cell origin, std::size_t i) {
+    const auto n = static_cast<std::int32_t>(i);
+    return origin +
+           Offset{n % kChunkSide, n / kChunkSide % kChunkSide, n / (kChunkSide * kChunkSide)};
+  }
   const Chunk* find(Cell cell) const;
   Chunk& find_or_make(Cell cell);
+  void insert_in_index(std::size_t number);  ///< 1 + position in chunks_
   void grow_index();
 
   Lattice lattice_;
   std::size_t size_ = 0;
   Bounds bounds_{};
-  std::vector<Chunk> chunks_;
+  std::deque<Chunk> chunks_;
   std::vector<std::uint32_t> index_;  ///< open addressing: 1 + position in chunks_, 0 free
 };
 

@@ -43,14 +43,14 @@ struct alignas(32) View {
 };
 
 struct Neighbourhood {
-  int size = 0;                                 ///< 26 or 20
-  int faces = 0;                                ///< 6 or 8 neighbours that share a face
+  int size = 0;   ///< 26 or 20
+  int faces = 0;  ///< 6 or 8 neighbours that share a face
   std::array<Offset, kMaxNeighbours> offsets{};
-  std::array<bool, kMaxNeighbours> is_face{};   ///< shares a face with the site
-  std::array<bool, kMaxNeighbours> is_edge{};   ///< cubic: shares an edge only
-  std::array<std::int8_t, 27> index_by_box{};   ///< see index_of; -1: no neighbour
-  int cells_above = 0;                          ///< 9 or 7; indices [0, cells_above)
-  int first_below = 0;                          ///< indices [first_below, size) are below
+  std::array<bool, kMaxNeighbours> is_face{};  ///< shares a face with the site
+  std::array<bool, kMaxNeighbours> is_edge{};  ///< cubic: shares an edge only
+  std::array<std::int8_t, 27> index_by_box{};  ///< see index_of; -1: no neighbour
+  int cells_above = 0;                         ///< 9 or 7; indices [0, cells_above)
+  int first_below = 0;                         ///< indices [first_below, size) are below
 
   /// Index of an offset, or -1 when it is no neighbour (the site included).
   constexpr int index_of(Offset o) const {

@@ -44,20 +44,20 @@ struct Rule {
   Pattern pattern;
   std::optional<int> height_min, height_max;  ///< of the site, inclusive; floor = 0
   std::vector<CountCondition> counts;
-  double probability = 1;             ///< in (0, 1]: chance to fire when chosen
-  double weight = 1;                  ///< > 0: share in `conflicts: random`
-  int stage = 0;                      ///< 1..; 0: active in every stage
-  std::optional<Symmetry> symmetry;   ///< for this rule alone
-  std::optional<bool> inversion;      ///< for this rule alone
-  SourceRange range;                  ///< the whole entry
+  double probability = 1;            ///< in (0, 1]: chance to fire when chosen
+  double weight = 1;                 ///< > 0: share in `conflicts: random`
+  int stage = 0;                     ///< 1..; 0: active in every stage
+  std::optional<Symmetry> symmetry;  ///< for this rule alone
+  std::optional<bool> inversion;     ///< for this rule alone
+  SourceRange range;                 ///< the whole entry
   SourceRange name_range, place_range, when_range;
 };
 
 struct Brick {
   std::string symbol;  ///< what drawings use
   std::string name;
-  std::string color;   ///< "#rrggbb"
-  std::string led;     ///< "Q1".."Q4" or empty
+  std::string color;  ///< "#rrggbb"
+  std::string led;    ///< "Q1".."Q4" or empty
   SourceRange range;
 };
 
@@ -80,8 +80,8 @@ enum class Verdict : std::uint8_t { coordinated, order_dependent, endless };
 /// A bounded world, as far as the file fixes it. Without an origin the box is
 /// laid around the start (see lattice/box.h).
 struct BoxSpec {
-  Offset size;                  ///< cells along x, y, z; each >= 1
-  std::optional<Cell> origin;   ///< lowest cell
+  Offset size;                 ///< cells along x, y, z; each >= 1
+  std::optional<Cell> origin;  ///< lowest cell
   bool periodic = false;
 };
 
@@ -104,7 +104,7 @@ struct Expectation {
 struct Comment {
   std::size_t line = 0;  ///< 1-based line of the element it belongs to; 0: end of file
   bool trailing = false;
-  std::string text;      ///< from the '#'
+  std::string text;  ///< from the '#'
 };
 
 struct RuleSet {

@@ -6,11 +6,13 @@
 // table under the view. The rest are matched together by bit sets: for each
 // (neighbour, state) the set of entries that accept it; the matches of a view
 // are the intersection over its neighbours. Heights and counts are then checked
-// one by one. Both indices are built per stage.
+// one by one. Rules of a stage have indices of their own; those without a stage share
+// a pair that serves all stages.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "rules/rule_set.h"
@@ -19,8 +21,9 @@ namespace stig {
 
 /// A rule that matches, in the first of its orientations that does.
 struct Match {
-  std::uint32_t rule = 0;         ///< index into RuleSet::rules
-  std::uint32_t orientation = 0;  ///< index into orientations(lattice, symmetry, inversion) of the rule
+  std::uint32_t rule = 0;  ///< index into RuleSet::rules
+  std::uint32_t orientation =
+      0;  ///< index into orientations(lattice, symmetry, inversion) of the rule
   auto operator<=>(const Match&) const = default;
 };
 
@@ -57,11 +60,18 @@ class RuleTable {
   std::int64_t stage_limit(int stage) const;
 
  private:
+  /// What a rule does and its conditions besides the pattern.
   struct Action {
     Colour place;
     double probability, weight;
+    std::optional<int> height_min, height_max;
+    std::vector<CountCondition> counts;
   };
   struct Index;
+
+  bool conditions_hold(const Action& action, const View& view, std::int32_t z) const;
+  template <class Visit>
+  bool visit(const Index& index, const View& view, std::int32_t z, const Visit& found) const;
 
   Lattice lattice_;
   bool floor_;
@@ -70,11 +80,13 @@ class RuleTable {
   std::vector<Action> actions_;
   std::vector<Entry> entries_;
   std::vector<std::int64_t> stage_limits_;
-  std::vector<std::unique_ptr<Index>> stages_;
+  std::vector<Index> indices_;  ///< [0]: rules without a stage; [s]: rules of stage s
 };
 
-/// Do the conditions of a rule that no drawing shows (height, counts) hold?
-bool conditions_hold(const Rule& rule, const Neighbourhood& neighbours, const View& view,
-                     std::int32_t z);
+/// Number of neighbours in view that show a state of the condition's set.
+int count_in_view(const CountCondition& condition, const Neighbourhood& neighbours,
+                  const View& view);
+/// The pattern turned by an orientation: what the rule looks for when turned so.
+Pattern oriented(const Pattern& pattern, const Orientation& orientation, int neighbours);
 
 }  // namespace stig

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "base/hash.h"
+
+namespace stig {
+
+std::string to_hex(std::uint64_t value) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  std::string text(16, '0');
+  for (std::size_t i = 16; i-- > 0; value >>= 4) text[i] = kDigits[value & 15U];
+  return text;
+}
+
+}  // namespace stig

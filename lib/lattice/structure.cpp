@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/structure.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/hash.h"
+
+namespace stig {
+namespace {
+
+constexpr int kShift = 3;
+static_assert(1 << kShift == Structure::kChunkSide);
+
+constexpr Cell chunk_origin(Cell c) {
+  constexpr std::int32_t mask = ~(Structure::kChunkSide - 1);
+  return {c.x & mask, c.y & mask, c.z & mask};
+}
+
+constexpr std::size_t slot_in_chunk(Cell c) {
+  constexpr std::int32_t mask = Structure::kChunkSide - 1;
+  return static_cast<std::size_t>(((c.z & mask) << (2 * kShift)) | ((c.y & mask) << kShift) |
+                                  (c.x & mask));
+}
+
+std::uint64_t pack(Cell c) {
+  constexpr std::uint64_t kBias = 1U << 20;  // 21 bits a coordinate suffice for hashing
+  const auto part = [](std::int32_t v) {
+    return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)) + kBias) & 0x1fffffULL;
+  };
+  return part(c.x) << 42 | part(c.y) << 21 | part(c.z);
+}
+
+std::vector<PlacedBrick> shifted_to_origin(std::vector<PlacedBrick> bricks) {
+  if (bricks.empty()) return bricks;
+  Cell low = bricks.front().at;
+  for (const PlacedBrick& b : bricks) {
+    low = {std::min(low.x, b.at.x), std::min(low.y, b.at.y), std::min(low.z, b.at.z)};
+  }
+  for (PlacedBrick& b : bricks) b.at = b.at - (low - Cell{});
+  std::sort(bricks.begin(), bricks.end());
+  return bricks;
+}
+
+/// Images of the bricks at the origin, sorted, under each orientation in turn.
+template <class Visit>
+void for_each_image(const Structure& structure, Symmetry symmetry, bool inversion,
+                    const Visit& visit) {
+  const std::vector<PlacedBrick> bricks = structure.bricks();
+  for (const Orientation& g : orientations(structure.lattice(), symmetry, inversion)) {
+    std::vector<PlacedBrick> image = bricks;
+    for (PlacedBrick& b : image) b.at = Cell{} + g.apply(b.at - Cell{});
+    visit(shifted_to_origin(std::move(image)));
+  }
+}
+
+std::uint64_t finish_hash(Lattice lattice, std::size_t bricks, std::uint64_t sum) {
+  return combine(combine(static_cast<std::uint64_t>(lattice), bricks), sum);
+}
+
+}  // namespace
+
+Structure::Structure(Lattice lattice, const std::vector<PlacedBrick>& bricks) : lattice_(lattice) {
+  for (const PlacedBrick& b : bricks) place(b.at, b.brick);
+}
+
+const Structure::Chunk* Structure::find(Cell cell) const {
+  if (index_.empty()) return nullptr;
+  const Cell origin = chunk_origin(cell);
+  const std::size_t mask = index_.size() - 1;
+  for (std::size_t slot = mix(pack(origin)) & mask; index_[slot] != 0; slot = (slot + 1) & mask) {
+    const Chunk& chunk = chunks_[index_[slot] - 1];
+    if (chunk.origin == origin) return &chunk;
+  }
+  return nullptr;
+}
+
+Structure::Chunk& Structure::find_or_make(Cell cell) {
+  if (const Chunk* chunk = find(cell)) {
+    return const_cast<Chunk&>(*chunk);  // of this object, which is not const here
+  }
+  chunks_.push_back({chunk_origin(cell), {}});
+  if (chunks_.size() * 2 > index_.size()) {
+    grow_index();
+  } else {
+    insert_in_index(chunks_.size());
+  }
+  return chunks_.back();
+}
+
+void Structure::insert_in_index(std::size_t number) {
+  const std::size_t mask = index_.size() - 1;
+  std::size_t slot = mix(pack(chunks_[number - 1].origin)) & mask;
+  while (index_[slot] != 0) slot = (slot + 1) & mask;
+  index_[slot] = static_cast<std::uint32_t>(number);
+}
+
+void Structure::grow_index() {
+  index_.assign(std::max<std::size_t>(16, index_.size() * 2), 0);
+  for (std::size_t number = 1; number <= chunks_.size(); ++number) insert_in_index(number);
+}
+
+State Structure::at(Cell cell) const {
+  const Chunk* chunk = find(cell);
+  return chunk ? chunk->states[slot_in_chunk(cell)] : kEmpty;
+}
+
+void Structure::place(Cell cell, Colour colour) {
+  assert(colour >= 1 && colour <= kMaxColours);
+  State& state = find_or_make(cell).states[slot_in_chunk(cell)];
+  assert(state == kEmpty);
+  state = colour;
+  if (size_++ == 0) bounds_ = {cell, cell};
+  bounds_.low = {std::min(bounds_.low.x, cell.x), std::min(bounds_.low.y, cell.y),
+                 std::min(bounds_.low.z, cell.z)};
+  bounds_.high = {std::max(bounds_.high.x, cell.x), std::max(bounds_.high.y, cell.y),
+                  std::max(bounds_.high.z, cell.z)};
+}
+
+std::optional<Bounds> Structure::bounds() const {
+  if (empty()) return std::nullopt;
+  return bounds_;
+}
+
+std::vector<PlacedBrick> Structure::bricks() const {
+  std::vector<PlacedBrick> all;
+  all.reserve(size_);
+  for_each([&](Cell at, Colour colour) { all.push_back({at, colour}); });
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+void Structure::gather(Cell centre, Surroundings& out) const {
+  const Cell low = centre - Offset{2, 2, 2};
+  out.at.fill(kEmpty);
+  // Chunk by chunk: the 5×5×5 box meets at most 2 along each axis.
+  const Cell first = chunk_origin(low);
+  const Cell last = chunk_origin(centre + Offset{2, 2, 2});
+  for (std::int32_t cz = first.z; cz <= last.z; cz += kChunkSide) {
+    for (std::int32_t cy = first.y; cy <= last.y; cy += kChunkSide) {
+      for (std::int32_t cx = first.x; cx <= last.x; cx += kChunkSide) {
+        const Chunk* chunk = find({cx, cy, cz});
+        if (!chunk) continue;
+        const std::int32_t x0 = std::max(low.x, cx), x1 = std::min(low.x + 5, cx + kChunkSide);
+        const std::int32_t y0 = std::max(low.y, cy), y1 = std::min(low.y + 5, cy + kChunkSide);
+        const std::int32_t z0 = std::max(low.z, cz), z1 = std::min(low.z + 5, cz + kChunkSide);
+        for (std::int32_t z = z0; z < z1; ++z) {
+          for (std::int32_t y = y0; y < y1; ++y) {
+            const std::size_t from = slot_in_chunk({x0, y, z});
+            const auto to =
+                static_cast<std::size_t>((z - low.z) * 25 + (y - low.y) * 5 + x0 - low.x);
+            std::copy_n(chunk->states.begin() + static_cast<std::ptrdiff_t>(from), x1 - x0,
+                        out.at.begin() + static_cast<std::ptrdiff_t>(to));
+          }
+        }
+      }
+    }
+  }
+}
+
+bool operator==(const Structure& a, const Structure& b) {
+  return a.lattice_ == b.lattice_ && a.size_ == b.size_ && a.bricks() == b.bricks();
+}
+
+Structure to_origin(const Structure& structure) {
+  return {structure.lattice(), shifted_to_origin(structure.bricks())};
+}
+
+Structure transformed(const Structure& structure, const Orientation& orientation) {
+  std::vector<PlacedBrick> bricks = structure.bricks();
+  for (PlacedBrick& b : bricks) b.at = Cell{} + orientation.apply(b.at - Cell{});
+  return {structure.lattice(), bricks};
+}
+
+Structure canonical(const Structure& structure, Symmetry symmetry, bool inversion) {
+  std::vector<PlacedBrick> best;
+  for_each_image(structure, symmetry, inversion, [&](std::vector<PlacedBrick> image) {
+    if (best.empty() || image < best) best = std::move(image);
+  });
+  return {structure.lattice(), best};
+}
+
+std::uint64_t placement_hash(Cell cell, Colour colour) {
+  const auto word = [](std::int32_t v) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v));
+  };
+  return combine(combine(word(cell.x) << 32 | word(cell.y), word(cell.z)), colour);
+}
+
+std::uint64_t structure_hash(const Structure& structure) {
+  const Offset shift = structure.empty() ? Offset{} : structure.bounds()->low - Cell{};
+  std::uint64_t sum = 0;
+  structure.for_each([&](Cell at, Colour colour) { sum += placement_hash(at - shift, colour); });
+  return finish_hash(structure.lattice(), structure.size(), sum);
+}
+
+std::uint64_t structure_hash(const Structure& structure, Symmetry symmetry, bool inversion) {
+  std::optional<std::uint64_t> least;
+  for_each_image(structure, symmetry, inversion, [&](const std::vector<PlacedBrick>& image) {
+    std::uint64_t sum = 0;
+    for (const PlacedBrick& b : image) sum += placement_hash(b.at, b.brick);
+    const std::uint64_t h = finish_hash(structure.lattice(), image.size(), sum);
+    least = std::min(least.value_or(h), h);
+  });
+  return *least;
+}
+
+}  // namespace stig
