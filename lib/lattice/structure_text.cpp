@@ -31,9 +31,7 @@ std::map<std::string, State, std::less<>> states_by_symbol(const std::vector<Bri
 class TextReader {
  public:
   TextReader(SourceRef source, const std::vector<Brick>& bricks, Diagnostics& diagnostics)
-      : source_(std::move(source)),
-        states_(states_by_symbol(bricks)),
-        diagnostics_(diagnostics) {}
+      : source_(std::move(source)), states_(states_by_symbol(bricks)), diagnostics_(diagnostics) {}
 
   std::optional<Structure> read(Lattice lattice) {
     const std::string& text = source_->text();
@@ -86,8 +84,8 @@ class TextReader {
     const std::string_view symbol = std::string_view(source_->text()).substr(begin, end - begin);
     const auto found = states_.find(symbol);
     if (found != states_.end()) return found->second;
-    Diagnostic& diagnostic = error(Code::F402, begin, end,
-                                   fmt::format("unknown brick '{}'", symbol.substr(0, 40)));
+    Diagnostic& diagnostic =
+        error(Code::F402, begin, end, fmt::format("unknown brick '{}'", symbol.substr(0, 40)));
     std::vector<std::string_view> known;
     for (const auto& [name, state] : states_) known.push_back(name);
     const std::string_view near = nearest(symbol.substr(0, 40), known);
