@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Compile settings that every target shares.
 
-# RelWithAssert: optimised, assertions on. What tests and daily work use.
-set(CMAKE_CXX_FLAGS_RELWITHASSERT "-O2" CACHE STRING "Flags of the build type RelWithAssert")
+# The linker flags of the build type RelWithAssert (see CMakeLists.txt).
 foreach(kind IN ITEMS EXE SHARED MODULE STATIC)
   set(CMAKE_${kind}_LINKER_FLAGS_RELWITHASSERT "" CACHE STRING
       "Linker flags of the build type RelWithAssert")
