@@ -114,7 +114,7 @@ bool builds_exactly(const RuleSet& rules, const BrickMap& target) {
   }
   if (has_conflict(rules)) return false;
   const Exploration found = explore_orders(rules, start_of(rules), 1, std::nullopt,
-                                           {.states = 5000, .deposits = target.size()});
+                                           {.states = 1000, .deposits = target.size()});
   return found.complete && found.ends == std::vector<BrickMap>{target};
 }
 

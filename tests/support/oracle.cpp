@@ -63,18 +63,22 @@ BrickMap start_of(const RuleSet& rules) {
   return bricks;
 }
 
-std::vector<Match> oracle_matches(const RuleSet& rules, const View& view, std::int32_t z,
-                                  int stage) {
-  const Neighbourhood& n = neighbourhood(rules.lattice);
+OracleMatcher::OracleMatcher(const RuleSet& rules) : rules_(rules) {
+  for (const Rule& rule : rules.rules) {
+    groups_.push_back(
+        orientations(rules.lattice, rules.symmetry_of(rule), rules.inversion_of(rule)));
+  }
+}
+
+std::vector<Match> OracleMatcher::matches(const View& view, std::int32_t z, int stage) const {
+  const Neighbourhood& n = neighbourhood(rules_.lattice);
   std::vector<Match> found;
-  for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
-    const Rule& rule = rules.rules[r];
+  for (std::uint32_t r = 0; r < rules_.rules.size(); ++r) {
+    const Rule& rule = rules_.rules[r];
     if (rule.stage != 0 && rule.stage != stage) continue;
     if (!height_fits(rule, z) || !counts_fit(rule, n, view)) continue;
-    const auto group =
-        orientations(rules.lattice, rules.symmetry_of(rule), rules.inversion_of(rule));
-    for (std::uint32_t g = 0; g < group.size(); ++g) {
-      if (!pattern_fits(rule.pattern, group[g], n, view)) continue;
+    for (std::uint32_t g = 0; g < groups_[r].size(); ++g) {
+      if (!pattern_fits(rule.pattern, groups_[r][g], n, view)) continue;
       found.push_back({r, g});
       break;
     }
@@ -84,6 +88,7 @@ std::vector<Match> oracle_matches(const RuleSet& rules, const View& view, std::i
 
 OracleWorld::OracleWorld(const RuleSet& rules, std::optional<Box> box)
     : rules_(rules),
+      matcher_(rules),
       box_(box),
       heights_matter_(any_height(rules)),
       cells_(static_cast<std::size_t>(kSide) * kSide * kSide, kEmpty),
@@ -121,7 +126,7 @@ const std::set<Colour>& OracleWorld::colours_placed(Cell site, int stage) {
   if (heights_matter_) key += std::to_string(site.z);
   const auto [entry, is_new] = memo_.try_emplace(std::move(key));
   if (is_new) {
-    for (const Match& m : oracle_matches(rules_, seen, site.z, stage)) {
+    for (const Match& m : matcher_.matches(seen, site.z, stage)) {
       entry->second.insert(rules_.rules[m.rule].place);
     }
   }
@@ -199,8 +204,7 @@ class Explorer {
   }
 
   char16_t number_of(const PlacedBrick& event) {
-    const auto [entry, is_new] =
-        numbers_.try_emplace(event, static_cast<char16_t>(events_.size()));
+    const auto [entry, is_new] = numbers_.try_emplace(event, static_cast<char16_t>(events_.size()));
     if (is_new) events_.push_back(event);
     return entry->second;
   }

@@ -23,10 +23,18 @@ using BrickMap = std::map<Cell, Colour>;
 
 BrickMap start_of(const RuleSet& rules);
 
-/// All rules of a stage that match, by rising index, each with the first of its
-/// orientations that does: what RuleTable::matches must say.
-std::vector<Match> oracle_matches(const RuleSet& rules, const View& view, std::int32_t z,
-                                  int stage);
+/// Matching by trying everything. The rule set must outlive it.
+class OracleMatcher {
+ public:
+  explicit OracleMatcher(const RuleSet& rules);
+  /// All rules of a stage that match, by rising index, each with the first of its
+  /// orientations that does: what RuleTable::matches must say.
+  std::vector<Match> matches(const View& view, std::int32_t z, int stage) const;
+
+ private:
+  const RuleSet& rules_;
+  std::vector<std::vector<Orientation>> groups_;  ///< of each rule
+};
 
 /// A world of 64×64×64 cells about the origin, one byte each.
 class OracleWorld {
@@ -47,6 +55,7 @@ class OracleWorld {
   std::vector<Cell> sites_beside_bricks();
 
   const RuleSet& rules_;
+  OracleMatcher matcher_;
   std::optional<Box> box_;
   bool heights_matter_;
   BrickMap bricks_;
