@@ -1,24 +1,57 @@
 # SPDX-License-Identifier: MIT
-# stig_layer(name USES layer… [VENDOR target…])
+# stig_layer(name [USES layer…] [VENDOR target…] [VENDOR_HEADERS target…])
 #
 # One library of the layer graph: every source beside this CMakeLists, its headers
 # as a file set rooted at lib/, public links to the layers it may include, private
-# links to vendor libraries. The graph in these calls is the one that
-# tests/layering checks includes against.
+# links to vendor libraries. VENDOR_HEADERS are those that leave nothing to link: users
+# of the installed library need not have them.
+#
+# What these calls say is the layer graph: stig_write_layers hands it to
+# tests/layering, which holds every #include to it.
 function(stig_layer name)
-  cmake_parse_arguments(arg "" "" "USES;VENDOR" ${ARGN})
+  cmake_parse_arguments(arg "" "" "USES;VENDOR;VENDOR_HEADERS" ${ARGN})
+  if(arg_UNPARSED_ARGUMENTS)
+    message(FATAL_ERROR "stig_layer(${name}): what is '${arg_UNPARSED_ARGUMENTS}'?")
+  endif()
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
-  file(GLOB headers CONFIGURE_DEPENDS *.h *.def)
+  file(GLOB headers CONFIGURE_DEPENDS *.h)
+  file(GLOB lists CONFIGURE_DEPENDS *.def)
   add_library(stig_${name} STATIC ${sources})
   add_library(stig::${name} ALIAS stig_${name})
   target_sources(stig_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/lib
                  FILES ${headers})
-  set_target_properties(stig_${name} PROPERTIES EXPORT_NAME ${name}
-                        POSITION_INDEPENDENT_CODE ON)
+  # Lists to be included in the middle of something: installed, but not compiled alone.
+  target_sources(stig_${name} PUBLIC FILE_SET lists TYPE HEADERS
+                 BASE_DIRS ${PROJECT_SOURCE_DIR}/lib FILES ${lists})
+  set_target_properties(stig_${name} PROPERTIES
+    EXPORT_NAME ${name}
+    POSITION_INDEPENDENT_CODE ON
+    VERIFY_INTERFACE_HEADER_SETS ON
+    INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
   target_compile_features(stig_${name} PUBLIC cxx_std_20)
   foreach(layer IN LISTS arg_USES)
     target_link_libraries(stig_${name} PUBLIC stig_${layer})
   endforeach()
-  target_link_libraries(stig_${name} PRIVATE ${arg_VENDOR} $<BUILD_INTERFACE:stig_settings>)
-  set_property(GLOBAL APPEND PROPERTY STIG_LAYERS stig_${name})
+  target_link_libraries(stig_${name} PRIVATE ${arg_VENDOR})
+  foreach(target IN LISTS arg_VENDOR_HEADERS ITEMS stig_settings)
+    target_link_libraries(stig_${name} PRIVATE $<BUILD_INTERFACE:${target}>)
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY STIG_LAYERS ${name})
+  set_property(GLOBAL PROPERTY STIG_LAYER_USES_${name} "${arg_USES}")
+  set_property(GLOBAL PROPERTY STIG_LAYER_VENDOR_${name} "${arg_VENDOR};${arg_VENDOR_HEADERS}")
+endfunction()
+
+# Writes the graph, a line for each layer: "name | layers it uses | vendor targets".
+function(stig_write_layers path)
+  get_property(layers GLOBAL PROPERTY STIG_LAYERS)
+  set(text "")
+  foreach(layer IN LISTS layers)
+    get_property(uses GLOBAL PROPERTY STIG_LAYER_USES_${layer})
+    get_property(vendor GLOBAL PROPERTY STIG_LAYER_VENDOR_${layer})
+    list(REMOVE_ITEM vendor "")
+    list(JOIN uses " " uses)
+    list(JOIN vendor " " vendor)
+    string(APPEND text "${layer} | ${uses} | ${vendor}\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${path} CONTENT "${text}" @ONLY)
 endfunction()

@@ -40,12 +40,13 @@ std::string_view to_string(Terminated terminated);
 
 struct SwarmConfig {
   Motion motion = Motion::walk;
-  std::optional<Box> box;              ///< walk and teleport need one; event may grow freely
-  int agents = 10;                     ///< >= 1; ignored by event
-  int moves = 26;                      ///< 6 | 18 | 26, hexagonal 8 | 20
-  std::vector<Cell> agents_at;         ///< first agents' cells; the rest start uniformly
+  std::optional<Box> box;       ///< walk and teleport need one; event may grow freely
+  int agents = 10;              ///< >= 1; ignored by event
+  int moves = 26;               ///< 6 | 18 | 26, hexagonal 8 | 20
+  std::vector<Cell> agents_at;  ///< first agents' cells; the rest start uniformly
   std::uint64_t seed = 1;
-  std::uint32_t run = 0;               ///< number of the run within an ensemble
+  std::uint32_t run = 0;  ///< number of the run within an ensemble
+  bool vectorise = true;  ///< use vector instructions; results are the same
   std::optional<std::uint64_t> max_steps;
   std::optional<std::uint64_t> max_deposits;
 };
@@ -65,8 +66,8 @@ struct RuleStatistics {
 };
 
 struct SwarmResult {
-  Structure structure;                ///< start included
-  std::uint64_t steps = 0;            ///< steps done
+  Structure structure;      ///< start included
+  std::uint64_t steps = 0;  ///< steps done
   std::uint64_t deposits = 0;
   Terminated terminated = Terminated::saturated;
   int stage = 1;                      ///< stage reached
@@ -94,8 +95,7 @@ SwarmResult run_swarm(const RuleTable& rules, const std::vector<PlacedBrick>& st
 /// Runs config.run = 0 … runs-1 on `threads` threads; results in order of run, the
 /// same for any number of threads. Hooks other than `stop` must be thread-safe.
 /// `done` is called with the number of finished runs, under a lock.
-std::vector<SwarmResult> run_ensemble(const RuleTable& rules,
-                                      const std::vector<PlacedBrick>& start,
+std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                                       const SwarmConfig& config, int runs, int threads,
                                       const std::function<void(int)>& done = {},
                                       const std::atomic<bool>* stop = nullptr);

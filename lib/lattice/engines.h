@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// The engines behind run_swarm, one a kind of motion, and what they share.
+#pragma once
+
+#include "lattice/swarm.h"
+#include "lattice/world.h"
+
+namespace stig {
+
+/// Book-keeping of a run: counts, limits, hooks. A step begins with begin_step();
+/// before that the engine asks whether a limit was reached.
+class RunLog {
+ public:
+  RunLog(const SwarmConfig& config, const SwarmHooks& hooks, std::size_t rules);
+
+  /// The number of the step that begins, 1-based.
+  std::uint64_t begin_step() { return ++result_.steps; }
+  void record(const Deposit& deposit);
+
+  bool deposits_spent() const { return config_->max_deposits == result_.deposits; }
+  /// Step limit or stop; also calls the progress hook now and then. `work` is the
+  /// number of agent-steps (or events) in a step, to pace the hooks.
+  bool limit_reached(std::uint64_t work = 1);
+  Terminated why() const { return why_; }
+
+  SwarmResult finish(World& world, Terminated terminated, std::uint64_t enabled_left,
+                     std::uint64_t out_of_reach);
+
+ private:
+  const SwarmConfig* config_;
+  const SwarmHooks* hooks_;
+  SwarmResult result_;
+  Terminated why_ = Terminated::saturated;
+  std::uint64_t work_since_hooks_ = 0;
+};
+
+SwarmResult run_event(World world, const SwarmConfig& config, const SwarmHooks& hooks);
+/// walk and teleport; the config has a box.
+SwarmResult run_agents(World world, const SwarmConfig& config, const SwarmHooks& hooks);
+
+}  // namespace stig

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: MIT
+// Walk and teleport motion in a box: agents and enabled sites live in one dense
+// array of flag bytes, padded by a cell all round (solid sides, or portals to the
+// other side); the structure itself stays in the World.
+#include <algorithm>
+#include <cassert>
+#include <numeric>
+
+#include "lattice/engines.h"
+#include "lattice/walk_kernel.h"
+
+namespace stig {
+namespace {
+
+/// Dense indices of a padded box.
+struct Field {
+  Box box;
+  std::int32_t row = 0, slice = 0, size = 0;
+
+  explicit Field(const Box& b) : box(b), row(b.size.x + 2), slice(row * (b.size.y + 2)) {
+    size = slice * (b.size.z + 2);
+  }
+  std::int32_t index(Cell c) const {
+    const Offset o = c - box.low;
+    return (o.z + 1) * slice + (o.y + 1) * row + o.x + 1;
+  }
+  Cell cell(std::int32_t index) const {
+    return box.low + Offset{index % row - 1, index % slice / row - 1, index / slice - 1};
+  }
+  std::int32_t step(Offset o) const { return o.z * slice + o.y * row + o.x; }
+};
+
+std::vector<std::uint32_t> coprimes(std::uint32_t count) {
+  constexpr std::size_t kEnough = 4096;
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 1; i <= count && all.size() < kEnough; ++i) {
+    if (std::gcd(i, count) == 1) all.push_back(i % count);
+  }
+  return all;
+}
+
+Moves moves_of(const Field& field, const Neighbourhood& n, int count) {
+  Moves moves;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+    const bool chosen = count == n.size || n.is_face[i] || (count == 18 && n.is_edge[i]);
+    if (chosen) moves.step[moves.count++] = field.step(n.offsets[i]);
+  }
+  assert(moves.count == static_cast<std::uint32_t>(count));
+  return moves;
+}
+
+/// The empty cells of the box, for teleport: a list, and each cell's place in it.
+class EmptyCells {
+ public:
+  void add(std::int32_t cell, std::size_t field_size) {
+    if (place_.empty()) place_.resize(field_size);
+    place_[static_cast<std::size_t>(cell)] = static_cast<std::uint32_t>(list_.size());
+    list_.push_back(cell);
+  }
+  void remove(std::int32_t cell) {
+    const std::uint32_t at = place_[static_cast<std::size_t>(cell)];
+    list_[at] = list_.back();
+    place_[static_cast<std::size_t>(list_.back())] = at;
+    list_.pop_back();
+  }
+  std::size_t size() const { return list_.size(); }
+  std::int32_t operator[](std::size_t i) const { return list_[i]; }
+
+ private:
+  std::vector<std::int32_t> list_;
+  std::vector<std::uint32_t> place_;
+};
+
+class AgentRun {
+ public:
+  AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hooks);
+  SwarmResult run();
+
+ private:
+  void mark_sides();
+  void place_agents();
+  std::int32_t random_free_cell(std::uint32_t agent) const;
+  void put_agent(std::int32_t cell);
+  void fill();
+
+  Terminated steps();
+  void draw_order(std::uint64_t step);
+  bool sweep_walk();
+  bool sweep_teleport();
+  bool stimulate(std::uint32_t agent);
+  void walk(std::uint32_t agent);
+  void jump(std::uint32_t agent);
+  bool ended() const { return enabled_ == 0 || log_.deposits_spent(); }
+
+  std::uint8_t& flags(std::int32_t index) { return flags_[static_cast<std::size_t>(index)]; }
+  bool is(std::int32_t index, int bits) const {
+    return (flags_[static_cast<std::size_t>(index)] & bits) != 0;
+  }
+  std::int32_t portal(std::int32_t index) const {
+    return field_.index(world_.wrap(field_.cell(index)));
+  }
+  void set_enabled(std::int32_t index, bool enabled);
+  std::uint64_t unreachable() const;
+
+  World world_;
+  const SwarmConfig* config_;
+  RunLog log_;
+  Field field_;
+  Moves moves_;
+  std::vector<std::uint8_t> flags_;
+  std::vector<std::int32_t> position_;
+  std::array<std::vector<std::uint32_t>, 4> words_;  ///< of four steps, by agent
+  const std::uint32_t* word_ = nullptr;              ///< of this step, by agent
+  std::vector<std::uint32_t> strides_;
+  std::array<std::uint32_t, 4> order_words_{};
+  Order order_;
+  EmptyCells empty_;                 ///< teleport only
+  std::size_t agents_in_empty_ = 0;  ///< agents whose cell holds no brick
+  std::uint64_t enabled_ = 0;        ///< number of enabled cells
+  std::uint64_t step_ = 0;
+  std::vector<Match> scratch_;
+};
+
+AgentRun::AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hooks)
+    : world_(std::move(world)),
+      config_(&config),
+      log_(config, hooks, world_.rules().rule_count()),
+      field_(*config.box),
+      moves_(moves_of(field_, world_.rules().neighbours(), config.moves)),
+      flags_(static_cast<std::size_t>(field_.size) + 4),
+      strides_(coprimes(static_cast<std::uint32_t>(config.agents))) {
+  const auto padded = (static_cast<std::size_t>(config.agents) + 15) / 16 * 16;
+  for (auto& words : words_) words.resize(padded);
+  order_.count = static_cast<std::uint32_t>(config.agents);
+  mark_sides();
+  place_agents();
+}
+
+void AgentRun::mark_sides() {
+  const Box& box = field_.box;
+  for (std::int32_t i = 0; i < field_.size; ++i) {
+    const Cell cell = field_.cell(i);
+    const Cell inside = world_.wrap(cell);
+    const bool below_floor = world_.rules().floor() && cell.z < 0;
+    if (!box.contains(inside) || below_floor) {
+      flags(i) = kSolidCell;
+    } else if (inside != cell) {
+      flags(i) = kPortalCell;
+    }
+  }
+  world_.structure().for_each([&](Cell cell, Colour) { flags(field_.index(cell)) = kSolidCell; });
+  if (config_->motion != Motion::teleport) return;
+  for (std::int32_t i = 0; i < field_.size; ++i) {
+    if (flags(i) == 0) empty_.add(i, static_cast<std::size_t>(field_.size));
+  }
+}
+
+void AgentRun::place_agents() {
+  position_.reserve(static_cast<std::size_t>(config_->agents));
+  for (const Cell cell : config_->agents_at) put_agent(field_.index(cell));
+  for (auto a = position_.size(); a < static_cast<std::size_t>(config_->agents); ++a) {
+    put_agent(random_free_cell(static_cast<std::uint32_t>(a)));
+  }
+}
+
+void AgentRun::put_agent(std::int32_t cell) {
+  assert(flags(cell) == 0);
+  flags(cell) = kAgentCell;
+  position_.push_back(cell);
+  ++agents_in_empty_;
+}
+
+/// Uniform over the cells without brick and agent.
+std::int32_t AgentRun::random_free_cell(std::uint32_t agent) const {
+  Random random(config_->seed, config_->run, Purpose::start, agent, 0);
+  const Box& box = field_.box;
+  const auto below = [&](std::int32_t size) {
+    return static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size)));
+  };
+  for (int attempt = 0; attempt < 64; ++attempt) {
+    const Offset o{below(box.size.x), below(box.size.y), below(box.size.z)};
+    const std::int32_t cell = field_.index(box.low + o);
+    if (flags_[static_cast<std::size_t>(cell)] == 0) return cell;
+  }
+  // The box is nearly full: count what is free and take one of it.
+  const auto last = flags_.begin() + field_.size;
+  const auto free = static_cast<std::uint64_t>(std::count(flags_.begin(), last, std::uint8_t{0}));
+  std::uint64_t skip = random.below(free);
+  std::int32_t cell = 0;
+  while (flags_[static_cast<std::size_t>(cell)] != 0 || skip-- != 0) ++cell;
+  return cell;
+}
+
+void AgentRun::set_enabled(std::int32_t index, bool enabled) {
+  if (is(index, kEnabledCell) == enabled) return;
+  flags(index) = static_cast<std::uint8_t>(flags(index) ^ kEnabledCell);
+  enabled ? ++enabled_ : --enabled_;
+}
+
+/// Enables the sites of the present stage, or of the next that has any.
+void AgentRun::fill() {
+  do {
+    for (std::int32_t i = 0; enabled_ > 0; ++i) set_enabled(i, false);
+    if (!world_.stage_spent()) {
+      for (const Cell site : world_.enabled_sites()) set_enabled(field_.index(site), true);
+    }
+  } while (enabled_ == 0 && world_.next_stage());
+}
+
+SwarmResult AgentRun::run() {
+  fill();
+  const Terminated end = steps();
+  const std::uint64_t left = enabled_;
+  return log_.finish(world_, end, left, left == 0 ? 0 : unreachable());
+}
+
+Terminated AgentRun::steps() {
+  const auto agents = static_cast<std::uint64_t>(config_->agents);
+  while (true) {
+    if (enabled_ == 0) return Terminated::saturated;
+    if (log_.deposits_spent()) return Terminated::deposits;
+    if (log_.limit_reached(agents)) return log_.why();
+    step_ = log_.begin_step();
+    draw_order(step_);
+    config_->motion == Motion::walk ? sweep_walk() : sweep_teleport();
+  }
+}
+
+void AgentRun::draw_order(std::uint64_t step) {
+  if (step % 2 == 0 || step == 1) {
+    order_words_ = philox(random_address(config_->run, Purpose::order, 0, step / 2),
+                          random_key(config_->seed));
+  }
+  const std::size_t half = step % 2 * 2;
+  const auto below = [](std::uint32_t word, std::size_t bound) {
+    return static_cast<std::uint32_t>((std::uint64_t{word} * bound) >> 32);
+  };
+  order_.base = below(order_words_[half], order_.count);
+  order_.stride = strides_[below(order_words_[half + 1], strides_.size())];
+}
+
+bool AgentRun::sweep_walk() {
+  if (step_ % 4 == 0 || step_ == 1) {
+    fill_move_words(config_->seed, config_->run, step_ / 4, words_);
+  }
+  word_ = words_[step_ % 4].data();
+  const bool batches = config_->vectorise && order_.count >= 16 && walk_batch_available();
+  const WalkArrays arrays{flags_.data(), position_.data(), word_};
+  const auto lanes = batch_lanes(order_);
+  const std::uint32_t whole = batches ? order_.count / 16 * 16 : 0;
+  std::uint32_t agent = order_.base;
+  for (std::uint32_t done = 0; done < order_.count; ++done) {
+    if (done % 16 == 0 && done < whole && walk_batch(arrays, moves_, order_, lanes, agent)) {
+      // From the first of this batch to the first of the next: past the last lane.
+      const std::uint32_t last = agent + lanes[15];
+      agent = order_.next(last >= order_.count ? last - order_.count : last);
+      done += 15;
+      continue;
+    }
+    if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
+    walk(agent);
+    agent = order_.next(agent);
+  }
+  return false;
+}
+
+bool AgentRun::sweep_teleport() {
+  std::uint32_t agent = order_.base;
+  for (std::uint32_t done = 0; done < order_.count; ++done, agent = order_.next(agent)) {
+    if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
+    jump(agent);
+  }
+  return false;
+}
+
+/// The agent's site matches: deposit, with the rule's probability. True when the run ends.
+bool AgentRun::stimulate(std::uint32_t agent) {
+  const std::int32_t index = position_[agent];
+  const Cell site = field_.cell(index);
+  Random random(config_->seed, config_->run, Purpose::deposit, agent, step_);
+  const Match match = world_.choose(site, random, scratch_);
+  const double probability = world_.rules().probability(match.rule);
+  if (probability < 1 && random.unit() >= probability) return false;
+  const Colour colour = world_.rules().place(match.rule);
+  set_enabled(index, false);
+  flags(index) = static_cast<std::uint8_t>(flags(index) | kSolidCell);
+  if (config_->motion == Motion::teleport) empty_.remove(index);
+  --agents_in_empty_;
+  world_.deposit(site, colour, [&](Cell neighbour, bool enabled) {
+    set_enabled(field_.index(neighbour), enabled);
+  });
+  log_.record({site, colour, match, static_cast<std::int32_t>(agent), step_});
+  if (enabled_ == 0 || world_.stage_spent()) fill();
+  return ended();
+}
+
+void AgentRun::walk(std::uint32_t agent) {
+  const std::int32_t from = position_[agent];
+  std::int32_t to = from + chosen_step(moves_, word_[agent]);
+  if (is(to, kPortalCell)) to = portal(to);
+  if (is(to, kSolidCell | kAgentCell)) return;
+  flags(from) = static_cast<std::uint8_t>(flags(from) & ~kAgentCell);
+  flags(to) = static_cast<std::uint8_t>(flags(to) | kAgentCell);
+  position_[agent] = to;
+}
+
+void AgentRun::jump(std::uint32_t agent) {
+  const std::int32_t from = position_[agent];
+  const bool in_brick = is(from, kSolidCell);
+  if (in_brick && agents_in_empty_ == empty_.size()) return;  // nowhere to go
+  Random random(config_->seed, config_->run, Purpose::move, agent, step_);
+  std::int32_t to = from;
+  do {
+    to = empty_[random.below(empty_.size())];
+  } while (to != from && is(to, kAgentCell));
+  if (to == from) return;
+  flags(from) = static_cast<std::uint8_t>(flags(from) & ~kAgentCell);
+  flags(to) = static_cast<std::uint8_t>(flags(to) | kAgentCell);
+  position_[agent] = to;
+  if (in_brick) ++agents_in_empty_;
+}
+
+/// Enabled cells that no agent can get to, by flood from the agents' cells.
+std::uint64_t AgentRun::unreachable() const {
+  if (config_->motion == Motion::teleport) return 0;
+  std::vector<bool> seen(static_cast<std::size_t>(field_.size));
+  std::vector<std::int32_t> queue;
+  std::uint64_t found = 0;
+  const auto visit = [&](std::int32_t index) {
+    if (seen[static_cast<std::size_t>(index)]) return;
+    seen[static_cast<std::size_t>(index)] = true;
+    found += is(index, kEnabledCell) ? 1U : 0U;
+    queue.push_back(index);
+  };
+  for (const std::int32_t index : position_) visit(index);
+  while (!queue.empty()) {
+    const std::int32_t from = queue.back();
+    queue.pop_back();
+    for (std::size_t m = 0; m < moves_.count; ++m) {
+      std::int32_t to = from + moves_.step[m];
+      if (is(to, kPortalCell)) to = portal(to);
+      if (!is(to, kSolidCell)) visit(to);
+    }
+  }
+  return enabled_ - found;
+}
+
+}  // namespace
+
+SwarmResult run_agents(World world, const SwarmConfig& config, const SwarmHooks& hooks) {
+  return AgentRun(std::move(world), config, hooks).run();
+}
+
+}  // namespace stig

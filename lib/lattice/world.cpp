@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/world.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace stig {
+
+World::World(const RuleTable& rules, const std::vector<PlacedBrick>& start, std::optional<Box> box)
+    : rules_(&rules), box_(box), structure_(rules.lattice(), start) {
+  const Neighbourhood& n = rules.neighbours();
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+    const Offset o = n.offsets[i];
+    step_[i] = Surroundings::index(o.x, o.y, o.z) - Surroundings::index(0, 0, 0);
+  }
+}
+
+bool World::placeable(Cell site) const {
+  if (rules_->floor() && site.z < 0) return false;
+  return !box_ || box_->contains(site);
+}
+
+State World::at(Cell cell) const {
+  if (rules_->floor() && cell.z < 0) return kFloor;
+  return structure_.at(wrap(cell));
+}
+
+View World::view(Cell site) const {
+  const Neighbourhood& n = rules_->neighbours();
+  View view;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+    view.at[i] = at(site + n.offsets[i]);
+  }
+  return view;
+}
+
+bool World::wraps_near(Cell cell) const {
+  if (!box_ || !box_->periodic) return false;
+  const Offset from_low = cell - box_->low;
+  const auto near = [](std::int32_t at, std::int32_t size) { return at < 2 || at >= size - 2; };
+  return near(from_low.x, box_->size.x) || near(from_low.y, box_->size.y) ||
+         near(from_low.z, box_->size.z);
+}
+
+void World::gather(Cell cell, Surroundings& out) const {
+  structure_.gather(cell, out);
+  if (!rules_->floor() || cell.z >= 2) return;
+  // Levels of the 5×5×5 below z = 0; they are the first in memory.
+  const int below = std::min(5, 2 - cell.z);
+  std::fill_n(out.at.begin(), below * 25, kFloor);
+}
+
+bool World::stage_spent() const {
+  const std::int64_t limit = rules_->stage_limit(stage_);
+  return limit > 0 && deposits_in_stage_ >= limit;
+}
+
+bool World::next_stage() {
+  if (stage_ >= rules_->stage_count()) return false;
+  ++stage_;
+  deposits_in_stage_ = 0;
+  return true;
+}
+
+std::vector<Cell> World::enabled_sites() const {
+  const Neighbourhood& n = rules_->neighbours();
+  std::vector<Cell> sites;
+  structure_.for_each([&](Cell cell, Colour) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+      const Cell site = wrap(cell + n.offsets[i]);
+      if (placeable(site) && at(site) == kEmpty) sites.push_back(site);
+    }
+  });
+  std::sort(sites.begin(), sites.end());
+  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  std::erase_if(sites, [&](Cell site) { return !rules_->enabled(view(site), site.z, stage_); });
+  return sites;
+}
+
+Match World::choose(Cell site, Random& random, std::vector<Match>& scratch) const {
+  rules_->matches(view(site), site.z, stage_, scratch);
+  assert(!scratch.empty());
+  if (rules_->conflicts() != Conflicts::random || scratch.size() == 1) return scratch.front();
+  double total = 0;
+  for (const Match& m : scratch) total += rules_->weight(m.rule);
+  double rest = random.unit() * total;
+  for (const Match& m : scratch) {
+    rest -= rules_->weight(m.rule);
+    if (rest < 0) return m;
+  }
+  return scratch.back();
+}
+
+}  // namespace stig

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+// What every engine shares: a structure in its box, the rules on it, the stage it
+// is in, and the re-evaluation of sites around a new brick. Engines keep their own
+// record of which sites are enabled.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "base/random.h"
+#include "lattice/box.h"
+#include "lattice/structure.h"
+#include "rules/rule_table.h"
+
+namespace stig {
+
+class World {
+ public:
+  World(const RuleTable& rules, const std::vector<PlacedBrick>& start, std::optional<Box> box);
+
+  const RuleTable& rules() const { return *rules_; }
+  const Structure& structure() const { return structure_; }
+  Structure take_structure() { return std::move(structure_); }
+  const std::optional<Box>& box() const { return box_; }
+  int stage() const { return stage_; }
+
+  /// May a brick ever be placed here: inside the box, not below the floor?
+  bool placeable(Cell site) const;
+  /// The cell that stands for `site`: wrapped in a periodic box.
+  Cell wrap(Cell site) const { return box_ ? box_->wrap(site) : site; }
+  State at(Cell cell) const;
+  View view(Cell site) const;
+
+  /// Places a brick and calls site(cell, enabled) for every empty neighbour that is
+  /// placeable. Counts the deposit towards the stage's limit.
+  template <class Site>
+  void deposit(Cell cell, Colour colour, const Site& site) {
+    structure_.place(cell, colour);
+    ++deposits_in_stage_;
+    for_each_neighbour_view(cell, [&](Cell neighbour, const View& view) {
+      site(neighbour, rules_->enabled(view, neighbour.z, stage_));
+    });
+  }
+
+  /// Has the stage had its deposits?
+  bool stage_spent() const;
+  /// Goes to the next stage; false when there is none.
+  bool next_stage();
+  /// Sites that some rule of the present stage matches, in cell order.
+  std::vector<Cell> enabled_sites() const;
+
+  /// The rule that acts at an enabled site (see swarm.h); draws from `random` only
+  /// under `conflicts: random`. `scratch` saves allocations.
+  Match choose(Cell site, Random& random, std::vector<Match>& scratch) const;
+
+ private:
+  /// visit(neighbour, view) for the empty, placeable neighbours of `cell`.
+  template <class Visit>
+  void for_each_neighbour_view(Cell cell, const Visit& visit) const;
+  /// Does the box's wrapping or floor show in the 5×5×5 around `cell`?
+  bool wraps_near(Cell cell) const;
+  void gather(Cell cell, Surroundings& out) const;
+
+  const RuleTable* rules_;
+  std::optional<Box> box_;
+  Structure structure_;
+  int stage_ = 1;
+  std::int64_t deposits_in_stage_ = 0;
+  /// Steps between cells of Surroundings, by neighbour index.
+  std::array<int, kMaxNeighbours> step_{};
+};
+
+template <class Visit>
+void World::for_each_neighbour_view(Cell cell, const Visit& visit) const {
+  const Neighbourhood& n = rules_->neighbours();
+  const auto size = static_cast<std::size_t>(n.size);
+  if (wraps_near(cell)) {
+    for (std::size_t i = 0; i < size; ++i) {
+      const Cell neighbour = wrap(cell + n.offsets[i]);
+      if (placeable(neighbour) && at(neighbour) == kEmpty) visit(neighbour, view(neighbour));
+    }
+    return;
+  }
+  Surroundings around;
+  gather(cell, around);
+  constexpr int kCentre = Surroundings::index(0, 0, 0);
+  for (std::size_t i = 0; i < size; ++i) {
+    const int site = kCentre + step_[i];
+    const Cell neighbour = cell + n.offsets[i];
+    if (around.at[static_cast<std::size_t>(site)] != kEmpty || !placeable(neighbour)) continue;
+    View view;
+    for (std::size_t k = 0; k < size; ++k) {
+      view.at[k] = around.at[static_cast<std::size_t>(site + step_[k])];
+    }
+    visit(neighbour, view);
+  }
+}
+
+}  // namespace stig

@@ -1,0 +1,99 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The long checks and the benchmarks, written up as markdown on standard output and in
+# out/acceptance.md; progress goes to standard error.
+#
+#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench fuzz sanitizers
+#
+# Without a part: all of them. N is for each fuzz target (default 60).
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+fuzz_seconds=60 parts=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
+    bench | fuzz | sanitizers) parts+=("$1") ;;
+    -h | --help) sed -n '3,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    *) die "unknown argument '$1'; see --help" ;;
+  esac
+  shift
+done
+[[ ${#parts[@]} -gt 0 ]] || parts=(bench fuzz sanitizers)
+
+failures=0
+mkdir -p out
+
+machine() {
+  printf '# Acceptance, %s\n\n' "$(date -u +%F)"
+  printf -- '- Commit: %s\n' "$(git describe --always --dirty 2>/dev/null || echo unknown)"
+  printf -- '- Processor: %s, %s cores\n' \
+    "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)"
+  printf -- '- Memory: %s\n' "$(awk '/^MemTotal/{printf "%.0f GB", $2 / 1e6}' /proc/meminfo)"
+  printf -- '- Compiler: %s\n' "$(c++ --version | head -n 1)"
+}
+
+bench_part() {
+  printf '\n## Benchmarks\n'
+  scripts/install.sh build bench >&2
+  configure_and_build release >&2
+  local program found=''
+  while IFS= read -r program; do
+    found=1
+    say "$program" >&2
+    printf '\n### %s\n\n' "$(basename "$program")"
+    if "$program" --benchmark_out=out/bench.json --benchmark_out_format=json >&2; then
+      python3 scripts/bench_table.py out/bench.json
+    else
+      printf '**failed**\n'
+      failures=$((failures + 1))
+    fi
+  done < <(find build/release -name 'bench_*' -type f -executable | sort)
+  rm -f out/bench.json
+  [[ -n $found ]] || { printf '\nNo benchmark was built.\n'; failures=$((failures + 1)); }
+}
+
+fuzz_part() {
+  printf '\n## Fuzzing, %s s for each target\n\n' "$fuzz_seconds"
+  scripts/install.sh build fuzz >&2
+  configure_and_build fuzz >&2
+  printf '| target | runs | result |\n|---|---:|---|\n'
+  local program name log runs result
+  while IFS= read -r program; do
+    name=$(basename "$program")
+    log=out/$name.log
+    say "$name" >&2
+    mkdir -p "out/fuzz/$name"
+    result=clean
+    # New inputs go to the first folder; the shipped corpus is only read.
+    "$program" -max_total_time="$fuzz_seconds" -timeout=20 -rss_limit_mb=2048 \
+      -print_final_stats=1 -artifact_prefix="out/fuzz/$name-" \
+      "out/fuzz/$name" "fuzz/corpus/${name#fuzz_}" >"$log" 2>&1 || {
+      result="**failed**, see $log"
+      failures=$((failures + 1))
+    }
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+    printf '| %s | %s | %s |\n' "$name" "${runs:-?}" "$result"
+  done < <(find build/fuzz -name 'fuzz_*' -type f -executable | sort)
+}
+
+sanitizers_part() {
+  printf '\n## Tests under sanitizers\n\n| preset | result |\n|---|---|\n'
+  local preset log
+  for preset in asan-ubsan tsan; do
+    log=out/$preset.log
+    say "$preset" >&2
+    scripts/test.sh "$preset" >"$log" 2>&1 || failures=$((failures + 1))
+    printf '| %s | %s |\n' "$preset" \
+      "$(grep -E '[0-9]+% tests passed' "$log" || echo "did not build, see $log")"
+  done
+}
+
+report() {
+  machine
+  for part in "${parts[@]}"; do
+    "${part}_part"
+  done
+  [[ $failures -eq 0 ]] || die "$failures of the checks failed"
+}
+
+report | tee out/acceptance.md

@@ -1,0 +1,57 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# The quick checks, everything that is not a test: shell syntax, formatting, layering,
+# and that each header compiles alone.
+#
+#   scripts/check.sh [--fix] [--tidy [FILE…]]
+#
+#   --fix    format the sources instead of complaining
+#   --tidy   clang-tidy as well, over the given or all source files (minutes)
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+fix='' tidy='' tidy_files=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --fix) fix=1 ;;
+    --tidy) tidy=1; shift; tidy_files=("$@"); break ;;
+    -h | --help) sed -n '3,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    *) die "unknown option '$1'; see --help" ;;
+  esac
+  shift
+done
+
+purposes=(build test)
+[[ -z $tidy ]] || purposes+=(tidy)
+scripts/install.sh "${purposes[@]}"
+
+# The project's files that end in one of the given patterns; new ones count too.
+files() { git ls-files --cached --others --exclude-standard -- "$@"; }
+
+say "Shell scripts parse"
+while IFS= read -r script; do
+  bash -n "$script"
+done < <(files '*.sh' '.ci/*')
+
+say "Sources are formatted"
+if [[ -n $fix ]]; then
+  files '*.cpp' '*.h' | xargs -r clang-format -i
+else
+  files '*.cpp' '*.h' | xargs -r clang-format --dry-run -Werror ||
+    die "run scripts/check.sh --fix"
+fi
+
+say "Includes keep to the layers"
+[[ -f build/dev/build.ninja ]] || cmake --preset dev >/dev/null
+python3 tests/layering/layering.py --graph build/dev/layers.txt --root .
+
+say "Headers compile alone"
+cmake --build build/dev --parallel "$(nproc)" --target all_verify_interface_header_sets
+
+if [[ -n $tidy ]]; then
+  say "clang-tidy"
+  [[ ${#tidy_files[@]} -gt 0 ]] || mapfile -t tidy_files < <(files 'lib/*.cpp' 'tools/*.cpp')
+  printf '%s\n' "${tidy_files[@]}" |
+    xargs -P "$(nproc)" -n 1 clang-tidy -p build/dev --quiet --warnings-as-errors='*'
+fi
+
+say "All checks passed"

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Does layering.py see what it should? Each case is a small tree with one fault."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+import layering
+
+GRAPH = "base | | fmt::fmt yaml-cpp\nrules | base | fmt::fmt\nlattice | rules | Boost::headers\n"
+SPDX = "// SPDX-License-Identifier: MIT\n"
+
+
+def check(files, graph=GRAPH):
+    """Problems of a tree of {path: text after the SPDX line} beside a sound header."""
+    with tempfile.TemporaryDirectory() as folder:
+        root = Path(folder)
+        for path, text in {"lib/base/sound.h": "#include <vector>\n", **files}.items():
+            (root / path).parent.mkdir(parents=True, exist_ok=True)
+            (root / path).write_text(SPDX + text, encoding="utf-8")
+        return layering.check(root, layering.read_graph(graph))
+
+
+class LayeringTest(unittest.TestCase):
+    def expect(self, problems, path, line, words):
+        self.assertEqual([(path, line)], [(p, n) for p, n, _ in problems], problems)
+        self.assertIn(words, problems[0][2])
+
+    def test_sound_tree(self):
+        self.assertEqual([], check({
+            "lib/lattice/a.h": '#include "base/sound.h"\n',  # used through rules
+            "lib/lattice/a.cpp": '#include "lattice/a.h"\n#include <boost/graph/x.hpp>\n',
+            "tools/t/main.cpp": '#include "own.h"\n#include <CLI/CLI.hpp>\n'}))
+
+    def test_upward_include(self):
+        problems = check({"lib/rules/a.h": "",
+                          "lib/base/b.cpp": '\n#include "rules/a.h"\n'})
+        self.expect(problems, "lib/base/b.cpp", 3, "'base' may not include 'rules'")
+
+    def test_include_without_layer(self):
+        self.expect(check({"lib/base/b.cpp": '#include "sound.h"\n'}),
+                    "lib/base/b.cpp", 2, "names no layer")
+
+    def test_include_of_missing_file(self):
+        self.expect(check({"lib/base/b.cpp": '#include "base/gone.h"\n'}),
+                    "lib/base/b.cpp", 2, "no file of lib/")
+
+    def test_folder_that_is_no_layer(self):
+        self.expect(check({"lib/stray/b.cpp": '#include "base/sound.h"\n'}),
+                    "lib/stray/b.cpp", 2, "is no layer")
+
+    def test_vendor_in_header(self):
+        self.expect(check({"lib/base/b.h": "#include <fmt/core.h>\n"}),
+                    "lib/base/b.h", 2, "vendor headers stand in .cpp files")
+
+    def test_vendor_that_the_layer_does_not_link(self):
+        self.expect(check({"lib/rules/b.cpp": "#include <boost/any.hpp>\n"}),
+                    "lib/rules/b.cpp", 2, "does not link Boost::headers")
+
+    def test_unknown_vendor(self):
+        self.expect(check({"lib/base/b.cpp": "#include <wonder/all.hpp>\n"}),
+                    "lib/base/b.cpp", 2, "is unknown")
+
+    def test_slow_vendor_in_two_files(self):
+        include = "#include <yaml-cpp/yaml.h>\n"
+        self.expect(check({"lib/base/a.cpp": include, "lib/base/b.cpp": include}),
+                    "lib/base/b.cpp", 2, "one file wraps it")
+
+    def test_header_cycle(self):
+        problems = check({"lib/base/a.h": '#include "base/b.h"\n',
+                          "lib/base/b.h": '#include "base/a.h"\n'})
+        self.expect(problems, "lib/base/a.h", 1, "headers in a circle")
+
+    def test_layer_cycle(self):
+        problems = check({}, "base | rules |\nrules | base |\n")
+        self.expect(problems, "lib/CMakeLists.txt", 1, "base -> rules -> base")
+
+    def test_layer_that_uses_nothing_known(self):
+        self.expect(check({}, "base | sand |\n"), "lib/CMakeLists.txt", 1, "'sand'")
+
+    def test_missing_spdx(self):
+        self.expect(check({"scripts/run.sh": ""}), "scripts/run.sh", 1, "# SPDX")
+
+
+if __name__ == "__main__":
+    unittest.main()
