@@ -4,6 +4,10 @@
 #include <cairo-svg.h>
 #include <cairo.h>
 
+#include <algorithm>
+#include <map>
+#include <string_view>
+
 namespace stig {
 
 namespace {
@@ -17,6 +21,26 @@ cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
 
 void set_colour(cairo_t* cairo, Rgb rgb) {
   cairo_set_source_rgb(cairo, rgb.r / 255.0, rgb.g / 255.0, rgb.b / 255.0);
+}
+
+// Cairo numbers the parts of an .svg through all pages a program ever draws; here
+// they are numbered anew, so that the same page has the same bytes.
+std::string renumbered(const std::string& svg) {
+  constexpr std::string_view kId = "surface";
+  std::map<std::string, std::size_t> numbers;
+  std::string out;
+  for (std::size_t at = 0; at < svg.size();) {
+    const std::size_t id = std::min(svg.find(kId, at), svg.size());
+    const std::size_t begin = std::min(id + kId.size(), svg.size());
+    const std::size_t end = std::min(svg.find_first_not_of("0123456789", begin), svg.size());
+    out.append(svg, at, begin - at);
+    if (end > begin) {
+      const auto number = numbers.emplace(svg.substr(begin, end - begin), numbers.size()).first;
+      out += std::to_string(number->second);
+    }
+    at = end;
+  }
+  return out;
 }
 
 // Hinting would make widths depend on the target.
@@ -41,10 +65,12 @@ struct Canvas::Page {
   cairo_t* cairo = nullptr;
 
   Page(PictureFormat kind, int width, int height) : format(kind) {
-    surface = kind == PictureFormat::png
-                  ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)
-                  : cairo_svg_surface_create_for_stream(append, &bytes, width, height);
+    surface =
+        kind == PictureFormat::png
+            ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, kDensity * width, kDensity * height)
+            : cairo_svg_surface_create_for_stream(append, &bytes, width, height);
     cairo = cairo_create(surface);
+    if (kind == PictureFormat::png) cairo_scale(cairo, kDensity, kDensity);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     set_colour(cairo, {255, 255, 255});
@@ -126,6 +152,7 @@ std::string Canvas::finish() {
   } else {
     cairo_surface_finish(page_->surface);
     if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(page_->surface);
+    page_->bytes = renumbered(page_->bytes);
   }
   page_->close();
   return status == CAIRO_STATUS_SUCCESS ? std::move(page_->bytes) : std::string{};

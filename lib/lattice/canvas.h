@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A page to draw on: the little of cairo that pictures need. Lengths are pixels,
-// x to the right, y down.
+// A page to draw on: the little of cairo that pictures need. x to the right, y down;
+// a unit is kDensity pixels of a .png.
 #pragma once
 
 #include <memory>
@@ -14,16 +14,19 @@
 namespace stig {
 
 struct TextLook {
-  double size = 14;  ///< pixels
+  double size = 14;  ///< units
   bool bold = false;
   Rgb colour{0x1f, 0x29, 0x33};
 };
 
-/// Width that a text will have, in pixels.
+/// Width that a text will have, in units.
 double text_width(const std::string& text, const TextLook& look);
 
 class Canvas {
  public:
+  /// Pixels of an image for each unit: sharp on fine screens and in print.
+  static constexpr int kDensity = 2;
+
   /// A white page.
   Canvas(PictureFormat format, int width, int height);
   ~Canvas();

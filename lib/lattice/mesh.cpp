@@ -69,8 +69,6 @@ std::vector<CellFace> prism_faces() {
   return faces;
 }
 
-Corner operator+(Corner a, Corner b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-
 // A face on its way into the mesh: its plane, and its place in the plane as row and
 // column, along which rectangles grow.
 struct FlatFace {

@@ -23,6 +23,7 @@ struct Corner {
   std::int32_t x = 0, y = 0, z = 0;
   auto operator<=>(const Corner&) const = default;
 };
+constexpr Corner operator+(Corner a, Corner b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
 /// One face of a cell: where it looks and its corners from the cell's foot.
 struct CellFace {

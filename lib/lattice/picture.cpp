@@ -17,8 +17,9 @@ namespace stig {
 namespace {
 
 constexpr double kMargin = 28;
-constexpr double kGap = 24;  // between panels
-constexpr double kSmallestWidth = 360;
+constexpr std::size_t kManyFaces = 20000;  // then it pays to find the covered ones
+constexpr double kGap = 24;                // between panels
+constexpr double kSmallestWidth = 304;
 constexpr TextLook kTitle{21, true, {0x1f, 0x29, 0x33}};
 constexpr TextLook kLabel{14, false, {0x1f, 0x29, 0x33}};
 constexpr TextLook kLegend{14, false, {0x1f, 0x29, 0x33}};
@@ -51,9 +52,9 @@ std::vector<LegendItem> legend_items(const std::vector<PicturePanel>& panels,
   return items;
 }
 
-// Where everything goes, in pixels.
+// Where everything goes, in units of the canvas.
 struct Layout {
-  double scale = 1;  // pixels a cell
+  double scale = 1;  // units a cell
   int columns = 1, rows = 1;
   double panel_width = 0, panel_height = 0;  // of the drawing in a panel
   double label_height = 0;
@@ -62,12 +63,13 @@ struct Layout {
   double width = 0, height = 0;
 };
 
-// The number of columns that lets cells be largest; fewer rows where it is equal.
+// The number of rows that lets cells be largest; the fewer where it is nearly equal.
 void fit_panels(Layout& layout, std::size_t panels, PagePoint content, PagePoint room,
                 double most_scale) {
   layout.scale = 0;
-  for (int columns = static_cast<int>(panels); columns >= 1; --columns) {
-    const int rows = (static_cast<int>(panels) + columns - 1) / columns;
+  const int count = static_cast<int>(panels);
+  for (int rows = 1; rows <= count; ++rows) {
+    const int columns = (count + rows - 1) / rows;
     const double width = (room.x - kGap * (columns - 1)) / columns;
     const double height =
         (room.y - (kGap + layout.label_height) * (rows - 1)) / rows - layout.label_height;
@@ -128,7 +130,7 @@ class Picture {
 
  private:
   void lay_out() {
-    const double most = options_.most_pixels;
+    const double most = options_.most_pixels / static_cast<double>(Canvas::kDensity);
     PagePoint content{1e-9, 1e-9};
     for (const Scene& scene : scenes_) {
       content.x = std::max(content.x, scene.frame.width());
@@ -141,7 +143,7 @@ class Picture {
     const double below = (options_.axes || options_.legend ? kAxes : 0) + 2 * kMargin;
     fit_panels(layout_, panels_.size(), content,
                {most - 2 * kMargin, std::max(most - layout_.drawing_top - below, 64.0)},
-               options_.cell_pixels);
+               options_.cell_pixels / Canvas::kDensity);
     const double drawing = layout_.columns * layout_.panel_width + kGap * (layout_.columns - 1);
     layout_.width = std::ceil(std::clamp(
         std::max({drawing, kSmallestWidth, text_width(options_.title, kTitle)}) + 2 * kMargin,
@@ -150,7 +152,7 @@ class Picture {
     layout_.legend_top = layout_.drawing_top + row * layout_.rows + kGap * (layout_.rows - 1) + 18;
     const double left = kMargin + (options_.axes ? kAxes : 0);
     const double legend = place_legend(layout_, items_, left);
-    double bottom = layout_.legend_top + std::max(legend, options_.axes ? kAxes - 20 : 0);
+    double bottom = layout_.legend_top + std::max(legend, options_.axes ? kAxes - 26 : 0);
     if (!options_.caption.empty()) {
       layout_.caption_base = bottom + 22;
       bottom = layout_.caption_base;
@@ -166,8 +168,8 @@ class Picture {
     canvas.text(text, at, look);
   }
 
-  void draw_panel(Canvas& canvas, std::size_t i) const {
-    const Scene& scene = scenes_[i];
+  void draw_panel(Canvas& canvas, std::size_t i) {
+    Scene& scene = scenes_[i];
     const auto columns = static_cast<std::size_t>(layout_.columns);
     const double drawing = layout_.columns * layout_.panel_width + kGap * (layout_.columns - 1);
     const double left = (layout_.width - drawing) / 2 +
@@ -179,6 +181,9 @@ class Picture {
                           {left + layout_.panel_width / 2 -
                                layout_.scale * (scene.frame.low.x + scene.frame.high.x) / 2,
                            bottom - layout_.scale * scene.frame.high.y}};
+    if (scene.faces.size() > kManyFaces) {
+      drop_covered(scene, place, layout_.width, layout_.height);
+    }
     paint_scene(canvas, scene, place, bricks_);
     const std::string& label = panels_[i].label;
     TextLook look = kLabel;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pictures of structures for papers and pages: isometric, with a legend of the
+// Pictures of structures for papers and pages: from above and aside, with a legend of the
 // bricks, drawn by cairo. The same input gives the same bytes with the same
 // versions of cairo and the same fonts (DejaVu Sans).
 #pragma once
@@ -21,8 +21,8 @@ struct PictureOptions {
   bool axes = true;
   bool legend = true;
   int turns = 0;            ///< of the structure before it is drawn (see view.h)
-  int most_pixels = 1600;   ///< a side of the picture
-  double cell_pixels = 64;  ///< width of a cell, if the picture has room for it
+  int most_pixels = 1600;   ///< a side of the picture; at least 720 are taken
+  double cell_pixels = 96;  ///< width of a cell, if the picture has room for it
   bool same_frame = true;   ///< several structures: show all in the box of all
 };
 

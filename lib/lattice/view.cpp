@@ -9,45 +9,27 @@ namespace stig {
 
 namespace {
 
-// Unit vectors of the page, and the cells along the line of sight.
+// Unit vectors of the page, and the faces that look at the viewer.
 struct Camera {
   Point right, up;
-  Offset sight;
   std::array<std::uint8_t, 3> faces;  // top, left, right: indices into cell_faces
 };
 
-constexpr double kRoot2 = 0.70710678118654752440;   // √(1/2)
-constexpr double kRoot6 = 0.40824829046386301637;   // √(1/6)
-constexpr double kRoot23 = 0.81649658092772603273;  // √(2/3)
+constexpr double kSin52 = 0.78801075360672195669, kCos52 = 0.61566147532565827;
 constexpr double kCos30 = 0.86602540378443864676;
 
-constexpr Camera kIsometric = {
-    {kRoot2, kRoot2, 0}, {-kRoot6, kRoot6, kRoot23}, {1, -1, 1}, {4, 3, 0}};
-constexpr Camera kHexagonal = {
-    {0.5, kCos30, 0}, {-kCos30 / 2, 0.25, kCos30}, {2, -1, 1}, {6, 5, 0}};
+constexpr Camera kCubic = {{kSin52, kCos52, 0}, {-kCos52 / 2, kSin52 / 2, kCos30}, {4, 3, 0}};
+constexpr Camera kHexagonal = {{0.5, kCos30, 0}, {-kCos30 / 2, 0.25, kCos30}, {6, 5, 0}};
 
-const Camera& camera(Lattice lattice) {
-  return lattice == Lattice::cubic ? kIsometric : kHexagonal;
-}
+const Camera& camera(Lattice lattice) { return lattice == Lattice::cubic ? kCubic : kHexagonal; }
 
 double dot(Point a, Point b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 
-// A brick can hide part of another only if its depth is greater: if a sight line
-// meets both, their offset differs from a multiple of the line by less than a cell,
-// and none of its parts below can then be negative.
+// A brick can hide part of another only if its depth is greater. If a line of sight
+// meets both, their offset is a piece of that line and something less than a cell, so
+// none of the terms below, whole numbers that grow along the line, can be negative.
 int depth(Lattice lattice, Cell c) {
   return lattice == Lattice::cubic ? c.x - c.y + c.z : c.x + c.z;
-}
-
-bool hidden(const Structure& structure, const Bounds& bounds, Cell cell) {
-  constexpr int kFarthest = 64;  // beyond, a brick is painted in vain
-  const Offset sight = camera(structure.lattice()).sight;
-  for (int i = 0; i < kFarthest; ++i) {
-    cell = cell + sight;
-    if (cell.z > bounds.high.z || cell.x > bounds.high.x || cell.y < bounds.low.y) return false;
-    if (structure.at(cell) != kEmpty) return true;
-  }
-  return false;
 }
 
 }  // namespace
@@ -75,14 +57,12 @@ std::vector<ShownFace> shown_faces(const Structure& structure) {
   std::vector<ShownFace> shown;
   if (structure.empty()) return shown;
   const Lattice lattice = structure.lattice();
-  const Bounds bounds = *structure.bounds();
   const auto& faces = cell_faces(lattice);
   std::vector<PlacedBrick> bricks = structure.bricks();
   std::stable_sort(bricks.begin(), bricks.end(), [&](const PlacedBrick& a, const PlacedBrick& b) {
     return depth(lattice, a.at) < depth(lattice, b.at);
   });
   for (const PlacedBrick& brick : bricks) {
-    if (hidden(structure, bounds, brick.at)) continue;
     for (const Side side : {Side::top, Side::left, Side::right}) {
       const std::uint8_t face = camera(lattice).faces[static_cast<std::size_t>(side)];
       if (structure.at(brick.at + faces[face].towards) != kEmpty) continue;

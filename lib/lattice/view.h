@@ -2,10 +2,10 @@
 // A structure seen by a viewer far away: which faces show, in which order to paint
 // them, and where they fall on the page.
 //
-// The viewer looks at the corner of the cells. Cubic: isometric, from +x -y and
-// above, along (1, -1, 1). Hexagonal: from +q and 30° above, along (2, -1, 1). Both
-// lines of sight run through cell centres, so a brick on the line hides the whole
-// of the brick behind it. Other views turn the structure, not the viewer.
+// The viewer stands 30° above the ground. Cubic: 52° from the x axis towards -y, not
+// the 45° of an isometric view, in which a step down towards the viewer cannot be told
+// from a level. Hexagonal: 30° from the q axis, before an edge of the prisms. Other
+// views turn the structure, not the viewer.
 #pragma once
 
 #include <optional>
@@ -41,8 +41,8 @@ std::optional<int> turns_for_view(std::string_view corner, Lattice lattice);
 /// The structure after so many turns about the vertical through cell (0, 0, 0).
 Structure turned(const Structure& structure, int turns);
 
-/// Faces towards the viewer that border on empty cells, of bricks that are not
-/// wholly hidden, from the farthest to the nearest.
+/// Faces towards the viewer that border on empty cells, from the farthest to the
+/// nearest: painted in this order, near ones cover far ones.
 std::vector<ShownFace> shown_faces(const Structure& structure);
 
 }  // namespace stig
