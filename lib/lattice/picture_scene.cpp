@@ -15,8 +15,28 @@ constexpr std::size_t kMostShadows = 20000;      // bricks; beyond, shadows are 
 constexpr std::size_t kMostTiledColumns = 5000;  // hexagonal: beyond, so is the ground
 constexpr int kFarthestShadow = 6;               // cells that the ground grows for shadows
 
-std::size_t count = 0;
-};
+// The cells under the bricks and their shadows, and two more all round.
+std::vector<Cell> tiles_under(const std::vector<PlacedBrick>& bricks) {
+  std::vector<Cell> tiles;
+  for (const PlacedBrick& brick : bricks) {
+    const int shadow = std::min(brick.at.z * 3 / 10, kFarthestShadow);
+    for (const int r : {0, shadow}) tiles.push_back({brick.at.x, brick.at.y + r, 0});
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  if (tiles.size() > kMostTiledColumns) return {};
+  std::vector<Cell> wide;
+  for (const Cell& tile : tiles) {
+    for (int q = -2; q <= 2; ++q) {
+      for (int r = std::max(-2, -q - 2); r <= std::min(2, -q + 2); ++r) {
+        wide.push_back(tile + Offset{q, r, 0});
+      }
+    }
+  }
+  std::sort(wide.begin(), wide.end());
+  wide.erase(std::unique(wide.begin(), wide.end()), wide.end());
+  return wide;
+}
 
 void add_outline(Frame& frame, const Outline& outline) {
   for (std::size_t i = 0; i < outline.count; ++i) frame.add(outline.at[i]);
@@ -59,30 +79,6 @@ Outline outline_of(Lattice lattice, Cell cell, std::size_t face) {
 }
 
 std::size_t bottom_face(Lattice lattice) { return lattice == Lattice::cubic ? 5 : 7; }
-
-// ---- making -------------------------------------------------------------------
-
-std::vector<Cell> tiles_under(const std::vector<PlacedBrick>& bricks) {
-  std::vector<Cell> tiles;
-  for (const PlacedBrick& brick : bricks) {
-    const int shadow = std::min(brick.at.z * 3 / 10, kFarthestShadow);
-    for (const int r : {0, shadow}) tiles.push_back({brick.at.x, brick.at.y + r, 0});
-  }
-  std::sort(tiles.begin(), tiles.end());
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-  if (tiles.size() > kMostTiledColumns) return {};
-  std::vector<Cell> wide;
-  for (const Cell& tile : tiles) {
-    for (int q = -2; q <= 2; ++q) {
-      for (int r = std::max(-2, -q - 2); r <= std::min(2, -q + 2); ++r) {
-        wide.push_back(tile + Offset{q, r, 0});
-      }
-    }
-  }
-  std::sort(wide.begin(), wide.end());
-  wide.erase(std::unique(wide.begin(), wide.end()), wide.end());
-  return wide;
-}
 
 PagePoint on_page(Lattice lattice, Corner corner) {
   return project(lattice, position(lattice, corner));
