@@ -27,7 +27,7 @@ namespace stig {
 inline constexpr std::uint64_t kTraceHashEvery = 1024;
 
 struct Trace {
-  std::string rule_set_yaml;        ///< canonical print of the set that ran
+  std::string rule_set_yaml;  ///< canonical print of the set that ran
   std::uint64_t rule_set_hash = 0;
   /// "swarm": made by run_swarm with `config`, replay re-runs it. "given": an order
   /// of events from elsewhere, replay checks that each event was open.
@@ -61,8 +61,8 @@ std::optional<Trace> read_trace(const std::string& path, const std::string& byte
 /// What replay found.
 struct ReplayReport {
   bool identical = false;
-  std::string difference;       ///< first difference in words; empty when identical
-  std::uint64_t compared = 0;   ///< events compared
+  std::string difference;      ///< first difference in words; empty when identical
+  std::uint64_t compared = 0;  ///< events compared
 };
 ReplayReport replay(const Trace& trace, const RuleSet& rules,
                     const std::atomic<bool>* stop = nullptr);

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+// Replay: a swarm's trace is run again and compared event by event; a given order
+// of events is checked against the rules.
+#include <algorithm>
+
+#include "lattice/trace.h"
+#include "lattice/world.h"
+#include "rules/rule_printer.h"
+
+namespace stig {
+namespace {
+
+std::string to_text(const Deposit& d, const RuleSet& rules) {
+  const std::string rule =
+      d.match.rule < rules.rules.size() ? "'" + rules.rules[d.match.rule].name + "'" : "unknown";
+  return "brick " + std::to_string(d.colour) + " at (" + std::to_string(d.site.x) + ", " +
+         std::to_string(d.site.y) + ", " + std::to_string(d.site.z) + ") by rule " + rule +
+         ", agent " + std::to_string(d.agent) + ", step " + std::to_string(d.step);
+}
+
+/// Compares a stream of events with the trace's, hashes included.
+class Comparison {
+ public:
+  Comparison(const Trace& trace, const RuleSet& rules) : trace_(trace), rules_(rules) {
+    for (const PlacedBrick& b : rules.start) hash_ += placement_hash(b.at, b.brick);
+  }
+
+  void event(const Deposit& d) {
+    if (!report_.difference.empty()) return;
+    const std::uint64_t number = ++report_.compared;
+    if (number > trace_.events.size()) {
+      return differ("the trace ends after " + std::to_string(number - 1) +
+                    " events, the run goes on with " + to_text(d, rules_));
+    }
+    const Deposit& expected = trace_.events[number - 1];
+    if (!(d == expected)) {
+      return differ("event " + std::to_string(number) + ": the trace has " +
+                    to_text(expected, rules_) + "; the run has " + to_text(d, rules_));
+    }
+    hash_ += placement_hash(d.site, d.colour);
+    if (number % kTraceHashEvery != 0) return;
+    const std::uint64_t at = number / kTraceHashEvery - 1;
+    if (at >= trace_.hashes.size() || trace_.hashes[at] != hash_) {
+      differ("the state hash after event " + std::to_string(number) + " differs");
+    }
+  }
+
+  ReplayReport finish() {
+    if (report_.difference.empty() && report_.compared < trace_.events.size()) {
+      differ("the run ends after " + std::to_string(report_.compared) + " events, the trace has " +
+             std::to_string(trace_.events.size()));
+    }
+    if (report_.difference.empty() && hash_ != trace_.final_hash) differ("the final hash differs");
+    report_.identical = report_.difference.empty();
+    return std::move(report_);
+  }
+  void differ(std::string what) {
+    if (report_.difference.empty()) report_.difference = std::move(what);
+  }
+  bool differs() const { return !report_.difference.empty(); }
+
+ private:
+  const Trace& trace_;
+  const RuleSet& rules_;
+  std::uint64_t hash_ = 0;
+  ReplayReport report_;
+};
+
+ReplayReport rerun(const Trace& trace, const RuleSet& rules, const std::atomic<bool>* stop) {
+  Comparison comparison(trace, rules);
+  const RuleTable table(rules);
+  SwarmConfig config = trace.config;
+  if (config.box) config.box->floor = rules.floor;
+  // An interrupted run is repeated as far as it went.
+  if (trace.terminated == Terminated::interrupted) config.max_steps = trace.steps;
+  const std::string problem = config_problem(table, rules.start, config);
+  if (!problem.empty()) {
+    comparison.differ("the recorded run is not possible: " + problem);
+    return comparison.finish();
+  }
+  SwarmHooks hooks;
+  hooks.stop = stop;
+  hooks.deposit = [&](const Deposit& d) { comparison.event(d); };
+  const SwarmResult result = run_swarm(table, rules.start, config, hooks);
+  const bool recorded_end =
+      result.terminated == trace.terminated || trace.terminated == Terminated::interrupted;
+  if (result.terminated == Terminated::interrupted) {
+    comparison.differ("replay was interrupted");
+  } else if (!recorded_end || result.steps != trace.steps) {
+    comparison.differ("the run ends after " + std::to_string(result.steps) + " steps (" +
+                      std::string(to_string(result.terminated)) + "), the trace after " +
+                      std::to_string(trace.steps) + " (" +
+                      std::string(to_string(trace.terminated)) + ")");
+  }
+  return comparison.finish();
+}
+
+/// Advances through stages until the event is open; false when it never is.
+bool open_at(World& world, const Deposit& event) {
+  std::vector<Match> matches;
+  do {
+    if (world.placeable(event.site) && world.at(event.site) == kEmpty) {
+      world.rules().matches(world.view(event.site), event.site.z, world.stage(), matches);
+      const bool found = std::any_of(matches.begin(), matches.end(), [&](const Match& m) {
+        return world.rules().place(m.rule) == event.colour;
+      });
+      if (found && !world.stage_spent()) return true;
+    }
+    if (!world.stage_spent() && !world.enabled_sites().empty()) return false;
+  } while (world.next_stage());
+  return false;
+}
+
+ReplayReport check_given(const Trace& trace, const RuleSet& rules, const std::atomic<bool>* stop) {
+  Comparison comparison(trace, rules);
+  const RuleTable table(rules);
+  std::optional<Box> box = trace.config.box;
+  if (box) box->floor = rules.floor;
+  World world(table, rules.start, box);
+  for (const Deposit& event : trace.events) {
+    if (stop && stop->load()) comparison.differ("replay was interrupted");
+    if (!comparison.differs() && !open_at(world, event)) {
+      comparison.differ("no rule allows " + to_text(event, rules));
+    }
+    if (comparison.differs()) break;
+    world.deposit(event.site, event.colour, [](Cell, bool) {});
+    comparison.event(event);
+  }
+  return comparison.finish();
+}
+
+}  // namespace
+
+ReplayReport replay(const Trace& trace, const RuleSet& rules, const std::atomic<bool>* stop) {
+  return trace.kind == "given" ? check_given(trace, rules, stop) : rerun(trace, rules, stop);
+}
+
+}  // namespace stig

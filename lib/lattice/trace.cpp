@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/trace.h"
+
+#include <zstd.h>
+
+#include <algorithm>
+#include <cassert>
+#include <nlohmann/json.hpp>
+
+#include "base/hash.h"
+#include "lattice/varint.h"
+#include "rules/rule_printer.h"
+
+namespace stig {
+namespace {
+
+constexpr std::string_view kMagic = "stigtrc1";
+constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;  ///< decompressed
+enum Tag : std::uint8_t { kEvent = 1, kHash = 2, kEnd = 3 };
+
+nlohmann::json to_json(Cell c) { return {c.x, c.y, c.z}; }
+
+nlohmann::json header_of(const RuleSet& rules, const SwarmConfig& config, const std::string& kind) {
+  nlohmann::json h;
+  h["kind"] = kind;
+  h["rule_set_hash"] = to_hex(rule_set_hash(rules));
+  h["motion"] = to_string(config.motion);
+  if (config.box) {
+    const Box& box = *config.box;
+    h["box"] = {{"low", to_json(box.low)},
+                {"size", {box.size.x, box.size.y, box.size.z}},
+                {"periodic", box.periodic}};
+  }
+  h["agents"] = config.agents;
+  h["moves"] = config.moves;
+  for (const Cell c : config.agents_at) h["agents_at"].push_back(to_json(c));
+  h["seed"] = config.seed;
+  h["run"] = config.run;
+  if (config.max_steps) h["max_steps"] = *config.max_steps;
+  if (config.max_deposits) h["max_deposits"] = *config.max_deposits;
+  return h;
+}
+
+Cell cell_from(const nlohmann::json& j) {
+  const auto at = [&](std::size_t i) {
+    const auto v = j.at(i).get<std::int64_t>();
+    if (v < -kMaxCoordinate || v > kMaxCoordinate) throw std::range_error("coordinate");
+    return static_cast<std::int32_t>(v);
+  };
+  if (j.size() != 3) throw std::range_error("cell");
+  return {at(0), at(1), at(2)};
+}
+
+Motion motion_from(const std::string& name) {
+  for (const Motion m : {Motion::walk, Motion::teleport, Motion::event}) {
+    if (name == to_string(m)) return m;
+  }
+  throw std::range_error("motion");
+}
+
+/// Throws on anything that is not a header; read_trace turns that into a diagnostic.
+void read_header(const std::string& text, Trace& trace) {
+  const auto h = nlohmann::json::parse(text);
+  trace.kind = h.at("kind").get<std::string>();
+  if (trace.kind != "swarm" && trace.kind != "given") throw std::range_error("kind");
+  trace.rule_set_hash = std::stoull(h.at("rule_set_hash").get<std::string>(), nullptr, 16);
+  SwarmConfig& c = trace.config;
+  c.motion = motion_from(h.at("motion").get<std::string>());
+  if (h.contains("box")) {
+    const Cell size = cell_from(h["box"].at("size"));
+    c.box = Box{cell_from(h["box"].at("low")), size - Cell{}, h["box"].at("periodic").get<bool>(),
+                false};
+  }
+  c.agents =
+      static_cast<int>(std::clamp<std::int64_t>(h.at("agents").get<std::int64_t>(), 0, 1 << 30));
+  c.moves = static_cast<int>(std::clamp<std::int64_t>(h.at("moves").get<std::int64_t>(), 0, 64));
+  if (h.contains("agents_at")) {
+    for (const auto& cell : h["agents_at"]) c.agents_at.push_back(cell_from(cell));
+  }
+  c.seed = h.at("seed").get<std::uint64_t>();
+  c.run = h.at("run").get<std::uint32_t>();
+  if (h.contains("max_steps")) c.max_steps = h["max_steps"].get<std::uint64_t>();
+  if (h.contains("max_deposits")) c.max_deposits = h["max_deposits"].get<std::uint64_t>();
+}
+
+std::optional<std::string> decompress(std::string_view bytes) {
+  const auto stream =
+      std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)>(ZSTD_createDCtx(), ZSTD_freeDCtx);
+  std::string out;
+  std::string chunk(ZSTD_DStreamOutSize(), '\0');
+  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
+  while (true) {
+    ZSTD_outBuffer piece{chunk.data(), chunk.size(), 0};
+    const std::size_t rest = ZSTD_decompressStream(stream.get(), &piece, &in);
+    if (ZSTD_isError(rest) || out.size() + piece.pos > kMostTraceBytes) return std::nullopt;
+    out.append(chunk, 0, piece.pos);
+    if (rest == 0) return in.pos == in.size ? std::optional(std::move(out)) : std::nullopt;
+    if (in.pos == in.size && piece.pos == 0) return std::nullopt;  // cut short
+  }
+}
+
+bool read_event(ByteReader& in, Deposit& last) {
+  const auto add = [&](std::int32_t& value) {
+    const std::int64_t sum = value + in.zigzag();
+    if (sum < -2147483647 || sum > 2147483647) in.fail();
+    value = static_cast<std::int32_t>(sum);
+  };
+  add(last.site.x);
+  add(last.site.y);
+  add(last.site.z);
+  const std::uint64_t colour = in.varint();
+  const std::uint64_t rule = in.varint(), orientation = in.varint(), agent = in.varint();
+  const std::uint64_t limit = 0x7fffffff;
+  if (colour < 1 || colour > kMaxColours || rule > limit || orientation > limit || agent > limit) {
+    return false;
+  }
+  last.colour = static_cast<Colour>(colour);
+  last.match = {static_cast<std::uint32_t>(rule), static_cast<std::uint32_t>(orientation)};
+  last.agent = static_cast<std::int32_t>(agent) - 1;
+  last.step += in.varint();
+  return in.ok();
+}
+
+/// What is wrong with the decompressed payload; empty: nothing.
+std::string read_payload(const std::string& payload, Trace& trace) {
+  ByteReader in(payload);
+  const std::string header(in.block());
+  trace.rule_set_yaml = std::string(in.block());
+  if (!in.ok()) return "its header is cut short";
+  try {
+    read_header(header, trace);
+  } catch (const std::exception&) {
+    return "its header is malformed";
+  }
+  Deposit event;
+  while (true) {
+    const std::uint8_t tag = in.byte();
+    if (tag == kEvent) {
+      if (!read_event(in, event))
+        return "event " + std::to_string(trace.events.size() + 1) + " is malformed";
+      trace.events.push_back(event);
+    } else if (tag == kHash) {
+      trace.hashes.push_back(in.word());
+    } else if (tag == kEnd) {
+      trace.steps = in.varint();
+      const std::uint64_t why = in.varint();
+      trace.final_hash = in.word();
+      if (!in.ok() || why > 3) return "its end is malformed";
+      trace.terminated = static_cast<Terminated>(why);
+      return in.at_end() ? "" : "there are bytes after its end";
+    } else {
+      return "it ends before its end mark";
+    }
+  }
+}
+
+}  // namespace
+
+struct TraceWriter::State {
+  std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> stream{ZSTD_createCCtx(), ZSTD_freeCCtx};
+  std::string pending;  ///< not yet compressed
+  std::string bytes{kMagic};
+  Deposit last;
+  std::uint64_t events = 0;
+  std::uint64_t hash = 0;
+
+  void flush(ZSTD_EndDirective mode) {
+    ZSTD_inBuffer in{pending.data(), pending.size(), 0};
+    std::string chunk(ZSTD_CStreamOutSize(), '\0');
+    while (true) {
+      ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
+      const std::size_t rest = ZSTD_compressStream2(stream.get(), &out, &in, mode);
+      assert(!ZSTD_isError(rest));
+      bytes.append(chunk, 0, out.pos);
+      if (mode == ZSTD_e_end ? rest == 0 : in.pos == in.size) break;
+    }
+    pending.clear();
+  }
+};
+
+TraceWriter::TraceWriter(const RuleSet& rules, const SwarmConfig& config, const std::string& kind)
+    : state_(std::make_unique<State>()) {
+  put_block(state_->pending, header_of(rules, config, kind).dump());
+  put_block(state_->pending, print_rule_set(rules));
+  for (const PlacedBrick& b : rules.start) state_->hash += placement_hash(b.at, b.brick);
+}
+
+TraceWriter::~TraceWriter() = default;
+
+void TraceWriter::deposit(const Deposit& d) {
+  State& s = *state_;
+  std::string& out = s.pending;
+  out.push_back(static_cast<char>(kEvent));
+  put_zigzag(out, std::int64_t{d.site.x} - s.last.site.x);
+  put_zigzag(out, std::int64_t{d.site.y} - s.last.site.y);
+  put_zigzag(out, std::int64_t{d.site.z} - s.last.site.z);
+  put_varint(out, d.colour);
+  put_varint(out, d.match.rule);
+  put_varint(out, d.match.orientation);
+  put_varint(out, static_cast<std::uint64_t>(d.agent + 1));
+  put_varint(out, d.step - s.last.step);
+  s.last = d;
+  s.hash += placement_hash(d.site, d.colour);
+  if (++s.events % kTraceHashEvery == 0) {
+    out.push_back(static_cast<char>(kHash));
+    put_word(out, s.hash);
+  }
+  if (out.size() > 1U << 16) s.flush(ZSTD_e_continue);
+}
+
+std::string TraceWriter::finish(std::uint64_t steps, Terminated terminated) {
+  State& s = *state_;
+  s.pending.push_back(static_cast<char>(kEnd));
+  put_varint(s.pending, steps);
+  put_varint(s.pending, static_cast<std::uint64_t>(terminated));
+  put_word(s.pending, s.hash);
+  s.flush(ZSTD_e_end);
+  return std::move(s.bytes);
+}
+
+std::optional<Trace> read_trace(const std::string& path, const std::string& bytes,
+                                Diagnostics& diagnostics) {
+  const auto fail = [&](const std::string& what) {
+    diagnostics.add(Code::F450, {std::make_shared<SourceFile>(path, ""), 0, 0},
+                    "not a readable trace: " + what);
+    return std::nullopt;
+  };
+  if (!std::string_view(bytes).starts_with(kMagic)) {
+    return fail("it does not begin with \"" + std::string(kMagic) + "\"");
+  }
+  const auto payload = decompress(std::string_view(bytes).substr(kMagic.size()));
+  if (!payload) return fail("its compressed part is damaged, cut short or too large");
+  Trace trace;
+  const std::string problem = read_payload(*payload, trace);
+  if (!problem.empty()) return fail(problem);
+  return trace;
+}
+
+}  // namespace stig
