@@ -78,7 +78,7 @@ TEST_CASE("what is wrong is said where it is") {
   CHECK(complaint("1\n1\n---\n1\n---\n1\n1\n") ==
         "F403 5:1 slice has 1 rows, the slices before have 2");
   CHECK(complaint("1\n---\n---\n1\n") == "F403 3:1 slice without rows");
-  CHECK(complaint("1\n---\n") == "F403 3:1 slice without rows");
+  CHECK(complaint("1\n---\n") == "F403 2:5 slice without rows");
   CHECK(complaint("// nothing\n").starts_with("F404"));
   CHECK(complaint("").starts_with("F404"));
   CHECK(complaint("63") == "F402 1:1 unknown brick '63'");
