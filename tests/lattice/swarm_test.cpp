@@ -148,11 +148,13 @@ TEST_CASE("vector instructions change nothing") {
 
 TEST_CASE("move words are those of the random streams") {
   std::array<std::vector<std::uint32_t>, 4> words;
-  for (auto& row : words) row.resize(48);
-  fill_move_words(0x123456789abcdefULL, 77, (1ULL << 40) + 5, words);
-  for (std::uint32_t agent = 0; agent < 48; ++agent) {
-    Random random(0x123456789abcdefULL, 77, Purpose::move, agent, (1ULL << 40) + 5);
-    for (std::size_t w = 0; w < 4; ++w) REQUIRE(words[w][agent] == random.next());
+  for (const bool vectorise : {false, true}) {
+    for (auto& row : words) row.assign(50, 0);
+    fill_move_words(0x123456789abcdefULL, 77, (1ULL << 40) + 5, vectorise, words);
+    for (std::uint32_t agent = 0; agent < 50; ++agent) {
+      Random random(0x123456789abcdefULL, 77, Purpose::move, agent, (1ULL << 40) + 5);
+      for (std::size_t w = 0; w < 4; ++w) REQUIRE(words[w][agent] == random.next());
+    }
   }
 }
 
