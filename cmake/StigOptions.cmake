@@ -1,14 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Compile settings that every target shares.
 
-# RelWithAssert: optimised, assertions on. What tests and daily work use.
-set(CMAKE_CXX_FLAGS_RELWITHASSERT "-O2" CACHE STRING "Flags of the build type RelWithAssert")
-foreach(kind IN ITEMS EXE SHARED MODULE STATIC)
-  set(CMAKE_${kind}_LINKER_FLAGS_RELWITHASSERT "" CACHE STRING
-      "Linker flags of the build type RelWithAssert")
-  mark_as_advanced(CMAKE_${kind}_LINKER_FLAGS_RELWITHASSERT)
-endforeach()
-
 if(PROJECT_IS_TOP_LEVEL)
   if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
     set(CMAKE_BUILD_TYPE RelWithAssert CACHE STRING "Build type" FORCE)

@@ -66,7 +66,7 @@ apt() {
     -o Dpkg::Use-Pty=0 "$@" >>"$log" 2>&1 </dev/null
 }
 
-say "Installing ${#packages[@]} packages for $*: ${packages[*]}"
+say "Installing for $*: ${packages[*]}"
 # The lists are fetched only where there are none yet, or where the ones here are stale.
 if ! compgen -G '/var/lib/apt/lists/*Packages*' >/dev/null; then
   apt update || { tail -n 20 "$log" >&2; die "apt-get update failed"; }

@@ -14,4 +14,10 @@ say "Building (preset $preset)"
 configure_and_build "$preset"
 
 say "Testing"
-ctest --preset "$preset" --parallel "$(nproc)"
+if [[ $preset == coverage ]]; then
+  ctest --preset coverage --parallel "$(nproc)"
+  say "Lines of lib/ and tools/ that the tests run"
+  gcovr --root . --filter lib/ --filter tools/ --exclude-throw-branches build/coverage
+else
+  exec ctest --preset "$preset" --parallel "$(nproc)"
+fi

@@ -27,7 +27,7 @@ enum class Code {
 /// What diagnostics.def says of a code.
 struct CodeInfo {
   Code code;
-  std::string_view name;         ///< "R101"
+  std::string_view name;  ///< "R101"
   Severity severity;
   std::string_view slug;         ///< "unknown-key"
   std::string_view explanation;  ///< one paragraph: why it matters, what to do
@@ -54,19 +54,26 @@ struct Diagnostic {
   Diagnostic& suggest(std::string replacement);
 };
 
-/// The sink. Keeps everything in the order reported; renderers sort by place.
+/// The sink. Keeps diagnostics in the order reported; renderers sort by place.
+/// Past kMostKept they are counted alone, so that no input fills the memory.
 class Diagnostics {
  public:
+  static constexpr std::size_t kMostKept = 1000;
+
   /// The reference stays valid until the next add.
   Diagnostic& add(Code code, SourceRange range, std::string message);
   void append(const Diagnostics& other);
 
   const std::vector<Diagnostic>& all() const { return all_; }
-  bool has_errors() const;
-  std::size_t count(Severity severity) const;
+  bool has_errors() const { return errors_ > 0; }
+  std::size_t count(Severity severity) const {
+    return severity == Severity::error ? errors_ : warnings_;
+  }
 
  private:
   std::vector<Diagnostic> all_;
+  Diagnostic spare_{};
+  std::size_t errors_ = 0, warnings_ = 0;
 };
 
 struct TextStyle {
@@ -81,6 +88,12 @@ std::string to_text(const Diagnostics& diagnostics, const TextStyle& style = {})
 /// column, end_line, end_column, message, suggestion, notes).
 std::string to_json(const Diagnostics& diagnostics);
 
+/// Pointers into the sink by path, then place; those of no file come first.
+std::vector<const Diagnostic*> sorted_by_place(const Diagnostics& diagnostics);
+
+/// Edits (insert, remove, change, swap neighbours) from a to b; when more than
+/// `most` are needed, some number greater than `most`.
+std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most);
 /// The candidate nearest to `word` by edit distance, if near enough to suggest.
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates);
 

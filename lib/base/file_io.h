@@ -11,7 +11,8 @@
 namespace stig {
 
 struct FileError {
-  std::string message;  ///< "cannot open 'x': No such file or directory"
+  std::string message;     ///< "cannot open 'x': No such file or directory"
+  bool too_large = false;  ///< the one reason that is the file's own
 };
 
 /// The file's bytes, or nothing with `error` set. Files larger than `most` bytes
@@ -20,7 +21,8 @@ struct FileError {
 std::optional<std::string> read_file(const std::string& path, std::size_t most, FileError& error);
 
 /// False with `error` set when the file could not be written; the target is then
-/// as it was.
+/// as it was. A symbolic link is followed, permissions of a replaced file are kept;
+/// directories, devices and pipes are refused. "-" is standard output.
 bool write_file(const std::string& path, std::string_view bytes, FileError& error);
 
 }  // namespace stig

@@ -99,12 +99,19 @@ struct Expectation {
   SourceRange range, bricks_range, verdict_range, structure_range;
 };
 
-/// A comment of the file, kept so that `fmt` does not lose it: it is printed
-/// before (or, if trailing, behind) whatever the reader found at `line`.
+/// A comment of the file, kept so that `fmt` does not lose it: it is printed before
+/// (or, if trailing, behind) the element it was written before (or behind).
 struct Comment {
-  std::size_t line = 0;  ///< 1-based line of the element it belongs to; 0: end of file
+  std::string element;  ///< "bricks/1", "rules/3/when", …; empty: the end of the file
   bool trailing = false;
   std::string text;  ///< from the '#'
+};
+
+/// Where those parts of a file stand that have no range of their own.
+struct Places {
+  SourceRange start, inversion, conflicts;
+  std::vector<SourceRange> start_bricks;  ///< beside RuleSet::start
+  std::map<int, SourceRange> stages;
 };
 
 struct RuleSet {
@@ -124,6 +131,7 @@ struct RuleSet {
   std::optional<Expectation> expect;
 
   SourceRef file;
+  Places places;
   std::vector<Comment> comments;
 
   int colours() const { return static_cast<int>(bricks.size()); }

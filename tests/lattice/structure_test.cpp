@@ -14,7 +14,7 @@ using namespace stig;
 TEST_CASE("a structure is a map from cells to colours") {
   CHECK(rc::check("like std::map", [] {
     const auto lattice = *rc::gen::element(Lattice::cubic, Lattice::hexagonal);
-    const auto bricks = *support::bricks(40, 12);
+    const auto bricks = *random_bricks(40, 12);
     std::map<Cell, Colour> oracle;
     Structure s(lattice);
     for (const PlacedBrick& b : bricks) {
@@ -34,8 +34,8 @@ TEST_CASE("a structure is a map from cells to colours") {
 
 TEST_CASE("gathering sees the 5×5×5 cells around, across chunks") {
   CHECK(rc::check("gather equals at", [] {
-    const Structure s(Lattice::cubic, *support::bricks(60, 6));
-    const Cell centre = *support::cell(8);
+    const Structure s(Lattice::cubic, *random_bricks(60, 6));
+    const Cell centre = *random_cell(8);
     Surroundings around;
     s.gather(centre, around);
     for (int z = -2; z <= 2; ++z) {
@@ -62,9 +62,9 @@ TEST_CASE("far apart cells do not meet") {
 
 TEST_CASE("hash and canonical form are those of the class under translation") {
   CHECK(rc::check("translated", [] {
-    auto bricks = *support::bricks(30, 5);
+    auto bricks = *random_bricks(30, 5);
     const Structure s(Lattice::cubic, bricks);
-    const Offset shift = *support::cell(1000) - Cell{};
+    const Offset shift = *random_cell(1000) - Cell{};
     std::reverse(bricks.begin(), bricks.end());
     for (PlacedBrick& b : bricks) b.at = b.at + shift;
     const Structure moved(Lattice::cubic, bricks);
@@ -79,7 +79,7 @@ TEST_CASE("hash and canonical form are those of the class under the group") {
     const auto lattice = *rc::gen::element(Lattice::cubic, Lattice::hexagonal);
     const auto symmetry = *rc::gen::element(Symmetry::rotations, Symmetry::rotations_mirrors);
     const bool inversion = *rc::gen::arbitrary<bool>();
-    const Structure s(lattice, *support::bricks(12, 3));
+    const Structure s(lattice, *random_bricks(12, 3));
     const auto group = orientations(lattice, symmetry, inversion);
     const auto& g = group[*rc::gen::inRange<std::size_t>(0, group.size())];
     const Structure turned = transformed(s, g);
@@ -105,7 +105,7 @@ TEST_CASE("the enabled set is a set, with its cells listed") {
     EnabledSet set;
     std::map<Cell, bool> oracle;
     for (int i = 0; i < 300; ++i) {
-      const Cell c = *support::cell(4);
+      const Cell c = *random_cell(4);
       if (*rc::gen::arbitrary<bool>()) {
         set.insert(c);
         oracle[c] = true;

@@ -13,7 +13,7 @@
 #include "support/shipped.h"
 
 using namespace stig;
-using support::shipped;
+
 
 namespace {
 

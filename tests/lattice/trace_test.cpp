@@ -8,7 +8,7 @@
 #include "support/shipped.h"
 
 using namespace stig;
-using support::shipped;
+
 
 namespace {
 

@@ -9,18 +9,18 @@
 
 #include "rules/rule_set.h"
 
-namespace stig::support {
+namespace stig {
 
 /// Coordinates in [-reach, reach].
-inline rc::Gen<Cell> cell(int reach) {
+inline rc::Gen<Cell> random_cell(int reach) {
   return rc::gen::apply([](int x, int y, int z) { return Cell{x, y, z}; },
                         rc::gen::inRange(-reach, reach + 1), rc::gen::inRange(-reach, reach + 1),
                         rc::gen::inRange(-reach, reach + 1));
 }
 
 /// Up to `most` bricks of colours 1-4 in distinct cells.
-inline rc::Gen<std::vector<PlacedBrick>> bricks(int most, int reach) {
-  const auto one = rc::gen::pair(cell(reach), rc::gen::inRange(1, 5));
+inline rc::Gen<std::vector<PlacedBrick>> random_bricks(int most, int reach) {
+  const auto one = rc::gen::pair(random_cell(reach), rc::gen::inRange(1, 5));
   return rc::gen::map(
       rc::gen::resize(most, rc::gen::container<std::vector<std::pair<Cell, int>>>(one)),
       [](const std::vector<std::pair<Cell, int>>& pairs) {
@@ -31,4 +31,4 @@ inline rc::Gen<std::vector<PlacedBrick>> bricks(int most, int reach) {
       });
 }
 
-}  // namespace stig::support
+}  // namespace stig

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The shipped rule sets, for tests.
+// The rule sets that the project ships, for tests.
 #pragma once
 
-#include <doctest/doctest.h>
-
 #include <string>
+#include <vector>
 
-#include "rules/rule_reader.h"
+#include "rules/rule_set.h"
 
-namespace stig::support {
+namespace stig {
 
-/// rulesets/NAME.yaml; fails the test with its diagnostics if it cannot be read.
-inline RuleSet shipped(const std::string& name) {
-  Diagnostics diagnostics;
-  auto rules = read_rule_set_file(STIG_SOURCE_DIR "/rulesets/" + name + ".yaml", diagnostics);
-  INFO(to_text(diagnostics));
-  REQUIRE(rules.has_value());
-  return *std::move(rules);
-}
+/// Reads rulesets/<name>.yaml; a file with an error fails the test that asked.
+RuleSet shipped(const std::string& name);
+/// The names of all of them, sorted.
+std::vector<std::string> shipped_names();
 
-}  // namespace stig::support
+}  // namespace stig

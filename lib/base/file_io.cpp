@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "base/file_io.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdint>
+#include <filesystem>
+#include <system_error>
+
+#include "base/text.h"
+
+namespace stig {
+
+namespace {
+
+/// A file descriptor that closes itself; standard input is left open.
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (fd_ > STDERR_FILENO) ::close(fd_);
+  }
+  int get() const { return fd_; }
+  /// Closes now; false when the system reports a delayed error of writing.
+  bool close() {
+    const int fd = fd_;
+    fd_ = -1;
+    return ::close(fd) == 0;
+  }
+
+ private:
+  int fd_;
+};
+
+std::string reason() { return std::error_code(errno, std::generic_category()).message(); }
+
+void fail(FileError& error, std::string_view doing, const std::string& path) {
+  error.message = fmt::format("cannot {} {}: {}", doing, in_quotes(path), reason());
+}
+
+std::string_view kind_of(mode_t mode) {
+  if (S_ISDIR(mode)) return "a directory";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return "a device";
+}
+
+bool too_large(FileError& error, const std::string& path, std::size_t most) {
+  error.message =
+      fmt::format("{} is larger than {} bytes, the most that is read", in_quotes(path), most);
+  error.too_large = true;
+  return false;
+}
+
+/// Reads to the end, one byte past `most` at the furthest.
+bool read_all(int fd, const std::string& path, std::size_t most, std::string& out,
+              FileError& error) {
+  std::array<char, 65536> buffer;
+  while (true) {
+    const ssize_t got = ::read(fd, buffer.data(), buffer.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return fail(error, "read", path), false;
+    if (got == 0) return true;
+    out.append(buffer.data(), static_cast<std::size_t>(got));
+    if (out.size() > most) return too_large(error, path, most);
+  }
+}
+
+/// Is this what it takes to be read or replaced: a plain file?
+bool check_regular(const struct stat& status, std::string_view doing, const std::string& path,
+                   FileError& error) {
+  if (S_ISREG(status.st_mode)) return true;
+  error.message =
+      fmt::format("cannot {} {}: it is {}", doing, in_quotes(path), kind_of(status.st_mode));
+  return false;
+}
+
+bool write_all(int fd, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t put = ::write(fd, bytes.data(), bytes.size());
+    if (put < 0 && errno == EINTR) continue;
+    if (put < 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(put));
+  }
+  return true;
+}
+
+/// Makes a file with a name of its own beside the target; -1 with errno set. The
+/// kernel applies the process's mask to the permissions.
+int open_temporary(const std::string& target, std::string& name) {
+  for (int attempt = 0; attempt < 1000; ++attempt) {
+    name = fmt::format("{}.{}-{}.tmp", target, ::getpid(), attempt);
+    const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (fd >= 0 || errno != EEXIST) return fd;
+  }
+  return -1;
+}
+
+/// A rename is only safe from a power cut once its directory is on disk. Some
+/// file systems cannot sync directories; that is no failure of the write.
+void sync_directory(const std::filesystem::path& directory) {
+  const Descriptor fd(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (fd.get() >= 0) ::fsync(fd.get());
+}
+
+/// The file behind any symbolic links, so that the link itself stays. A link to
+/// a file that is not there yet leads to where it will be.
+std::filesystem::path follow_links(const std::string& path) {
+  std::filesystem::path target = path;
+  std::error_code error;
+  for (int hops = 0; hops < 40 && std::filesystem::is_symlink(target, error); ++hops) {
+    const std::filesystem::path next = std::filesystem::read_symlink(target, error);
+    if (error) break;
+    target = next.is_absolute() ? next : target.parent_path() / next;
+  }
+  return target;
+}
+
+/// Writes, syncs and closes the temporary file, with the permissions of the file
+/// it is to replace if there is one; false with errno set.
+bool fill(int descriptor, std::string_view bytes, const struct stat* replaced) {
+  Descriptor fd(descriptor);
+  if (!write_all(fd.get(), bytes)) return false;
+  if (replaced != nullptr && ::fchmod(fd.get(), replaced->st_mode & 07777U) != 0) return false;
+  return ::fsync(fd.get()) == 0 && fd.close();
+}
+
+}  // namespace
+
+std::optional<std::string> read_file(const std::string& path, std::size_t most, FileError& error) {
+  std::string out;
+  if (path == "-") {
+    if (!read_all(STDIN_FILENO, "standard input", most, out, error)) return std::nullopt;
+    return out;
+  }
+  // Without O_NONBLOCK the open itself would wait for the writer of a pipe.
+  const Descriptor fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (fd.get() < 0 || ::fstat(fd.get(), &status) != 0) {
+    fail(error, "open", path);
+    return std::nullopt;
+  }
+  if (!check_regular(status, "read", path, error)) return std::nullopt;
+  if (status.st_size > 0 && static_cast<std::uintmax_t>(status.st_size) > most) {
+    too_large(error, path, most);
+    return std::nullopt;
+  }
+  out.reserve(static_cast<std::size_t>(status.st_size));
+  if (!read_all(fd.get(), path, most, out, error)) return std::nullopt;
+  return out;
+}
+
+bool write_file(const std::string& path, std::string_view bytes, FileError& error) {
+  if (path == "-") {
+    if (write_all(STDOUT_FILENO, bytes)) return true;
+    fail(error, "write", "standard output");
+    return false;
+  }
+  const std::filesystem::path target = follow_links(path);
+  struct stat status {};
+  const bool replaces = ::stat(target.c_str(), &status) == 0;
+  if (replaces && !check_regular(status, "write", path, error)) return false;
+  std::string temporary;
+  const int fd = open_temporary(target.string(), temporary);
+  if (fd < 0) return fail(error, "write", path), false;
+  if (!fill(fd, bytes, replaces ? &status : nullptr) ||
+      ::rename(temporary.c_str(), target.c_str()) != 0) {
+    fail(error, "write", path);
+    ::unlink(temporary.c_str());
+    return false;
+  }
+  sync_directory(target.parent_path().empty() ? "." : target.parent_path());
+  return true;
+}
+
+}  // namespace stig

@@ -1,0 +1,387 @@
+// SPDX-License-Identifier: MIT
+// The one file that knows yaml-cpp. Its exceptions end here.
+#include "base/yaml.h"
+
+#include <fmt/format.h>
+#include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/exceptions.h>
+#include <yaml-cpp/parser.h>
+
+#include <algorithm>
+#include <sstream>
+#include <unordered_map>
+
+#include "base/text.h"
+#include "base/yaml_places.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+/// Thrown through the parser to end it; the reason has been reported.
+struct Stop {};
+
+/// Builds the tree from the parser's events.
+class TreeBuilder : public YAML::EventHandler {
+ public:
+  TreeBuilder(const SourceRef& source, std::size_t base, const YamlLimits& limits,
+              Diagnostics& diagnostics)
+      : source_(source), text_(source->text()), base_(base), limits_(limits), out_(diagnostics) {}
+
+  void OnDocumentStart(const YAML::Mark& mark) override {
+    if (documents_++ == 0) return;
+    const std::size_t at = offset(mark);
+    const std::string_view before = text_.substr(last_end_, at - std::min(at, last_end_));
+    const bool marker = before.find("---") != std::string_view::npos || starts_with(at, "---");
+    if (marker) {
+      out_.add(Code::R009, range(at, at + 1), "a second YAML document starts here");
+    } else {
+      out_.add(Code::R006, range(at, at + 1),
+               "nothing can follow here: the value before is complete");
+    }
+    throw Stop();
+  }
+  void OnDocumentEnd() override {}
+
+  void OnNull(const YAML::Mark&, YAML::anchor_t) override {
+    std::size_t at = last_end_;
+    while (at < text_.size() &&
+           std::string_view(" \t\r\n").find(text_[at]) != std::string_view::npos)
+      ++at;
+    if (at >= text_.size() || std::string_view(":-,?").find(text_[at]) == std::string_view::npos) {
+      at = last_end_;
+    }
+    YamlNode node;
+    node.begin = narrow(at);
+    node.end = narrow(std::min(at + 1, text_.size()));
+    put(std::move(node));
+  }
+
+  void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
+    const std::size_t at = offset(mark);
+    const std::size_t end = std::min(text_.find_first_of(" \t\r\n,]}", at), text_.size());
+    out_.add(Code::R010, range(at, end), "aliases are not allowed");
+    put(broken(at, end));
+  }
+
+  void OnAnchor(const YAML::Mark& mark, const std::string& name) override {
+    const std::size_t at = offset(mark);
+    out_.add(Code::R010, range(at, at + 1 + name.size()),
+             fmt::format("anchors are not allowed: {}", in_quotes("&" + name)));
+  }
+
+  void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                const std::string& value) override {
+    const std::size_t at = after_properties(mark, tag);
+    YamlNode node;
+    node.kind = YamlKind::scalar;
+    node.text = value;
+    node.begin = narrow(at);
+    place_scalar(node, tag != "?");
+    put(std::move(node));
+  }
+
+  void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                       YAML::EmitterStyle::value style) override {
+    open(YamlKind::sequence, mark, tag, style);
+  }
+  void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t,
+                  YAML::EmitterStyle::value style) override {
+    open(YamlKind::mapping, mark, tag, style);
+  }
+  void OnSequenceEnd() override { close(']'); }
+  void OnMapEnd() override {
+    report_duplicates(stack_.back().node);
+    close('}');
+  }
+
+  YamlNode take_root() { return std::move(root_); }
+  bool has_root() const { return has_root_; }
+  const std::vector<ScalarSpan>& spans() const { return spans_; }
+
+ private:
+  struct Frame {
+    YamlNode node;
+    YamlNode key;
+    bool has_key = false;
+  };
+
+  std::size_t offset(const YAML::Mark& mark) const {
+    const std::size_t pos = mark.pos < 0 ? 0 : static_cast<std::size_t>(mark.pos);
+    return std::min(base_ + pos, text_.size());
+  }
+  static std::uint32_t narrow(std::size_t value) { return static_cast<std::uint32_t>(value); }
+  SourceRange range(std::size_t begin, std::size_t end) const {
+    return {source_, narrow(begin), narrow(std::min(end, text_.size()))};
+  }
+  bool starts_with(std::size_t at, std::string_view what) const {
+    return text_.substr(at, what.size()) == what;
+  }
+  YamlNode broken(std::size_t begin, std::size_t end) const {
+    YamlNode node;
+    node.kind = YamlKind::broken;
+    node.begin = narrow(begin);
+    node.end = narrow(end);
+    return node;
+  }
+
+  /// Reports a tag; the offset of the value itself.
+  std::size_t after_properties(const YAML::Mark& mark, const std::string& tag) {
+    const std::size_t at = offset(mark);
+    if (!tag.empty() && tag != "?" && tag != "!") {
+      const std::size_t end = std::min(text_.find_first_of(" \t\r\n,]}", at), text_.size());
+      out_.add(Code::R011, range(at, end), fmt::format("tags are not allowed: {}", in_quotes(tag)));
+    }
+    return skip_properties(text_, at);
+  }
+
+  void place_scalar(YamlNode& node, bool not_plain) {
+    const char first = node.begin < text_.size() ? text_[node.begin] : '\0';
+    std::size_t span_begin = node.begin;
+    if (not_plain && (first == '"' || first == '\'')) {
+      node.style = YamlStyle::quoted;
+      node.end = narrow(quoted_end(text_, node.begin));
+    } else if (not_plain && (first == '|' || first == '>')) {
+      node.style = first == '|' ? YamlStyle::literal : YamlStyle::folded;
+      const BlockContent content = block_content(text_, node.begin, node.text);
+      // Without content the scalar is its header's indicator alone.
+      const bool bare = content.end <= content.begin;
+      node.end = narrow(bare ? node.begin + 1 : content.end);
+      span_begin = bare ? node.begin : content.begin;
+    } else {
+      node.end = narrow(plain_end(text_, node.begin, node.text));
+    }
+    if (span_begin < node.end) spans_.push_back({span_begin, node.end});
+  }
+
+  void open(YamlKind kind, const YAML::Mark& mark, const std::string& tag,
+            YAML::EmitterStyle::value style) {
+    const std::size_t at = after_properties(mark, tag);
+    if (stack_.size() >= limits_.depth) {
+      out_.add(Code::R007, range(at, at + 1),
+               fmt::format("nested deeper than {} levels", limits_.depth));
+      throw Stop();
+    }
+    Frame frame;
+    frame.node.kind = kind;
+    const bool flow = style == YAML::EmitterStyle::Flow && at < text_.size() &&
+                      (text_[at] == '[' || text_[at] == '{');
+    frame.node.style = flow ? YamlStyle::flow : YamlStyle::block;
+    frame.node.begin = frame.node.end = narrow(at);
+    if (flow) last_end_ = std::max(last_end_, at + 1);
+    stack_.push_back(std::move(frame));
+    count_node(at);
+  }
+
+  void close(char bracket) {
+    YamlNode node = std::move(stack_.back().node);
+    stack_.pop_back();
+    const std::size_t inner = std::max<std::size_t>(last_end_, node.begin);
+    node.end = narrow(node.style == YamlStyle::flow ? flow_end(text_, inner, bracket) : inner);
+    --nodes_;  // counted when opened
+    put(std::move(node));
+  }
+
+  void count_node(std::size_t at) {
+    if (++nodes_ <= limits_.nodes) return;
+    out_.add(Code::R008, range(at, at + 1), fmt::format("more than {} values", limits_.nodes));
+    throw Stop();
+  }
+
+  void put(YamlNode node) {
+    count_node(node.begin);
+    last_end_ = std::max<std::size_t>(last_end_, node.end);
+    if (stack_.empty()) {
+      root_ = std::move(node);
+      has_root_ = true;
+      return;
+    }
+    Frame& frame = stack_.back();
+    if (frame.node.kind == YamlKind::sequence) {
+      frame.node.items.push_back(std::move(node));
+    } else if (!frame.has_key) {
+      frame.key = std::move(node);
+      frame.has_key = true;
+    } else {
+      frame.node.pairs.push_back({std::move(frame.key), std::move(node)});
+      frame.has_key = false;
+    }
+  }
+
+  void report_duplicates(const YamlNode& mapping) {
+    std::unordered_map<std::string_view, const YamlNode*> seen;
+    for (const YamlPair& pair : mapping.pairs) {
+      if (pair.key.kind != YamlKind::scalar) continue;
+      const auto [first, added] = seen.emplace(pair.key.text, &pair.key);
+      if (added) continue;
+      out_.add(Code::R012, range(pair.key.begin, pair.key.end),
+               fmt::format("the key {} stands here twice", in_quotes(pair.key.text)))
+          .note(range(first->second->begin, first->second->end), "the first one");
+    }
+  }
+
+  SourceRef source_;
+  std::string_view text_;
+  std::size_t base_;  ///< bytes before what the parser is given
+  const YamlLimits& limits_;
+  Diagnostics& out_;
+  std::vector<Frame> stack_;
+  YamlNode root_;
+  bool has_root_ = false;
+  int documents_ = 0;
+  std::size_t nodes_ = 0;
+  std::size_t last_end_ = 0;
+  std::vector<ScalarSpan> spans_;
+};
+
+/// The parser's words for what users get wrong most, in plainer ones.
+std::string plainer(const std::string& message) {
+  static const std::unordered_map<std::string_view, const char*> kWords = {
+      {"end of map not found", "expected a key, at the indentation of the keys before"},
+      {"end of sequence not found", "expected an entry '- …', at the indentation of those before"},
+      {"end of sequence flow not found", "the list opened with '[' is not closed before this"},
+      {"end of map flow not found", "the mapping opened with '{' is not closed before this"},
+      {"illegal map value", "no ':' can stand here; a text with ': ' in it needs quotes"},
+      {"unknown token", "no value can start with this character without quotes"},
+      {"illegal EOF in scalar", "the quote is not closed before the end of the file"},
+      {"illegal tab when looking for indentation", "indentation is made of spaces, not of tabs"},
+  };
+  const auto found = kWords.find(message);
+  return found == kWords.end() ? message : found->second;
+}
+
+/// When a block's first row is indented deeper than the one at fault, the block
+/// was taken to end there: says so at that first row.
+void explain_short_block(const SourceRef& source, std::size_t at, Diagnostic& diagnostic) {
+  const std::size_t fault = source->position(at).line;
+  for (std::size_t number = fault; number-- > 1 && fault - number < 40;) {
+    const std::string_view line = source->line(number);
+    const std::size_t last = line.find_last_not_of(" \t");
+    if (last == std::string_view::npos || (line[last] != '|' && line[last] != '>')) continue;
+    const std::string_view first_row = source->line(number + 1);
+    const std::size_t deep = std::min(first_row.find_first_not_of(' '), first_row.size());
+    const std::size_t here =
+        std::min(source->line(fault).find_first_not_of(' '), source->line(fault).size());
+    const std::size_t outer = std::min(line.find_first_not_of(" -"), line.size());
+    if (number + 1 < fault && here < deep && here > outer) {
+      const std::size_t begin = source->line_start(number + 1);
+      const auto start = static_cast<std::uint32_t>(begin + deep);
+      diagnostic.note({source, start, start + 1},
+                      fmt::format("the block's first row is indented deeper, so the block ended; "
+                                  "write '|{}' to say where its rows start",
+                                  here - outer));
+    }
+    return;
+  }
+}
+
+void report_syntax(const SourceRef& source, std::size_t base, const YAML::Exception& error,
+                   Diagnostics& diagnostics) {
+  const std::size_t size = source->text().size();
+  const std::size_t pos =
+      error.mark.pos < 0 ? size : static_cast<std::size_t>(error.mark.pos) + base;
+  const auto begin = static_cast<std::uint32_t>(std::min(pos, size));
+  const auto end = static_cast<std::uint32_t>(std::min(pos + 1, size));
+  Diagnostic& diagnostic = diagnostics.add(Code::R006, {source, begin, end}, plainer(error.msg));
+  explain_short_block(source, begin, diagnostic);
+}
+
+/// Bytes that no YAML text has; yaml-cpp would even take some for the end.
+bool check_bytes(const SourceRef& source, const YamlLimits& limits, Diagnostics& diagnostics) {
+  const std::string& text = source->text();
+  if (text.size() > limits.bytes) {
+    diagnostics.add(Code::R002, {source, 0, 0},
+                    fmt::format("the file has {} bytes, more than the {} that are read",
+                                text.size(), limits.bytes));
+    return false;
+  }
+  const auto is_control = [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
+  };
+  const auto control = std::find_if(text.begin(), text.end(), is_control);
+  if (control != text.end()) {
+    const auto at = static_cast<std::uint32_t>(control - text.begin());
+    diagnostics.add(Code::R003, {source, at, at + 1},
+                    fmt::format("control character 0x{:02x}", static_cast<unsigned>(*control)));
+    return false;
+  }
+  const std::size_t invalid = find_invalid_utf8(text);
+  if (invalid != std::string::npos) {
+    const auto at = static_cast<std::uint32_t>(invalid);
+    diagnostics.add(Code::R004, {source, at, at + 1}, "this byte is not UTF-8");
+    return false;
+  }
+  return true;
+}
+
+/// Runs the parser over all documents; false when it had to stop.
+bool run_parser(const SourceRef& source, std::size_t base, TreeBuilder& builder,
+                Diagnostics& diagnostics) {
+  try {
+    std::istringstream stream(source->text().substr(base));
+    YAML::Parser parser(stream);
+    while (parser.HandleNextDocument(builder)) {
+    }
+    return true;
+  } catch (const Stop&) {
+    return false;
+  } catch (const YAML::Exception& error) {
+    report_syntax(source, base, error, diagnostics);
+    return false;
+  }
+}
+
+}  // namespace
+
+const YamlNode* YamlNode::find(std::string_view key) const {
+  for (const YamlPair& pair : pairs) {
+    if (pair.key.kind == YamlKind::scalar && pair.key.text == key) return &pair.value;
+  }
+  return nullptr;
+}
+
+std::optional<YamlDocument> parse_yaml(SourceRef source, const YamlLimits& limits,
+                                       Diagnostics& diagnostics) {
+  if (!check_bytes(source, limits, diagnostics)) return std::nullopt;
+  const bool marked = source->text().compare(0, kByteOrderMark.size(), kByteOrderMark) == 0;
+  const std::size_t base = marked ? kByteOrderMark.size() : 0;
+  TreeBuilder builder(source, base, limits, diagnostics);
+  if (!run_parser(source, base, builder, diagnostics)) return std::nullopt;
+  YamlDocument document{source, {}, {}};
+  if (builder.has_root()) document.root = builder.take_root();
+  if (document.root.kind == YamlKind::null) {
+    diagnostics.add(Code::R005, {source, 0, 0}, "the file is empty");
+    return std::nullopt;
+  }
+  document.comments = find_comments(source->text(), builder.spans());
+  return document;
+}
+
+SourceRange YamlDocument::range(const YamlNode& node, std::size_t begin, std::size_t end) const {
+  const std::string_view all = source->text();
+  const auto at = [&](std::size_t b, std::size_t e) {
+    return SourceRange{source, static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e)};
+  };
+  if (node.style == YamlStyle::literal) {
+    const BlockContent content = block_content(all, node.begin, node.text);
+    const std::string_view before = std::string_view(node.text).substr(0, begin);
+    std::size_t line = content.begin;
+    for (auto rows = std::count(before.begin(), before.end(), '\n'); rows > 0; --rows) {
+      line = std::min(all.find('\n', line), all.size() - 1) + 1;
+    }
+    const std::size_t row_start = before.rfind('\n') + 1;  // npos + 1 is 0
+    const std::size_t from = line + content.indent + (begin - row_start);
+    const std::size_t to = from + (end - begin);
+    return to <= node.end ? at(from, to) : at(std::min<std::size_t>(from, node.end), node.end);
+  }
+  const std::size_t quote = node.style == YamlStyle::quoted ? 1 : 0;
+  const std::string_view written = all.substr(node.begin, node.end - node.begin);
+  if (written.size() != node.text.size() + 2 * quote) return range(node);
+  if (written.substr(quote, node.text.size()) != node.text) return range(node);
+  return at(node.begin + quote + begin, node.begin + quote + end);
+}
+
+}  // namespace stig

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/expectation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+
+#include "lattice/swarm.h"
+
+namespace stig {
+namespace {
+
+/// What sampling and searching found.
+struct Findings {
+  std::vector<Structure> ends;    ///< distinct, at absolute places
+  std::uint32_t samples = 0;      ///< orders sampled
+  std::uint32_t growing = 0;      ///< of these, still growing at the limit
+  std::uint32_t cut_short = 0;    ///< of these, stopped by the limit on steps
+  std::uint64_t growth_seen = 0;  ///< deposits after which growth was given up
+  bool exhausted = false;         ///< `ends` are the ends of all orders
+  std::uint64_t states = 0;
+  bool interrupted = false;
+
+  std::string method() const {
+    return exhausted ? fmt::format("all {} reachable states", states)
+                     : fmt::format("{} sampled orders", samples);
+  }
+};
+
+void add_end(Findings& findings, Structure structure) {
+  for (const Structure& end : findings.ends) {
+    if (end == structure) return;
+  }
+  findings.ends.push_back(std::move(structure));
+}
+
+SwarmConfig event_config(const RuleSet& rules, const ExpectationLimits& limits) {
+  SwarmConfig config;
+  config.motion = Motion::event;
+  if (rules.box) config.box = lay_box(*rules.box, rules.start, rules.floor);
+  config.seed = limits.seed;
+  config.max_deposits = limits.deposits;
+  config.max_steps = limits.steps;
+  return config;
+}
+
+/// Two ends are enough to refute and eight growing orders to call it growth; more
+/// samples would cost time and say nothing new.
+bool settled(const Findings& findings) {
+  constexpr std::uint32_t kEnoughGrowth = 8;
+  return findings.ends.size() >= 2 || findings.growing >= kEnoughGrowth;
+}
+
+void sample(const RuleTable& table, const RuleSet& rules, SwarmConfig config,
+            const ExpectationLimits& limits, const std::atomic<bool>* stop, Findings& findings) {
+  SwarmHooks hooks;
+  hooks.stop = stop;
+  findings.growth_seen = limits.deposits;
+  for (config.run = 0; config.run < limits.samples && !settled(findings); ++config.run) {
+    SwarmResult result = run_swarm(table, rules.start, config, hooks);
+    if (result.terminated == Terminated::interrupted) {
+      findings.interrupted = true;
+      return;
+    }
+    ++findings.samples;
+    if (result.terminated == Terminated::deposits) {
+      ++findings.growing;
+    } else if (result.terminated == Terminated::steps) {
+      ++findings.cut_short;
+    } else {
+      add_end(findings, std::move(result.structure));
+    }
+  }
+}
+
+void search(const RuleTable& table, const RuleSet& rules, const SwarmConfig& config,
+            const ExpectationLimits& limits, const std::atomic<bool>* stop, Findings& findings) {
+  EventOrders orders = explore_event_orders(table, rules.start, config.box, limits.search, stop);
+  findings.states = orders.states;
+  findings.interrupted = stop != nullptr && *stop;
+  findings.exhausted = orders.complete;
+  for (Structure& end : orders.ends) add_end(findings, std::move(end));
+}
+
+std::string growth_in_words(const Findings& findings) {
+  return fmt::format("{} of {} sampled orders still growing after {} deposits", findings.growing,
+                     findings.samples, findings.growth_seen);
+}
+
+std::string ends_in_words(const Findings& findings) {
+  if (findings.ends.empty()) {
+    return findings.growing > 0 ? growth_in_words(findings) : "no end found";
+  }
+  std::size_t least = findings.ends.front().size(), most = least;
+  for (const Structure& end : findings.ends) {
+    least = std::min(least, end.size());
+    most = std::max(most, end.size());
+  }
+  const std::string bricks =
+      least == most ? fmt::format("{} bricks", least) : fmt::format("{} to {} bricks", least, most);
+  if (findings.ends.size() == 1) return "one end, " + bricks;
+  return fmt::format("{}{} different ends, {}", findings.exhausted ? "" : "at least ",
+                     findings.ends.size(), bricks);
+}
+
+/// A claim about every end, all of those found agreeing with it.
+Standing standing_of_agreement(const Findings& findings) {
+  if (findings.exhausted) return Standing::held;
+  if (findings.growing > 0) return Standing::failed;
+  if (findings.ends.empty() || findings.cut_short > 0) return Standing::undecided;
+  return Standing::not_contradicted;
+}
+
+void judge_verdict(Verdict expected, const Findings& findings, ExpectationItem& item) {
+  item.found = ends_in_words(findings);
+  item.method = findings.method();
+  switch (expected) {
+    case Verdict::coordinated:
+      item.standing = findings.ends.size() > 1 ? Standing::failed : standing_of_agreement(findings);
+      return;
+    case Verdict::order_dependent:
+      if (findings.ends.size() > 1) {
+        item.standing = Standing::held;
+        item.method = findings.exhausted ? findings.method() : "two orders that end differently";
+      } else {
+        item.standing = findings.exhausted ? Standing::failed : Standing::undecided;
+      }
+      return;
+    case Verdict::endless:
+      if (findings.growing > 0) item.found = growth_in_words(findings);
+      item.standing = !findings.ends.empty() ? Standing::failed
+                      : findings.growing > 0 ? Standing::held
+                                             : Standing::undecided;
+      return;
+  }
+}
+
+void judge_bricks(std::int64_t expected, const Findings& findings, ExpectationItem& item) {
+  const auto fits = [&](const Structure& end) {
+    return end.size() == static_cast<std::size_t>(expected);
+  };
+  item.found = ends_in_words(findings);
+  item.method = findings.method();
+  item.standing = std::all_of(findings.ends.begin(), findings.ends.end(), fits)
+                      ? standing_of_agreement(findings)
+                      : Standing::failed;
+}
+
+/// Where two structures at the origin differ first, in words.
+std::string first_difference(const RuleSet& rules, const Structure& wanted, const Structure& got) {
+  const auto name = [&](State state) {
+    return state == kEmpty ? std::string("empty") : "brick " + rules.brick(state).symbol;
+  };
+  std::vector<PlacedBrick> cells = wanted.bricks();
+  const auto more = got.bricks();
+  cells.insert(cells.end(), more.begin(), more.end());
+  std::sort(cells.begin(), cells.end());
+  for (const PlacedBrick& cell : cells) {
+    const State want = wanted.at(cell.at), have = got.at(cell.at);
+    if (want == have) continue;
+    return fmt::format("at ({}, {}, {}) from the lowest corner {}, not {}", cell.at.x, cell.at.y,
+                       cell.at.z, name(have), name(want));
+  }
+  return "nothing";
+}
+
+void judge_structure(const RuleSet& rules, const Findings& findings, ExpectationItem& item) {
+  const Structure wanted = to_origin(Structure(rules.lattice, rules.expect->structure));
+  item.method = findings.method();
+  for (const Structure& end : findings.ends) {
+    const Structure got = to_origin(end);
+    if (got == wanted) continue;
+    item.standing = Standing::failed;
+    item.found = fmt::format("{} bricks; {}", got.size(), first_difference(rules, wanted, got));
+    return;
+  }
+  item.standing = standing_of_agreement(findings);
+  item.found = findings.ends.empty() ? ends_in_words(findings) : "as drawn";
+}
+
+std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& findings) {
+  const Expectation& expect = *rules.expect;
+  std::vector<ExpectationItem> items;
+  if (expect.bricks) {
+    items.push_back({"bricks", {}, fmt::to_string(*expect.bricks), {}, {}, expect.bricks_range});
+    judge_bricks(*expect.bricks, findings, items.back());
+  }
+  if (expect.verdict) {
+    items.push_back(
+        {"verdict", {}, std::string(to_string(*expect.verdict)), {}, {}, expect.verdict_range});
+    judge_verdict(*expect.verdict, findings, items.back());
+  }
+  if (!expect.structure.empty()) {
+    items.push_back({"structure",
+                     {},
+                     fmt::format("{} bricks as drawn", expect.structure.size()),
+                     {},
+                     {},
+                     expect.structure_range});
+    judge_structure(rules, findings, items.back());
+  }
+  return items;
+}
+
+}  // namespace
+
+std::string_view to_string(Standing standing) {
+  switch (standing) {
+    case Standing::held:
+      return "held";
+    case Standing::not_contradicted:
+      return "not-contradicted";
+    case Standing::failed:
+      return "failed";
+    case Standing::undecided:
+      return "undecided";
+  }
+  assert(false);
+  return "";
+}
+
+bool ExpectationReport::passed() const {
+  return problem.empty() && !interrupted &&
+         std::all_of(items.begin(), items.end(), [](const ExpectationItem& item) {
+           return item.standing == Standing::held || item.standing == Standing::not_contradicted;
+         });
+}
+
+ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLimits& limits,
+                                      const std::atomic<bool>* stop) {
+  ExpectationReport report;
+  if (!rules.expect) return report;
+  const RuleTable table(rules);
+  const SwarmConfig config = event_config(rules, limits);
+  report.problem = config_problem(table, rules.start, config);
+  if (!report.problem.empty()) return report;
+  Findings findings;
+  sample(table, rules, config, limits, stop, findings);
+  if (!findings.interrupted && !settled(findings) && findings.growing == 0) {
+    search(table, rules, config, limits, stop, findings);
+  }
+  report.states = findings.states;
+  report.interrupted = findings.interrupted;
+  if (!report.interrupted) report.items = judge(rules, findings);
+  return report;
+}
+
+}  // namespace stig

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "rules/comments.h"
+
+#include <algorithm>
+#include <string_view>
+
+namespace stig {
+
+namespace {
+
+struct Element {
+  std::string path;
+  std::uint32_t begin;
+};
+
+bool is_one_of(std::string_view key, std::initializer_list<std::string_view> keys) {
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+void add_keys(const YamlNode& mapping, const std::string& prefix, std::vector<Element>& out) {
+  for (const YamlPair& pair : mapping.pairs)
+    out.push_back({prefix + pair.key.text, pair.key.begin});
+}
+
+/// The elements that the printer puts on lines of their own, in the file's order.
+std::vector<Element> elements_of(const YamlNode& root) {
+  std::vector<Element> out;
+  for (const YamlPair& pair : root.pairs) {
+    const std::string& key = pair.key.text;
+    out.push_back({key, pair.key.begin});
+    if (is_one_of(key, {"bricks", "legend", "physical", "expect"})) {
+      add_keys(pair.value, key + "/", out);
+    }
+    if (!is_one_of(key, {"start", "rules"})) continue;
+    for (std::size_t i = 0; i < pair.value.items.size(); ++i) {
+      const YamlNode& item = pair.value.items[i];
+      const std::string path = key + "/" + std::to_string(i);
+      out.push_back({path, item.begin});
+      if (key == "rules") add_keys(item, path + "/", out);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Comment> place_comments(const YamlDocument& document) {
+  std::vector<Comment> comments;
+  if (document.comments.empty()) return comments;
+  const std::vector<Element> elements = elements_of(document.root);
+  for (const YamlComment& found : document.comments) {
+    const auto after =
+        std::upper_bound(elements.begin(), elements.end(), found.begin,
+                         [](std::uint32_t at, const Element& e) { return at < e.begin; });
+    Comment comment;
+    comment.trailing = found.trailing && after != elements.begin();
+    if (comment.trailing) {
+      comment.element = std::prev(after)->path;
+    } else if (after == elements.begin()) {
+      comment.element = "stigc";
+    } else if (after != elements.end()) {
+      comment.element = after->path;
+    }
+    comment.text = document.source->text().substr(found.begin, found.end - found.begin);
+    comments.push_back(std::move(comment));
+  }
+  return comments;
+}
+
+}  // namespace stig

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: MIT
+#include "rules/explain.h"
+
+#include <cassert>
+
+namespace stig {
+namespace {
+
+std::vector<FailedCell> failed_cells(const Neighbourhood& neighbours, const Pattern& pattern,
+                                     const View& view) {
+  std::vector<FailedCell> failed;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
+    if (pattern.allowed[i].contains(view.at[i])) continue;
+    failed.push_back({neighbours.offsets[i], pattern.allowed[i], view.at[i]});
+  }
+  return failed;
+}
+
+int counted(const CountCondition& condition, const Neighbourhood& neighbours, const View& view) {
+  int number = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
+    if (condition.faces_only && !neighbours.is_face[i]) continue;
+    if (condition.of.contains(view.at[i])) ++number;
+  }
+  return number;
+}
+
+std::vector<FailedCondition> failed_conditions(const Rule& rule, const Neighbourhood& neighbours,
+                                               const View& view, std::int32_t z, int stage) {
+  using Kind = FailedCondition::Kind;
+  std::vector<FailedCondition> failed;
+  if (rule.stage != 0 && rule.stage != stage) {
+    failed.push_back({Kind::stage, 0, stage, rule.stage, rule.stage});
+  }
+  if ((rule.height_min && z < *rule.height_min) || (rule.height_max && z > *rule.height_max)) {
+    failed.push_back({Kind::height, 0, z, rule.height_min, rule.height_max});
+  }
+  for (std::size_t i = 0; i < rule.counts.size(); ++i) {
+    const CountCondition& condition = rule.counts[i];
+    const int number = counted(condition, neighbours, view);
+    if (number >= condition.min && number <= condition.max) continue;
+    failed.push_back({Kind::count, i, number, condition.min, condition.max});
+  }
+  return failed;
+}
+
+}  // namespace
+
+Pattern oriented(const Pattern& pattern, const Orientation& orientation, int neighbours) {
+  Pattern image;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours); ++i) {
+    image.allowed[static_cast<std::size_t>(orientation.image[i])] = pattern.allowed[i];
+  }
+  return image;
+}
+
+Explanation explain(const RuleSet& rules, const View& view, std::int32_t z, int stage) {
+  assert(stage >= 1);
+  const Neighbourhood& neighbours = neighbourhood(rules.lattice);
+  Explanation result{view, z, stage, {}};
+  for (std::size_t r = 0; r < rules.rules.size(); ++r) {
+    const Rule& rule = rules.rules[r];
+    const auto turns =
+        orientations(rules.lattice, rules.symmetry_of(rule), rules.inversion_of(rule));
+    RuleExplanation said;
+    said.rule = static_cast<std::uint32_t>(r);
+    said.orientations = static_cast<std::uint32_t>(turns.size());
+    for (std::size_t t = 0; t < turns.size(); ++t) {
+      auto cells =
+          failed_cells(neighbours, oriented(rule.pattern, turns[t], neighbours.size), view);
+      if (t > 0 && cells.size() >= said.cells.size()) continue;
+      said.cells = std::move(cells);
+      said.orientation = static_cast<std::uint32_t>(t);
+    }
+    said.conditions = failed_conditions(rule, neighbours, view, z, stage);
+    said.fires = said.cells.empty() && said.conditions.empty();
+    result.rules.push_back(std::move(said));
+  }
+  return result;
+}
+
+}  // namespace stig

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "rules/view_search.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace stig {
+
+namespace {
+
+/// Counts of all conditions, packed: five bits each hold 0..26.
+using Tally = std::uint64_t;
+constexpr int kBits = 5;
+constexpr std::size_t kMostConditions = 64 / kBits;
+
+/// One kind of neighbourhood that a world has.
+struct World {
+  std::int64_t height_min, height_max;
+  bool on_floor;  ///< the slice below is floor
+};
+
+std::vector<World> worlds_of(const RuleSet& rules) {
+  if (!rules.floor) return {{INT32_MIN, INT32_MAX, false}};
+  return {{0, 0, true}, {1, INT32_MAX, false}};
+}
+
+/// Conditions on the same thing become one; those that always hold go.
+std::vector<CountCondition> merged(const std::vector<CountCondition>& counts, int size) {
+  std::vector<CountCondition> out;
+  for (const CountCondition& count : counts) {
+    const auto same = std::find_if(out.begin(), out.end(), [&](const CountCondition& other) {
+      return other.of == count.of && other.faces_only == count.faces_only;
+    });
+    if (same == out.end()) {
+      out.push_back(count);
+    } else {
+      same->min = std::max(same->min, count.min);
+      same->max = std::min(same->max, count.max);
+    }
+  }
+  const auto idle = [&](const CountCondition& c) { return c.min <= 0 && c.max >= size; };
+  out.erase(std::remove_if(out.begin(), out.end(), idle), out.end());
+  return out;
+}
+
+/// Decides counts cell by cell: which tallies can be reached by choosing a state in
+/// each of the first k cells, and from where.
+class CountSearch {
+ public:
+  CountSearch(const Neighbourhood& neighbours, std::vector<StateSet> cells,
+              std::vector<CountCondition> counts, Budget& budget)
+      : neighbours_(neighbours),
+        cells_(std::move(cells)),
+        counts_(std::move(counts)),
+        budget_(budget) {}
+
+  Answer run(View& view) {
+    if (counts_.size() > kMostConditions) return Answer::unknown;
+    find_reachable();
+    layers_.assign(1, {{0, {0, kEmpty}}});
+    for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
+      if (!extend(cell)) return Answer::unknown;
+      if (layers_.back().empty()) return Answer::no;
+    }
+    trace_back(view);
+    return Answer::yes;
+  }
+
+ private:
+  struct Step {
+    Tally before;
+    State state;
+  };
+  using Layer = std::unordered_map<Tally, Step>;
+
+  /// What a state in a cell adds to the tally.
+  Tally gain(std::size_t cell, State state) const {
+    Tally sum = 0;
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      const bool counted = !counts_[k].faces_only || neighbours_.is_face[cell];
+      if (counted && counts_[k].of.contains(state)) sum |= Tally{1} << (k * kBits);
+    }
+    return sum;
+  }
+
+  /// One state for each thing that a cell can add, the lowest.
+  std::vector<std::pair<Tally, State>> choices(std::size_t cell) const {
+    std::vector<std::pair<Tally, State>> out;
+    for (std::uint64_t bits = cells_[cell].bits(); bits != 0; bits &= bits - 1) {
+      const State state = StateSet(bits).first();
+      const Tally adds = gain(cell, state);
+      const bool known =
+          std::any_of(out.begin(), out.end(), [&](auto& c) { return c.first == adds; });
+      if (!known) out.emplace_back(adds, state);
+    }
+    return out;
+  }
+
+  /// For each condition, how many of the cells from `cell` on can still add to it.
+  void find_reachable() {
+    room_.assign(cells_.size() + 1, std::vector<int>(counts_.size(), 0));
+    for (std::size_t cell = cells_.size(); cell-- > 0;) {
+      Tally most = 0;
+      for (const auto& [adds, state] : choices(cell)) most |= adds;
+      for (std::size_t k = 0; k < counts_.size(); ++k) {
+        room_[cell][k] = room_[cell + 1][k] + static_cast<int>((most >> (k * kBits)) & 1U);
+      }
+    }
+  }
+
+  bool within_limits(Tally tally, std::size_t next_cell) const {
+    for (std::size_t k = 0; k < counts_.size(); ++k) {
+      const int count = static_cast<int>((tally >> (k * kBits)) & 31U);
+      if (count > counts_[k].max || count + room_[next_cell][k] < counts_[k].min) return false;
+    }
+    return true;
+  }
+
+  bool extend(std::size_t cell) {
+    const auto options = choices(cell);
+    Layer next;
+    for (const auto& [tally, step] : layers_.back()) {
+      for (const auto& [adds, state] : options) {
+        budget_ -= 20;
+        const Tally sum = tally + adds;
+        if (within_limits(sum, cell + 1)) next.emplace(sum, Step{tally, state});
+      }
+      if (budget_ < 0) return false;
+    }
+    layers_.push_back(std::move(next));
+    return true;
+  }
+
+  void trace_back(View& view) const {
+    // The lowest tally, so that the example does not hang on a hash table's order.
+    Tally tally = layers_.back().begin()->first;
+    for (const auto& [other, step] : layers_.back()) tally = std::min(tally, other);
+    for (std::size_t cell = cells_.size(); cell-- > 0;) {
+      const Step& step = layers_[cell + 1].at(tally);
+      view.at[cell] = step.state;
+      tally = step.before;
+    }
+  }
+
+  const Neighbourhood& neighbours_;
+  std::vector<StateSet> cells_;
+  std::vector<CountCondition> counts_;
+  Budget& budget_;
+  std::vector<std::vector<int>> room_;
+  std::vector<Layer> layers_;
+};
+
+/// The states each cell may have in this world under the demand's drawing.
+std::vector<StateSet> cells_in(const World& world, const RuleSet& rules, const Demand& demand) {
+  const Neighbourhood& neighbours = neighbourhood(rules.lattice);
+  std::vector<StateSet> cells;
+  for (int i = 0; i < neighbours.size; ++i) {
+    const StateSet possible = world.on_floor && i >= neighbours.first_below
+                                  ? StateSet::floor()
+                                  : StateSet::empty_cell() | StateSet::bricks(rules.colours());
+    cells.push_back(demand.pattern.allowed[static_cast<std::size_t>(i)] & possible);
+  }
+  return cells;
+}
+
+}  // namespace
+
+Demand demand_of(const Rule& rule) {
+  Demand demand;
+  demand.pattern = rule.pattern;
+  if (rule.height_min) demand.height_min = *rule.height_min;
+  if (rule.height_max) demand.height_max = *rule.height_max;
+  demand.counts = rule.counts;
+  return demand;
+}
+
+Demand both(const Demand& a, const Demand& b) {
+  Demand out = a;
+  for (std::size_t i = 0; i < out.pattern.allowed.size(); ++i) {
+    out.pattern.allowed[i] = a.pattern.allowed[i] & b.pattern.allowed[i];
+  }
+  out.height_min = std::max(a.height_min, b.height_min);
+  out.height_max = std::min(a.height_max, b.height_max);
+  out.counts.insert(out.counts.end(), b.counts.begin(), b.counts.end());
+  return out;
+}
+
+Pattern turned(const Pattern& pattern, const Orientation& orientation, Lattice lattice) {
+  Pattern out;
+  for (int i = 0; i < neighbourhood(lattice).size; ++i) {
+    const auto from = static_cast<std::size_t>(i);
+    out.allowed[static_cast<std::size_t>(orientation.image[from])] = pattern.allowed[from];
+  }
+  return out;
+}
+
+Answer find_view(const RuleSet& rules, const Demand& demand, Example& example, Budget& budget) {
+  const Neighbourhood& neighbours = neighbourhood(rules.lattice);
+  const std::vector<CountCondition> counts = merged(demand.counts, neighbours.size);
+  Answer answer = Answer::no;
+  for (const World& world : worlds_of(rules)) {
+    budget -= 30;
+    const std::int64_t low = std::max(world.height_min, demand.height_min);
+    const std::int64_t high = std::min(world.height_max, demand.height_max);
+    if (low > high) continue;
+    const std::vector<StateSet> cells = cells_in(world, rules, demand);
+    if (std::any_of(cells.begin(), cells.end(), [](StateSet s) { return s.none(); })) continue;
+    example.z = static_cast<std::int32_t>(std::clamp<std::int64_t>(0, low, high));
+    example.view = View{};
+    const Answer found = CountSearch(neighbours, cells, counts, budget).run(example.view);
+    if (found == Answer::yes) return found;
+    if (found == Answer::unknown) answer = found;
+  }
+  return answer;
+}
+
+bool fulfils(const Demand& demand, Lattice lattice, const View& view, std::int64_t z) {
+  const Neighbourhood& neighbours = neighbourhood(lattice);
+  if (z < demand.height_min || z > demand.height_max) return false;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
+    if (!demand.pattern.allowed[i].contains(view.at[i])) return false;
+  }
+  return std::all_of(demand.counts.begin(), demand.counts.end(), [&](const CountCondition& c) {
+    int count = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
+      const bool counted = !c.faces_only || neighbours.is_face[i];
+      if (counted && c.of.contains(view.at[i])) ++count;
+    }
+    return count >= c.min && count <= c.max;
+  });
+}
+
+}  // namespace stig
