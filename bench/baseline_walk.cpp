@@ -39,7 +39,8 @@ BaselineWalk::BaselineWalk(const RuleSet& rules, const Box& box, int agents, std
   table_.resize(std::bit_ceil(table.entries().size() * 4));
   for (const Entry& entry : table.entries()) {
     std::uint64_t hash = kSeed;
-    for (std::size_t i = 0; i < steps_.size(); ++i) hash = fold(hash, entry.pattern.allowed[i].first());
+    for (std::size_t i = 0; i < steps_.size(); ++i)
+      hash = fold(hash, entry.pattern.allowed[i].first());
     std::size_t slot = hash >> 20 & (table_.size() - 1);
     while (table_[slot].colour != 0) slot = (slot + 1) & (table_.size() - 1);
     table_[slot] = {hash, table.place(entry.source.rule)};

@@ -52,7 +52,8 @@ void endless(benchmark::State& state) {
 
 BENCHMARK_CAPTURE(deposits, tiling_20, "tiling", 20)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(deposits, coral_20, "coral", 20)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(deposits, architecture_4n_20, "architecture-4n", 20)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(deposits, architecture_4n_20, "architecture-4n", 20)
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK(endless)->Arg(10'000'000)->Iterations(1)->Unit(benchmark::kSecond);
 
 }  // namespace

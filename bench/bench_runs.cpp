@@ -16,12 +16,14 @@ void ensemble(benchmark::State& state) {
   config.agents = 100;
   config.max_steps = 20'000;
   for (auto _ : state) {
-    const auto runs = run_ensemble(table, rules.start, config, 64, static_cast<int>(state.range(0)));
+    const auto runs =
+        run_ensemble(table, rules.start, config, 64, static_cast<int>(state.range(0)));
     benchmark::DoNotOptimize(runs.size());
   }
 }
 
-BENCHMARK(ensemble)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(ensemble)->Arg(1)->Arg(2)->ArgName("threads")->UseRealTime()->Unit(
+    benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace stig::bench

@@ -46,7 +46,8 @@ void baseline(benchmark::State& state) {
 void engine(benchmark::State& state, bool vectorise) {
   const RuleSet rules = shipped("architecture-4n");
   const RuleTable table(rules);
-  SwarmConfig config = config_for(rules, static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+  SwarmConfig config =
+      config_for(rules, static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   config.vectorise = vectorise;
   for (auto _ : state) {
     SwarmResult result = run_swarm(table, rules.start, config);
@@ -59,9 +60,18 @@ void engine_vector(benchmark::State& state) { engine(state, true); }
 
 const std::vector<std::vector<std::int64_t>> kCases{{20, 100}, {100, 1000}};
 
-BENCHMARK(baseline)->ArgsProduct(kCases)->ArgNames({"side", "agents"})->Unit(benchmark::kMillisecond);
-BENCHMARK(engine_scalar)->ArgsProduct(kCases)->ArgNames({"side", "agents"})->Unit(benchmark::kMillisecond);
-BENCHMARK(engine_vector)->ArgsProduct(kCases)->ArgNames({"side", "agents"})->Unit(benchmark::kMillisecond);
+BENCHMARK(baseline)
+    ->ArgsProduct(kCases)
+    ->ArgNames({"side", "agents"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(engine_scalar)
+    ->ArgsProduct(kCases)
+    ->ArgNames({"side", "agents"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(engine_vector)
+    ->ArgsProduct(kCases)
+    ->ArgNames({"side", "agents"})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace stig::bench

@@ -300,8 +300,8 @@ bool AgentRun::stimulate(std::uint32_t agent) {
   flags(index) = static_cast<std::uint8_t>(flags(index) | kSolidCell);
   if (config_->motion == Motion::teleport) empty_.remove(index);
   --agents_in_empty_;
-  world_.deposit(site, colour, [&](Cell neighbour, bool enabled) {
-    set_enabled(field_.index(neighbour), enabled);
+  world_.deposit(site, colour, [&](Cell neighbour, const View& view) {
+    set_enabled(field_.index(neighbour), world_.rules().enabled(view, neighbour.z, world_.stage()));
   });
   log_.record({site, colour, match, static_cast<std::int32_t>(agent), step_});
   if (enabled_ == 0 || world_.stage_spent()) fill();

@@ -60,7 +60,8 @@ TEST_CASE("a cavity open at an edge alone is still closed, since faces connect")
 }
 
 TEST_CASE("components touch by faces") {
-  const Structure s(Lattice::cubic, {{{0, 0, 0}, 1}, {{1, 0, 0}, 2}, {{2, 1, 0}, 1}, {{9, 9, 9}, 3}});
+  const Structure s(Lattice::cubic,
+                    {{{0, 0, 0}, 1}, {{1, 0, 0}, 2}, {{2, 1, 0}, 1}, {{9, 9, 9}, 3}});
   const Measures m = measure(s);
   CHECK(m.components == 3);
   CHECK(m.mean_neighbours == doctest::Approx(0.5));

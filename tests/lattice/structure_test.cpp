@@ -4,9 +4,10 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <map>
 
-#include "lattice/enabled_set.h"
+#include "lattice/cell_marks.h"
 #include "support/random_structures.h"
 
 using namespace stig;
@@ -83,7 +84,8 @@ TEST_CASE("hash and canonical form are those of the class under the group") {
     const auto group = orientations(lattice, symmetry, inversion);
     const auto& g = group[*rc::gen::inRange<std::size_t>(0, group.size())];
     const Structure turned = transformed(s, g);
-    RC_ASSERT(structure_hash(s, symmetry, inversion) == structure_hash(turned, symmetry, inversion));
+    RC_ASSERT(structure_hash(s, symmetry, inversion) ==
+              structure_hash(turned, symmetry, inversion));
     RC_ASSERT(canonical(s, symmetry, inversion) == canonical(turned, symmetry, inversion));
   }));
 }
@@ -100,23 +102,27 @@ TEST_CASE("different structures hash differently") {
   CHECK(structure_hash(Structure{}) == structure_hash(Structure{}));
 }
 
-TEST_CASE("the enabled set is a set, with its cells listed") {
-  CHECK(rc::check("like std::set", [] {
-    EnabledSet set;
-    std::map<Cell, bool> oracle;
+TEST_CASE("cell marks are a map, with its cells listed") {
+  CHECK(rc::check("like std::map", [] {
+    CellMarks marks;
+    std::map<Cell, std::uint64_t> oracle;
     for (int i = 0; i < 300; ++i) {
       const Cell c = *random_cell(4);
-      if (*rc::gen::arbitrary<bool>()) {
-        set.insert(c);
-        oracle[c] = true;
-      } else {
-        set.erase(c);
-        oracle.erase(c);
-      }
-      RC_ASSERT(set.size() == oracle.size());
+      const std::uint64_t value = *rc::gen::inRange<std::uint64_t>(0, 4);
+      marks.set(c, value);
+      value != 0 ? void(oracle[c] = value) : void(oracle.erase(c));
+      RC_ASSERT(marks.size() == oracle.size());
     }
-    std::map<Cell, bool> listed;
-    for (std::size_t i = 0; i < set.size(); ++i) listed[set[i]] = true;
-    RC_ASSERT(listed == oracle);
+    std::vector<Cell> twos, listed, all;
+    for (const auto& [cell, value] : oracle) {
+      all.push_back(cell);
+      if ((value & 2) != 0) twos.push_back(cell);
+    }
+    for (std::size_t i = 0; i < marks.size(); ++i) listed.push_back(marks[i]);
+    std::sort(listed.begin(), listed.end());
+    RC_ASSERT(listed == all);
+    RC_ASSERT(marks.cells_with(2) == twos);
+    marks.clear();
+    RC_ASSERT(marks.size() == 0U);
   }));
 }

@@ -14,7 +14,6 @@
 
 using namespace stig;
 
-
 namespace {
 
 struct Outcome {
@@ -63,8 +62,8 @@ std::vector<Deposit> walk_oracle(const RuleSet& rules, const SwarmConfig& config
   std::vector<Deposit> log;
   std::vector<Match> matches;
   for (std::uint64_t step = 1; step <= *config.max_steps; ++step) {
-    const auto order = philox(random_address(config.run, Purpose::order, 0, step / 2),
-                              random_key(config.seed));
+    const auto order =
+        philox(random_address(config.run, Purpose::order, 0, step / 2), random_key(config.seed));
     const auto below = [](std::uint32_t word, std::uint64_t bound) {
       return static_cast<std::size_t>((word * bound) >> 32);
     };
@@ -75,7 +74,8 @@ std::vector<Deposit> walk_oracle(const RuleSet& rules, const SwarmConfig& config
       const View view = view_at(s, table, config.box, here);
       table.matches(view, here.z, 1, matches);
       if (s.at(here) == kEmpty && !matches.empty()) {
-        Random random(config.seed, config.run, Purpose::deposit, static_cast<std::uint32_t>(agent), step);
+        Random random(config.seed, config.run, Purpose::deposit, static_cast<std::uint32_t>(agent),
+                      step);
         const double p = table.probability(matches[0].rule);
         if (p >= 1 || random.unit() < p) {
           const Colour colour = table.place(matches[0].rule);
@@ -109,8 +109,10 @@ TEST_CASE("the walk engine does what its definition says, event by event") {
         SwarmConfig config = walkers(rules, 6, 20);
         config.box->periodic = periodic;
         config.box->floor = rules.floor;
-        if (rules.lattice == Lattice::cubic) config.moves = moves;
-        else config.moves = moves == 6 ? 8 : 20;
+        if (rules.lattice == Lattice::cubic)
+          config.moves = moves;
+        else
+          config.moves = moves == 6 ? 8 : 20;
         config.max_steps = 300;
         for (int i = 0; i < 20; ++i) {
           const Cell c = config.box->low + Offset{i % 6, i / 6, 5};
@@ -321,10 +323,12 @@ TEST_CASE("what cannot run is said in words") {
         "the start's brick at (0, 0, 0) is outside the box");
   CHECK(problem([](SwarmConfig& c) { c.box->size.x = 1 << 24; }) ==
         "the box is too large: at most 1073741824 cells");
-  CHECK(problem([](SwarmConfig& c) { c.agents_at = {{0, 0, 0}}; }) ==
-        "the agent's cell (0, 0, 0) is taken");
-  CHECK(problem([](SwarmConfig& c) { c.agents_at = {{0, 0, 99}}; }) ==
-        "the agent's cell (0, 0, 99) is outside the box");
+  CHECK(problem([](SwarmConfig& c) {
+          c.agents_at = {{0, 0, 0}};
+        }) == "the agent's cell (0, 0, 0) is taken");
+  CHECK(problem([](SwarmConfig& c) {
+          c.agents_at = {{0, 0, 99}};
+        }) == "the agent's cell (0, 0, 99) is outside the box");
 }
 
 TEST_CASE("a full box of agents runs") {

@@ -9,7 +9,6 @@
 
 using namespace stig;
 
-
 namespace {
 
 struct Recorded {
@@ -17,7 +16,8 @@ struct Recorded {
   std::string bytes;
 };
 
-Recorded record(const RuleSet& rules, const SwarmConfig& config, const std::string& kind = "swarm") {
+Recorded record(const RuleSet& rules, const SwarmConfig& config,
+                const std::string& kind = "swarm") {
   Recorded out;
   TraceWriter writer(rules, config, kind);
   SwarmHooks hooks;

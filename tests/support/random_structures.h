@@ -13,9 +13,12 @@ namespace stig {
 
 /// Coordinates in [-reach, reach].
 inline rc::Gen<Cell> random_cell(int reach) {
-  return rc::gen::apply([](int x, int y, int z) { return Cell{x, y, z}; },
-                        rc::gen::inRange(-reach, reach + 1), rc::gen::inRange(-reach, reach + 1),
-                        rc::gen::inRange(-reach, reach + 1));
+  return rc::gen::apply(
+      [](int x, int y, int z) {
+        return Cell{x, y, z};
+      },
+      rc::gen::inRange(-reach, reach + 1), rc::gen::inRange(-reach, reach + 1),
+      rc::gen::inRange(-reach, reach + 1));
 }
 
 /// Up to `most` bricks of colours 1-4 in distinct cells.
