@@ -86,7 +86,13 @@ std::optional<RuleSet> App::read_rules(const std::string& path) const {
   Diagnostics diagnostics;
   std::optional<RuleSet> rules = read_rule_set_file(path, diagnostics);
   const bool bad = invalid(diagnostics);
-  if (!diagnostics.all().empty() && (bad || !options_.quiet)) report(diagnostics);
+  const std::size_t warnings = diagnostics.count(Severity::warning);
+  if (bad || (options_.json_diagnostics && warnings > 0)) {
+    report(diagnostics);
+  } else if (warnings > 0) {
+    say(fmt::format("{}: {} {}, which stigc check shows", printable(path), warnings,
+                    warnings == 1 ? "warning" : "warnings"));
+  }
   if (bad) rules.reset();
   return rules;
 }

@@ -47,7 +47,8 @@ class App {
   /// Do these diagnostics make the input invalid (warnings too under -W error)?
   bool invalid(const Diagnostics& diagnostics) const;
 
-  /// Reads a rule set and reports its problems; nothing when it is invalid.
+  /// Reads a rule set and reports its errors, warnings in one line; nothing when it is
+  /// invalid.
   std::optional<RuleSet> read_rules(const std::string& path) const;
 
  private:

@@ -273,7 +273,7 @@ void build(CLI::App& app, Storage& s) {
   app.name("stigc");
   app.require_subcommand(1);
   app.set_help_flag("-h,--help", "this help, or that of a command, with examples");
-  app.set_version_flag("--version", "version of the program");
+  app.set_version_flag("--version", "stigc " STIG_VERSION, "the version of the program");
   add_global(app, s.global);
   add_check(app, s.check);
   add_fmt(app, s.fmt);
@@ -350,7 +350,12 @@ std::string problem_in_words(const CLI::App& app, const CLI::ParseError& error) 
     const char* what = extra.front().starts_with("-") ? "unknown option" : "unexpected argument";
     return fmt::format("{} '{}'{}", what, extra.front(), suggestion(app, extra.front()));
   }
-  return error.what();
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr &&
+      text.find("At Most") != std::string::npos) {
+    return text.substr(0, text.find(':')) + " is given more than once";
+  }
+  return text;
 }
 
 }  // namespace

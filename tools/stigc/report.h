@@ -14,8 +14,8 @@ namespace stig {
 
 using Json = nlohmann::ordered_json;
 
-/// Two spaces of indentation and a newline at the end; bytes that are no UTF-8 are
-/// replaced.
+/// Indented by two, lists of plain values in one line, a newline at the end; bytes that
+/// are no UTF-8 are replaced.
 std::string dump(const Json& json);
 
 Json to_json(Cell cell);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
@@ -6,9 +7,41 @@
 #include "rules/rule_printer.h"
 
 namespace stig {
+namespace {
+
+std::string in_one_line(const Json& json) {
+  return json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
+}
+
+/// Members a line each, except those of a list of plain values: "[20, 20, 20]".
+void write(const Json& json, const std::string& line_start, std::string& out) {
+  const bool nested = std::any_of(json.begin(), json.end(),
+                                  [](const Json& member) { return member.is_structured(); });
+  if (!json.is_structured() || json.empty()) {
+    out += in_one_line(json);
+    return;
+  }
+  const bool spread = nested || json.is_object();
+  const std::string inner = spread ? line_start + "  " : " ";
+  out += json.is_object() ? '{' : '[';
+  bool first = true;
+  for (const auto& [key, member] : json.items()) {
+    if (!first) out += ',';
+    if (spread || !first) out += inner;
+    if (json.is_object()) out += in_one_line(key) + ": ";
+    write(member, inner, out);
+    first = false;
+  }
+  if (spread) out += line_start;
+  out += json.is_object() ? '}' : ']';
+}
+
+}  // namespace
 
 std::string dump(const Json& json) {
-  return json.dump(2, ' ', false, nlohmann::detail::error_handler_t::replace) + "\n";
+  std::string out;
+  write(json, "\n", out);
+  return out + "\n";
 }
 
 Json to_json(Cell cell) { return Json::array({cell.x, cell.y, cell.z}); }
