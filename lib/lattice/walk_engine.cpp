@@ -78,6 +78,7 @@ class AgentRun {
 
  private:
   void mark_sides();
+  std::uint8_t side_flag(Cell cell) const;
   void place_agents();
   std::int32_t random_free_cell(std::uint32_t agent) const;
   void put_agent(std::int32_t cell);
@@ -138,21 +139,30 @@ AgentRun::AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hoo
 
 void AgentRun::mark_sides() {
   const Box& box = field_.box;
-  for (std::int32_t i = 0; i < field_.size; ++i) {
-    const Cell cell = field_.cell(i);
-    const Cell inside = world_.wrap(cell);
-    const bool below_floor = world_.rules().floor() && cell.z < 0;
-    if (!box.contains(inside) || below_floor) {
-      flags(i) = kSolidCell;
-    } else if (inside != cell) {
-      flags(i) = kPortalCell;
+  const bool floor = world_.rules().floor();
+  std::int32_t i = 0;
+  for (std::int32_t z = -1; z <= box.size.z; ++z) {
+    const bool level_inside = z >= 0 && z < box.size.z && !(floor && box.low.z + z < 0);
+    for (std::int32_t y = -1; y <= box.size.y; ++y) {
+      const bool row_inside = level_inside && y >= 0 && y < box.size.y;
+      for (std::int32_t x = -1; x <= box.size.x; ++x, ++i) {
+        if (row_inside && x >= 0 && x < box.size.x) continue;
+        flags(i) = side_flag(box.low + Offset{x, y, z});
+      }
     }
   }
   world_.structure().for_each([&](Cell cell, Colour) { flags(field_.index(cell)) = kSolidCell; });
   if (config_->motion != Motion::teleport) return;
-  for (std::int32_t i = 0; i < field_.size; ++i) {
+  for (i = 0; i < field_.size; ++i) {
     if (flags(i) == 0) empty_.add(i, static_cast<std::size_t>(field_.size));
   }
+}
+
+/// The flag of a cell of the padding, or of one below the floor.
+std::uint8_t AgentRun::side_flag(Cell cell) const {
+  const Cell inside = world_.wrap(cell);
+  const bool below_floor = world_.rules().floor() && cell.z < 0;
+  return below_floor || !field_.box.contains(inside) ? kSolidCell : kPortalCell;
 }
 
 void AgentRun::place_agents() {
@@ -241,25 +251,29 @@ void AgentRun::draw_order(std::uint64_t step) {
 
 bool AgentRun::sweep_walk() {
   if (step_ % 4 == 0 || step_ == 1) {
-    fill_move_words(config_->seed, config_->run, step_ / 4, words_);
+    fill_move_words(config_->seed, config_->run, step_ / 4, config_->vectorise, words_);
   }
   word_ = words_[step_ % 4].data();
   const bool batches = config_->vectorise && order_.count >= 16 && walk_batch_available();
   const WalkArrays arrays{flags_.data(), position_.data(), word_};
   const auto lanes = batch_lanes(order_);
-  const std::uint32_t whole = batches ? order_.count / 16 * 16 : 0;
   std::uint32_t agent = order_.base;
-  for (std::uint32_t done = 0; done < order_.count; ++done) {
-    if (done % 16 == 0 && done < whole && walk_batch(arrays, moves_, order_, lanes, agent)) {
+  for (std::uint32_t left = order_.count; left > 0;) {
+    if (batches && left >= 16 && walk_batch(arrays, moves_, order_, lanes, agent)) {
       // From the first of this batch to the first of the next: past the last lane.
       const std::uint32_t last = agent + lanes[15];
       agent = order_.next(last >= order_.count ? last - order_.count : last);
-      done += 15;
+      left -= 16;
       continue;
     }
+    const std::uint32_t some = batches ? std::min<std::uint32_t>(left, 16) : left;
+    const std::uint32_t done = walk_some(arrays, moves_, order_, agent, some);
+    left -= done;
+    if (done == some) continue;
     if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
     walk(agent);
     agent = order_.next(agent);
+    --left;
   }
   return false;
 }

@@ -51,8 +51,17 @@ struct WalkArrays {
 };
 
 /// Words of Purpose::move at step `block` for agents 0 … size-1: out[w][agent].
-void fill_move_words(std::uint64_t seed, std::uint32_t run, std::uint64_t block,
+void fill_move_words(std::uint64_t seed, std::uint32_t run, std::uint64_t block, bool vectorise,
                      std::array<std::vector<std::uint32_t>, 4>& out);
+/// The vector path of it, for the 16 agents from `agent` on.
+void fill_batch(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key,
+                std::size_t agent, std::array<std::vector<std::uint32_t>, 4>& out);
+
+/// Moves up to `count` agents from `agent` on, one after another; stops before one that
+/// is stimulated or steps through a portal. Returns how many acted; `agent` is then the
+/// next in the order.
+std::uint32_t walk_some(const WalkArrays& arrays, const Moves& moves, const Order& order,
+                        std::uint32_t& agent, std::uint32_t count);
 
 /// Is the vector path there on this processor?
 bool walk_batch_available();

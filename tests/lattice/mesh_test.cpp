@@ -8,7 +8,7 @@
 #include <map>
 
 #include "lattice/structure_text.h"
-#include "support/random_structures.h"
+#include "support/any_structure.h"
 
 namespace stig {
 namespace {
@@ -103,7 +103,7 @@ TEST_CASE("a cell stands around its embedded centre, with its foot at its height
 
 TEST_CASE("law: the surface has the area of the exposed faces, is closed, and holds the bricks") {
   CHECK(rc::check([] {
-    const Structure s = random_structure(random_lattice(), 2);
+    const Structure s = any_structure(any_lattice(), 2);
     double area = 0;
     for (const PlacedBrick& brick : s.bricks()) {
       for (const CellFace& face : cell_faces(s.lattice())) {
@@ -121,7 +121,7 @@ TEST_CASE("law: the surface has the area of the exposed faces, is closed, and ho
 
 TEST_CASE("law: every edge of an unmerged surface is run through as often both ways") {
   CHECK(rc::check([] {
-    const Mesh mesh = surface(random_structure(random_lattice()), Merging::none);
+    const Mesh mesh = surface(any_structure(any_lattice()), Merging::none);
     std::map<std::pair<Corner, Corner>, int> balance;
     for (const Polygon& polygon : mesh.polygons) {
       for (std::size_t i = 0; i < polygon.corners; ++i) {
@@ -136,7 +136,7 @@ TEST_CASE("law: every edge of an unmerged surface is run through as often both w
 
 TEST_CASE("law: colours keep their area when faces are merged") {
   CHECK(rc::check([] {
-    const Structure s = random_structure(random_lattice(), 3);
+    const Structure s = any_structure(any_lattice(), 3);
     std::map<Colour, double> balance;
     for (const Polygon& p : surface(s, Merging::none).polygons)
       balance[p.colour] += 1 - (p.corners == 6);

@@ -1,16 +1,34 @@
 // SPDX-License-Identifier: MIT
-// Small structures by chance, for laws that hold for all.
+// RapidCheck generators of cells and brick lists.
 #pragma once
 
-#include "lattice/structure.h"
+#include <rapidcheck.h>
+
+#include <map>
+#include <vector>
+
+#include "rules/rule_set.h"
 
 namespace stig {
 
-/// Up to some forty bricks of colours 1..colours within ±reach; sometimes none. Call
-/// inside of rc::check.
-Structure random_structure(Lattice lattice, int colours = 4, int reach = 3);
+/// Coordinates in [-reach, reach].
+inline rc::Gen<Cell> random_cell(int reach) {
+  return rc::gen::apply([](int x, int y, int z) { return Cell{x, y, z}; },
+                        rc::gen::inRange(-reach, reach + 1), rc::gen::inRange(-reach, reach + 1),
+                        rc::gen::inRange(-reach, reach + 1));
+}
 
-/// Either lattice.
-Lattice random_lattice();
+/// Up to `most` bricks of colours 1-4 in distinct cells.
+inline rc::Gen<std::vector<PlacedBrick>> random_bricks(int most, int reach) {
+  const auto one = rc::gen::pair(random_cell(reach), rc::gen::inRange(1, 5));
+  return rc::gen::map(
+      rc::gen::resize(most, rc::gen::container<std::vector<std::pair<Cell, int>>>(one)),
+      [](const std::vector<std::pair<Cell, int>>& pairs) {
+        std::map<Cell, int> distinct(pairs.begin(), pairs.end());
+        std::vector<PlacedBrick> list;
+        for (const auto& [at, colour] : distinct) list.push_back({at, static_cast<Colour>(colour)});
+        return list;
+      });
+}
 
 }  // namespace stig

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "support/random_structures.h"
+#include "support/any_structure.h"
 
 #include <rapidcheck.h>
 
@@ -7,7 +7,7 @@
 
 namespace stig {
 
-Structure random_structure(Lattice lattice, int colours, int reach) {
+Structure any_structure(Lattice lattice, int colours, int reach) {
   const auto coordinate = rc::gen::inRange(-reach, reach + 1);
   const auto brick =
       rc::gen::tuple(coordinate, coordinate, coordinate, rc::gen::inRange(1, colours + 1));
@@ -19,6 +19,6 @@ Structure random_structure(Lattice lattice, int colours, int reach) {
   return structure;
 }
 
-Lattice random_lattice() { return *rc::gen::element(Lattice::cubic, Lattice::hexagonal); }
+Lattice any_lattice() { return *rc::gen::element(Lattice::cubic, Lattice::hexagonal); }
 
 }  // namespace stig
