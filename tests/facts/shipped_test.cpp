@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "lattice/swarm.h"
+#include "rules/rule_printer.h"
 #include "support/oracle.h"
 #include "support/shipped.h"
 
@@ -73,7 +74,7 @@ TEST_CASE("every shipped rule set keeps the verdict it expects") {
   }
 }
 
-TEST_CASE("every shipped rule set introduces itself") {
+TEST_CASE("every shipped rule set introduces itself, in canonical form") {
   for (const std::string& name : shipped_names()) {
     CAPTURE(name);
     const RuleSet rules = shipped(name);
@@ -81,6 +82,7 @@ TEST_CASE("every shipped rule set introduces itself") {
     CHECK(!rules.title.empty());
     CHECK(!rules.source.empty());
     CHECK(!rules.comments.empty());
+    CHECK(print_rule_set(rules) == rules.file->text());
   }
 }
 
