@@ -2,82 +2,107 @@
 #include "baseline_walk.h"
 
 #include <bit>
+#include <cassert>
+#include <cstring>
 
 #include "rules/rule_table.h"
 
 namespace stig::bench {
 namespace {
 
-constexpr std::uint8_t kAgent = 0x40, kSide = 0x80, kState = 0x3f;
-
-std::uint64_t fold(std::uint64_t hash, std::uint8_t state) {
-  return (hash ^ state) * 0x100000001b3ULL;
+/// The 54-bit key of an exact pattern: rows from the lowest slice up, y rising, two bits
+/// a cell with x rising, the site itself 0.
+std::uint64_t key_of(const Pattern& pattern, const Neighbourhood& n) {
+  std::uint64_t key = 0;
+  int shift = 0;
+  for (int z = -1; z <= 1; ++z) {
+    for (int y = -1; y <= 1; ++y) {
+      for (int x = -1; x <= 1; ++x, shift += 2) {
+        const int i = n.index_of({x, y, z});
+        if (i < 0) continue;
+        key |= std::uint64_t{pattern.allowed[static_cast<std::size_t>(i)].first()} << shift;
+      }
+    }
+  }
+  return key;
 }
-constexpr std::uint64_t kSeed = 0xcbf29ce484222325ULL;
 
 }  // namespace
 
 BaselineWalk::BaselineWalk(const RuleSet& rules, const Box& box, int agents, std::uint64_t seed)
-    : word_(seed * 2 + 1) {
+    : row_(box.size.x + 2), slice_(row_ * (box.size.y + 2)), word_(seed * 2 + 1) {
+  assert(rules.lattice == Lattice::cubic && rules.colours() <= 3 && !rules.floor);
   const Neighbourhood& n = neighbourhood(rules.lattice);
-  const std::int32_t row = box.size.x + 2, slice = row * (box.size.y + 2);
-  cells_.assign(static_cast<std::size_t>(slice) * static_cast<std::size_t>(box.size.z + 2), kSide);
+  const auto cells = static_cast<std::size_t>(slice_ * (box.size.z + 2));
+  packed_.assign(cells / 4 + 16, 0);
+  taken_.assign(cells, 1);
   const auto index = [&](Cell c) {
     const Offset o = c - box.low + Offset{1, 1, 1};
-    return static_cast<std::size_t>(o.z * slice + o.y * row + o.x);
+    return o.z * slice_ + o.y * row_ + o.x;
   };
   for (std::int32_t z = 0; z < box.size.z; ++z) {
     for (std::int32_t y = 0; y < box.size.y; ++y) {
-      for (std::int32_t x = 0; x < box.size.x; ++x) cells_[index(box.low + Offset{x, y, z})] = 0;
+      for (std::int32_t x = 0; x < box.size.x; ++x) {
+        taken_[static_cast<std::size_t>(index(box.low + Offset{x, y, z}))] = 0;
+      }
     }
   }
-  for (const PlacedBrick& b : rules.start) cells_[index(b.at)] = b.brick;
+  for (const PlacedBrick& b : rules.start) pack(index(b.at), b.brick);
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
-    steps_.push_back(n.offsets[i].z * slice + n.offsets[i].y * row + n.offsets[i].x);
+    steps_.push_back(n.offsets[i].z * slice_ + n.offsets[i].y * row_ + n.offsets[i].x);
   }
   const RuleTable table(rules);
   table_.resize(std::bit_ceil(table.entries().size() * 4));
   for (const Entry& entry : table.entries()) {
-    std::uint64_t hash = kSeed;
-    for (std::size_t i = 0; i < steps_.size(); ++i)
-      hash = fold(hash, entry.pattern.allowed[i].first());
-    std::size_t slot = hash >> 20 & (table_.size() - 1);
-    while (table_[slot].colour != 0) slot = (slot + 1) & (table_.size() - 1);
-    table_[slot] = {hash, table.place(entry.source.rule)};
+    const std::uint64_t key = key_of(entry.pattern, n);
+    std::size_t at = slot(key);
+    while (table_[at].colour != 0) at = (at + 1) & (table_.size() - 1);
+    table_[at] = {key, table.place(entry.source.rule)};
   }
   while (agents_.size() < static_cast<std::size_t>(agents)) {
-    const std::size_t cell = random() % cells_.size();
-    if (cells_[cell] != 0) continue;
-    cells_[cell] = kAgent;
-    agents_.push_back(cell);
+    const std::uint64_t cell = random() % cells;
+    if (taken_[cell] != 0) continue;
+    taken_[cell] = 1;
+    agents_.push_back(static_cast<std::int64_t>(cell));
   }
 }
 
-std::uint64_t BaselineWalk::hash_around(std::size_t cell) const {
-  std::uint64_t hash = kSeed;
-  for (const std::ptrdiff_t step : steps_) {
-    hash = fold(hash, cells_[cell + static_cast<std::size_t>(step)] & kState);
+void BaselineWalk::pack(std::int64_t cell, Colour colour) {
+  packed_[static_cast<std::size_t>(cell >> 2)] |=
+      static_cast<std::uint8_t>(colour << (cell & 3) * 2);
+  taken_[static_cast<std::size_t>(cell)] = 1;
+}
+
+std::uint64_t BaselineWalk::key_around(std::int64_t cell) const {
+  std::uint64_t key = 0;
+  int shift = 0;
+  for (std::int64_t z = -1; z <= 1; ++z) {
+    for (std::int64_t y = -1; y <= 1; ++y, shift += 6) {
+      const std::int64_t first = cell + z * slice_ + y * row_ - 1;
+      std::uint16_t word;
+      std::memcpy(&word, packed_.data() + (first >> 2), sizeof word);
+      key |= (std::uint64_t{word} >> (first & 3) * 2 & 63U) << shift;
+    }
   }
-  return hash;
+  return key;
 }
 
 void BaselineWalk::step() {
-  for (std::size_t& agent : agents_) {
-    if ((cells_[agent] & kState) == 0) {
-      const std::uint64_t hash = hash_around(agent);
-      for (std::size_t slot = hash >> 20 & (table_.size() - 1); table_[slot].colour != 0;
-           slot = (slot + 1) & (table_.size() - 1)) {
-        if (table_[slot].hash != hash) continue;
-        cells_[agent] |= table_[slot].colour;
-        ++deposits_;
-        break;
-      }
+  for (std::int64_t& agent : agents_) {
+    const std::uint64_t key = key_around(agent);
+    for (std::size_t at = slot(key); table_[at].colour != 0; at = (at + 1) & (table_.size() - 1)) {
+      if (table_[at].key != key) continue;  // never the key of an agent inside its brick
+      pack(agent, table_[at].colour);
+      ++deposits_;
+      break;
     }
-    const auto pick = static_cast<std::size_t>((random() >> 32) * steps_.size() >> 32);
-    const std::size_t to = agent + static_cast<std::size_t>(steps_[pick]);
-    if (cells_[to] != 0) continue;
-    cells_[agent] &= static_cast<std::uint8_t>(~kAgent);
-    cells_[to] = kAgent;
+    const std::uint64_t pick = (random() >> 32) * steps_.size() >> 32;
+    const std::int64_t to = agent + steps_[pick];
+    if (taken_[static_cast<std::size_t>(to)] != 0) continue;
+    const bool in_brick =
+        (packed_[static_cast<std::size_t>(agent >> 2)] >> (agent & 3) * 2 & 3) != 0;
+    taken_[static_cast<std::size_t>(agent)] = in_brick ? 1 : 0;
+    taken_[static_cast<std::size_t>(to)] = 1;
     agent = to;
   }
 }

@@ -110,8 +110,8 @@ class AgentRun {
   Moves moves_;
   std::vector<std::uint8_t> flags_;
   std::vector<std::int32_t> position_;
-  std::array<std::vector<std::uint32_t>, 4> words_;  ///< of four steps, by agent
-  const std::uint32_t* word_ = nullptr;              ///< of this step, by agent
+  std::array<std::vector<std::int32_t>, 4> steps_;  ///< moves of four steps, by agent
+  const std::int32_t* move_ = nullptr;              ///< of this step, by agent
   std::vector<std::uint32_t> strides_;
   std::array<std::uint32_t, 4> order_words_{};
   Order order_;
@@ -130,8 +130,7 @@ AgentRun::AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hoo
       moves_(moves_of(field_, world_.rules().neighbours(), config.moves)),
       flags_(static_cast<std::size_t>(field_.size) + 4),
       strides_(coprimes(static_cast<std::uint32_t>(config.agents))) {
-  const auto padded = (static_cast<std::size_t>(config.agents) + 15) / 16 * 16;
-  for (auto& words : words_) words.resize(padded);
+  for (auto& steps : steps_) steps.resize(static_cast<std::size_t>(config.agents));
   order_.count = static_cast<std::uint32_t>(config.agents);
   mark_sides();
   place_agents();
@@ -251,29 +250,16 @@ void AgentRun::draw_order(std::uint64_t step) {
 
 bool AgentRun::sweep_walk() {
   if (step_ % 4 == 0 || step_ == 1) {
-    fill_move_words(config_->seed, config_->run, step_ / 4, config_->vectorise, words_);
+    draw_moves(config_->seed, config_->run, step_ / 4, moves_, config_->vectorise, steps_);
   }
-  word_ = words_[step_ % 4].data();
-  const bool batches = config_->vectorise && order_.count >= 16 && walk_batch_available();
-  const WalkArrays arrays{flags_.data(), position_.data(), word_};
-  const auto lanes = batch_lanes(order_);
+  move_ = steps_[step_ % 4].data();
   std::uint32_t agent = order_.base;
-  for (std::uint32_t left = order_.count; left > 0;) {
-    if (batches && left >= 16 && walk_batch(arrays, moves_, order_, lanes, agent)) {
-      // From the first of this batch to the first of the next: past the last lane.
-      const std::uint32_t last = agent + lanes[15];
-      agent = order_.next(last >= order_.count ? last - order_.count : last);
-      left -= 16;
-      continue;
-    }
-    const std::uint32_t some = batches ? std::min<std::uint32_t>(left, 16) : left;
-    const std::uint32_t done = walk_some(arrays, moves_, order_, agent, some);
-    left -= done;
-    if (done == some) continue;
+  for (std::uint32_t left = order_.count; left > 0; --left) {
+    left -= walk_some(flags_.data(), position_.data(), move_, order_, agent, left);
+    if (left == 0) break;
     if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
     walk(agent);
     agent = order_.next(agent);
-    --left;
   }
   return false;
 }
@@ -310,7 +296,7 @@ bool AgentRun::stimulate(std::uint32_t agent) {
 
 void AgentRun::walk(std::uint32_t agent) {
   const std::int32_t from = position_[agent];
-  std::int32_t to = from + chosen_step(moves_, word_[agent]);
+  std::int32_t to = from + move_[agent];
   if (is(to, kPortalCell)) to = portal(to);
   if (is(to, kSolidCell | kAgentCell)) return;
   flags(from) = static_cast<std::uint8_t>(flags(from) & ~kAgentCell);

@@ -20,8 +20,8 @@ TEST_CASE("philox gives the published known answers") {
 
 TEST_CASE("streams of different address differ, of the same address agree") {
   std::set<std::uint64_t> seen;
-  const auto first = [](std::uint64_t seed, std::uint32_t run, Purpose purpose,
-                        std::uint32_t agent, std::uint64_t step) {
+  const auto first = [](std::uint64_t seed, std::uint32_t run, Purpose purpose, std::uint32_t agent,
+                        std::uint64_t step) {
     Random r(seed, run, purpose, agent, step);
     const std::uint64_t high = r.next();
     return high << 32 | r.next();

@@ -127,7 +127,8 @@ TEST_CASE("the walk engine does what its definition says, event by event") {
 }
 
 TEST_CASE("vector instructions change nothing") {
-  if (!walk_batch_available()) MESSAGE("no AVX-512 here: the scalar path is compared with itself");
+  if (!vector_moves_available())
+    MESSAGE("no AVX-512 here: the scalar path is compared with itself");
   for (const char* name : {"architecture-4c", "stepped-pyramid", "tiling"}) {
     for (const int agents : {15, 16, 17, 100, 400}) {
       for (const bool periodic : {false, true}) {
@@ -148,14 +149,20 @@ TEST_CASE("vector instructions change nothing") {
   }
 }
 
-TEST_CASE("move words are those of the random streams") {
-  std::array<std::vector<std::uint32_t>, 4> words;
+TEST_CASE("moves are drawn from the random streams") {
+  Moves moves;
+  moves.count = 26;
+  for (std::size_t i = 0; i < 26; ++i) moves.step[i] = static_cast<std::int32_t>(100 + i);
+  std::array<std::vector<std::int32_t>, 4> drawn;
   for (const bool vectorise : {false, true}) {
-    for (auto& row : words) row.assign(50, 0);
-    fill_move_words(0x123456789abcdefULL, 77, (1ULL << 40) + 5, vectorise, words);
+    for (auto& row : drawn) row.assign(50, 0);
+    draw_moves(0x123456789abcdefULL, 77, (1ULL << 40) + 5, moves, vectorise, drawn);
     for (std::uint32_t agent = 0; agent < 50; ++agent) {
       Random random(0x123456789abcdefULL, 77, Purpose::move, agent, (1ULL << 40) + 5);
-      for (std::size_t w = 0; w < 4; ++w) REQUIRE(words[w][agent] == random.next());
+      for (std::size_t w = 0; w < 4; ++w) {
+        const std::uint64_t move = (std::uint64_t{random.next()} * 26) >> 32;
+        REQUIRE(drawn[w][agent] == static_cast<std::int32_t>(100 + move));
+      }
     }
   }
 }
