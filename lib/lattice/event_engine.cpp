@@ -29,8 +29,8 @@ class EventRun {
 
   void mark(Cell site, const View& view) {
     const std::uint64_t stages = world_.rules().open_stages(view, site.z, world_.stage());
+    if (staged_ && !all_.set(site, stages)) return;  // nothing before, nothing now
     open_.set(site, stages & present());
-    if (staged_) all_.set(site, stages);
   }
 
   /// Goes on to the next stage that has something open, if the present one has not.
