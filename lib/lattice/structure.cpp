@@ -5,6 +5,7 @@
 #include <bit>
 #include <cassert>
 #include <cstring>
+#include <random>
 
 #include "base/hash.h"
 
@@ -25,12 +26,16 @@ constexpr std::size_t slot_in_chunk(Cell c) {
                                   (c.x & mask));
 }
 
-std::uint64_t pack(Cell c) {
+/// Drawn anew by every process, so that no file can be made to fill one slot of the
+/// chunk index. Nothing but the time to find a chunk depends on it.
+const std::uint64_t kSalt = std::random_device{}();
+
+std::uint64_t chunk_hash(Cell c) {
   constexpr std::uint64_t kBias = 1U << 20;  // 21 bits a coordinate suffice for hashing
   const auto part = [](std::int32_t v) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(v)) + kBias) & 0x1fffffULL;
   };
-  return part(c.x) << 42 | part(c.y) << 21 | part(c.z);
+  return mix((part(c.x) << 42 | part(c.y) << 21 | part(c.z)) + kSalt * 0x9e3779b97f4a7c15ULL);
 }
 
 std::vector<PlacedBrick> shifted_to_origin(std::vector<PlacedBrick> bricks) {
@@ -70,7 +75,7 @@ const Structure::Chunk* Structure::find(Cell cell) const {
   if (index_.empty()) return nullptr;
   const Cell origin = chunk_origin(cell);
   const std::size_t mask = index_.size() - 1;
-  for (std::size_t slot = mix(pack(origin)) & mask; index_[slot] != 0; slot = (slot + 1) & mask) {
+  for (std::size_t slot = chunk_hash(origin) & mask; index_[slot] != 0; slot = (slot + 1) & mask) {
     const Chunk& chunk = chunks_[index_[slot] - 1];
     if (chunk.origin == origin) return &chunk;
   }
@@ -92,7 +97,7 @@ Structure::Chunk& Structure::find_or_make(Cell cell) {
 
 void Structure::insert_in_index(std::size_t number) {
   const std::size_t mask = index_.size() - 1;
-  std::size_t slot = mix(pack(chunks_[number - 1].origin)) & mask;
+  std::size_t slot = chunk_hash(chunks_[number - 1].origin) & mask;
   while (index_[slot] != 0) slot = (slot + 1) & mask;
   index_[slot] = static_cast<std::uint32_t>(number);
 }
