@@ -19,7 +19,7 @@ namespace {
 constexpr double kMargin = 28;
 constexpr std::size_t kManyFaces = 20000;  // then it pays to find the covered ones
 constexpr double kGap = 24;                // between panels
-constexpr double kSmallestWidth = 304;
+constexpr double kSmallestWidth = 304, kWidestLegend = 480;  // of what is in the margins
 constexpr TextLook kTitle{21, true, {0x1f, 0x29, 0x33}};
 constexpr TextLook kLabel{14, false, {0x1f, 0x29, 0x33}};
 constexpr TextLook kLegend{14, false, {0x1f, 0x29, 0x33}};
@@ -140,14 +140,20 @@ class Picture {
     for (const PicturePanel& panel : panels_) {
       if (!panel.label.empty()) layout_.label_height = 26;
     }
-    const double below = (options_.axes || options_.legend ? kAxes : 0) + 2 * kMargin;
+    double legend_row = options_.axes ? kAxes : 0;
+    for (const LegendItem& item : items_) legend_row += item.width;
+    const double legend_rows = std::ceil(legend_row / (most - 2 * kMargin - kAxes));
+    const double below = std::max(options_.axes ? kAxes : 0, legend_rows * kLegendRow) +
+                         (options_.caption.empty() ? 1 : 2) * kMargin;
     fit_panels(layout_, panels_.size(), content,
                {most - 2 * kMargin, std::max(most - layout_.drawing_top - below, 64.0)},
                options_.cell_pixels / Canvas::kDensity);
     const double drawing = layout_.columns * layout_.panel_width + kGap * (layout_.columns - 1);
-    layout_.width = std::ceil(std::clamp(
-        std::max({drawing, kSmallestWidth, text_width(options_.title, kTitle)}) + 2 * kMargin,
-        kSmallestWidth, std::max(most, kSmallestWidth)));
+    const double words =
+        std::max({text_width(options_.title, kTitle), text_width(options_.caption, kCaption),
+                  std::min(legend_row, kWidestLegend), kSmallestWidth});
+    layout_.width =
+        std::ceil(std::min(std::max(drawing, words) + 2 * kMargin, std::max(most, kSmallestWidth)));
     const double row = layout_.panel_height + layout_.label_height;
     layout_.legend_top = layout_.drawing_top + row * layout_.rows + kGap * (layout_.rows - 1) + 18;
     const double left = kMargin + (options_.axes ? kAxes : 0);
