@@ -360,6 +360,15 @@ std::optional<YamlDocument> parse_yaml(SourceRef source, const YamlLimits& limit
   return document;
 }
 
+SourceRange YamlDocument::head(const YamlNode& node) const {
+  if (node.style == YamlStyle::block && !node.pairs.empty()) return range(node.pairs[0].key);
+  if (node.style == YamlStyle::literal || node.style == YamlStyle::folded) {
+    return {source, node.begin, node.begin + 1};
+  }
+  const std::size_t line_end = std::min(source->text().find('\n', node.begin), source->text().size());
+  return {source, node.begin, static_cast<std::uint32_t>(std::min<std::size_t>(node.end, line_end))};
+}
+
 SourceRange YamlDocument::range(const YamlNode& node, std::size_t begin, std::size_t end) const {
   const std::string_view all = source->text();
   const auto at = [&](std::size_t b, std::size_t e) {

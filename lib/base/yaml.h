@@ -56,6 +56,9 @@ struct YamlDocument {
   std::vector<YamlComment> comments;
 
   SourceRange range(const YamlNode& node) const { return {source, node.begin, node.end}; }
+  /// The beginning of a value, enough to point at: the first key of a mapping, the
+  /// bar of a block, otherwise the first line.
+  SourceRange head(const YamlNode& node) const;
   /// Place of the bytes [begin, end) of a scalar's text: exact for literal blocks,
   /// one-line plain and escape-free quoted texts, otherwise the whole scalar.
   SourceRange range(const YamlNode& node, std::size_t begin, std::size_t end) const;

@@ -53,10 +53,10 @@ class PatternReader {
 
   std::optional<Pattern> read() {
     if (rows_.size() != 3) {
-      const std::size_t begin = rows_.size() > 3 ? rows_[3].begin : 0;
-      const std::size_t end = rows_.size() > 3 ? rows_[3].end : 0;
+      const bool more = rows_.size() > 3;
       const SourceRange where =
-          rows_.size() > 3 ? context_.document.range(node_, begin, end) : head();
+          more ? context_.document.range(node_, rows_[3].begin, rows_[3].end)
+               : context_.document.head(node_);
       fail(Code::R201, where, fmt::format("a drawing has 3 rows, this one has {}", rows_.size()));
     }
     for (std::size_t row = 0; row < rows_.size(); ++row) read_row(row);
@@ -64,10 +64,6 @@ class PatternReader {
   }
 
  private:
-  /// The bar before a block, the first symbol of anything else.
-  SourceRange head() const {
-    return {context_.document.source, node_.begin, std::min(node_.begin + 1, node_.end)};
-  }
   SourceRange range(const Token& token) const {
     return context_.document.range(node_, token.begin, token.begin + token.text.size());
   }
