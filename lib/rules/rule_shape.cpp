@@ -119,11 +119,14 @@ class ShapeChecker {
     const auto known = std::find_if(schema.keys.begin(), schema.keys.end(),
                                     [&](const auto& key) { return key.name == pair.key.text; });
     if (known != schema.keys.end()) return check_value(pair.value, *known);
-    std::vector<std::string_view> names;
-    for (const KeySchema& key : schema.keys) names.push_back(key.name);
-    add(Code::R101, document_.range(pair.key),
-        fmt::format("unknown key {} in {}", in_quotes(pair.key.text), article(schema.title)))
-        .suggest(std::string(nearest(pair.key.text, names)));
+    Diagnostic& diagnostic =
+        add(Code::R101, document_.range(pair.key),
+            fmt::format("unknown key {} in {}", in_quotes(pair.key.text), article(schema.title)));
+    if (!out_.full()) {
+      std::vector<std::string_view> names;
+      for (const KeySchema& key : schema.keys) names.push_back(key.name);
+      diagnostic.suggest(std::string(nearest(pair.key.text, names)));
+    }
     return mark(pair.value);
   }
 

@@ -30,6 +30,8 @@ TEST_CASE("diagnostics as JSON") {
 
 TEST_CASE("the JSON Schema") { check_golden("tests/golden/schema.json", json_schema()); }
 
-TEST_CASE("the page of diagnostics") { check_golden("docs/diagnostics.md", diagnostics_markdown()); }
+TEST_CASE("the page of diagnostics") {
+  check_golden("docs/diagnostics.md", diagnostics_markdown());
+}
 
 }  // namespace stig

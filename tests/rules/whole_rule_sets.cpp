@@ -17,13 +17,42 @@ bool chance() { return *rc::gen::arbitrary<bool>(); }
 
 /// Texts that are hard on a printer.
 std::string random_text() {
-  static const std::vector<std::string> kTexts = {
-      "plain",          "two words",  "mast, 1 next to a 2", "a: b",     "# no comment", "yes",
-      "null",           "~",          "3",                   "\"quoted\"", "it's",       "- dash",
-      "\\ back\\slash", "*star",      "&amp",                "!bang",    "tab\there",    "umlaut ä",
-      "[list]",         "{map}",      "a #b",                "trailing:", "%pct",        "@at",
-      "`tick`",         "| bar",      "> fold",              "010",      "1e3",          "…",
-      "\u2028",         "\U0001F9F1", "? question",          "---",      "...",          "x, y]"};
+  static const std::vector<std::string> kTexts = {"plain",
+                                                  "two words",
+                                                  "mast, 1 next to a 2",
+                                                  "a: b",
+                                                  "# no comment",
+                                                  "yes",
+                                                  "null",
+                                                  "~",
+                                                  "3",
+                                                  "\"quoted\"",
+                                                  "it's",
+                                                  "- dash",
+                                                  "\\ back\\slash",
+                                                  "*star",
+                                                  "&amp",
+                                                  "!bang",
+                                                  "tab\there",
+                                                  "umlaut ä",
+                                                  "[list]",
+                                                  "{map}",
+                                                  "a #b",
+                                                  "trailing:",
+                                                  "%pct",
+                                                  "@at",
+                                                  "`tick`",
+                                                  "| bar",
+                                                  "> fold",
+                                                  "010",
+                                                  "1e3",
+                                                  "…",
+                                                  "\u2028",
+                                                  "\U0001F9F1",
+                                                  "? question",
+                                                  "---",
+                                                  "...",
+                                                  "x, y]"};
   return *rc::gen::elementOf(kTexts);
 }
 
