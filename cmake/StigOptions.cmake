@@ -25,6 +25,8 @@ target_compile_options(stig_settings INTERFACE
   $<$<CXX_COMPILER_ID:Clang>:-Wno-sign-conversion>
   # GCC's note on passing over-aligned structs concerns its own ABI before 4.6.
   $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
+  # GCC 12 warns of string concatenation in the standard library itself (bug 105651).
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
   # The same floating-point results whatever the target processor can fuse.
   -ffp-contract=off)
 

@@ -3,7 +3,7 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench fuzz sanitizers
+#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench laws fuzz sanitizers
 #
 # Without a part: all of them. N is for each fuzz target (default 60).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -12,13 +12,13 @@ fuzz_seconds=60 parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
-    bench | fuzz | sanitizers) parts+=("$1") ;;
+    bench | laws | fuzz | sanitizers) parts+=("$1") ;;
     -h | --help) sed -n '3,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
 done
-[[ ${#parts[@]} -gt 0 ]] || parts=(bench fuzz sanitizers)
+[[ ${#parts[@]} -gt 0 ]] || parts=(bench laws fuzz sanitizers)
 
 failures=0
 mkdir -p out
@@ -50,6 +50,25 @@ bench_part() {
   done < <(find build/release -name 'bench_*' -type f -executable | sort)
   rm -f out/bench.json
   [[ -n $found ]] || { printf '\nNo benchmark was built.\n'; failures=$((failures + 1)); }
+}
+
+laws_part() {
+  local seed program name log result
+  seed=$(date +%s)
+  printf '\n## Laws on other random cases, seed %s\n\n| tests | result |\n|---|---|\n' "$seed"
+  scripts/install.sh build test >&2
+  configure_and_build dev >&2
+  while IFS= read -r program; do
+    name=$(basename "$program")
+    log=out/laws-$name.log
+    say "$name" >&2
+    result=clean
+    RC_PARAMS="seed=$seed max_success=500" "$program" >"$log" 2>&1 || {
+      result="**failed**, see $log"
+      failures=$((failures + 1))
+    }
+    printf '| %s | %s |\n' "$name" "$result"
+  done < <(find build/dev/tests -name 'test_*' -type f -executable | sort)
 }
 
 fuzz_part() {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Event motion: the enabled sites are kept as a set, and each step takes one.
-#include "lattice/enabled_set.h"
+// Event motion: the sites open in the present stage are kept as a set, and each step
+// takes one. What later stages open is kept up to date beside it, so that a stage
+// begins without a look at the whole structure.
+#include "lattice/cell_marks.h"
 #include "lattice/engines.h"
 
 namespace stig {
@@ -11,29 +13,38 @@ class EventRun {
   EventRun(World world, const SwarmConfig& config, const SwarmHooks& hooks)
       : world_(std::move(world)),
         config_(&config),
-        log_(config, hooks, world_.rules().rule_count()) {}
+        log_(config, hooks, world_.rules().rule_count()),
+        staged_(world_.rules().stage_count() > 1) {}
 
   SwarmResult run() {
-    fill();
+    for (const Cell site : world_.candidates()) mark(site, world_.view(site));
+    settle();
     const Terminated end = steps();
-    const std::uint64_t left = enabled_.size();
+    const std::uint64_t left = open_.size();
     return log_.finish(world_, end, left, 0);
   }
 
  private:
-  /// Enables the sites of the present stage, or of the next that has any.
-  void fill() {
-    do {
-      enabled_.clear();
-      if (!world_.stage_spent()) {
-        for (const Cell site : world_.enabled_sites()) enabled_.insert(site);
-      }
-    } while (enabled_.size() == 0 && world_.next_stage());
+  std::uint64_t present() const { return 1 | std::uint64_t{1} << world_.stage(); }
+
+  void mark(Cell site, const View& view) {
+    const std::uint64_t stages = world_.rules().open_stages(view, site.z, world_.stage());
+    open_.set(site, stages & present());
+    if (staged_) all_.set(site, stages);
+  }
+
+  /// Goes on to the next stage that has something open, if the present one has not.
+  void settle() {
+    while ((open_.size() == 0 || world_.stage_spent()) && world_.next_stage()) {
+      open_.clear();
+      for (const Cell site : all_.cells_with(present())) open_.set(site, present());
+    }
+    if (world_.stage_spent()) open_.clear();  // the last stage has had its deposits
   }
 
   Terminated steps() {
     while (true) {
-      if (enabled_.size() == 0) return Terminated::saturated;
+      if (open_.size() == 0) return Terminated::saturated;
       if (log_.deposits_spent()) return Terminated::deposits;
       if (log_.limit_reached()) return log_.why();
       step();
@@ -43,23 +54,24 @@ class EventRun {
   void step() {
     const std::uint64_t step = log_.begin_step();
     Random random(config_->seed, config_->run, Purpose::event, 0, step);
-    const Cell site = enabled_[random.below(enabled_.size())];
+    const Cell site = open_[random.below(open_.size())];
     const Match match = world_.choose(site, random, scratch_);
     const double probability = world_.rules().probability(match.rule);
     if (probability < 1 && random.unit() >= probability) return;
     const Colour colour = world_.rules().place(match.rule);
-    enabled_.erase(site);
-    world_.deposit(site, colour, [&](Cell neighbour, bool enabled) {
-      enabled ? enabled_.insert(neighbour) : enabled_.erase(neighbour);
-    });
+    open_.set(site, 0);
+    if (staged_) all_.set(site, 0);
+    world_.deposit(site, colour, [&](Cell neighbour, const View& view) { mark(neighbour, view); });
     log_.record({site, colour, match, -1, step});
-    if (enabled_.size() == 0 || world_.stage_spent()) fill();
+    settle();
   }
 
   World world_;
   const SwarmConfig* config_;
   RunLog log_;
-  EnabledSet enabled_;
+  CellMarks open_;  ///< sites of the present stage
+  CellMarks all_;   ///< sites of this and later stages, with the stages as marks
+  bool staged_;     ///< are there later stages at all?
   std::vector<Match> scratch_;
 };
 

@@ -23,8 +23,10 @@ struct Findings {
   bool interrupted = false;
 
   std::string method() const {
-    return exhausted ? fmt::format("all {} reachable states", states)
-                     : fmt::format("{} sampled orders", samples);
+    if (exhausted) return fmt::format("all {} reachable states", states);
+    const std::string sampled = fmt::format("{} sampled orders", samples);
+    if (states == 0) return sampled;
+    return fmt::format("{}; trying all was given up after {} states", sampled, states);
   }
 };
 

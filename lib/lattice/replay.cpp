@@ -123,7 +123,7 @@ ReplayReport check_given(const Trace& trace, const RuleSet& rules, const std::at
       comparison.differ("no rule allows " + to_text(event, rules));
     }
     if (comparison.differs()) break;
-    world.deposit(event.site, event.colour, [](Cell, bool) {});
+    world.deposit(event.site, event.colour, [](Cell, const View&) {});
     comparison.event(event);
   }
   return comparison.finish();

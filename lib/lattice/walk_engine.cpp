@@ -78,6 +78,7 @@ class AgentRun {
 
  private:
   void mark_sides();
+  std::uint8_t side_flag(Cell cell) const;
   void place_agents();
   std::int32_t random_free_cell(std::uint32_t agent) const;
   void put_agent(std::int32_t cell);
@@ -109,8 +110,8 @@ class AgentRun {
   Moves moves_;
   std::vector<std::uint8_t> flags_;
   std::vector<std::int32_t> position_;
-  std::array<std::vector<std::uint32_t>, 4> words_;  ///< of four steps, by agent
-  const std::uint32_t* word_ = nullptr;              ///< of this step, by agent
+  std::array<std::vector<std::int32_t>, 4> steps_;  ///< moves of four steps, by agent
+  const std::int32_t* move_ = nullptr;              ///< of this step, by agent
   std::vector<std::uint32_t> strides_;
   std::array<std::uint32_t, 4> order_words_{};
   Order order_;
@@ -129,8 +130,7 @@ AgentRun::AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hoo
       moves_(moves_of(field_, world_.rules().neighbours(), config.moves)),
       flags_(static_cast<std::size_t>(field_.size) + 4),
       strides_(coprimes(static_cast<std::uint32_t>(config.agents))) {
-  const auto padded = (static_cast<std::size_t>(config.agents) + 15) / 16 * 16;
-  for (auto& words : words_) words.resize(padded);
+  for (auto& steps : steps_) steps.resize(static_cast<std::size_t>(config.agents));
   order_.count = static_cast<std::uint32_t>(config.agents);
   mark_sides();
   place_agents();
@@ -138,21 +138,30 @@ AgentRun::AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hoo
 
 void AgentRun::mark_sides() {
   const Box& box = field_.box;
-  for (std::int32_t i = 0; i < field_.size; ++i) {
-    const Cell cell = field_.cell(i);
-    const Cell inside = world_.wrap(cell);
-    const bool below_floor = world_.rules().floor() && cell.z < 0;
-    if (!box.contains(inside) || below_floor) {
-      flags(i) = kSolidCell;
-    } else if (inside != cell) {
-      flags(i) = kPortalCell;
+  const bool floor = world_.rules().floor();
+  std::int32_t i = 0;
+  for (std::int32_t z = -1; z <= box.size.z; ++z) {
+    const bool level_inside = z >= 0 && z < box.size.z && !(floor && box.low.z + z < 0);
+    for (std::int32_t y = -1; y <= box.size.y; ++y) {
+      const bool row_inside = level_inside && y >= 0 && y < box.size.y;
+      for (std::int32_t x = -1; x <= box.size.x; ++x, ++i) {
+        if (row_inside && x >= 0 && x < box.size.x) continue;
+        flags(i) = side_flag(box.low + Offset{x, y, z});
+      }
     }
   }
   world_.structure().for_each([&](Cell cell, Colour) { flags(field_.index(cell)) = kSolidCell; });
   if (config_->motion != Motion::teleport) return;
-  for (std::int32_t i = 0; i < field_.size; ++i) {
+  for (i = 0; i < field_.size; ++i) {
     if (flags(i) == 0) empty_.add(i, static_cast<std::size_t>(field_.size));
   }
+}
+
+/// The flag of a cell of the padding, or of one below the floor.
+std::uint8_t AgentRun::side_flag(Cell cell) const {
+  const Cell inside = world_.wrap(cell);
+  const bool below_floor = world_.rules().floor() && cell.z < 0;
+  return below_floor || !field_.box.contains(inside) ? kSolidCell : kPortalCell;
 }
 
 void AgentRun::place_agents() {
@@ -241,22 +250,13 @@ void AgentRun::draw_order(std::uint64_t step) {
 
 bool AgentRun::sweep_walk() {
   if (step_ % 4 == 0 || step_ == 1) {
-    fill_move_words(config_->seed, config_->run, step_ / 4, words_);
+    draw_moves(config_->seed, config_->run, step_ / 4, moves_, config_->vectorise, steps_);
   }
-  word_ = words_[step_ % 4].data();
-  const bool batches = config_->vectorise && order_.count >= 16 && walk_batch_available();
-  const WalkArrays arrays{flags_.data(), position_.data(), word_};
-  const auto lanes = batch_lanes(order_);
-  const std::uint32_t whole = batches ? order_.count / 16 * 16 : 0;
+  move_ = steps_[step_ % 4].data();
   std::uint32_t agent = order_.base;
-  for (std::uint32_t done = 0; done < order_.count; ++done) {
-    if (done % 16 == 0 && done < whole && walk_batch(arrays, moves_, order_, lanes, agent)) {
-      // From the first of this batch to the first of the next: past the last lane.
-      const std::uint32_t last = agent + lanes[15];
-      agent = order_.next(last >= order_.count ? last - order_.count : last);
-      done += 15;
-      continue;
-    }
+  for (std::uint32_t left = order_.count; left > 0; --left) {
+    left -= walk_some(flags_.data(), position_.data(), move_, order_, agent, left);
+    if (left == 0) break;
     if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
     walk(agent);
     agent = order_.next(agent);
@@ -286,8 +286,8 @@ bool AgentRun::stimulate(std::uint32_t agent) {
   flags(index) = static_cast<std::uint8_t>(flags(index) | kSolidCell);
   if (config_->motion == Motion::teleport) empty_.remove(index);
   --agents_in_empty_;
-  world_.deposit(site, colour, [&](Cell neighbour, bool enabled) {
-    set_enabled(field_.index(neighbour), enabled);
+  world_.deposit(site, colour, [&](Cell neighbour, const View& view) {
+    set_enabled(field_.index(neighbour), world_.rules().enabled(view, neighbour.z, world_.stage()));
   });
   log_.record({site, colour, match, static_cast<std::int32_t>(agent), step_});
   if (enabled_ == 0 || world_.stage_spent()) fill();
@@ -296,7 +296,7 @@ bool AgentRun::stimulate(std::uint32_t agent) {
 
 void AgentRun::walk(std::uint32_t agent) {
   const std::int32_t from = position_[agent];
-  std::int32_t to = from + chosen_step(moves_, word_[agent]);
+  std::int32_t to = from + move_[agent];
   if (is(to, kPortalCell)) to = portal(to);
   if (is(to, kSolidCell | kAgentCell)) return;
   flags(from) = static_cast<std::uint8_t>(flags(from) & ~kAgentCell);

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// The inner loop of the walk engine: one byte of flags a cell, and moves of
-// sixteen agents at a time where the processor has AVX-512.
+// The inner loop of the walk engine: one byte of flags a cell, moves drawn for all
+// agents four steps ahead, and a loop without branches that makes them.
 //
-// The vector path does what the agents would do one after another, or nothing: it
-// steps aside (returns false) whenever an agent of the batch could affect another,
-// so that its results equal the scalar path's bit for bit.
+// Only the drawing is vectorised (sixteen agents at a time where the processor has
+// AVX-512); the moves themselves are made one after another, as the model says. A
+// loop that moved sixteen agents at once, where they could not meet, was slower: what
+// costs is memory, not arithmetic.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace stig {
@@ -28,11 +28,6 @@ struct Moves {
   std::uint32_t count = 0;
 };
 
-/// The move a random word chooses: uniform up to a bias of count / 2^32.
-inline std::int32_t chosen_step(const Moves& moves, std::uint32_t word) {
-  return moves.step[static_cast<std::size_t>((std::uint64_t{word} * moves.count) >> 32)];
-}
-
 /// The order in which agents act within a step: agent (base + k·stride) mod count
 /// for k = 0, 1, …; stride is coprime to count. Drawn anew for every step.
 struct Order {
@@ -43,24 +38,23 @@ struct Order {
   }
 };
 
-/// What a batch works on.
-struct WalkArrays {
-  std::uint8_t* flags = nullptr;        ///< by cell index; 4 readable bytes past the end
-  std::int32_t* position = nullptr;     ///< by agent: cell index
-  const std::uint32_t* word = nullptr;  ///< by agent: random word of this step
-};
+/// Index steps of agents 0 … size-1 in steps 4·block … 4·block + 3: out[w][agent].
+/// Drawn from the words of Purpose::move at (agent, block): move (word · count) / 2^32,
+/// uniform up to a bias of count / 2^32.
+void draw_moves(std::uint64_t seed, std::uint32_t run, std::uint64_t block, const Moves& moves,
+                bool vectorise, std::array<std::vector<std::int32_t>, 4>& out);
 
-/// Words of Purpose::move at step `block` for agents 0 … size-1: out[w][agent].
-void fill_move_words(std::uint64_t seed, std::uint32_t run, std::uint64_t block,
-                     std::array<std::vector<std::uint32_t>, 4>& out);
+/// Is the vector path of draw_moves there on this processor?
+bool vector_moves_available();
+/// It, for the 16 agents from `agent` on.
+void draw_moves_vector(std::array<std::uint32_t, 4> counter, std::array<std::uint32_t, 2> key,
+                       std::size_t agent, const Moves& moves,
+                       std::array<std::vector<std::int32_t>, 4>& out);
 
-/// Is the vector path there on this processor?
-bool walk_batch_available();
-/// lane[i] = i·stride mod count, for walk_batch.
-std::array<std::uint32_t, 16> batch_lanes(const Order& order);
-/// Moves the 16 agents from `agent` on in the order, all at once. False, with nothing
-/// changed, if one of them is stimulated or they could get in each other's way.
-bool walk_batch(const WalkArrays& arrays, const Moves& moves, const Order& order,
-                const std::array<std::uint32_t, 16>& lanes, std::uint32_t agent);
+/// Moves up to `count` agents from `agent` on, one after another; stops before one that
+/// is stimulated or steps through a portal. Returns how many acted; `agent` is then the
+/// next in the order. `flags` and `position` as in the engine; `step` by agent.
+std::uint32_t walk_some(std::uint8_t* flags, std::int32_t* position, const std::int32_t* step,
+                        Order order, std::uint32_t& agent, std::uint32_t count);
 
 }  // namespace stig

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "lattice/cell_marks.h"
+
 namespace stig {
 
 World::World(const RuleTable& rules, const std::vector<PlacedBrick>& start, std::optional<Box> box)
@@ -26,6 +28,11 @@ State World::at(Cell cell) const {
 }
 
 View World::view(Cell site) const {
+  if (!wraps_near(site)) {
+    Surroundings around;
+    gather(site, around);
+    return view_within(around, Surroundings::index(0, 0, 0));
+  }
   const Neighbourhood& n = rules_->neighbours();
   View view;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
@@ -62,17 +69,20 @@ bool World::next_stage() {
   return true;
 }
 
-std::vector<Cell> World::enabled_sites() const {
+std::vector<Cell> World::candidates() const {
   const Neighbourhood& n = rules_->neighbours();
-  std::vector<Cell> sites;
+  CellMarks sites;
   structure_.for_each([&](Cell cell, Colour) {
     for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
       const Cell site = wrap(cell + n.offsets[i]);
-      if (placeable(site) && at(site) == kEmpty) sites.push_back(site);
+      if (placeable(site) && at(site) == kEmpty) sites.set(site, 1);
     }
   });
-  std::sort(sites.begin(), sites.end());
-  sites.erase(std::unique(sites.begin(), sites.end()), sites.end());
+  return sites.cells_with(1);
+}
+
+std::vector<Cell> World::enabled_sites() const {
+  std::vector<Cell> sites = candidates();
   std::erase_if(sites, [&](Cell site) { return !rules_->enabled(view(site), site.z, stage_); });
   return sites;
 }

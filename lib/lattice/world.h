@@ -31,21 +31,21 @@ class World {
   State at(Cell cell) const;
   View view(Cell site) const;
 
-  /// Places a brick and calls site(cell, enabled) for every empty neighbour that is
+  /// Places a brick and calls site(neighbour, view) for every empty neighbour that is
   /// placeable. Counts the deposit towards the stage's limit.
   template <class Site>
   void deposit(Cell cell, Colour colour, const Site& site) {
     structure_.place(cell, colour);
     ++deposits_in_stage_;
-    for_each_neighbour_view(cell, [&](Cell neighbour, const View& view) {
-      site(neighbour, rules_->enabled(view, neighbour.z, stage_));
-    });
+    for_each_neighbour_view(cell, site);
   }
 
   /// Has the stage had its deposits?
   bool stage_spent() const;
   /// Goes to the next stage; false when there is none.
   bool next_stage();
+  /// The empty, placeable cells beside a brick, in cell order.
+  std::vector<Cell> candidates() const;
   /// Sites that some rule of the present stage matches, in cell order.
   std::vector<Cell> enabled_sites() const;
 
@@ -60,6 +60,14 @@ class World {
   /// Does the box's wrapping or floor show in the 5×5×5 around `cell`?
   bool wraps_near(Cell cell) const;
   void gather(Cell cell, Surroundings& out) const;
+  /// The view from the site with this index in the surroundings of a cell.
+  View view_within(const Surroundings& around, int site) const {
+    View view;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(rules_->neighbours().size); ++k) {
+      view.at[k] = around.at[static_cast<std::size_t>(site + step_[k])];
+    }
+    return view;
+  }
 
   const RuleTable* rules_;
   std::optional<Box> box_;
@@ -88,11 +96,7 @@ void World::for_each_neighbour_view(Cell cell, const Visit& visit) const {
     const int site = kCentre + step_[i];
     const Cell neighbour = cell + n.offsets[i];
     if (around.at[static_cast<std::size_t>(site)] != kEmpty || !placeable(neighbour)) continue;
-    View view;
-    for (std::size_t k = 0; k < size; ++k) {
-      view.at[k] = around.at[static_cast<std::size_t>(site + step_[k])];
-    }
-    visit(neighbour, view);
+    visit(neighbour, view_within(around, site));
   }
 }
 

@@ -3,6 +3,8 @@
 
 #include <cassert>
 
+#include "rules/rule_table.h"
+
 namespace stig {
 namespace {
 
@@ -14,15 +16,6 @@ std::vector<FailedCell> failed_cells(const Neighbourhood& neighbours, const Patt
     failed.push_back({neighbours.offsets[i], pattern.allowed[i], view.at[i]});
   }
   return failed;
-}
-
-int counted(const CountCondition& condition, const Neighbourhood& neighbours, const View& view) {
-  int number = 0;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
-    if (condition.faces_only && !neighbours.is_face[i]) continue;
-    if (condition.of.contains(view.at[i])) ++number;
-  }
-  return number;
 }
 
 std::vector<FailedCondition> failed_conditions(const Rule& rule, const Neighbourhood& neighbours,
@@ -37,7 +30,7 @@ std::vector<FailedCondition> failed_conditions(const Rule& rule, const Neighbour
   }
   for (std::size_t i = 0; i < rule.counts.size(); ++i) {
     const CountCondition& condition = rule.counts[i];
-    const int number = counted(condition, neighbours, view);
+    const int number = count_in_view(condition, neighbours, view);
     if (number >= condition.min && number <= condition.max) continue;
     failed.push_back({Kind::count, i, number, condition.min, condition.max});
   }
@@ -45,14 +38,6 @@ std::vector<FailedCondition> failed_conditions(const Rule& rule, const Neighbour
 }
 
 }  // namespace
-
-Pattern oriented(const Pattern& pattern, const Orientation& orientation, int neighbours) {
-  Pattern image;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours); ++i) {
-    image.allowed[static_cast<std::size_t>(orientation.image[i])] = pattern.allowed[i];
-  }
-  return image;
-}
 
 Explanation explain(const RuleSet& rules, const View& view, std::int32_t z, int stage) {
   assert(stage >= 1);

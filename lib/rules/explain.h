@@ -56,8 +56,4 @@ struct Explanation {
 /// `view` is what a site at height z sees (lattice/swarm.h view_at); stage >= 1.
 Explanation explain(const RuleSet& rules, const View& view, std::int32_t z, int stage);
 
-/// The image of a pattern under an orientation: what the rule asks for when it
-/// is turned that way.
-Pattern oriented(const Pattern& pattern, const Orientation& orientation, int neighbours);
-
 }  // namespace stig

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "base/yaml.h"
+#include "rules/rule_set.h"
 
 namespace stig {
 
@@ -73,7 +74,6 @@ const ObjectSchema& object_schema(ObjectKind kind);
 /// The version of the file format that is read.
 inline constexpr int kFormatVersion = 1;
 inline constexpr int kMaxRules = 20'000;
-inline constexpr int kMaxStage = 1000;
 inline constexpr std::size_t kMaxSymbolLength = 16;  ///< code points
 
 /// Symbols with a meaning of their own in drawings; no brick may take them.

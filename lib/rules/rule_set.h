@@ -38,6 +38,9 @@ struct CountCondition {
   SourceRange range;
 };
 
+/// Stages are numbered 1..kMaxStage, so that a set of stages fits a 64-bit word.
+inline constexpr int kMaxStage = 63;
+
 struct Rule {
   std::string name;
   Colour place = 0;

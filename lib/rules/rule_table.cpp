@@ -157,6 +157,7 @@ RuleTable::RuleTable(const RuleSet& rules)
       conflicts_(rules.conflicts),
       stage_limits_(static_cast<std::size_t>(stage_count_) + 1),
       indices_(static_cast<std::size_t>(stage_count_) + 1) {
+  assert(stage_count_ <= kMaxStage);
   const int size = neighbours().size;
   for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
     const Rule& rule = rules.rules[r];
@@ -192,14 +193,13 @@ bool RuleTable::conditions_hold(const Action& action, const View& view, std::int
 
 /// Calls found(entry) for each matching entry until it returns true; says whether one did.
 template <class Visit>
-bool RuleTable::visit(const Index& index, const View& view, std::int32_t z,
+bool RuleTable::visit(const Index& index, const View& view, std::uint64_t hash, std::int32_t z,
                       const Visit& found) const {
   const auto accepted = [&](std::uint32_t entry) {
     const Match& source = entries_[entry].source;
     return conditions_hold(actions_[source.rule], view, z) && found(source);
   };
   if (!index.exact.empty()) {
-    const std::uint64_t hash = kViewHash(view, neighbours().size);
     if (const std::uint32_t first = index.find(hash)) {
       for (std::size_t i = first - 1; i < index.exact.size() && index.exact[i].hash == hash; ++i) {
         if (index.exact[i].view == view && accepted(index.exact[i].entry)) return true;
@@ -222,8 +222,19 @@ bool RuleTable::visit(const Index& index, const View& view, std::int32_t z,
 
 bool RuleTable::enabled(const View& view, std::int32_t z, int stage) const {
   const auto any = [](const Match&) { return true; };
-  return visit(indices_[static_cast<std::size_t>(stage)], view, z, any) ||
-         visit(indices_[0], view, z, any);
+  const std::uint64_t hash = kViewHash(view, neighbours().size);
+  return visit(indices_[static_cast<std::size_t>(stage)], view, hash, z, any) ||
+         visit(indices_[0], view, hash, z, any);
+}
+
+std::uint64_t RuleTable::open_stages(const View& view, std::int32_t z, int from) const {
+  const auto any = [](const Match&) { return true; };
+  const std::uint64_t hash = kViewHash(view, neighbours().size);
+  std::uint64_t open = visit(indices_[0], view, hash, z, any) ? 1 : 0;
+  for (auto s = static_cast<std::size_t>(from); s < indices_.size(); ++s) {
+    if (visit(indices_[s], view, hash, z, any)) open |= std::uint64_t{1} << s;
+  }
+  return open;
 }
 
 void RuleTable::matches(const View& view, std::int32_t z, int stage,
@@ -233,8 +244,9 @@ void RuleTable::matches(const View& view, std::int32_t z, int stage,
     out.push_back(match);
     return false;
   };
-  visit(indices_[static_cast<std::size_t>(stage)], view, z, keep);
-  visit(indices_[0], view, z, keep);
+  const std::uint64_t hash = kViewHash(view, neighbours().size);
+  visit(indices_[static_cast<std::size_t>(stage)], view, hash, z, keep);
+  visit(indices_[0], view, hash, z, keep);
   std::sort(out.begin(), out.end());
   const auto same_rule = [](const Match& a, const Match& b) { return a.rule == b.rule; };
   out.erase(std::unique(out.begin(), out.end(), same_rule), out.end());

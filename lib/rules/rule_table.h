@@ -48,6 +48,9 @@ class RuleTable {
 
   /// Is some rule of this stage (1-based) matched by the view of a site at height z?
   bool enabled(const View& view, std::int32_t z, int stage) const;
+  /// The stages, from `from` on, in which some rule is matched: bit s for a rule of stage
+  /// s, bit 0 for one without a stage.
+  std::uint64_t open_stages(const View& view, std::int32_t z, int from) const;
   /// All rules that match, by rising rule index, each once. `out` is cleared.
   void matches(const View& view, std::int32_t z, int stage, std::vector<Match>& out) const;
 
@@ -71,7 +74,8 @@ class RuleTable {
 
   bool conditions_hold(const Action& action, const View& view, std::int32_t z) const;
   template <class Visit>
-  bool visit(const Index& index, const View& view, std::int32_t z, const Visit& found) const;
+  bool visit(const Index& index, const View& view, std::uint64_t hash, std::int32_t z,
+             const Visit& found) const;
 
   Lattice lattice_;
   bool floor_;

@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "lattice/swarm.h"
 #include "support/oracle.h"
 #include "support/shipped.h"
 
@@ -75,6 +76,35 @@ TEST_CASE("T3b: step 6 is a race on each of four sides") {
   // A side closes with 6 bricks or stalls with 5: binomial over the four sides.
   CHECK(deposits_of(found, before) ==
         std::multiset<std::size_t>{20, 21, 21, 21, 21, 22, 22, 22, 22, 22, 22, 23, 23, 23, 23, 24});
+}
+
+/// Deposits of step 7 alone in an unbounded world, from an end of step 6.
+std::uint64_t deposits_of_step_7(const RuleSet& rules, const BrickMap& start) {
+  RuleSet step = rules;
+  std::erase_if(step.rules, [](const Rule& rule) { return rule.stage != 7; });
+  for (Rule& rule : step.rules) rule.stage = 1;
+  std::vector<PlacedBrick> bricks;
+  for (const auto& [cell, colour] : start) bricks.push_back({cell, colour});
+  SwarmConfig config;
+  config.motion = Motion::event;
+  config.max_deposits = 5000;
+  return run_swarm(RuleTable(step), bricks, config).deposits;
+}
+
+TEST_CASE("step 7 has no end when all four sides closed, and one otherwise") {
+  const RuleSet rules = shipped("architecture-4n");
+  const BrickMap before = end_of_stages(rules, 5);
+  bool closed = false, stalled = false;
+  for (std::uint64_t seed = 1; seed <= 1000 && !(closed && stalled); ++seed) {
+    const BrickMap end = build_in_some_order(rules, before, 6, seed);
+    const bool all_closed = end.size() - before.size() == 24;
+    if (all_closed ? closed : stalled) continue;
+    (all_closed ? closed : stalled) = true;
+    const std::uint64_t deposits = deposits_of_step_7(rules, end);
+    CHECK((all_closed ? deposits == 5000 : deposits < 200));
+  }
+  CHECK(closed);
+  CHECK(stalled);
 }
 
 TEST_CASE("T3c: mirrors undo the coordination of step 2") {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <set>
+#include <string>
 
 namespace stig {
 namespace {

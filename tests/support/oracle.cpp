@@ -7,6 +7,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "base/hash.h"
 #include "base/random.h"
 
 namespace stig {
@@ -14,8 +15,9 @@ namespace {
 
 constexpr int kSide = 64;
 
+/// Where a cell is kept; off the rim, so that its neighbours are kept too.
 std::size_t place_of(Cell c) {
-  const auto inside = [](std::int32_t v) { return v >= -kSide / 2 && v < kSide / 2; };
+  const auto inside = [](std::int32_t v) { return v > -kSide / 2 && v < kSide / 2 - 1; };
   assert(inside(c.x) && inside(c.y) && inside(c.z));
   return static_cast<std::size_t>(((c.z + kSide / 2) * kSide + c.y + kSide / 2) * kSide + c.x +
                                   kSide / 2);
@@ -92,45 +94,51 @@ OracleWorld::OracleWorld(const RuleSet& rules, std::optional<Box> box)
       box_(box),
       heights_matter_(any_height(rules)),
       cells_(static_cast<std::size_t>(kSide) * kSide * kSide, kEmpty),
-      round_(cells_.size(), 0) {}
+      round_(cells_.size(), 0) {
+  if (rules.floor) std::fill_n(cells_.begin(), cells_.size() / 2, kFloor);
+  const Neighbourhood& n = neighbourhood(rules.lattice);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+    const Offset o = n.offsets[i];
+    steps_.push_back((o.z * kSide + o.y) * kSide + o.x);
+  }
+}
 
 void OracleWorld::place(const PlacedBrick& brick) {
-  assert(at(brick.at) == kEmpty);
+  assert(cells_[place_of(brick.at)] == kEmpty);
   cells_[place_of(brick.at)] = brick.brick;
   bricks_.emplace(brick.at, brick.brick);
 }
 
 void OracleWorld::remove(const PlacedBrick& brick) {
-  assert(at(brick.at) == brick.brick);
+  assert(cells_[place_of(brick.at)] == brick.brick);
   cells_[place_of(brick.at)] = kEmpty;
   bricks_.erase(brick.at);
 }
 
-State OracleWorld::at(Cell cell) const {
-  return rules_.floor && cell.z < 0 ? kFloor : cells_[place_of(cell)];
-}
-
 View OracleWorld::view(Cell site) const {
-  const Neighbourhood& n = neighbourhood(rules_.lattice);
+  const State* here = &cells_[place_of(site)];
   View view;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
-    view.at[i] = at(site + n.offsets[i]);
-  }
+  for (std::size_t i = 0; i < steps_.size(); ++i) view.at[i] = here[steps_[i]];
   return view;
 }
 
-const std::set<Colour>& OracleWorld::colours_placed(Cell site, int stage) {
-  const View seen = view(site);
-  std::string key(seen.at.begin(), seen.at.end());
-  key += static_cast<char>(stage);
-  if (heights_matter_) key += std::to_string(site.z);
-  const auto [entry, is_new] = memo_.try_emplace(std::move(key));
-  if (is_new) {
-    for (const Match& m : matcher_.matches(seen, site.z, stage)) {
-      entry->second.insert(rules_.rules[m.rule].place);
-    }
+std::size_t OracleWorld::SeenHash::operator()(const Seen& seen) const {
+  std::uint64_t hash = static_cast<std::uint64_t>(seen.z) * 31 + static_cast<unsigned>(seen.stage);
+  for (std::size_t i = 0; i < kMaxNeighbours; ++i) hash = hash * 0x100000001b3ULL + seen.view.at[i];
+  return mix(hash);
+}
+
+const std::vector<Colour>& OracleWorld::colours_placed(Cell site, int stage) {
+  const Seen seen{view(site), heights_matter_ ? site.z : 0, stage};
+  const auto [entry, is_new] = memo_.try_emplace(seen);
+  std::vector<Colour>& colours = entry->second;
+  if (!is_new) return colours;
+  for (const Match& m : matcher_.matches(seen.view, site.z, stage)) {
+    colours.push_back(rules_.rules[m.rule].place);
   }
-  return entry->second;
+  std::sort(colours.begin(), colours.end());
+  colours.erase(std::unique(colours.begin(), colours.end()), colours.end());
+  return colours;
 }
 
 std::vector<Cell> OracleWorld::sites_beside_bricks() {
@@ -138,10 +146,12 @@ std::vector<Cell> OracleWorld::sites_beside_bricks() {
   std::vector<Cell> sites;
   ++rounds_;
   for (const auto& [cell, colour] : bricks_) {
-    for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+    const std::size_t here = place_of(cell);
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      const std::size_t there = here + static_cast<std::size_t>(steps_[i]);
+      if (cells_[there] != kEmpty || std::exchange(round_[there], rounds_) == rounds_) continue;
       const Cell site = cell + n.offsets[i];
-      if (at(site) != kEmpty || (box_ && !box_->contains(site))) continue;
-      if (std::exchange(round_[place_of(site)], rounds_) != rounds_) sites.push_back(site);
+      if (!box_ || box_->contains(site)) sites.push_back(site);
     }
   }
   return sites;

@@ -5,10 +5,9 @@
 // (neighbourhood.h) and the groups (symmetry.h), which have tests of their own.
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
-#include <set>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -36,14 +35,13 @@ class OracleMatcher {
   std::vector<std::vector<Orientation>> groups_;  ///< of each rule
 };
 
-/// A world of 64×64×64 cells about the origin, one byte each.
+/// A world of 64×64×64 cells about the origin, one byte each. Bricks stay off its rim.
 class OracleWorld {
  public:
   OracleWorld(const RuleSet& rules, std::optional<Box> box);
 
   void place(const PlacedBrick& brick);
   void remove(const PlacedBrick& brick);
-  State at(Cell cell) const;
   View view(Cell site) const;
   /// Every event of a stage: an empty site beside a brick, in the box, and a colour
   /// that a rule places there. Rules that fire beside nothing are not the oracle's.
@@ -51,7 +49,16 @@ class OracleWorld {
   BrickMap structure() const { return bricks_; }
 
  private:
-  const std::set<Colour>& colours_placed(Cell site, int stage);
+  struct Seen {
+    View view;
+    std::int32_t z;
+    int stage;
+    bool operator==(const Seen&) const = default;
+  };
+  struct SeenHash {
+    std::size_t operator()(const Seen& seen) const;
+  };
+  const std::vector<Colour>& colours_placed(Cell site, int stage);
   std::vector<Cell> sites_beside_bricks();
 
   const RuleSet& rules_;
@@ -59,11 +66,12 @@ class OracleWorld {
   std::optional<Box> box_;
   bool heights_matter_;
   BrickMap bricks_;
-  std::vector<State> cells_;
-  std::vector<std::uint32_t> round_;  ///< round in which a cell was last listed
+  std::vector<State> cells_;           ///< x fastest, then y, then z
+  std::vector<std::ptrdiff_t> steps_;  ///< to each neighbour, in cells_
+  std::vector<std::uint32_t> round_;   ///< round in which a cell was last listed
   std::uint32_t rounds_ = 0;
   /// Answers already worked out, by what they depend on: a memo, not an index.
-  std::unordered_map<std::string, std::set<Colour>> memo_;
+  std::unordered_map<Seen, std::vector<Colour>, SeenHash> memo_;
 };
 
 struct ExplorationLimits {

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Event motion: deposits per second in a 20³ box, and the growth of an endless rule
+// set to ten million bricks with the memory it takes.
+#include <benchmark/benchmark.h>
+#include <sys/resource.h>
+
+#include "lattice/swarm.h"
+#include "shipped.h"
+
+namespace stig::bench {
+namespace {
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+void deposits(benchmark::State& state, const char* name, int side) {
+  const RuleSet rules = shipped(name);
+  const RuleTable table(rules);
+  SwarmConfig config;
+  config.motion = Motion::event;
+  config.box = lay_box({{side, side, side}, std::nullopt, false}, rules.start, rules.floor);
+  std::uint64_t placed = 0;
+  for (auto _ : state) {
+    placed += run_swarm(table, rules.start, config).deposits;
+    ++config.run;
+  }
+  state.counters["deposits/s"] =
+      benchmark::Counter(static_cast<double>(placed), benchmark::Counter::kIsRate);
+  state.counters["deposits/run"] =
+      static_cast<double>(placed) / static_cast<double>(state.iterations());
+}
+
+/// A sheet of three colours that has no end.
+void endless(benchmark::State& state) {
+  const RuleSet rules = shipped("tiling");
+  const RuleTable table(rules);
+  SwarmConfig config;
+  config.motion = Motion::event;
+  config.max_deposits = static_cast<std::uint64_t>(state.range(0));
+  for (auto _ : state) {
+    const SwarmResult result = run_swarm(table, rules.start, config);
+    if (result.deposits != *config.max_deposits) state.SkipWithError("growth ended early");
+  }
+  state.counters["deposits/s"] = benchmark::Counter(
+      static_cast<double>(state.range(0)) * static_cast<double>(state.iterations()),
+      benchmark::Counter::kIsRate);
+  state.counters["peak_MB"] = peak_megabytes();
+}
+
+BENCHMARK_CAPTURE(deposits, tiling_20, "tiling", 20)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(deposits, coral_20, "coral", 20)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(deposits, architecture_4n_20, "architecture-4n", 20)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(endless)->Arg(10'000'000)->Iterations(1)->Unit(benchmark::kSecond);
+
+}  // namespace
+}  // namespace stig::bench

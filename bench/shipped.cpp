@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+#include "shipped.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "rules/rule_reader.h"
+
+namespace stig::bench {
+
+RuleSet shipped(const std::string& name) {
+  Diagnostics diagnostics;
+  auto rules = read_rule_set_file(STIG_SOURCE_DIR "/rulesets/" + name + ".yaml", diagnostics);
+  if (!rules) {
+    std::fputs(to_text(diagnostics).c_str(), stderr);
+    std::exit(1);
+  }
+  return *std::move(rules);
+}
+
+}  // namespace stig::bench

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The shipped rule sets, for benchmarks.
+#pragma once
+
+#include <string>
+
+#include "rules/rule_set.h"
+
+namespace stig::bench {
+
+/// rulesets/NAME.yaml; ends the program with its diagnostics if it cannot be read.
+RuleSet shipped(const std::string& name);
+
+}  // namespace stig::bench

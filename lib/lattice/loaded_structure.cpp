@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/loaded_structure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace stig {
+
+namespace {
+
+bool in_range(std::int32_t value) { return value >= -kMaxCoordinate && value <= kMaxCoordinate; }
+
+Cell chunk_of(Cell cell) {
+  static_assert(Structure::kChunkSide == 8);
+  return {cell.x >> 3, cell.y >> 3, cell.z >> 3};
+}
+
+std::size_t count_chunks(const std::vector<PlacedBrick>& bricks) {
+  std::vector<Cell> chunks;
+  chunks.reserve(bricks.size());
+  for (const PlacedBrick& brick : bricks) {
+    const Cell chunk = chunk_of(brick.at);
+    if (chunks.empty() || chunks.back() != chunk) chunks.push_back(chunk);
+  }
+  std::sort(chunks.begin(), chunks.end());
+  return static_cast<std::size_t>(std::unique(chunks.begin(), chunks.end()) - chunks.begin());
+}
+
+}  // namespace
+
+std::optional<BrickListProblem> find_problem(std::vector<PlacedBrick>& bricks) {
+  using Kind = BrickListProblem::Kind;
+  if (bricks.size() > kMostFileBricks) return BrickListProblem{Kind::too_many, {}};
+  for (const PlacedBrick& brick : bricks) {
+    if (!in_range(brick.at.x) || !in_range(brick.at.y) || !in_range(brick.at.z)) {
+      return BrickListProblem{Kind::coordinate, brick.at};
+    }
+  }
+  std::sort(bricks.begin(), bricks.end());
+  const auto same_cell = [](const PlacedBrick& a, const PlacedBrick& b) { return a.at == b.at; };
+  const auto twice = std::adjacent_find(bricks.begin(), bricks.end(), same_cell);
+  if (twice != bricks.end()) return BrickListProblem{Kind::cell_twice, twice->at};
+  if (count_chunks(bricks) > kMostFileChunks) return BrickListProblem{Kind::too_scattered, {}};
+  return std::nullopt;
+}
+
+std::string to_string(const BrickListProblem& problem) {
+  const Cell c = problem.at;
+  switch (problem.kind) {
+    case BrickListProblem::Kind::cell_twice:
+      return fmt::format("cell ({}, {}, {}) is given twice", c.x, c.y, c.z);
+    case BrickListProblem::Kind::coordinate:
+      return fmt::format("cell ({}, {}, {}) lies outside ±{}", c.x, c.y, c.z, kMaxCoordinate);
+    case BrickListProblem::Kind::too_many:
+      return fmt::format("more than {} bricks", kMostFileBricks);
+    case BrickListProblem::Kind::too_scattered:
+      return fmt::format("the bricks are scattered over more than {} blocks of {}³ cells",
+                         kMostFileChunks, Structure::kChunkSide);
+  }
+  return {};
+}
+
+}  // namespace stig

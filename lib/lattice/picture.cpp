@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <map>
+
+#include "lattice/canvas.h"
+#include "lattice/picture_scene.h"
+#include "lattice/rgb.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kMargin = 28;
+constexpr std::size_t kManyFaces = 20000;  // then it pays to find the covered ones
+constexpr double kGap = 24;                // between panels
+constexpr double kSmallestWidth = 304;
+constexpr TextLook kTitle{21, true, {0x1f, 0x29, 0x33}};
+constexpr TextLook kLabel{14, false, {0x1f, 0x29, 0x33}};
+constexpr TextLook kLegend{14, false, {0x1f, 0x29, 0x33}};
+constexpr TextLook kCaption{13, false, {0x5b, 0x64, 0x70}};
+constexpr double kLegendRow = 26, kSwatch = 9, kAxes = 84;
+
+struct LegendItem {
+  Colour colour = 0;
+  std::string text;
+  double width = 0;  // swatch and gap included
+};
+
+// Symbol, name and number of each colour that shows up.
+std::vector<LegendItem> legend_items(const std::vector<PicturePanel>& panels,
+                                     const std::vector<Brick>& bricks) {
+  std::map<Colour, std::size_t> counts;
+  for (const PicturePanel& panel : panels) {
+    for (const PlacedBrick& brick : panel.structure->bricks()) ++counts[brick.brick];
+  }
+  std::vector<LegendItem> items;
+  for (const auto& [colour, count] : counts) {
+    std::string text = symbol_of(bricks, colour);
+    if (colour <= bricks.size()) {
+      const std::string& name = bricks[colour - 1U].name;
+      if (!name.empty() && name != text) text += "  " + name;
+    }
+    if (panels.size() == 1) text += fmt::format("  ×{}", count);
+    items.push_back({colour, text, 2 * kSwatch + 8 + text_width(text, kLegend) + 26});
+  }
+  return items;
+}
+
+// Where everything goes, in units of the canvas.
+struct Layout {
+  double scale = 1;  // units a cell
+  int columns = 1, rows = 1;
+  double panel_width = 0, panel_height = 0;  // of the drawing in a panel
+  double label_height = 0;
+  double drawing_top = 0, legend_top = 0, caption_base = 0;
+  std::vector<PagePoint> legend_places;  // left end of each item's base line
+  double width = 0, height = 0;
+};
+
+// The number of rows that lets cells be largest; the fewer where it is nearly equal.
+void fit_panels(Layout& layout, std::size_t panels, PagePoint content, PagePoint room,
+                double most_scale) {
+  layout.scale = 0;
+  const int count = static_cast<int>(panels);
+  for (int rows = 1; rows <= count; ++rows) {
+    const int columns = (count + rows - 1) / rows;
+    const double width = (room.x - kGap * (columns - 1)) / columns;
+    const double height =
+        (room.y - (kGap + layout.label_height) * (rows - 1)) / rows - layout.label_height;
+    const double scale = std::min({width / content.x, height / content.y, most_scale});
+    if (scale <= layout.scale * 1.01) continue;
+    layout.scale = scale;
+    layout.columns = columns;
+    layout.rows = rows;
+  }
+  layout.panel_width = content.x * layout.scale;
+  layout.panel_height = content.y * layout.scale;
+}
+
+// Lays the legend in rows of the page's width; returns its height.
+double place_legend(Layout& layout, const std::vector<LegendItem>& items, double left) {
+  double x = left, y = 18;
+  for (const LegendItem& item : items) {
+    if (x > left && x + item.width - 26 > layout.width - kMargin) {
+      x = left;
+      y += kLegendRow;
+    }
+    layout.legend_places.push_back({x, y});
+    x += item.width;
+  }
+  return items.empty() ? 0 : y + 8;
+}
+
+class Picture {
+ public:
+  Picture(const std::vector<PicturePanel>& panels, const std::vector<Brick>& bricks,
+          const PictureOptions& options)
+      : panels_(panels), bricks_(bricks), options_(options) {
+    for (const PicturePanel& panel : panels_) {
+      scenes_.push_back(make_scene(turned(*panel.structure, options.turns), options.floor));
+    }
+    if (options.same_frame) share_frame(scenes_);
+    if (options.legend) items_ = legend_items(panels, bricks);
+    lay_out();
+  }
+
+  std::string draw() {
+    std::size_t faces = 0;
+    for (const Scene& scene : scenes_) faces += scene.faces.size();
+    if (options_.format == PictureFormat::svg && faces > kMostSvgFaces) return {};
+    Canvas canvas(options_.format, static_cast<int>(layout_.width),
+                  static_cast<int>(layout_.height));
+    if (!options_.title.empty()) {
+      write_fitting(canvas, options_.title, {kMargin, kMargin + 18}, kTitle);
+    }
+    for (std::size_t i = 0; i < scenes_.size(); ++i) draw_panel(canvas, i);
+    if (options_.axes) draw_axes(canvas);
+    draw_legend(canvas);
+    if (!options_.caption.empty()) {
+      write_fitting(canvas, options_.caption, {kMargin, layout_.caption_base}, kCaption);
+    }
+    return canvas.finish();
+  }
+
+ private:
+  void lay_out() {
+    const double most = options_.most_pixels / static_cast<double>(Canvas::kDensity);
+    PagePoint content{1e-9, 1e-9};
+    for (const Scene& scene : scenes_) {
+      content.x = std::max(content.x, scene.frame.width());
+      content.y = std::max(content.y, scene.frame.height());
+    }
+    layout_.drawing_top = kMargin + (options_.title.empty() ? 0 : 40);
+    for (const PicturePanel& panel : panels_) {
+      if (!panel.label.empty()) layout_.label_height = 26;
+    }
+    const double below = (options_.axes || options_.legend ? kAxes : 0) + 2 * kMargin;
+    fit_panels(layout_, panels_.size(), content,
+               {most - 2 * kMargin, std::max(most - layout_.drawing_top - below, 64.0)},
+               options_.cell_pixels / Canvas::kDensity);
+    const double drawing = layout_.columns * layout_.panel_width + kGap * (layout_.columns - 1);
+    layout_.width = std::ceil(std::clamp(
+        std::max({drawing, kSmallestWidth, text_width(options_.title, kTitle)}) + 2 * kMargin,
+        kSmallestWidth, std::max(most, kSmallestWidth)));
+    const double row = layout_.panel_height + layout_.label_height;
+    layout_.legend_top = layout_.drawing_top + row * layout_.rows + kGap * (layout_.rows - 1) + 18;
+    const double left = kMargin + (options_.axes ? kAxes : 0);
+    const double legend = place_legend(layout_, items_, left);
+    double bottom = layout_.legend_top + std::max(legend, options_.axes ? kAxes - 26 : 0);
+    if (!options_.caption.empty()) {
+      layout_.caption_base = bottom + 22;
+      bottom = layout_.caption_base;
+    }
+    layout_.height = std::ceil(bottom + kMargin - 8);
+  }
+
+  // Text that is too long for the page is written smaller.
+  void write_fitting(Canvas& canvas, const std::string& text, PagePoint at, TextLook look) const {
+    const double room = layout_.width - 2 * kMargin;
+    const double width = text_width(text, look);
+    if (width > room) look.size *= room / width;
+    canvas.text(text, at, look);
+  }
+
+  void draw_panel(Canvas& canvas, std::size_t i) {
+    Scene& scene = scenes_[i];
+    const auto columns = static_cast<std::size_t>(layout_.columns);
+    const double drawing = layout_.columns * layout_.panel_width + kGap * (layout_.columns - 1);
+    const double left = (layout_.width - drawing) / 2 +
+                        static_cast<double>(i % columns) * (layout_.panel_width + kGap);
+    const double bottom =
+        layout_.drawing_top + layout_.panel_height +
+        static_cast<double>(i / columns) * (layout_.panel_height + layout_.label_height + kGap);
+    const Placement place{layout_.scale,
+                          {left + layout_.panel_width / 2 -
+                               layout_.scale * (scene.frame.low.x + scene.frame.high.x) / 2,
+                           bottom - layout_.scale * scene.frame.high.y}};
+    if (scene.faces.size() > kManyFaces) {
+      drop_covered(scene, place, layout_.width, layout_.height);
+    }
+    paint_scene(canvas, scene, place, bricks_);
+    const std::string& label = panels_[i].label;
+    TextLook look = kLabel;
+    const double width = text_width(label, look);
+    if (width > layout_.panel_width + kGap) look.size *= (layout_.panel_width + kGap) / width;
+    canvas.text(label, {left + (layout_.panel_width - text_width(label, look)) / 2, bottom + 20},
+                look);
+  }
+
+  void draw_axes(Canvas& canvas) const {
+    constexpr double kLength = 26;
+    const Lattice lattice = scenes_.front().lattice;
+    const PagePoint centre{kMargin + 32, layout_.legend_top + 34};
+    const auto group = orientations(lattice, Symmetry::rotations, false);
+    const auto count = static_cast<int>(group.size());
+    const Orientation& turn =
+        group[static_cast<std::size_t>((options_.turns % count + count) % count)];
+    const bool cubic = lattice == Lattice::cubic;
+    const std::array<std::pair<Offset, const char*>, 3> axes = {
+        {{{1, 0, 0}, cubic ? "x" : "q"}, {{0, 1, 0}, cubic ? "y" : "r"}, {{0, 0, 1}, "z"}}};
+    for (const auto& [axis, name] : axes) {
+      const PagePoint along = project(lattice, embed(lattice, Cell{} + turn.apply(axis)));
+      const auto at = [&](double length) {
+        return PagePoint{centre.x + length * along.x, centre.y + length * along.y};
+      };
+      canvas.line(centre, at(kLength), {0x8a, 0x93, 0x9f}, 1.5);
+      const PagePoint end = at(kLength + 9);
+      canvas.text(name, {end.x - text_width(name, kCaption) / 2, end.y + 4}, kCaption);
+    }
+  }
+
+  void draw_legend(Canvas& canvas) const {
+    for (std::size_t i = 0; i < items_.size(); ++i) {
+      const PagePoint at{layout_.legend_places[i].x,
+                         layout_.legend_places[i].y + layout_.legend_top};
+      paint_swatch(canvas, scenes_.front().lattice, {at.x + kSwatch, at.y - 5}, kSwatch,
+                   rgb_of(bricks_, items_[i].colour));
+      canvas.text(items_[i].text, {at.x + 2 * kSwatch + 8, at.y}, kLegend);
+    }
+  }
+
+  const std::vector<PicturePanel>& panels_;
+  const std::vector<Brick>& bricks_;
+  const PictureOptions& options_;
+  std::vector<Scene> scenes_;
+  std::vector<LegendItem> items_;
+  Layout layout_;
+};
+
+}  // namespace
+
+std::string draw_structure(const Structure& structure, const std::vector<Brick>& bricks,
+                           const PictureOptions& options) {
+  return draw_structures({{&structure, ""}}, bricks, options);
+}
+
+std::string draw_structures(const std::vector<PicturePanel>& panels,
+                            const std::vector<Brick>& bricks, const PictureOptions& options) {
+  assert(!panels.empty());
+  return Picture(panels, bricks, options).draw();
+}
+
+}  // namespace stig

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "lattice/bytes.h"
+#include "lattice/mesh_files.h"
+#include "lattice/rgb.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::string_view kHeader =
+    "ply\n"
+    "format binary_little_endian 1.0\n"
+    "comment made by stigc, {} units a cell, z up\n"
+    "element vertex {}\n"
+    "property float x\nproperty float y\nproperty float z\n"
+    "property float nx\nproperty float ny\nproperty float nz\n"
+    "property uchar red\nproperty uchar green\nproperty uchar blue\n"
+    "element face {}\n"
+    "property list uchar int vertex_indices\n"
+    "end_header\n";
+
+void put_vertex(std::string& out, Point p, Point normal, Rgb rgb) {
+  for (const double value : {p.x, p.y, p.z, normal.x, normal.y, normal.z}) {
+    put(out, static_cast<float>(value));
+  }
+  for (const std::uint8_t value : {rgb.r, rgb.g, rgb.b}) put(out, value);
+}
+
+}  // namespace
+
+std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double scale) {
+  std::size_t vertices = 0;
+  for (const Polygon& polygon : mesh.polygons) vertices += polygon.corners;
+  std::string out = fmt::format(fmt::runtime(kHeader), scale, vertices, mesh.polygons.size());
+  for (const Polygon& polygon : mesh.polygons) {
+    const Point normal = cell_faces(mesh.lattice)[polygon.face].normal;
+    const Rgb rgb = rgb_of(bricks, polygon.colour);
+    for (std::size_t i = 0; i < polygon.corners; ++i) {
+      const Point p = position(mesh.lattice, polygon.corner[i]);
+      put_vertex(out, {p.x * scale, p.y * scale, p.z * scale}, normal, rgb);
+    }
+  }
+  std::int32_t next = 0;
+  for (const Polygon& polygon : mesh.polygons) {
+    put(out, polygon.corners);
+    for (int i = 0; i < polygon.corners; ++i) put(out, next++);
+  }
+  return out;
+}
+
+}  // namespace stig

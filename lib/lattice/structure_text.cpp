@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/structure_text.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <map>
+
+#include "lattice/loaded_structure.h"
+#include "lattice/rgb.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::size_t kMostErrors = 100;  // then reading stops: a wrong file is wrong all over
+constexpr std::string_view kSpaces = " \t\r";
+
+std::map<std::string, State, std::less<>> states_by_symbol(const std::vector<Brick>& bricks) {
+  std::map<std::string, State, std::less<>> states{{".", kEmpty}};
+  const int count = bricks.empty() ? kMaxColours : static_cast<int>(bricks.size());
+  for (int colour = 1; colour <= count; ++colour) {
+    const auto state = static_cast<State>(colour);
+    states.emplace(symbol_of(bricks, state), state);
+  }
+  return states;
+}
+
+class TextReader {
+ public:
+  TextReader(SourceRef source, const std::vector<Brick>& bricks, Diagnostics& diagnostics)
+      : source_(std::move(source)), states_(states_by_symbol(bricks)), diagnostics_(diagnostics) {}
+
+  std::optional<Structure> read(Lattice lattice) {
+    const std::string& text = source_->text();
+    for (std::size_t begin = 0; begin < text.size() && errors_ < kMostErrors;) {
+      const std::size_t end = std::min(text.find('\n', begin), text.size());
+      read_line(begin, end);
+      begin = end + 1;
+    }
+    if (width_ == 0 && errors_ == 0) {
+      error(Code::F404, text.size(), text.size(), "the file draws no structure");
+    }
+    if (errors_ == 0) end_slice(text.size(), text.size());
+    if (errors_ != 0) return std::nullopt;
+    return build(lattice);
+  }
+
+ private:
+  void read_line(std::size_t begin, std::size_t end) {
+    const std::string_view line = std::string_view(source_->text()).substr(begin, end - begin);
+    const std::size_t first = line.find_first_not_of(kSpaces);
+    if (first == std::string_view::npos) return;
+    const std::size_t last = line.find_last_not_of(kSpaces) + 1;
+    const std::string_view body = line.substr(first, last - first);
+    if (body.starts_with("//")) return;
+    if (body == "---") {
+      end_slice(begin + first, begin + last);
+    } else {
+      read_row(begin + first, begin + last);
+    }
+  }
+
+  void read_row(std::size_t begin, std::size_t end) {
+    const std::string_view text = source_->text();
+    const std::size_t cells_before = cells_.size();
+    for (std::size_t at = begin; at < end;) {
+      const std::size_t stop = std::min(text.find_first_of(kSpaces, at), end);
+      cells_.push_back(state_of(at, stop));
+      at = std::min(text.find_first_not_of(kSpaces, stop), end);
+    }
+    const std::size_t width = cells_.size() - cells_before;
+    if (width_ == 0) width_ = width;
+    if (width != width_) {
+      error(Code::F403, begin, end,
+            fmt::format("row has {} cells, the rows before have {}", width, width_));
+    }
+    ++rows_;
+  }
+
+  State state_of(std::size_t begin, std::size_t end) {
+    const std::string_view symbol = std::string_view(source_->text()).substr(begin, end - begin);
+    const auto found = states_.find(symbol);
+    if (found != states_.end()) return found->second;
+    Diagnostic& diagnostic =
+        error(Code::F402, begin, end, fmt::format("unknown brick '{}'", symbol.substr(0, 40)));
+    std::vector<std::string_view> known;
+    for (const auto& [name, state] : states_) known.push_back(name);
+    const std::string_view near = nearest(symbol.substr(0, 40), known);
+    if (!near.empty()) diagnostic.suggest(std::string(near));
+    states_.emplace(std::string(symbol), kEmpty);  // say it once
+    return kEmpty;
+  }
+
+  void end_slice(std::size_t begin, std::size_t end) {
+    if (rows_ == 0) {
+      error(Code::F403, begin, end, "slice without rows");
+    } else if (height_ == 0) {
+      height_ = rows_;
+    } else if (rows_ != height_) {
+      error(Code::F403, begin, end,
+            fmt::format("slice has {} rows, the slices before have {}", rows_, height_));
+    }
+    rows_ = 0;
+    ++slices_;
+  }
+
+  std::optional<Structure> build(Lattice lattice) {
+    assert(cells_.size() == width_ * height_ * slices_);
+    std::vector<PlacedBrick> bricks;
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      if (cells_[i] == kEmpty) continue;
+      const std::size_t row = i / width_;
+      bricks.push_back({{static_cast<std::int32_t>(i % width_),
+                         static_cast<std::int32_t>(height_ - 1 - row % height_),
+                         static_cast<std::int32_t>(slices_ - 1 - row / height_)},
+                        cells_[i]});
+    }
+    if (const auto problem = find_problem(bricks)) {
+      error(Code::F406, 0, 0, to_string(*problem));
+      return std::nullopt;
+    }
+    return Structure(lattice, bricks);
+  }
+
+  Diagnostic& error(Code code, std::size_t begin, std::size_t end, std::string message) {
+    ++errors_;
+    return diagnostics_.add(
+        code, {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
+        std::move(message));
+  }
+
+  SourceRef source_;
+  std::map<std::string, State, std::less<>> states_;
+  Diagnostics& diagnostics_;
+  std::vector<State> cells_;  // in reading order
+  std::size_t width_ = 0, height_ = 0, rows_ = 0, slices_ = 0, errors_ = 0;
+};
+
+}  // namespace
+
+std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
+                                             const std::vector<Brick>& bricks,
+                                             Diagnostics& diagnostics) {
+  return TextReader(std::move(source), bricks, diagnostics).read(lattice);
+}
+
+Structure structure_literal(std::string_view text, Lattice lattice) {
+  Diagnostics diagnostics;
+  const auto source = std::make_shared<SourceFile>("literal", std::string(text));
+  std::optional<Structure> structure = read_structure_text(source, lattice, {}, diagnostics);
+  assert(structure && "malformed structure literal");
+  return std::move(*structure);
+}
+
+std::string print_structure(const Structure& structure, const std::vector<Brick>& bricks) {
+  const std::optional<Bounds> bounds = structure.bounds();
+  if (!bounds) return ".\n";
+  std::vector<std::string> symbols{"."};
+  std::size_t width = 1;
+  for (const PlacedBrick& brick : structure.bricks()) {
+    while (symbols.size() <= brick.brick) {
+      symbols.push_back(symbol_of(bricks, static_cast<Colour>(symbols.size())));
+    }
+    width = std::max(width, symbols[brick.brick].size());
+  }
+  std::string out;
+  for (int z = bounds->high.z; z >= bounds->low.z; --z) {
+    if (z != bounds->high.z) out += "---\n";
+    for (int y = bounds->high.y; y >= bounds->low.y; --y) {
+      for (int x = bounds->low.x; x <= bounds->high.x; ++x) {
+        const std::string& symbol = symbols[structure.at({x, y, z})];
+        out += symbol;
+        out.append(x == bounds->high.x ? 0 : width - symbol.size() + 1, ' ');
+      }
+      out += '\n';
+    }
+  }
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,73 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Draws the gallery: runs every shipped rule set, writes docs/gallery/*.png and the page
+# docs/gallery.md around them. Run it when a rule set or the pictures have changed.
+#
+#   scripts/gallery.sh
+#
+# STIGC=PATH uses a program that is built already.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+stigc=${STIGC:-}
+if [[ -z $stigc ]]; then
+  scripts/install.sh build docs
+  configure_and_build quick stigc
+  stigc=build/quick/stigc
+fi
+
+command -v pngquant >/dev/null || die "needs pngquant: scripts/install.sh docs"
+most_bytes=100000 # of a picture: the gallery is part of every clone
+page=docs/gallery.md
+mkdir -p docs/gallery
+
+cat >"$page" <<'END'
+# Gallery
+
+Every rule set that comes with the program, drawn by the program with the command under its
+picture. `scripts/gallery.sh` runs them all, reduces the pictures to 64 colours, which makes
+them small, and writes this page.
+
+END
+
+# show NAME "WHAT IT SHOWS" [ARGUMENT OF stigc explore…]
+show() {
+  local name=$1 line=$2 picture=docs/gallery/$1.png
+  shift 2
+  local command=(explore "rulesets/$name.yaml" "$@" -o "$picture")
+  say "stigc ${command[*]}"
+  "$stigc" "${command[@]}" --quiet >/dev/null
+  pngquant --force --strip --speed 1 --output "$picture" 64 "$picture"
+  local bytes
+  bytes=$(stat -c %s "$picture")
+  ((bytes < most_bytes)) || die "$picture has $bytes bytes, more than $most_bytes"
+  {
+    printf '## [%s](../rulesets/%s.yaml)\n\n%s\n\n' "$name" "$name" "$line"
+    printf '![%s](gallery/%s.png)\n\n```\nstigc %s\n```\n\n' "$name" "$name" "${command[*]}"
+  } >>"$page"
+}
+
+show staircase "Four short rules with heights and wildcards; every order of events ends here." \
+  --motion walk --box 9,9,9 --seed 1
+show stepped-pyramid "The same four rules in four orientations: 513 structures on the way, one end." \
+  --motion walk --box 11,11,11 --seed 1
+show staircase-exact "The staircase from four exact patterns, without heights or wildcards." \
+  --motion event --seed 1
+show stepped-pyramid-exact "The pyramid from ten exact patterns and their turns." \
+  --motion event --seed 1
+show wall "The first course is counted by colour, the others by height." \
+  --motion walk --box 10,7,8 --seed 1
+show plate "From the middle outwards, alike in all eight orientations." \
+  --motion event --seed 1
+show order-dependent "One of its two ends. With another seed the step may come first, and there is no hat." \
+  --motion event --seed 1
+show architecture-4n "A published table in nine steps. Step 6 is a race; this is one of many ends." \
+  --motion event --seed 1
+show architecture-4c "A published hexagonal set: 73 deposits, whatever their order." \
+  --motion event --seed 1
+show tiling "Endless, stopped after 400 deposits. All colours follow from the first two bricks." \
+  --motion event --deposits 400 --seed 1
+show coral "Chance at work, after 300 deposits: a count, probabilities, weights, two stages." \
+  --motion event --deposits 300 --seed 2
+
+sed -i '$d' "$page"
+say "Wrote $page and $(find docs/gallery -name '*.png' | wc -l) pictures"

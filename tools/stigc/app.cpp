@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "app.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+
+#include "rules/rule_reader.h"
+
+namespace stig {
+namespace {
+
+/// Results are written in pieces of this size, so that long ones need no memory.
+constexpr std::size_t kPiece = std::size_t{1} << 20;
+
+std::atomic<bool> stop_flag{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
+
+void on_signal(int) { stop_flag.store(true, std::memory_order_relaxed); }
+
+bool is_terminal(int descriptor) { return isatty(descriptor) == 1; }
+
+bool color_wanted(Coloured wish, int descriptor) {
+  if (wish != Coloured::automatic) return wish == Coloured::always;
+  const char* no_color = std::getenv("NO_COLOR");
+  const char* term = std::getenv("TERM");
+  const bool dumb = term == nullptr || std::strcmp(term, "dumb") == 0;
+  return is_terminal(descriptor) && !(no_color != nullptr && *no_color != 0) && !dumb;
+}
+
+std::string styled(std::string_view code, std::string_view text, bool on) {
+  return on ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
+}
+
+}  // namespace
+
+App::App(const GlobalOptions& options)
+    : options_(options),
+      color_out_(color_wanted(options.color, STDOUT_FILENO)),
+      color_err_(color_wanted(options.color, STDERR_FILENO)),
+      progress_wanted_(!options.quiet && is_terminal(STDERR_FILENO)) {}
+
+void App::print(std::string_view text) {
+  out_ += text;
+  if (out_.size() >= kPiece) flush();
+}
+
+bool App::flush() {
+  if (!broken_ && !write_all(STDOUT_FILENO, out_)) {
+    broken_ = errno != EPIPE;
+    if (broken_) complain(fmt::format("cannot write to standard output: {}", strerror(errno)));
+  }
+  out_.clear();
+  return !broken_;
+}
+
+void App::say(std::string_view line) const {
+  if (!options_.quiet) write_all(STDERR_FILENO, fmt::format("{}\n", line));
+}
+
+void App::complain(std::string_view line) const {
+  write_all(STDERR_FILENO, fmt::format("stigc: {}\n", line));
+}
+
+void App::report(const Diagnostics& diagnostics) const {
+  if (options_.json_diagnostics) {
+    write_all(STDERR_FILENO, to_json(diagnostics));
+  } else {
+    TextStyle style;
+    style.color = color_err_;
+    write_all(STDERR_FILENO, to_text(diagnostics, style));
+  }
+}
+
+bool App::invalid(const Diagnostics& diagnostics) const {
+  return diagnostics.has_errors() ||
+         (options_.warnings_are_errors && diagnostics.count(Severity::warning) > 0);
+}
+
+std::optional<RuleSet> App::read_rules(const std::string& path) const {
+  Diagnostics diagnostics;
+  std::optional<RuleSet> rules = read_rule_set_file(path, diagnostics);
+  const bool bad = invalid(diagnostics);
+  const std::size_t warnings = diagnostics.count(Severity::warning);
+  if (bad || (options_.json_diagnostics && warnings > 0)) {
+    report(diagnostics);
+  } else if (warnings > 0) {
+    say(fmt::format("{}: {} {}, which stigc check shows", printable(path), warnings,
+                    warnings == 1 ? "warning" : "warnings"));
+  }
+  if (bad) rules.reset();
+  return rules;
+}
+
+bool write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+std::string bold(std::string_view text, bool on) { return styled("1", text, on); }
+std::string green(std::string_view text, bool on) { return styled("32", text, on); }
+std::string red(std::string_view text, bool on) { return styled("31", text, on); }
+std::string yellow(std::string_view text, bool on) { return styled("33", text, on); }
+std::string dim(std::string_view text, bool on) { return styled("2", text, on); }
+
+void prepare_process() {
+  // Otherwise the next file opened would become standard output. Opened for reading,
+  // so that writing to it fails and is noticed.
+  for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+    if (fcntl(descriptor, F_GETFD) == -1 && open("/dev/null", O_RDONLY) < 0) std::abort();
+  }
+  std::signal(SIGPIPE, SIG_IGN);
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+const std::atomic<bool>& stop_requested() { return stop_flag; }
+
+}  // namespace stig

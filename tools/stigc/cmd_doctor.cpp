@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// stigc doctor: is all there that the program leans on?
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/file_io.h"
+#include "commands.h"
+#include "lattice/picture.h"
+#include "report.h"
+#include "rules/rule_reader.h"
+
+namespace stig {
+namespace {
+
+enum class Health : std::uint8_t { ok, warn, fail };
+
+/// One thing looked at: how it is, and what to do if it is not well.
+struct Finding {
+  Health health = Health::ok;
+  std::string what, found, advice;
+};
+
+std::string_view to_string(Health health) {
+  return health == Health::ok ? "ok" : health == Health::warn ? "warn" : "fail";
+}
+
+Finding program() {
+  return {
+    Health::ok, "program",
+        fmt::format("stigc {}, {} {}", STIG_VERSION,
+#if defined(__clang__)
+                    "clang", __clang_version__
+#else
+                    "gcc", __VERSION__
+#endif
+                    ),
+    {
+    }
+  };
+}
+
+Finding libraries() {
+  return {Health::ok,
+          "libraries",
+          fmt::format("fmt {}.{}.{}, JSON {}.{}.{}", FMT_VERSION / 10000, FMT_VERSION / 100 % 100,
+                      FMT_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
+                      NLOHMANN_JSON_VERSION_PATCH),
+          {}};
+}
+
+Finding processor() {
+  const unsigned cores = std::thread::hardware_concurrency();
+  std::string features;
+#if defined(__x86_64__)
+  features = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") ? ", AVX-512"
+             : __builtin_cpu_supports("avx2") ? ", AVX2, no AVX-512"
+                                              : ", no AVX2";
+#endif
+  const std::string found = fmt::format("{} {}{}", cores, cores == 1 ? "core" : "cores", features);
+  if (cores == 0) return {Health::warn, "processor", "number of cores unknown", "give --threads"};
+  return {Health::ok, "processor", found, {}};
+}
+
+Finding memory() {
+  const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
+  const double gigabytes = pages * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e9;
+  const std::string found = fmt::format("{:.1f} GB", gigabytes);
+  if (gigabytes >= 2) return {Health::ok, "memory", found, {}};
+  return {Health::warn, "memory", found, "boxes beyond 500×500×500 will not fit"};
+}
+
+/// Can pictures be drawn? Draws one.
+Finding pictures() {
+  const Structure brick(Lattice::cubic, {{{0, 0, 0}, 1}});
+  const std::string png = draw_structure(brick, {{"1", "brick", "#4363d8", "", {}}});
+  if (png.starts_with("\x89PNG")) {
+    return {Health::ok, "pictures", fmt::format("drawn by cairo, {} bytes", png.size()), {}};
+  }
+  return {Health::fail, "pictures", "cairo could not draw", "install libcairo2"};
+}
+
+/// Legends are set in DejaVu Sans; with another font they look different.
+Finding fonts() {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  for (const char* folder : {"/usr/share/fonts", "/usr/local/share/fonts"}) {
+    for (auto it = fs::recursive_directory_iterator(folder, ignored);
+         !ignored && it != fs::recursive_directory_iterator(); it.increment(ignored)) {
+      if (it->path().filename() == "DejaVuSans.ttf") {
+        return {Health::ok, "fonts", it->path().string(), {}};
+      }
+    }
+  }
+  return {Health::warn, "fonts", "DejaVu Sans not found",
+          "install fonts-dejavu-core, or pictures' legends come out in another font"};
+}
+
+Finding temporary_folder() {
+  const char* named = std::getenv("TMPDIR");
+  const std::string folder = named != nullptr && *named != 0 ? named : "/tmp";
+  const std::string path = fmt::format("{}/stigc-doctor-{}", folder, getpid());
+  FileError error;
+  if (!write_file(path, "a line\n", error)) {
+    return {Health::fail, "temporary", printable(error.message), "set TMPDIR to a folder of yours"};
+  }
+  std::error_code ignored;
+  std::filesystem::remove(path, ignored);
+  return {Health::ok, "temporary", printable(folder) + " takes files", {}};
+}
+
+Finding terminal(const App& app) {
+  const bool out = isatty(STDOUT_FILENO) == 1, err = isatty(STDERR_FILENO) == 1;
+  return {Health::ok,
+          "terminal",
+          fmt::format("results {}, messages {}, colours {}", out ? "on a terminal" : "redirected",
+                      err ? "on a terminal" : "redirected",
+                      app.color_out() || app.color_err() ? "on" : "off"),
+          {}};
+}
+
+/// Files given, or the rule sets in the folder "rulesets" when there is one.
+Finding rule_sets(std::vector<std::string> files) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  if (files.empty()) {
+    for (auto it = fs::directory_iterator("rulesets", ignored);
+         !ignored && it != fs::directory_iterator(); it.increment(ignored)) {
+      if (it->path().extension() == ".yaml") files.push_back(it->path().string());
+    }
+  }
+  if (files.empty()) {
+    return {Health::warn, "rule sets", "none here to check",
+            "start stigc in the project's folder, or name files: stigc doctor FILE…"};
+  }
+  std::string bad;
+  for (const std::string& file : files) {
+    Diagnostics diagnostics;
+    if (!read_rule_set_file(file, diagnostics)) bad += (bad.empty() ? "" : ", ") + file;
+  }
+  if (bad.empty()) {
+    return {Health::ok, "rule sets", fmt::format("{} checked, all good", files.size()), {}};
+  }
+  return {Health::fail, "rule sets", printable(bad) + " not good", "run stigc check on them"};
+}
+
+std::string coloured(Health health, bool color) {
+  const std::string padded = fmt::format("{:<5}", to_string(health));
+  return health == Health::ok     ? green(padded, color)
+         : health == Health::warn ? yellow(padded, color)
+                                  : red(padded, color);
+}
+
+}  // namespace
+
+int run(const DoctorOptions& options, App& app) {
+  const std::vector<Finding> findings = {
+      program(),          libraries(),   processor(),
+      memory(),           pictures(),    fonts(),
+      temporary_folder(), terminal(app), rule_sets(options.files)};
+  Json json = Json::array();
+  bool failed = false;
+  for (const Finding& finding : findings) {
+    failed |= finding.health == Health::fail;
+    if (options.json) {
+      json.push_back({{"health", to_string(finding.health)},
+                      {"what", finding.what},
+                      {"found", finding.found},
+                      {"advice", finding.advice}});
+      continue;
+    }
+    const std::string advice = finding.advice.empty() ? "" : "; " + finding.advice;
+    app.print(fmt::format("{} {:<11}{}{}\n", coloured(finding.health, app.color_out()),
+                          finding.what, finding.found, advice));
+  }
+  if (options.json) app.print(dump({{"findings", json}, {"ok", !failed}}));
+  return failed ? kFailed : kOk;
+}
+
+}  // namespace stig

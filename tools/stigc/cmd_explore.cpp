@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// stigc explore: a swarm on a rule set.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "commands.h"
+#include "ensemble.h"
+#include "explore_config.h"
+#include "outputs.h"
+#include "progress.h"
+#include "report.h"
+
+namespace stig {
+namespace {
+
+/// The share of a run that is done for certain: by the nearer of its limits.
+double fraction_done(const SwarmConfig& config, std::uint64_t steps, std::uint64_t deposits) {
+  const auto share = [](std::uint64_t done, const std::optional<std::uint64_t>& limit) {
+    return limit && *limit > 0 ? static_cast<double>(done) / static_cast<double>(*limit) : 0.0;
+  };
+  return std::max(share(steps, config.max_steps), share(deposits, config.max_deposits));
+}
+
+/// Says that a limit nobody asked for ended a run.
+void say_default_limit(const ExploreConfig& config, const RunSummary& run, const App& app) {
+  const bool steps = run.terminated == Terminated::steps && config.steps_by_default;
+  const bool deposits = run.terminated == Terminated::deposits && config.deposits_by_default;
+  if (!steps && !deposits) return;
+  std::string text =
+      steps ? fmt::format("stopped after {} steps, the limit when --steps is not given",
+                          kDefaultSteps)
+            : fmt::format("stopped after {} deposits, the limit when --deposits is not given",
+                          kDefaultDeposits);
+  text += fmt::format("; {} enabled {} left", run.enabled_left,
+                      run.enabled_left == 1 ? "site was" : "sites were");
+  if (run.out_of_reach > 0) text += fmt::format(", {} out of the agents' reach", run.out_of_reach);
+  app.say(text);
+}
+
+int explore_once(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
+                 const ExploreOptions& options, const std::vector<Output>& outputs, App& app) {
+  OutputWriter writer(outputs, rules, config.swarm);
+  Progress progress(app);
+  SwarmHooks hooks;
+  hooks.stop = &stop_requested();
+  if (writer.wants_deposits()) hooks.deposit = [&](const Deposit& d) { writer.deposit(d); };
+  hooks.progress = [&](std::uint64_t steps, std::uint64_t deposits) {
+    progress.show(fraction_done(config.swarm, steps, deposits),
+                  fmt::format("{} steps, {} deposits", steps, deposits));
+  };
+  const SwarmResult result = run_swarm(table, rules.start, config.swarm, hooks);
+  progress.clear();
+  const int written = writer.write(result, app);
+  say_default_limit(config,
+                    {result.steps, result.deposits, 0, 0, result.enabled_left, result.out_of_reach,
+                     result.terminated},
+                    app);
+  if (options.json) {
+    app.print(dump(run_json(rules, config.swarm, result)));
+  } else {
+    app.print(run_lines(rules, config.swarm, result, app.color_out()));
+    const std::string drawing = small_drawing(result.structure, rules.bricks);
+    if (!drawing.empty()) app.print("\n" + drawing);
+  }
+  return result.terminated == Terminated::interrupted ? kRunFailed : written;
+}
+
+/// The object of --json with several runs. The runs are objects in text already.
+void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
+                         const Ensemble& ensemble, App& app) {
+  Json json = setting_json(rules, config.swarm);
+  std::uint64_t steps = 0, deposits = 0;
+  for (const RunSummary& run : ensemble.runs) {
+    steps += run.steps;
+    deposits += run.deposits;
+  }
+  json["steps"] = steps;
+  json["deposits"] = deposits;
+  json["rules"] = Json::array();
+  for (std::size_t r = 0; r < rules.rules.size(); ++r) {
+    json["rules"].push_back({{"name", rules.rules[r].name}, {"fired", ensemble.fired[r]}});
+  }
+  json["distinct_structures"] = ensemble.structures.size();
+  std::string text = dump(json);
+  text.resize(text.rfind("\n}"));
+  app.print(text + ",\n  \"runs\": [\n");
+  app.print(ensemble.runs_json);
+  app.print("\n  ]\n}\n");
+}
+
+int write_runs_table(const Ensemble& ensemble, const std::vector<Output>& outputs, const App& app) {
+  for (const Output& output : outputs) {
+    if (output.kind != OutputKind::deposits) continue;
+    FileError error;
+    if (!write_file(output.path, runs_csv(ensemble), error)) {
+      app.complain(error.message);
+      return kRunFailed;
+    }
+    app.say("wrote " + output.path);
+  }
+  return kOk;
+}
+
+int explore_many(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
+                 const ExploreOptions& options, const std::vector<Output>& outputs, App& app) {
+  const Ensemble ensemble = run_all(rules, table, config, options, outputs, app);
+  const int written = std::max(ensemble.exit_code, write_runs_table(ensemble, outputs, app));
+  const auto longest = std::max_element(
+      ensemble.runs.begin(), ensemble.runs.end(),
+      [](const RunSummary& a, const RunSummary& b) { return a.enabled_left < b.enabled_left; });
+  say_default_limit(config, *longest, app);
+  if (options.json) {
+    print_ensemble_json(rules, config, ensemble, app);
+  } else {
+    app.print(ensemble_lines(rules, config, ensemble, app.color_out()));
+  }
+  return ensemble.interrupted ? kRunFailed : written;
+}
+
+}  // namespace
+
+int run(const ExploreOptions& options, App& app) {
+  const bool ensemble = options.runs > 1;
+  std::vector<Output> outputs;
+  const int planned = plan_outputs(options.outputs, options.trace, ensemble, app, outputs);
+  if (planned != kOk) return planned;
+  const std::optional<RuleSet> rules = app.read_rules(options.file);
+  if (!rules) return kFailed;
+  const RuleTable table(*rules);
+  const ExploreConfig config = explore_config(*rules, table, options);
+  if (!config.problem.empty()) {
+    app.complain(printable(config.problem));
+    return kUsage;
+  }
+  return ensemble ? explore_many(*rules, table, config, options, outputs, app)
+                  : explore_once(*rules, table, config, options, outputs, app);
+}
+
+}  // namespace stig

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+// stigc measure and stigc draw: structure files by themselves.
+#include <nlohmann/json.hpp>
+
+#include "base/hash.h"
+#include "commands.h"
+#include "lattice/structure_files.h"
+#include "outputs.h"
+#include "report.h"
+#include "structure_input.h"
+
+namespace stig {
+namespace {
+
+/// The file's name without folders and ending.
+std::string stem(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return name.substr(0, name.rfind('.'));
+}
+
+}  // namespace
+
+int run(const MeasureOptions& options, App& app) {
+  const auto loaded = read_structure(options.structure, app);
+  if (!loaded) return kFailed;
+  if (options.json) {
+    const Measures measures = measure(loaded->structure);
+    Json json;
+    json["structure"] = options.structure;
+    json["lattice"] = to_string(loaded->structure.lattice());
+    json["bricks"] = loaded->structure.size();
+    json["structure_hash"] = to_hex(structure_hash(loaded->structure));
+    json["colours"] = colours_json(measures, loaded->bricks);
+    json["measures"] = to_json(measures);
+    app.print(dump(json));
+  } else {
+    app.print(bold(printable(options.structure), app.color_out()) + "\n");
+    app.print(line("lattice", to_string(loaded->structure.lattice())));
+    app.print(line("bricks", std::to_string(loaded->structure.size())));
+    if (!loaded->structure.empty()) app.print(structure_lines(loaded->structure, loaded->bricks));
+  }
+  return kOk;
+}
+
+int run(const DrawOptions& options, App& app) {
+  for (const std::string& path : options.outputs) {
+    std::string error;
+    if (can_write_structure(path, error)) continue;
+    app.complain(printable(error));
+    return kUsage;
+  }
+  const auto loaded = read_structure(options.structure, app);
+  if (!loaded) return kFailed;
+  for (const std::string& path : options.outputs) {
+    std::string error;
+    if (!write_structure(path, loaded->structure, loaded->bricks, stem(options.structure), false,
+                         error)) {
+      app.complain(error);
+      return kRunFailed;
+    }
+    app.say("wrote " + path);
+  }
+  return kOk;
+}
+
+}  // namespace stig

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// stigc replay: does a trace's run come out again, event by event?
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "base/hash.h"
+#include "commands.h"
+#include "lattice/trace.h"
+#include "report.h"
+#include "rules/rule_reader.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
+
+/// The rule set that the trace carries.
+std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, const App& app) {
+  Diagnostics diagnostics;
+  auto rules = read_rule_set(
+      std::make_shared<const SourceFile>(path + " (its rule set)", trace.rule_set_yaml),
+      diagnostics);
+  if (diagnostics.has_errors()) {
+    app.report(diagnostics);
+    rules.reset();
+  }
+  return rules;
+}
+
+void print(const ReplayOptions& options, const Trace& trace, const RuleSet& rules,
+           const ReplayReport& report, App& app) {
+  if (options.json) {
+    Json json;
+    json["trace"] = options.trace;
+    json["ruleset"] = rules.name;
+    json["ruleset_hash"] = to_hex(trace.rule_set_hash);
+    json["seed"] = trace.config.seed;
+    json["motion"] = to_string(trace.config.motion);
+    json["events"] = trace.events.size();
+    json["identical"] = report.identical;
+    json["compared"] = report.compared;
+    json["difference"] = report.difference;
+    app.print(dump(json));
+  } else if (report.identical) {
+    app.print(fmt::format("{}: {}, {} events, {}\n", printable(options.trace),
+                          printable(rules.name), report.compared,
+                          green("identical", app.color_out())));
+  } else {
+    app.print(fmt::format("{}: {}, {}: {}\n", printable(options.trace), printable(rules.name),
+                          red("differs", app.color_out()), printable(report.difference)));
+  }
+}
+
+}  // namespace
+
+int run(const ReplayOptions& options, App& app) {
+  FileError error;
+  const auto bytes = read_file(options.trace, kMostTraceBytes, error);
+  if (!bytes) {
+    app.complain(error.message);
+    return kFailed;
+  }
+  Diagnostics diagnostics;
+  const std::optional<Trace> trace = read_trace(options.trace, *bytes, diagnostics);
+  if (!trace) {
+    app.report(diagnostics);
+    return kFailed;
+  }
+  const std::optional<RuleSet> rules = rules_of(*trace, options.trace, app);
+  if (!rules) return kFailed;
+  const ReplayReport report = replay(*trace, *rules, &stop_requested());
+  if (stop_requested()) {
+    app.complain(
+        fmt::format("interrupted after {} events, none of which differs", report.compared));
+    return kRunFailed;
+  }
+  print(options, *trace, *rules, report, app);
+  return report.identical ? kOk : kFailed;
+}
+
+}  // namespace stig

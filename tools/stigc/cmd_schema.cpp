@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// stigc schema and stigc completions: what the program knows of itself.
+#include "commands.h"
+#include "help.h"
+#include "rules/rule_schema.h"
+
+namespace stig {
+
+int run(const SchemaOptions&, App& app) {
+  app.print(json_schema());
+  return kOk;
+}
+
+int run(const CompletionsOptions& options, App& app) {
+  app.print(completion_script(command_tree(), options.shell));
+  return kOk;
+}
+
+}  // namespace stig

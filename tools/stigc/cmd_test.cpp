@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// stigc test: rule sets held to what they expect of themselves.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "commands.h"
+#include "lattice/expectation.h"
+#include "progress.h"
+#include "report.h"
+
+namespace stig {
+namespace {
+
+std::string coloured(Standing standing, bool color) {
+  const std::string padded = fmt::format("{:<17}", to_string(standing));
+  switch (standing) {
+    case Standing::held:
+    case Standing::not_contradicted:
+      return green(padded, color);
+    case Standing::undecided:
+      return yellow(padded, color);
+    case Standing::failed:
+      break;
+  }
+  return red(padded, color);
+}
+
+/// 0, 1 or 3: see app.h. What failed counts for more than what stayed open.
+int exit_code(const ExpectationReport& report) {
+  if (report.passed()) return kOk;
+  const bool failed = !report.problem.empty() ||
+                      std::any_of(report.items.begin(), report.items.end(), [](const auto& item) {
+                        return item.standing == Standing::failed;
+                      });
+  return failed ? kFailed : kRunFailed;
+}
+
+void print_text(const std::string& file, const RuleSet& rules, const ExpectationReport& report,
+                App& app) {
+  app.print(bold(printable(file), app.color_out()) + "\n");
+  if (!report.problem.empty()) {
+    app.print(fmt::format("  {}: {}\n", red("cannot be run", app.color_out()), report.problem));
+  } else if (report.interrupted) {
+    app.print("  interrupted\n");
+  } else if (!rules.expect) {
+    app.print("  nothing is expected\n");
+  }
+  for (const ExpectationItem& item : report.items) {
+    app.print(fmt::format("  {:<11}{}{}: {} ({})\n", item.key,
+                          coloured(item.standing, app.color_out()), item.expected,
+                          printable(item.found), item.method));
+  }
+}
+
+Json to_json(const std::string& file, const ExpectationReport& report) {
+  Json json{{"file", file}, {"passed", report.passed()}, {"states", report.states}};
+  if (!report.problem.empty()) json["problem"] = report.problem;
+  if (report.interrupted) json["interrupted"] = true;
+  json["items"] = Json::array();
+  for (const ExpectationItem& item : report.items) {
+    json["items"].push_back({{"key", item.key},
+                             {"standing", to_string(item.standing)},
+                             {"expected", item.expected},
+                             {"found", item.found},
+                             {"method", item.method}});
+  }
+  return json;
+}
+
+}  // namespace
+
+int run(const TestOptions& options, App& app) {
+  ExpectationLimits limits;
+  if (options.samples) limits.samples = *options.samples;
+  if (options.states) limits.search.states = *options.states;
+  Json all = Json::array();
+  int worst = kOk;
+  std::size_t passed = 0;
+  Progress progress(app);
+  for (std::size_t i = 0; i < options.files.size() && !stop_requested(); ++i) {
+    const std::string& file = options.files[i];
+    progress.show(static_cast<double>(i) / static_cast<double>(options.files.size()), file);
+    const std::optional<RuleSet> rules = app.read_rules(file);
+    ExpectationReport report;
+    if (rules) report = hold_to_expectation(*rules, limits, &stop_requested());
+    const int code = rules ? exit_code(report) : kFailed;
+    progress.clear();
+    if (code == kOk) ++passed;
+    // What failed (1) counts for more than what stayed open (3).
+    if (worst != kFailed && code != kOk) worst = code;
+    if (!options.json && rules) {
+      print_text(file, *rules, report, app);
+      app.flush();
+    }
+    if (options.json) {
+      all.push_back(rules ? to_json(file, report)
+                          : Json{{"file", file}, {"passed", false}, {"problem", "invalid"}});
+    }
+  }
+  if (options.json) {
+    app.print(dump({{"files", all}, {"passed", passed}, {"of", options.files.size()}}));
+  } else {
+    app.print(fmt::format("{} of {} {} as expected\n", passed, options.files.size(),
+                          options.files.size() == 1 ? "file is" : "files are"));
+  }
+  return stop_requested() ? kRunFailed : worst;
+}
+
+}  // namespace stig

@@ -1,0 +1,398 @@
+// SPDX-License-Identifier: MIT
+#include "command_line.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <functional>
+#include <limits>
+
+#include "base/diagnostic.h"
+#include "numbers.h"
+
+namespace stig {
+namespace {
+
+/// Where the parser puts what it reads: one of each kind of options.
+struct Storage {
+  GlobalOptions global;
+  CheckOptions check;
+  FmtOptions fmt;
+  ExploreOptions explore;
+  ExplainOptions explain;
+  TestOptions test;
+  GraphOptions graph;
+  ReplayOptions replay;
+  SchemaOptions schema;
+  MeasureOptions measure;
+  DrawOptions draw;
+  CompletionsOptions completions;
+  DoctorOptions doctor;
+};
+
+/// An option whose text is read by `parse`, which returns what is wrong.
+CLI::Option* parsed(CLI::App* app, const std::string& names, const std::string& value,
+                    const std::string& doc, std::function<std::string(const std::string&)> parse) {
+  const std::string shown = names.substr(names.rfind(',') + 1);
+  return app
+      ->add_option_function<std::string>(
+          names,
+          [parse = std::move(parse), shown](const std::string& text) {
+            const std::string problem = parse(text);
+            if (!problem.empty()) throw CLI::ValidationError(shown, problem);
+          },
+          doc)
+      ->type_name(value);
+}
+
+template <class Integer>
+CLI::Option* integer(CLI::App* app, const std::string& names, Integer& out, std::int64_t low,
+                     std::int64_t high, const std::string& doc) {
+  return parsed(app, names, "N", doc, [&out, low, high](const std::string& text) {
+    std::int64_t value = 0;
+    const std::string problem = parse_integer(text, low, high, value);
+    if (problem.empty()) {
+      if constexpr (std::is_integral_v<Integer>) {
+        out = static_cast<Integer>(value);
+      } else {
+        out = static_cast<typename Integer::value_type>(value);
+      }
+    }
+    return problem;
+  });
+}
+
+template <class Enum>
+using Words = std::vector<std::pair<std::string, Enum>>;
+
+/// One of a few words; `value` of the option lists them, parted by bars.
+template <class Enum>
+CLI::Option* choice(CLI::App* app, const std::string& names, Enum& out, const Words<Enum>& words,
+                    const std::string& doc) {
+  std::string value;
+  for (const auto& [word, meaning] : words) value += (value.empty() ? "" : "|") + word;
+  return parsed(app, names, value, doc, [&out, words](const std::string& text) -> std::string {
+    std::vector<std::string_view> known;
+    for (const auto& [word, meaning] : words) {
+      known.push_back(word);
+      if (word != text) continue;
+      out = meaning;
+      return {};
+    }
+    const std::string_view near = nearest(text, known);
+    const std::string hint = near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+    return fmt::format("'{}' is not one of {}{}", text, fmt::join(known, ", "), hint);
+  });
+}
+
+/// An option that takes one value and may be given several times.
+CLI::Option* repeated(CLI::App* app, const std::string& names, std::vector<std::string>& out,
+                      const std::string& value, const std::string& doc) {
+  return app->add_option(names, out, doc)->type_name(value)->allow_extra_args(false);
+}
+
+CLI::Option* file(CLI::App* app, const std::string& name, std::string& out,
+                  const std::string& doc) {
+  return app->add_option(name, out, doc)->type_name(name)->required();
+}
+
+CLI::Option* files(CLI::App* app, std::vector<std::string>& out, const std::string& doc) {
+  return app->add_option("FILE", out, doc)->type_name("FILE")->required();
+}
+
+constexpr std::int64_t kMostCount = std::numeric_limits<std::int64_t>::max();
+/// A run's number has 24 bits.
+constexpr int kMostRuns = 1 << 24;
+
+void add_global(CLI::App& app, GlobalOptions& o) {
+  choice(&app, "--diagnostics", o.json_diagnostics, {{"text", false}, {"json", true}},
+         "how problems in files are reported: for people, or as a JSON array");
+  choice(&app, "--color", o.color,
+         {{"auto", Coloured::automatic}, {"always", Coloured::always}, {"never", Coloured::never}},
+         "colours in messages; auto: on a terminal, unless NO_COLOR is set");
+  parsed(&app, "-W", "error", "-W error: warnings count as errors",
+         [&o](const std::string& text) -> std::string {
+           if (text != "error") return fmt::format("'{}' is not 'error'", text);
+           o.warnings_are_errors = true;
+           return {};
+         });
+  app.add_flag("--werror", o.warnings_are_errors, "the same as -W error");
+  app.add_flag("-q,--quiet", o.quiet, "no progress and no remarks on standard error");
+}
+
+CLI::App* command(CLI::App& app, const std::string& name, const std::string& summary,
+                  const std::string& examples) {
+  CLI::App* sub = app.add_subcommand(name, summary)->fallthrough();
+  sub->footer(examples);
+  return sub;
+}
+
+void add_check(CLI::App& app, CheckOptions& o) {
+  CLI::App* sub = command(app, "check", "report every problem of rule set files",
+                          "  stigc check rulesets/*.yaml\n"
+                          "  stigc check --diagnostics json staircase.yaml > problems.json\n"
+                          "  stigc check -W error staircase.yaml\n");
+  files(sub, o.files, "rule sets to check; - is standard input");
+}
+
+void add_fmt(CLI::App& app, FmtOptions& o) {
+  CLI::App* sub = command(app, "fmt", "print rule sets in canonical form, comments kept",
+                          "  stigc fmt staircase.yaml\n"
+                          "  stigc fmt --write rulesets/*.yaml\n"
+                          "  stigc fmt --check rulesets/*.yaml\n");
+  files(sub, o.files, "rule sets to print; - is standard input");
+  CLI::Option* write = sub->add_flag("--write", o.write, "rewrite the files in place");
+  sub->add_flag("--check", o.check, "write nothing; exit 1 when a file is not in canonical form")
+      ->excludes(write);
+}
+
+void add_explore_swarm(CLI::App* sub, ExploreOptions& o) {
+  choice(sub, "--motion", o.motion,
+         {{"walk", Motion::walk}, {"teleport", Motion::teleport}, {"event", Motion::event}},
+         "how agents move; event: no agents, a random order of events (default: walk)");
+  integer(sub, "--agents", o.agents, 1, std::numeric_limits<int>::max(),
+          "number of agents (default: 10)");
+  parsed(sub, "--agents-at", "X,Y,Z",
+         "where the first agents start, the others anywhere; may be repeated",
+         [&o](const std::string& text) { return parse_cells(text, o.agents_at); })
+      ->allow_extra_args(false)
+      ->trigger_on_parse();
+  integer(sub, "--moves", o.moves, 6, 26,
+          "neighbours an agent steps to: 6, 18 or 26; hexagonal 8 or 20 (default: the most)");
+  parsed(sub, "--box", "X,Y,Z",
+         "size of the world, laid around the start, or none for unbounded space (event motion "
+         "alone); default: the file's box, else 20,20,20 for agents and none for events",
+         [&o](const std::string& text) -> std::string {
+           o.box.emplace();
+           return text == "none" ? "" : parse_size(text, o.box->size.emplace());
+         });
+  sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+}
+
+void add_explore(CLI::App& app, ExploreOptions& o) {
+  CLI::App* sub =
+      command(app, "explore", "run a swarm on a rule set and see what it builds",
+              "  stigc explore staircase.yaml\n"
+              "  stigc explore staircase.yaml -o staircase.png -o staircase.glb\n"
+              "  stigc explore architecture-4n.yaml --motion event --seed 7 --json\n"
+              "  stigc explore tiling.yaml --motion event --deposits 5000 -o tiling.vox\n"
+              "  stigc explore coral.yaml --runs 100 --threads 0 -o runs.csv -o 'coral-{run}.png'\n"
+              "  stigc explore staircase.yaml --trace run.stigt && stigc replay run.stigt\n");
+  file(sub, "FILE", o.file, "the rule set; - is standard input");
+  add_explore_swarm(sub, o);
+  integer(sub, "--steps", o.steps, 0, (std::int64_t{1} << 43) - 1,
+          "stop after so many steps (default: 10000000 for agents, unless --deposits is given)");
+  integer(sub, "--deposits", o.deposits, 0, kMostCount,
+          "stop after so many deposits (default: 100000 in unbounded space, unless --steps is "
+          "given)");
+  parsed(sub, "--seed", "N", "seed of all random choices (default: 1)",
+         [&o](const std::string& text) { return parse_seed(text, o.seed); });
+  integer(sub, "--runs", o.runs, 1, kMostRuns, "so many runs, each with its own random numbers");
+  integer(sub, "--threads", o.threads, 0, 4096,
+          "threads for the runs; 0: all cores (default). The results are the same for any");
+  sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
+  repeated(sub, "-o,--output", o.outputs, "FILE",
+           "write the structure, in the format of the ending: .vox .stl .ply .glb .png .svg .json "
+           ".txt; .csv the log of deposits, or with --runs the table of runs; .stigt a trace. May "
+           "be repeated; with --runs, {run} in the name is the number of the run");
+  sub->add_option("--trace", o.trace, "write a trace of the run, for replay")->type_name("FILE");
+}
+
+void add_explain(CLI::App& app, ExplainOptions& o) {
+  CLI::App* sub = command(
+      app, "explain", "say of each rule why it fires at a site, or why not",
+      "  stigc explain staircase.yaml --at 1,0,0\n"
+      "  stigc explain staircase.yaml --structure half-built.txt --at 1,0,1\n"
+      "  stigc explain architecture-4n.yaml --structure s.json --at 0,1,0 --stage 2 --json\n");
+  file(sub, "FILE", o.file, "the rule set");
+  sub->add_option("--structure", o.structure, "structure file (default: the rule set's start)")
+      ->type_name("FILE");
+  parsed(sub, "--at", "X,Y,Z", "the site", [&o](const std::string& text) {
+    return parse_cell(text, o.at);
+  })->required();
+  integer(sub, "--stage", o.stage, 1, 1000000, "the stage that rules are in (default: 1)");
+  integer(sub, "--rule", o.rule, 1, 1000000, "the N-th rule alone");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
+void add_test(CLI::App& app, TestOptions& o) {
+  CLI::App* sub = command(app, "test", "hold rule sets to what they expect of themselves",
+                          "  stigc test rulesets/*.yaml\n"
+                          "  stigc test --states 20000000 architecture-4n.yaml\n");
+  files(sub, o.files, "rule sets with an 'expect' entry");
+  integer(sub, "--samples", o.samples, 1, 1 << 24,
+          "orders of events sampled before all are tried (default: 64)");
+  integer(sub, "--states", o.states, 0, kMostCount,
+          "states visited at most when every order is tried (default: 2000000)");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
+void add_files_out(CLI::App& app, Storage& s) {
+  CLI::App* graph = command(app, "graph", "print which rule's brick another rule can need, as DOT",
+                            "  stigc graph staircase.yaml | dot -Tsvg > staircase.svg\n");
+  file(graph, "FILE", s.graph.file, "the rule set");
+  CLI::App* replay = command(app, "replay", "run a trace again and compare every event",
+                             "  stigc explore staircase.yaml --trace run.stigt\n"
+                             "  stigc replay run.stigt\n");
+  file(replay, "TRACE", s.replay.trace, "trace file (.stigt)");
+  replay->add_flag("--json", s.replay.json, "print one JSON object");
+  command(app, "schema", "print the JSON Schema of rule set files",
+          "  stigc schema > stigc.schema.json\n");
+  CLI::App* measure = command(app, "measure", "measure a structure file",
+                              "  stigc measure staircase.vox\n"
+                              "  stigc measure staircase.json --json\n");
+  file(measure, "STRUCTURE", s.measure.structure, "structure file (.vox .json .txt)");
+  measure->add_flag("--json", s.measure.json, "print one JSON object");
+  CLI::App* draw = command(app, "draw", "draw a structure file, or turn it into another format",
+                           "  stigc draw staircase.vox -o staircase.png\n"
+                           "  stigc draw staircase.json -o staircase.glb -o staircase.stl\n");
+  file(draw, "STRUCTURE", s.draw.structure, "structure file (.vox .json .txt)");
+  repeated(draw, "-o,--output", s.draw.outputs, "FILE",
+           "file to write, in the format of its ending; may be repeated")
+      ->required();
+}
+
+void add_about_itself(CLI::App& app, Storage& s) {
+  CLI::App* completions =
+      command(app, "completions", "print a completion script for a shell",
+              "  source <(stigc completions bash)\n"
+              "  stigc completions zsh > ~/.zfunc/_stigc\n"
+              "  stigc completions fish > ~/.config/fish/completions/stigc.fish\n");
+  choice(completions, "SHELL", s.completions.shell,
+         {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}}, "the shell")
+      ->required();
+  CLI::App* doctor = command(app, "doctor", "look at the surroundings the program runs in",
+                             "  stigc doctor\n"
+                             "  stigc doctor rulesets/*.yaml\n");
+  doctor->add_option("FILE", s.doctor.files, "rule sets to check as well")->type_name("FILE");
+  doctor->add_flag("--json", s.doctor.json, "print one JSON object");
+}
+
+void build(CLI::App& app, Storage& s) {
+  app.name("stigc");
+  app.require_subcommand(1);
+  app.set_help_flag("-h,--help", "this help, or that of a command, with examples");
+  app.set_version_flag("--version", "stigc " STIG_VERSION, "the version of the program");
+  add_global(app, s.global);
+  add_check(app, s.check);
+  add_fmt(app, s.fmt);
+  add_explore(app, s.explore);
+  add_explain(app, s.explain);
+  add_test(app, s.test);
+  add_files_out(app, s);
+  add_about_itself(app, s);
+}
+
+OptionInfo describe(const CLI::Option& option) {
+  OptionInfo info;
+  for (const auto& name : option.get_snames()) info.names.push_back("-" + name);
+  for (const auto& name : option.get_lnames()) info.names.push_back("--" + name);
+  if (option.get_items_expected_max() > 0) info.value = option.get_type_name();
+  info.doc = option.get_description();
+  info.many = option.get_items_expected_max() > 1;
+  info.required = option.get_required();
+  return info;
+}
+
+/// Positional arguments first, then options in the order they were added; --help last.
+std::vector<OptionInfo> describe_options(const CLI::App& app) {
+  std::vector<OptionInfo> positional, named;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option == app.get_help_ptr()) continue;
+    (option->get_positional() ? positional : named).push_back(describe(*option));
+  }
+  positional.insert(positional.end(), named.begin(), named.end());
+  if (app.get_help_ptr() != nullptr) positional.push_back(describe(*app.get_help_ptr()));
+  return positional;
+}
+
+CommandInfo describe_command(const CLI::App& sub) {
+  return {sub.get_name(), sub.get_description(), sub.get_footer(), describe_options(sub)};
+}
+
+CommandOptions chosen(const std::string& name, const Storage& s) {
+  const std::vector<std::pair<std::string_view, CommandOptions>> all = {
+      {"check", s.check},     {"fmt", s.fmt},       {"explore", s.explore},
+      {"explain", s.explain}, {"test", s.test},     {"graph", s.graph},
+      {"replay", s.replay},   {"schema", s.schema}, {"measure", s.measure},
+      {"draw", s.draw},       {"doctor", s.doctor}, {"completions", s.completions}};
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
+  return found->second;
+}
+
+/// "; did you mean '--box'?" for an argument that nothing knows, or nothing.
+std::string suggestion(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  const auto add_options = [&](const CLI::App& of) {
+    for (const OptionInfo& option : describe_options(of)) {
+      names.insert(names.end(), option.names.begin(), option.names.end());
+    }
+  };
+  add_options(app);
+  const auto parsed_commands = app.get_subcommands();
+  for (const CLI::App* sub : parsed_commands) add_options(*sub);
+  if (parsed_commands.empty()) {
+    for (const CLI::App* sub : app.get_subcommands({})) names.push_back(sub->get_name());
+  }
+  const std::string_view near = nearest(word, {names.begin(), names.end()});
+  return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
+}
+
+std::string problem_in_words(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> extra = app.remaining(true);
+  if (app.get_subcommands().empty()) {
+    if (extra.empty()) return "a command is wanted";
+    return fmt::format("there is no command '{}'{}", extra.front(), suggestion(app, extra.front()));
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extra.empty()) {
+    const char* what = extra.front().starts_with("-") ? "unknown option" : "unexpected argument";
+    return fmt::format("{} '{}'{}", what, extra.front(), suggestion(app, extra.front()));
+  }
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr &&
+      text.find("At Most") != std::string::npos) {
+    return text.substr(0, text.find(':')) + " is given more than once";
+  }
+  return text;
+}
+
+}  // namespace
+
+CommandTree command_tree() {
+  CLI::App app;
+  Storage storage;
+  build(app, storage);
+  CommandTree tree;
+  tree.global = describe_options(app);
+  for (const CLI::App* sub : app.get_subcommands({})) {
+    tree.commands.push_back(describe_command(*sub));
+  }
+  return tree;
+}
+
+Parsed parse_command_line(int argc, const char* const* argv) {
+  CLI::App app;
+  Storage storage;
+  build(app, storage);
+  Parsed result;
+  try {
+    app.parse(argc, argv);
+    result.command = app.get_subcommands().front()->get_name();
+    result.line = CommandLine{storage.global, chosen(result.command, storage)};
+  } catch (const CLI::CallForVersion&) {
+    result.help = "stigc " STIG_VERSION "\n";
+  } catch (const CLI::ParseError& error) {
+    const auto commands = app.get_subcommands();
+    if (!commands.empty()) result.command = commands.front()->get_name();
+    if (error.get_exit_code() == 0) {
+      result.help = "help";
+    } else {
+      result.problem = problem_in_words(app, error);
+    }
+  }
+  return result;
+}
+
+}  // namespace stig

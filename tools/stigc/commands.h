@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The commands. Each returns the program's exit code; results go to app.print.
+#pragma once
+
+#include "app.h"
+#include "options.h"
+
+namespace stig {
+
+int run(const CheckOptions& options, App& app);
+int run(const FmtOptions& options, App& app);
+int run(const ExploreOptions& options, App& app);
+int run(const ExplainOptions& options, App& app);
+int run(const TestOptions& options, App& app);
+int run(const GraphOptions& options, App& app);
+int run(const ReplayOptions& options, App& app);
+int run(const SchemaOptions& options, App& app);
+int run(const MeasureOptions& options, App& app);
+int run(const DrawOptions& options, App& app);
+int run(const CompletionsOptions& options, App& app);
+int run(const DoctorOptions& options, App& app);
+
+}  // namespace stig

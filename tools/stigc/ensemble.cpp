@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "ensemble.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/file_io.h"
+#include "base/hash.h"
+#include "progress.h"
+#include "report.h"
+
+namespace stig {
+namespace {
+
+int thread_count(int asked) {
+  if (asked > 0) return asked;
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
+/// Takes over one finished run.
+void add_run(const RuleSet& rules, const SwarmConfig& config, const SwarmResult& result,
+             const ExploreOptions& options, Ensemble& ensemble) {
+  const std::uint64_t hash = structure_hash(result.structure);
+  ensemble.runs.push_back({result.steps, result.deposits, result.structure.size(), hash,
+                           result.enabled_left, result.out_of_reach, result.terminated});
+  ++ensemble.structures[hash];
+  for (std::size_t r = 0; r < ensemble.fired.size(); ++r) {
+    ensemble.fired[r] += result.rules[r].fired;
+  }
+  if (!options.json) return;
+  if (!ensemble.runs_json.empty()) ensemble.runs_json += ",\n";
+  ensemble.runs_json += dump(run_json(rules, config, result));
+  ensemble.runs_json.pop_back();
+}
+
+std::vector<Output> of_each_run(const std::vector<Output>& outputs) {
+  std::vector<Output> kept;
+  std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(kept),
+               [](const Output& output) { return output.kind == OutputKind::structure; });
+  return kept;
+}
+
+struct Range {
+  std::uint64_t least = 0, most = 0;
+  double mean = 0;
+};
+
+template <class Value>
+Range range_of(const std::vector<RunSummary>& runs, const Value& value) {
+  Range range{value(runs.front()), value(runs.front()), 0};
+  for (const RunSummary& run : runs) {
+    range.least = std::min(range.least, value(run));
+    range.most = std::max(range.most, value(run));
+    range.mean += static_cast<double>(value(run)) / static_cast<double>(runs.size());
+  }
+  return range;
+}
+
+std::string range_in_words(const Range& range) {
+  if (range.least == range.most) return fmt::format("{} in every run", range.least);
+  return fmt::format("{} to {}, {:.1f} on average", range.least, range.most, range.mean);
+}
+
+std::string endings_in_words(const std::vector<RunSummary>& runs) {
+  std::string text;
+  for (const Terminated way :
+       {Terminated::saturated, Terminated::steps, Terminated::deposits, Terminated::interrupted}) {
+    const auto number = std::count_if(runs.begin(), runs.end(),
+                                      [&](const RunSummary& run) { return run.terminated == way; });
+    if (number > 0)
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", number, to_string(way));
+  }
+  return text;
+}
+
+std::string structure_table(const Ensemble& ensemble) {
+  constexpr std::size_t kMostShown = 12;
+  std::vector<std::pair<std::uint64_t, std::uint64_t>> rows;  // runs, hash
+  for (const auto& [hash, runs] : ensemble.structures) rows.emplace_back(runs, hash);
+  std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second < b.second;
+  });
+  std::string out;
+  for (std::size_t i = 0; i < std::min(rows.size(), kMostShown); ++i) {
+    out += fmt::format("{:>9}  {}\n", rows[i].first, to_hex(rows[i].second));
+  }
+  if (rows.size() > kMostShown) {
+    out += fmt::format("{:>9}  and {} more\n", "…", rows.size() - kMostShown);
+  }
+  return out;
+}
+
+}  // namespace
+
+Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
+                 const ExploreOptions& options, const std::vector<Output>& outputs,
+                 const App& app) {
+  Ensemble ensemble;
+  ensemble.fired.resize(rules.rules.size());
+  const std::vector<Output> each = of_each_run(outputs);
+  const int threads = thread_count(options.threads);
+  const int batch = std::max(32, 8 * threads);
+  Progress progress(app);
+  SwarmConfig own = config.swarm;
+  for (int first = 0; first < options.runs && !ensemble.interrupted; first += batch) {
+    const int runs = std::min(batch, options.runs - first);
+    own.run = static_cast<std::uint32_t>(first);
+    const auto done = [&](int finished) {
+      progress.show((first + finished) / static_cast<double>(options.runs),
+                    fmt::format("{} of {} runs", first + finished, options.runs));
+    };
+    const auto results =
+        run_ensemble(table, rules.start, own, runs, threads, done, &stop_requested());
+    for (const SwarmResult& result : results) {
+      add_run(rules, own, result, options, ensemble);
+      ensemble.interrupted |= result.terminated == Terminated::interrupted;
+      if (!each.empty()) {
+        progress.clear();
+        OutputWriter writer(each, rules, own);
+        ensemble.exit_code = std::max(ensemble.exit_code, writer.write(result, app));
+      }
+      ++own.run;
+    }
+    ensemble.interrupted |= stop_requested() && first + runs < options.runs;
+  }
+  return ensemble;
+}
+
+std::string runs_csv(const Ensemble& ensemble) {
+  std::string out = "run,steps,deposits,bricks,terminated,structure_hash\n";
+  for (std::size_t r = 0; r < ensemble.runs.size(); ++r) {
+    const RunSummary& run = ensemble.runs[r];
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{}\n", r, run.steps, run.deposits,
+                   run.bricks, to_string(run.terminated), to_hex(run.hash));
+  }
+  return out;
+}
+
+std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,
+                           const Ensemble& ensemble, bool color) {
+  std::string out = setting_lines(rules, config.swarm, color);
+  const auto& runs = ensemble.runs;
+  out += line("runs", fmt::format("{}: {}", runs.size(), endings_in_words(runs)));
+  out += line("steps", range_in_words(range_of(runs, [](auto& r) { return r.steps; })));
+  out += line("deposits", range_in_words(range_of(runs, [](auto& r) { return r.deposits; })));
+  out += line("bricks", range_in_words(range_of(runs, [](auto& r) { return r.bricks; })));
+  out += line("structures", fmt::format("{} distinct", ensemble.structures.size()));
+  return out + bold("runs by structure hash\n", color) + structure_table(ensemble);
+}
+
+}  // namespace stig

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Many runs of one config, run in batches so that memory does not grow with their
+// number: what is kept of a run is a few numbers, unless more is asked for.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "explore_config.h"
+#include "outputs.h"
+
+namespace stig {
+
+struct RunSummary {
+  std::uint64_t steps = 0, deposits = 0, bricks = 0, hash = 0;
+  std::uint64_t enabled_left = 0, out_of_reach = 0;
+  Terminated terminated = Terminated::saturated;
+};
+
+struct Ensemble {
+  std::vector<RunSummary> runs;
+  std::vector<std::uint64_t> fired;  ///< by rule, over all runs
+  /// Structure hash (modulo translation) -> number of runs that ended there. Runs that
+  /// were interrupted count as well.
+  std::map<std::uint64_t, std::uint64_t> structures;
+  std::string runs_json;  ///< one JSON object a run, when asked for; parted by commas
+  bool interrupted = false;
+  int exit_code = 0;  ///< of the files written
+};
+
+Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
+                 const ExploreOptions& options, const std::vector<Output>& outputs, const App& app);
+
+/// Table of runs: run, steps, deposits, bricks, terminated, structure_hash.
+std::string runs_csv(const Ensemble& ensemble);
+
+/// The lines for people.
+std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,
+                           const Ensemble& ensemble, bool color);
+
+}  // namespace stig

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "explore_config.h"
+
+namespace stig {
+namespace {
+
+std::optional<Box> chosen_box(const RuleSet& rules, const ExploreOptions& options,
+                              std::string& problem) {
+  constexpr Offset kDefaultSize{20, 20, 20};
+  std::optional<BoxSpec> spec = rules.box;
+  if (options.box) {
+    spec.reset();
+    if (options.box->size) spec = BoxSpec{*options.box->size, std::nullopt, false};
+  } else if (!spec && (options.motion != Motion::event || options.periodic)) {
+    spec = BoxSpec{kDefaultSize, std::nullopt, false};
+  }
+  if (!spec) {
+    if (options.motion != Motion::event)
+      problem = "agents need a box: --box none is for event motion";
+    if (options.periodic) problem = "unbounded space has no sides that could be periodic";
+    return std::nullopt;
+  }
+  // A size given on the command line says nothing of the sides of the file's box.
+  spec->periodic = options.periodic || (!options.box && spec->periodic);
+  return lay_box(*spec, rules.start, rules.floor);
+}
+
+void set_limits(const ExploreOptions& options, ExploreConfig& config) {
+  config.swarm.max_steps = options.steps;
+  config.swarm.max_deposits = options.deposits;
+  if (options.steps || options.deposits) return;
+  if (options.motion != Motion::event) {
+    config.swarm.max_steps = kDefaultSteps;
+    config.steps_by_default = true;
+  } else if (!config.swarm.box) {
+    config.swarm.max_deposits = kDefaultDeposits;
+    config.deposits_by_default = true;
+  }
+}
+
+std::string event_problem(const ExploreOptions& options) {
+  if (options.motion != Motion::event) return {};
+  if (options.agents || !options.agents_at.empty()) return "event motion has no agents";
+  if (options.moves) return "event motion has no moves";
+  return {};
+}
+
+}  // namespace
+
+ExploreConfig explore_config(const RuleSet& rules, const RuleTable& table,
+                             const ExploreOptions& options) {
+  constexpr int kDefaultAgents = 10;
+  ExploreConfig config;
+  config.problem = event_problem(options);
+  config.swarm.motion = options.motion;
+  config.swarm.box = chosen_box(rules, options, config.problem);
+  const auto placed = static_cast<int>(options.agents_at.size());
+  config.swarm.agents = options.agents.value_or(std::max(kDefaultAgents, placed));
+  config.swarm.moves = options.moves.value_or(neighbourhood(rules.lattice).size);
+  config.swarm.agents_at = options.agents_at;
+  config.swarm.seed = options.seed;
+  set_limits(options, config);
+  if (config.problem.empty()) config.problem = config_problem(table, rules.start, config.swarm);
+  return config;
+}
+
+}  // namespace stig

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+// stigc, the command line program. See command_line.cpp for what it understands.
+#include <algorithm>
+#include <exception>
+#include <new>
+
+#include "app.h"
+#include "command_line.h"
+#include "commands.h"
+#include "help.h"
+
+namespace stig {
+namespace {
+
+int print_help(const Parsed& parsed, App& app) {
+  if (parsed.help != "help") {
+    app.print(parsed.help);
+    return kOk;
+  }
+  const CommandTree tree = command_tree();
+  const auto command = std::find_if(tree.commands.begin(), tree.commands.end(),
+                                    [&](const CommandInfo& c) { return c.name == parsed.command; });
+  app.print(command == tree.commands.end() ? help_text(tree) : help_text(tree, *command));
+  return kOk;
+}
+
+int complain(const Parsed& parsed, const App& app) {
+  const std::string name = parsed.command.empty() ? "stigc" : "stigc " + parsed.command;
+  app.complain(printable(parsed.problem) + "\ntry '" + name + " --help'");
+  return kUsage;
+}
+
+int run_parsed(const Parsed& parsed, App& app) {
+  if (!parsed.problem.empty()) return complain(parsed, app);
+  if (!parsed.line) return print_help(parsed, app);
+  return std::visit([&](const auto& options) { return run(options, app); }, parsed.line->command);
+}
+
+int run_program(int argc, const char* const* argv) {
+  prepare_process();
+  const Parsed parsed = parse_command_line(argc, argv);
+  App app(parsed.line ? parsed.line->global : GlobalOptions{});
+  int code = kOk;
+  try {
+    code = run_parsed(parsed, app);
+  } catch (const std::bad_alloc&) {
+    app.complain("there is not enough memory for this");
+    code = kRunFailed;
+  }
+  return app.flush() ? code : kRunFailed;
+}
+
+}  // namespace
+}  // namespace stig
+
+int main(int argc, char** argv) { return stig::run_program(argc, argv); }

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "numbers.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <charconv>
+
+namespace stig {
+namespace {
+
+/// The whole text as a number of base 10 or 16; a leading '+' is taken too.
+template <class Number>
+bool parse_whole(std::string_view text, Number& out, int base = 10) {
+  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, out, base);
+  return error == std::errc{} && stop == end;
+}
+
+/// Three integers parted by commas.
+std::string parse_three(std::string_view text, std::int64_t low, std::int64_t high,
+                        std::array<std::int32_t, 3>& out) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t comma = text.find(',');
+    if ((comma == std::string_view::npos) != (i == 2)) {
+      return "three integers parted by commas are wanted, like 1,0,2";
+    }
+    std::int64_t value = 0;
+    const std::string problem = parse_integer(text.substr(0, comma), low, high, value);
+    if (!problem.empty()) return problem;
+    out[i] = static_cast<std::int32_t>(value);
+    text.remove_prefix(comma == std::string_view::npos ? text.size() : comma + 1);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string parse_integer(std::string_view text, std::int64_t low, std::int64_t high,
+                          std::int64_t& out) {
+  if (!parse_whole(text, out)) {
+    const bool digits = text.find_first_not_of("+-0123456789") == std::string_view::npos;
+    return digits && text.size() > 18 ? fmt::format("'{}' is not within {} to {}", text, low, high)
+                                      : fmt::format("'{}' is no integer", text);
+  }
+  if (out < low || out > high) return fmt::format("{} is not within {} to {}", out, low, high);
+  return {};
+}
+
+std::string parse_seed(std::string_view text, std::uint64_t& out) {
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  if (parse_whole(hexadecimal ? text.substr(2) : text, out, hexadecimal ? 16 : 10)) return {};
+  return fmt::format("'{}' is no integer within 0 to 2^64 - 1", text);
+}
+
+std::string parse_cell(std::string_view text, Cell& out) {
+  std::array<std::int32_t, 3> xyz{};
+  const std::string problem = parse_three(text, -kMaxCoordinate, kMaxCoordinate, xyz);
+  out = {xyz[0], xyz[1], xyz[2]};
+  return problem;
+}
+
+std::string parse_cells(std::string_view text, std::vector<Cell>& out) {
+  while (true) {
+    const std::size_t begin = text.find_first_not_of("; ");
+    if (begin == std::string_view::npos) return {};
+    text.remove_prefix(begin);
+    const std::size_t end = std::min(text.find_first_of("; "), text.size());
+    Cell cell;
+    std::string problem = parse_cell(text.substr(0, end), cell);
+    if (!problem.empty()) return problem;
+    out.push_back(cell);
+    text.remove_prefix(end);
+  }
+}
+
+std::string parse_size(std::string_view text, Offset& out) {
+  std::array<std::int32_t, 3> xyz{};
+  const std::string problem = parse_three(text, 1, kMaxCoordinate, xyz);
+  out = {xyz[0], xyz[1], xyz[2]};
+  return problem;
+}
+
+}  // namespace stig

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Numbers on the command line, strictly: decimal digits and nothing else, no
+// overflow, bounds held. Each function returns the words of what is wrong, empty
+// when the text is good.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rules/cell.h"
+
+namespace stig {
+
+std::string parse_integer(std::string_view text, std::int64_t low, std::int64_t high,
+                          std::int64_t& out);
+/// 0 to 2^64 - 1, also written as 0x…: a seed.
+std::string parse_seed(std::string_view text, std::uint64_t& out);
+/// "X,Y,Z", coordinates within ±kMaxCoordinate.
+std::string parse_cell(std::string_view text, Cell& out);
+/// One cell or several, parted by spaces or semicolons.
+std::string parse_cells(std::string_view text, std::vector<Cell>& out);
+/// "X,Y,Z", each 1 to kMaxCoordinate.
+std::string parse_size(std::string_view text, Offset& out);
+
+}  // namespace stig

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// What the command line says, as plain data. command_line.cpp fills it; every
+// command takes its own part and knows nothing of how it was written.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "lattice/swarm.h"
+
+namespace stig {
+
+enum class Coloured : std::uint8_t { automatic, always, never };
+
+/// Options that every command has.
+struct GlobalOptions {
+  bool json_diagnostics = false;
+  Coloured color = Coloured::automatic;
+  bool warnings_are_errors = false;
+  bool quiet = false;
+};
+
+struct CheckOptions {
+  std::vector<std::string> files;
+};
+
+struct FmtOptions {
+  std::vector<std::string> files;
+  bool write = false;  ///< in place
+  bool check = false;  ///< say which files are not in canonical form
+};
+
+/// A box as the command line gives it: a size, or "none" for unbounded space.
+struct BoxOption {
+  std::optional<Offset> size;
+};
+
+struct ExploreOptions {
+  std::string file;
+  std::optional<BoxOption> box;
+  bool periodic = false;
+  std::optional<int> agents;
+  std::vector<Cell> agents_at;
+  std::optional<std::uint64_t> steps, deposits;
+  Motion motion = Motion::walk;
+  std::optional<int> moves;
+  std::uint64_t seed = 1;
+  int runs = 1;
+  int threads = 0;  ///< 0: all cores
+  bool json = false;
+  std::vector<std::string> outputs;
+  std::optional<std::string> trace;
+};
+
+struct ExplainOptions {
+  std::string file;
+  std::optional<std::string> structure;  ///< left out: the start
+  Cell at;
+  int stage = 1;
+  std::optional<int> rule;  ///< 1-based: this one alone
+  bool json = false;
+};
+
+struct TestOptions {
+  std::vector<std::string> files;
+  std::optional<std::uint32_t> samples;
+  std::optional<std::uint64_t> states;
+  bool json = false;
+};
+
+struct GraphOptions {
+  std::string file;
+};
+
+struct ReplayOptions {
+  std::string trace;
+  bool json = false;
+};
+
+struct SchemaOptions {};
+
+struct MeasureOptions {
+  std::string structure;
+  bool json = false;
+};
+
+struct DrawOptions {
+  std::string structure;
+  std::vector<std::string> outputs;
+};
+
+enum class Shell : std::uint8_t { bash, zsh, fish };
+struct CompletionsOptions {
+  Shell shell = Shell::bash;
+};
+
+struct DoctorOptions {
+  std::vector<std::string> files;  ///< rule sets to check as well
+  bool json = false;
+};
+
+using CommandOptions = std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions,
+                                    TestOptions, GraphOptions, ReplayOptions, SchemaOptions,
+                                    MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
+
+struct CommandLine {
+  GlobalOptions global;
+  CommandOptions command;
+};
+
+}  // namespace stig

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "progress.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cmath>
+
+namespace stig {
+
+void Progress::show(double fraction, const std::string& what) {
+  if (!on_) return;
+  const std::lock_guard lock(mutex_);
+  const Clock::time_point now = Clock::now();
+  if (now - began_ < std::chrono::seconds(1)) return;
+  if (visible_ && now - shown_ < std::chrono::milliseconds(100)) return;
+  shown_ = now;
+  visible_ = true;
+  std::string line = what;
+  if (fraction > 0) {
+    const double left = seconds() * (1 - fraction) / fraction;
+    line += fmt::format(", at most {} left", duration_in_words(left));
+  }
+  write_all(STDERR_FILENO, fmt::format("\r\x1b[K{}", line));
+}
+
+void Progress::clear() {
+  const std::lock_guard lock(mutex_);
+  if (visible_) write_all(STDERR_FILENO, "\r\x1b[K");
+  visible_ = false;
+}
+
+double Progress::seconds() const {
+  return std::chrono::duration<double>(Clock::now() - began_).count();
+}
+
+std::string duration_in_words(double seconds) {
+  const long whole = std::lround(std::fmin(std::fmax(seconds, 0), 1e9));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace stig

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+#include "structure_input.h"
+
+#include <fmt/format.h>
+
+#include "lattice/structure_files.h"
+
+namespace stig {
+namespace {
+
+std::optional<LoadedStructure> read(const std::string& path, const StructureReadOptions& options,
+                                    const App& app) {
+  Diagnostics diagnostics;
+  auto loaded = read_structure_file(path, options, diagnostics);
+  if (!diagnostics.all().empty()) app.report(diagnostics);
+  if (app.invalid(diagnostics)) loaded.reset();
+  return loaded;
+}
+
+/// The set's colour for a brick of the file; 0 when there is none.
+Colour counterpart(const RuleSet& rules, const Brick& brick) {
+  if (const Colour by_symbol = rules.colour_of(brick.symbol)) return by_symbol;
+  for (std::size_t k = 0; k < rules.bricks.size(); ++k) {
+    if (rules.bricks[k].color == brick.color) return static_cast<Colour>(k + 1);
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::optional<LoadedStructure> read_structure(const std::string& path, const App& app) {
+  return read(path, {}, app);
+}
+
+std::optional<Structure> read_structure_for(const RuleSet& rules, const std::string& path,
+                                            const App& app) {
+  auto loaded = read(path, {rules.lattice, rules.bricks}, app);
+  if (!loaded) return std::nullopt;
+  if (loaded->structure.lattice() != rules.lattice) {
+    app.complain(fmt::format("'{}' is a {} structure, the rule set is {}", printable(path),
+                             to_string(loaded->structure.lattice()), to_string(rules.lattice)));
+    return std::nullopt;
+  }
+  Structure structure(rules.lattice);
+  for (const PlacedBrick& placed : loaded->structure.bricks()) {
+    const Brick& brick = loaded->bricks[placed.brick - 1U];
+    const Colour colour = counterpart(rules, brick);
+    if (colour == 0) {
+      app.complain(fmt::format("'{}' has bricks '{}' ({}), which the rule set does not",
+                               printable(path), printable(brick.symbol), printable(brick.color)));
+      return std::nullopt;
+    }
+    structure.place(placed.at, colour);
+  }
+  return structure;
+}
+
+}  // namespace stig
