@@ -152,8 +152,13 @@ class Search {
  public:
   Search(const RuleTable& rules, const std::vector<PlacedBrick>& start,
          const std::optional<Box>& box, const EventOrdersLimits& limits,
-         const std::atomic<bool>* stop)
-      : rules_(rules), start_(start), box_(box), limits_(limits), stop_(stop), sites_(rules, box) {
+         const EventOrdersHooks& hooks)
+      : rules_(rules),
+        start_(start),
+        box_(box),
+        limits_(limits),
+        hooks_(hooks),
+        sites_(rules, box) {
     for (const PlacedBrick& brick : start) sites_.set(sites_.number(brick.at), brick.brick);
   }
 
@@ -285,8 +290,12 @@ class Search {
     words_written_ += layer.depth() +
                       static_cast<std::uint64_t>(layer.open_end(last) - layer.open_begin(last)) + 1;
     const std::uint64_t held = layer.words() + held_elsewhere + end_words_;
+    constexpr std::uint64_t kBetweenProgress = 1024;
+    if (hooks_.progress && result_.states % kBetweenProgress == 0) {
+      hooks_.progress(result_.states);
+    }
     if (result_.states >= limits_.states || words_written_ >= limits_.words_written ||
-        held >= limits_.words_held || sites_.full() || (stop_ && *stop_)) {
+        held >= limits_.words_held || sites_.full() || (hooks_.stop && *hooks_.stop)) {
       given_up_ = true;
     }
   }
@@ -323,7 +332,7 @@ class Search {
   const std::vector<PlacedBrick>& start_;
   const std::optional<Box>& box_;
   const EventOrdersLimits& limits_;
-  const std::atomic<bool>* stop_;
+  const EventOrdersHooks& hooks_;
   Sites sites_;
   EventOrders result_;
   std::vector<Events> ends_;  ///< of the stage being searched
@@ -341,8 +350,8 @@ class Search {
 
 EventOrders explore_event_orders(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                                  const std::optional<Box>& box, const EventOrdersLimits& limits,
-                                 const std::atomic<bool>* stop) {
-  return Search(rules, start, box, limits, stop).run();
+                                 const EventOrdersHooks& hooks) {
+  return Search(rules, start, box, limits, hooks).run();
 }
 
 }  // namespace stig

@@ -14,6 +14,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -32,6 +33,12 @@ struct EventOrdersLimits {
   std::uint64_t ends = 1000;                  ///< distinct final structures looked for
 };
 
+/// Called during a search, all optional.
+struct EventOrdersHooks {
+  std::function<void(std::uint64_t states)> progress;  ///< now and then: states so far
+  const std::atomic<bool>* stop = nullptr;             ///< set: give up soon
+};
+
 struct EventOrders {
   bool complete = false;     ///< every order was covered: no limit, no interruption
   std::uint64_t states = 0;  ///< distinct states visited, over all stages
@@ -45,6 +52,6 @@ struct EventOrders {
 EventOrders explore_event_orders(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                                  const std::optional<Box>& box,
                                  const EventOrdersLimits& limits = {},
-                                 const std::atomic<bool>* stop = nullptr);
+                                 const EventOrdersHooks& hooks = {});
 
 }  // namespace stig

@@ -55,12 +55,12 @@ bool settled(const Findings& findings) {
 }
 
 void sample(const RuleTable& table, const RuleSet& rules, SwarmConfig config,
-            const ExpectationLimits& limits, const std::atomic<bool>* stop, Findings& findings) {
-  SwarmHooks hooks;
-  hooks.stop = stop;
+            const ExpectationLimits& limits, const EventOrdersHooks& hooks, Findings& findings) {
+  SwarmHooks run_hooks;
+  run_hooks.stop = hooks.stop;
   findings.growth_seen = limits.deposits;
   for (config.run = 0; config.run < limits.samples && !settled(findings); ++config.run) {
-    SwarmResult result = run_swarm(table, rules.start, config, hooks);
+    SwarmResult result = run_swarm(table, rules.start, config, run_hooks);
     if (result.terminated == Terminated::interrupted) {
       findings.interrupted = true;
       return;
@@ -77,10 +77,10 @@ void sample(const RuleTable& table, const RuleSet& rules, SwarmConfig config,
 }
 
 void search(const RuleTable& table, const RuleSet& rules, const SwarmConfig& config,
-            const ExpectationLimits& limits, const std::atomic<bool>* stop, Findings& findings) {
-  EventOrders orders = explore_event_orders(table, rules.start, config.box, limits.search, stop);
+            const ExpectationLimits& limits, const EventOrdersHooks& hooks, Findings& findings) {
+  EventOrders orders = explore_event_orders(table, rules.start, config.box, limits.search, hooks);
   findings.states = orders.states;
-  findings.interrupted = stop != nullptr && *stop;
+  findings.interrupted = hooks.stop != nullptr && *hooks.stop;
   findings.exhausted = orders.complete;
   for (Structure& end : orders.ends) add_end(findings, std::move(end));
 }
@@ -230,7 +230,7 @@ bool ExpectationReport::passed() const {
 }
 
 ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLimits& limits,
-                                      const std::atomic<bool>* stop) {
+                                      const EventOrdersHooks& hooks) {
   ExpectationReport report;
   if (!rules.expect) return report;
   const RuleTable table(rules);
@@ -238,9 +238,9 @@ ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLim
   report.problem = config_problem(table, rules.start, config);
   if (!report.problem.empty()) return report;
   Findings findings;
-  sample(table, rules, config, limits, stop, findings);
+  sample(table, rules, config, limits, hooks, findings);
   if (!findings.interrupted && !settled(findings) && findings.growing == 0) {
-    search(table, rules, config, limits, stop, findings);
+    search(table, rules, config, limits, hooks, findings);
   }
   report.states = findings.states;
   report.interrupted = findings.interrupted;

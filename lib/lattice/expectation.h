@@ -14,7 +14,6 @@
 //   structure        search was complete (structure: modulo translation)
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -63,8 +62,9 @@ struct ExpectationReport {
   bool passed() const;
 };
 
-/// Runs in the file's box, in unbounded space when it has none, by event motion.
+/// Progress is told of the exhaustive search. Runs in the file's box, in unbounded space when it
+/// has none, by event motion.
 ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLimits& limits = {},
-                                      const std::atomic<bool>* stop = nullptr);
+                                      const EventOrdersHooks& hooks = {});
 
 }  // namespace stig

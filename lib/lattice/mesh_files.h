@@ -14,8 +14,8 @@ namespace stig {
 /// unmerged.
 std::string print_stl(const Mesh& mesh, double scale = 1);
 
-/// Binary little-endian PLY: polygons as they are; every vertex has the normal and
-/// the colour of its face.
+/// Binary little-endian PLY: quadrilaterals, into which hexagons are cut since not all
+/// readers take them; every vertex has the normal and the colour of its face.
 std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double scale = 1);
 
 /// Binary glTF 2.0 (Khronos Group, 2017): one mesh with a primitive and a material,

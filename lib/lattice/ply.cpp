@@ -31,9 +31,12 @@ void put_vertex(std::string& out, Point p, Point normal, Rgb rgb) {
 }  // namespace
 
 std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double scale) {
-  std::size_t vertices = 0;
-  for (const Polygon& polygon : mesh.polygons) vertices += polygon.corners;
-  std::string out = fmt::format(fmt::runtime(kHeader), scale, vertices, mesh.polygons.size());
+  std::size_t vertices = 0, quads = 0;
+  for (const Polygon& polygon : mesh.polygons) {
+    vertices += polygon.corners;
+    quads += polygon.corners / 2U - 1;
+  }
+  std::string out = fmt::format(fmt::runtime(kHeader), scale, vertices, quads);
   for (const Polygon& polygon : mesh.polygons) {
     const Point normal = cell_faces(mesh.lattice)[polygon.face].normal;
     const Rgb rgb = rgb_of(bricks, polygon.colour);
@@ -42,10 +45,13 @@ std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double
       put_vertex(out, {p.x * scale, p.y * scale, p.z * scale}, normal, rgb);
     }
   }
-  std::int32_t next = 0;
+  std::int32_t first = 0;
   for (const Polygon& polygon : mesh.polygons) {
-    put(out, polygon.corners);
-    for (int i = 0; i < polygon.corners; ++i) put(out, next++);
+    for (int i = 3; i < polygon.corners; i += 2) {
+      put(out, std::uint8_t{4});
+      for (const int corner : {0, i - 2, i - 1, i}) put(out, first + corner);
+    }
+    first += polygon.corners;
   }
   return out;
 }

@@ -66,7 +66,7 @@ class Comparison {
   ReplayReport report_;
 };
 
-ReplayReport rerun(const Trace& trace, const RuleSet& rules, const std::atomic<bool>* stop) {
+ReplayReport rerun(const Trace& trace, const RuleSet& rules, const SwarmHooks& outer) {
   Comparison comparison(trace, rules);
   const RuleTable table(rules);
   SwarmConfig config = trace.config;
@@ -78,8 +78,7 @@ ReplayReport rerun(const Trace& trace, const RuleSet& rules, const std::atomic<b
     comparison.differ("the recorded run is not possible: " + problem);
     return comparison.finish();
   }
-  SwarmHooks hooks;
-  hooks.stop = stop;
+  SwarmHooks hooks = outer;
   hooks.deposit = [&](const Deposit& d) { comparison.event(d); };
   const SwarmResult result = run_swarm(table, rules.start, config, hooks);
   const bool recorded_end =
@@ -111,14 +110,14 @@ bool open_at(World& world, const Deposit& event) {
   return false;
 }
 
-ReplayReport check_given(const Trace& trace, const RuleSet& rules, const std::atomic<bool>* stop) {
+ReplayReport check_given(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks) {
   Comparison comparison(trace, rules);
   const RuleTable table(rules);
   std::optional<Box> box = trace.config.box;
   if (box) box->floor = rules.floor;
   World world(table, rules.start, box);
   for (const Deposit& event : trace.events) {
-    if (stop && stop->load()) comparison.differ("replay was interrupted");
+    if (hooks.stop && hooks.stop->load()) comparison.differ("replay was interrupted");
     if (!comparison.differs() && !open_at(world, event)) {
       comparison.differ("no rule allows " + to_text(event, rules));
     }
@@ -131,8 +130,8 @@ ReplayReport check_given(const Trace& trace, const RuleSet& rules, const std::at
 
 }  // namespace
 
-ReplayReport replay(const Trace& trace, const RuleSet& rules, const std::atomic<bool>* stop) {
-  return trace.kind == "given" ? check_given(trace, rules, stop) : rerun(trace, rules, stop);
+ReplayReport replay(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks) {
+  return trace.kind == "given" ? check_given(trace, rules, hooks) : rerun(trace, rules, hooks);
 }
 
 }  // namespace stig

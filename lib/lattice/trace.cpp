@@ -164,6 +164,9 @@ struct TraceWriter::State {
   std::uint64_t events = 0;
   std::uint64_t hash = 0;
 
+  /// With a checksum, so that no changed byte goes unnoticed, comments included.
+  State() { ZSTD_CCtx_setParameter(stream.get(), ZSTD_c_checksumFlag, 1); }
+
   void flush(ZSTD_EndDirective mode) {
     ZSTD_inBuffer in{pending.data(), pending.size(), 0};
     std::string chunk(ZSTD_CStreamOutSize(), '\0');

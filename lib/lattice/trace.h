@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Trace files (.stigt): a run as data, so that it can be replayed and compared.
 //
-// Layout, version 1: the 8 bytes "stigtrc1", then one zstd frame that holds
+// Layout, version 1: the 8 bytes "stigtrc1", then one zstd frame, checksum included,
+// that holds
 //   header    length-prefixed JSON (rule-set hash, seed, run, config, version) and
 //             the rule set itself as canonical YAML, so a trace stands alone
 //   events    per deposit a tag byte 1 and varints: zigzag site minus the site
@@ -64,7 +65,7 @@ struct ReplayReport {
   std::string difference;      ///< first difference in words; empty when identical
   std::uint64_t compared = 0;  ///< events compared
 };
-ReplayReport replay(const Trace& trace, const RuleSet& rules,
-                    const std::atomic<bool>* stop = nullptr);
+/// Of the hooks, progress and stop are used; a stop shows as a difference.
+ReplayReport replay(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks = {});
 
 }  // namespace stig

@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "commands.h"
 #include "lattice/trace.h"
+#include "progress.h"
 #include "report.h"
 #include "rules/rule_reader.h"
 
@@ -70,10 +71,17 @@ int run(const ReplayOptions& options, App& app) {
   }
   const std::optional<RuleSet> rules = rules_of(*trace, options.trace, app);
   if (!rules) return kFailed;
-  const ReplayReport report = replay(*trace, *rules, &stop_requested());
-  if (stop_requested()) {
-    app.complain(
-        fmt::format("interrupted after {} events, none of which differs", report.compared));
+  Progress progress(app);
+  SwarmHooks hooks;
+  hooks.stop = &stop_requested();
+  hooks.progress = [&](std::uint64_t, std::uint64_t deposits) {
+    const double share = static_cast<double>(deposits) / static_cast<double>(trace->events.size());
+    progress.show(share, fmt::format("{} of {} events", deposits, trace->events.size()));
+  };
+  const ReplayReport report = replay(*trace, *rules, hooks);
+  progress.clear();
+  if (stop_requested() && !report.identical) {
+    app.complain(fmt::format("interrupted after {} events", report.compared));
     return kRunFailed;
   }
   print(options, *trace, *rules, report, app);

@@ -75,16 +75,21 @@ int run(const TestOptions& options, App& app) {
   ExpectationLimits limits;
   if (options.samples) limits.samples = *options.samples;
   if (options.states) limits.search.states = *options.states;
+  EventOrdersHooks hooks;
+  hooks.stop = &stop_requested();
   Json all = Json::array();
   int worst = kOk;
   std::size_t passed = 0;
   Progress progress(app);
   for (std::size_t i = 0; i < options.files.size() && !stop_requested(); ++i) {
     const std::string& file = options.files[i];
-    progress.show(static_cast<double>(i) / static_cast<double>(options.files.size()), file);
+    hooks.progress = [&](std::uint64_t states) {
+      progress.show(static_cast<double>(i) / static_cast<double>(options.files.size()),
+                    fmt::format("{}: {} states", printable(file), states));
+    };
     const std::optional<RuleSet> rules = app.read_rules(file);
     ExpectationReport report;
-    if (rules) report = hold_to_expectation(*rules, limits, &stop_requested());
+    if (rules) report = hold_to_expectation(*rules, limits, hooks);
     const int code = rules ? exit_code(report) : kFailed;
     progress.clear();
     if (code == kOk) ++passed;

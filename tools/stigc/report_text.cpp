@@ -41,7 +41,7 @@ std::string ended_in_words(const SwarmResult& result) {
   }
   std::string text = fmt::format(
       "{} {}", result.terminated == Terminated::interrupted ? "interrupted" : "stopped", after);
-  text += fmt::format(", {} enabled left", count(result.enabled_left, "site", "sites"));
+  text += fmt::format(", {} left", count(result.enabled_left, "enabled site", "enabled sites"));
   if (result.out_of_reach > 0) text += fmt::format(", {} out of reach", result.out_of_reach);
   return text;
 }
@@ -51,9 +51,10 @@ std::string bricks_in_words(const Measures& measures, const std::vector<Brick>& 
   for (std::size_t k = 0; k < measures.bricks_by_colour.size(); ++k) {
     const std::uint64_t number = measures.bricks_by_colour[k];
     if (number == 0) continue;
-    const std::string name =
-        k < bricks.size() ? printable(bricks[k].symbol) : fmt::to_string(k + 1);
-    text += fmt::format("{}{} of {}", text.empty() ? "" : ", ", number, name);
+    const std::string name = k < bricks.size() && !bricks[k].name.empty()
+                                 ? printable(bricks[k].name)
+                                 : fmt::format("brick {}", k + 1);
+    text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", name, number);
   }
   return text;
 }

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What ends how: 0 ok, 1 invalid or a property fails, 2 usage, 3 failed, out of
+// budget or interrupted.
+#include <doctest/doctest.h>
+
+#include <csignal>
+#include <thread>
+
+#include "program.h"
+
+namespace stig {
+namespace {
+
+int code(const Workplace& place, const std::string& line) {
+  const Outcome outcome = place.shell(line);
+  CAPTURE(outcome.err);
+  return outcome.exit_code;
+}
+
+TEST_CASE("exit codes by class") {
+  const Workplace place;
+  CHECK(code(place, "stigc check sets/line.yaml") == 0);
+  CHECK(code(place, "stigc --version") == 0);
+  CHECK(code(place, "stigc check sets/bad.yaml") == 1);
+  CHECK(code(place, "stigc explore sets/bad.yaml") == 1);
+  CHECK(code(place, "stigc test sets/wrong_expectation.yaml") == 1);
+  CHECK(code(place, "stigc fmt --check sets/corner.yaml") == 1);
+  CHECK(code(place, "echo nonsense > t.stigt; stigc replay t.stigt") == 1);
+  CHECK(code(place, "stigc measure missing.vox") == 1);
+  CHECK(code(place, "stigc explore sets/line.yaml --steps") == 2);
+  CHECK(code(place, "stigc explore sets/line.yaml -o missing/x.png") == 3);
+  CHECK(code(place, "stigc test --states 0 --samples 1 sets/corner.yaml") == 3);
+}
+
+TEST_CASE("a rule set comes from standard input as well") {
+  const Workplace place;
+  CHECK(code(place, "cat sets/line.yaml | stigc check -") == 0);
+}
+
+TEST_CASE("-W error makes warnings fail") {
+  const Workplace place;
+  const std::string line =
+      "sed 's/place: 3/place: 2/; s/2 [*]/1 */; s/stage: 2/stage: 1/' "
+      "sets/line.yaml | sed '/^expect/,$d' > repeat.yaml; ";
+  CHECK(code(place, line + "stigc check repeat.yaml") == 0);
+  CHECK(code(place, line + "stigc check -W error repeat.yaml") == 1);
+  CHECK(code(place, line + "stigc explore --werror repeat.yaml") == 1);
+}
+
+TEST_CASE("output that cannot be written is noticed, a reader that leaves is not") {
+  const Workplace place;
+  CHECK(code(place, "stigc explore sets/line.yaml > /dev/full") == 3);
+  CHECK(code(place, "stigc explore sets/line.yaml >&-") == 3);
+  CHECK(code(place, "stigc schema | true; exit ${PIPESTATUS[0]}") == 0);
+  CHECK(code(place, "stigc check sets/bad.yaml 2>&-") == 1);
+}
+
+TEST_CASE("an interrupted run writes whole files, says what was done, and exits 3") {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Workplace place;
+    const pid_t process =
+        place.start({"explore", "sets/sheet.yaml", "--motion", "event", "--deposits",
+                     "1000000000000", "-o", "part.json", "--trace", "part.stigt"});
+    // Long enough to be well under way; the outcome is the same if it is not.
+    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    REQUIRE(kill(process, signal) == 0);
+    const Outcome outcome = place.finish(process);
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.out.find("interrupted after") != std::string::npos);
+    CHECK(place.files() == std::vector<std::string>{"part.json", "part.stigt"});
+    CHECK(place.stigc({"replay", "part.stigt"}).exit_code == 0);
+    CHECK(place.stigc({"measure", "part.json"}).exit_code == 0);
+  }
+}
+
+TEST_CASE("a failed write leaves the old file as it was") {
+  const Workplace place;
+  const std::string before = "stigc explore sets/line.yaml -q -o out.txt >/dev/null; ";
+  CHECK(code(place, before + "ulimit -f 0; trap '' XFSZ; "
+                             "stigc explore sets/corner.yaml -q -o out.txt | cat; "
+                             "exit ${PIPESTATUS[0]}") == 3);
+  CHECK(place.file("out.txt") == "1 2 3\n");
+  CHECK(place.files() == std::vector<std::string>{"out.txt"});
+}
+
+}  // namespace
+}  // namespace stig

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// Every printed form, byte by byte. STIG_UPDATE_GOLDEN=1 writes the files anew.
+#include <doctest/doctest.h>
+
+#include "program.h"
+#include "support/golden.h"
+
+namespace stig {
+namespace {
+
+void hold(const Workplace& place, const std::string& name, const std::string& line) {
+  CAPTURE(line);
+  check_golden("tests/stigc/golden/" + name + ".txt", transcript(line, place.shell(line)));
+}
+
+TEST_CASE("help of the program and of every command") {
+  const Workplace place;
+  hold(place, "help", "stigc --help");
+  for (const char* command : {"check", "fmt", "explore", "explain", "test", "graph", "replay",
+                              "schema", "measure", "draw", "completions", "doctor"}) {
+    hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
+  }
+}
+
+TEST_CASE("check prints problems for people and as JSON") {
+  const Workplace place;
+  hold(place, "check-good", "stigc check sets/corner.yaml sets/line.yaml");
+  hold(place, "check-bad", "stigc check sets/bad.yaml sets/line.yaml");
+  hold(place, "check-bad-json", "stigc check --diagnostics json sets/bad.yaml");
+  hold(place, "check-color", "stigc check --color always sets/bad.yaml");
+  hold(place, "check-missing", "stigc check missing.yaml");
+}
+
+TEST_CASE("explore prints a summary or one object") {
+  const Workplace place;
+  hold(place, "explore", "stigc explore sets/line.yaml");
+  hold(place, "explore-json", "stigc explore sets/line.yaml --json");
+  hold(place, "explore-hexagonal", "stigc explore sets/sheet.yaml --box 4,4,1 --agents 2");
+  hold(place, "explore-limit", "stigc explore sets/sheet.yaml --motion event --deposits 50");
+  hold(place, "explore-runs", "stigc explore sets/corner.yaml --motion event --runs 40");
+  hold(place, "explore-runs-json", "stigc explore sets/corner.yaml --motion event --runs 2 --json");
+}
+
+TEST_CASE("explain goes rule by rule") {
+  const Workplace place;
+  hold(place, "explain", "stigc explain sets/corner.yaml --at 1,0,0");
+  hold(place, "explain-fires", "stigc explain sets/corner.yaml --at 0,0,1");
+  hold(place, "explain-taken", "stigc explain sets/corner.yaml --at 0,0,0");
+  hold(place, "explain-stage", "stigc explain sets/line.yaml --at 1,0,0 --stage 2");
+  hold(place, "explain-json", "stigc explain sets/corner.yaml --at 1,0,0 --json");
+  place.write("half.txt", "t .\n---\nt s\n");
+  hold(place, "explain-structure",
+       "stigc explain sets/corner.yaml --structure half.txt --at 0,1,0 --rule 2");
+}
+
+TEST_CASE("test says how each expectation stands and by what method") {
+  const Workplace place;
+  hold(place, "test-good", "stigc test sets/corner.yaml sets/line.yaml sets/sheet.yaml");
+  hold(place, "test-wrong", "stigc test sets/wrong_expectation.yaml");
+  hold(place, "test-budget", "stigc test --states 2 --samples 3 sets/line.yaml");
+  hold(place, "test-json", "stigc test --json sets/line.yaml sets/wrong_expectation.yaml");
+}
+
+TEST_CASE("graph, fmt, replay, measure") {
+  const Workplace place;
+  hold(place, "graph", "stigc graph sets/corner.yaml");
+  hold(place, "graph-stages", "stigc graph sets/line.yaml");
+  hold(place, "fmt", "stigc fmt sets/corner.yaml");
+  hold(place, "replay", "stigc explore sets/line.yaml --trace t.stigt && stigc replay t.stigt");
+  hold(place, "replay-json", "stigc replay t.stigt --json");
+  place.write("half.txt", "1 .\n---\n1 2\n");
+  hold(place, "measure", "stigc measure half.txt");
+  hold(place, "measure-json", "stigc measure half.txt --json");
+}
+
+TEST_CASE("usage errors name what is wrong and what was meant") {
+  const Workplace place;
+  hold(place, "usage",
+       "{ for words in '' 'chek' 'explore' 'explore sets/line.yaml --boxx 1,1,1' "
+       "'explore sets/line.yaml --motion wlak' 'explore sets/line.yaml --agents -3' "
+       "'explore sets/line.yaml --agents 99999999999999999999' "
+       "'explore sets/line.yaml --agents 1e3' 'explore sets/line.yaml --box 1,2' "
+       "'explore sets/line.yaml --box 0,1,1' 'explore sets/line.yaml --box 100000,100000,1000' "
+       "'explore sets/line.yaml --seed -1' 'explore sets/line.yaml --seed 1 --seed 2' "
+       "'explore sets/line.yaml --moves 7' 'explore sets/line.yaml -o x.foo' "
+       "'explore sets/line.yaml -o x.png --runs 2' 'explore sets/line.yaml --trace t --runs 2' "
+       "'explore sets/line.yaml --motion event --agents 3' 'explore sets/line.yaml --box none' "
+       "'explain sets/line.yaml' 'explain sets/line.yaml --at 0,0,0 --stage 3' "
+       "'explain sets/line.yaml --at 0,0,0 --rule 3' 'draw sets/line.yaml -o x.foo' "
+       "'fmt sets/line.yaml sets/corner.yaml' 'completions tcsh' '--diagnostics xml check a'; do "
+       "echo \"stigc $words\"; stigc $words; echo \"  exit $?\"; done; } 2>&1");
+}
+
+}  // namespace
+}  // namespace stig
