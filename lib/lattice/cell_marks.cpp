@@ -34,15 +34,19 @@ std::size_t CellMarks::find(Cell cell) const {
   return slot;
 }
 
-void CellMarks::set(Cell cell, std::uint64_t marks) {
+bool CellMarks::set(Cell cell, std::uint64_t marks) {
   const std::size_t slot = find(cell);
-  if (slots_[slot] != 0) {
-    marks != 0 ? void(entries_[slots_[slot] - 1].marks = marks) : erase(slot);
-  } else if (marks != 0) {
+  if (slots_[slot] == 0 && marks == 0) return false;
+  if (marks == 0) {
+    erase(slot);
+  } else if (slots_[slot] != 0) {
+    entries_[slots_[slot] - 1].marks = marks;
+  } else {
     entries_.push_back({cell, marks});
     slots_[slot] = static_cast<std::uint32_t>(entries_.size());
     if (entries_.size() * 2 > slots_.size()) grow();
   }
+  return true;
 }
 
 void CellMarks::erase(std::size_t slot) {

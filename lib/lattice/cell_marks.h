@@ -18,8 +18,8 @@ class CellMarks {
   std::size_t size() const { return entries_.size(); }
   Cell operator[](std::size_t i) const { return entries_[i].cell; }
   void clear();
-  /// Marks a cell anew; marks of 0 take it out.
-  void set(Cell cell, std::uint64_t marks);
+  /// Marks a cell anew; marks of 0 take it out. False when it was not in and stays out.
+  bool set(Cell cell, std::uint64_t marks);
   /// The cells that have one of `marks`, in cell order.
   std::vector<Cell> cells_with(std::uint64_t marks) const;
 

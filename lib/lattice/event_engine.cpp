@@ -29,8 +29,8 @@ class EventRun {
 
   void mark(Cell site, const View& view) {
     const std::uint64_t stages = world_.rules().open_stages(view, site.z, world_.stage());
+    if (staged_ && !all_.set(site, stages)) return;  // nothing before, nothing now
     open_.set(site, stages & present());
-    if (staged_) all_.set(site, stages);
   }
 
   /// Goes on to the next stage that has something open, if the present one has not.
@@ -55,7 +55,7 @@ class EventRun {
     const std::uint64_t step = log_.begin_step();
     Random random(config_->seed, config_->run, Purpose::event, 0, step);
     const Cell site = open_[random.below(open_.size())];
-    const Match match = world_.choose(site, random, scratch_);
+    const Match match = world_.choose(site, random);
     const double probability = world_.rules().probability(match.rule);
     if (probability < 1 && random.unit() >= probability) return;
     const Colour colour = world_.rules().place(match.rule);
@@ -72,7 +72,6 @@ class EventRun {
   CellMarks open_;  ///< sites of the present stage
   CellMarks all_;   ///< sites of this and later stages, with the stages as marks
   bool staged_;     ///< are there later stages at all?
-  std::vector<Match> scratch_;
 };
 
 }  // namespace

@@ -2,7 +2,9 @@
 #include "lattice/structure.h"
 
 #include <algorithm>
+#include <bit>
 #include <cassert>
+#include <cstring>
 
 #include "base/hash.h"
 
@@ -131,27 +133,26 @@ std::vector<PlacedBrick> Structure::bricks() const {
 }
 
 void Structure::gather(Cell centre, Surroundings& out) const {
+  static_assert(std::endian::native == std::endian::little, "rows are moved as words");
+  static_assert(kChunkSide == 8);
   const Cell low = centre - Offset{2, 2, 2};
-  out.at.fill(kEmpty);
-  // Chunk by chunk: the 5×5×5 box meets at most 2 along each axis.
-  const Cell first = chunk_origin(low);
-  const Cell last = chunk_origin(centre + Offset{2, 2, 2});
-  for (std::int32_t cz = first.z; cz <= last.z; cz += kChunkSide) {
-    for (std::int32_t cy = first.y; cy <= last.y; cy += kChunkSide) {
-      for (std::int32_t cx = first.x; cx <= last.x; cx += kChunkSide) {
-        const Chunk* chunk = find({cx, cy, cz});
-        if (!chunk) continue;
-        const std::int32_t x0 = std::max(low.x, cx), x1 = std::min(low.x + 5, cx + kChunkSide);
-        const std::int32_t y0 = std::max(low.y, cy), y1 = std::min(low.y + 5, cy + kChunkSide);
-        const std::int32_t z0 = std::max(low.z, cz), z1 = std::min(low.z + 5, cz + kChunkSide);
-        for (std::int32_t z = z0; z < z1; ++z) {
-          for (std::int32_t y = y0; y < y1; ++y) {
-            const std::size_t from = slot_in_chunk({x0, y, z});
-            const auto to =
-                static_cast<std::size_t>((z - low.z) * 25 + (y - low.y) * 5 + x0 - low.x);
-            std::copy_n(chunk->states.begin() + static_cast<std::ptrdiff_t>(from), x1 - x0,
-                        out.at.begin() + static_cast<std::ptrdiff_t>(to));
-          }
+  // Of a row's five cells those from 8 - inside on lie in the next chunk.
+  const int inside = low.x & 7;
+  const auto row = [](const Chunk* chunk, std::int32_t y, std::int32_t z) {
+    std::uint64_t word = 0;
+    if (chunk) std::memcpy(&word, chunk->states.data() + slot_in_chunk({0, y, z}), 8);
+    return word;
+  };
+  // Part by part of the box that lies in one chunk, or in two side by side along x.
+  for (std::int32_t z0 = low.z; z0 < low.z + 5; z0 = (z0 | 7) + 1) {
+    for (std::int32_t y0 = low.y; y0 < low.y + 5; y0 = (y0 | 7) + 1) {
+      const Chunk* left = find({low.x, y0, z0});
+      const Chunk* right = inside > 3 ? find({low.x + 8, y0, z0}) : nullptr;
+      for (std::int32_t z = z0; z <= std::min(z0 | 7, low.z + 4); ++z) {
+        for (std::int32_t y = y0; y <= std::min(y0 | 7, low.y + 4); ++y) {
+          std::uint64_t word = row(left, y, z) >> (8 * inside);
+          if (right) word |= row(right, y, z) << (8 * (8 - inside));
+          std::memcpy(&out.at[static_cast<std::size_t>((z - low.z) * 5 + y - low.y) * 8], &word, 8);
         }
       }
     }

@@ -21,12 +21,14 @@ struct Bounds {
   bool operator==(const Bounds&) const = default;
 };
 
-/// The 5×5×5 states around a cell: all that the views of its neighbours see.
+/// The 5×5×5 states around a cell: all that the views of its neighbours see. Rows are
+/// padded to 8 bytes, as they are in a structure's chunks.
 struct Surroundings {
-  std::array<State, 125> at{};
+  std::array<State, 5 * 5 * 8> at{};
   static constexpr int index(int dx, int dy, int dz) {
-    return (dz + 2) * 25 + (dy + 2) * 5 + (dx + 2);
+    return ((dz + 2) * 5 + (dy + 2)) * 8 + (dx + 2);
   }
+  static constexpr int kLevel = 5 * 8;  ///< entries of one level, the lowest first
 };
 
 class Structure {
@@ -68,7 +70,7 @@ class Structure {
  private:
   struct Chunk {
     Cell origin;  ///< lowest cell
-    std::array<State, kChunkSide * kChunkSide * kChunkSide> states{};
+    alignas(8) std::array<State, kChunkSide * kChunkSide * kChunkSide> states{};
   };
   static constexpr Cell cell_in_chunk(Cell origin, std::size_t i) {
     const auto n = static_cast<std::int32_t>(i);

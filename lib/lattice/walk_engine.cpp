@@ -102,6 +102,7 @@ class AgentRun {
   }
   void set_enabled(std::int32_t index, bool enabled);
   std::uint64_t unreachable() const;
+  bool flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& seen) const;
 
   World world_;
   const SwarmConfig* config_;
@@ -119,7 +120,6 @@ class AgentRun {
   std::size_t agents_in_empty_ = 0;  ///< agents whose cell holds no brick
   std::uint64_t enabled_ = 0;        ///< number of enabled cells
   std::uint64_t step_ = 0;
-  std::vector<Match> scratch_;
 };
 
 AgentRun::AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hooks)
@@ -278,7 +278,7 @@ bool AgentRun::stimulate(std::uint32_t agent) {
   const std::int32_t index = position_[agent];
   const Cell site = field_.cell(index);
   Random random(config_->seed, config_->run, Purpose::deposit, agent, step_);
-  const Match match = world_.choose(site, random, scratch_);
+  const Match match = world_.choose(site, random);
   const double probability = world_.rules().probability(match.rule);
   if (probability < 1 && random.unit() >= probability) return false;
   const Colour colour = world_.rules().place(match.rule);
@@ -320,29 +320,42 @@ void AgentRun::jump(std::uint32_t agent) {
   if (in_brick) ++agents_in_empty_;
 }
 
-/// Enabled cells that no agent can get to, by flood from the agents' cells.
+/// Enabled cells that no agent can get to: a flood from each until it meets an agent.
+/// Agents are many and near, so most floods are short.
 std::uint64_t AgentRun::unreachable() const {
   if (config_->motion == Motion::teleport) return 0;
-  std::vector<bool> seen(static_cast<std::size_t>(field_.size));
-  std::vector<std::int32_t> queue;
+  std::vector<std::uint8_t> seen(static_cast<std::size_t>(field_.size));  // 1 + reached
   std::uint64_t found = 0;
-  const auto visit = [&](std::int32_t index) {
-    if (seen[static_cast<std::size_t>(index)]) return;
-    seen[static_cast<std::size_t>(index)] = true;
-    found += is(index, kEnabledCell) ? 1U : 0U;
-    queue.push_back(index);
+  for (std::int32_t site = 0; site < field_.size; ++site) {
+    if (!is(site, kEnabledCell)) continue;
+    const std::uint8_t known = seen[static_cast<std::size_t>(site)];
+    found += known != 0 ? known == 1 : !flood_meets_agent(site, seen);
+  }
+  return found;
+}
+
+/// Floods the open cells around a site; true when an agent, or a region known to be
+/// reached, is met. Marks the region 2 if so and 1 if not.
+bool AgentRun::flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& seen) const {
+  std::vector<std::int32_t> region;
+  bool met = false;
+  const auto visit = [&](std::int32_t cell) {
+    met = met || is(cell, kAgentCell) || seen[static_cast<std::size_t>(cell)] == 2;
+    if (is(cell, kSolidCell) || seen[static_cast<std::size_t>(cell)] != 0) return;
+    seen[static_cast<std::size_t>(cell)] = 1;
+    region.push_back(cell);
   };
-  for (const std::int32_t index : position_) visit(index);
-  while (!queue.empty()) {
-    const std::int32_t from = queue.back();
-    queue.pop_back();
+  visit(site);
+  for (std::size_t next = 0; next < region.size() && !met; ++next) {
     for (std::size_t m = 0; m < moves_.count; ++m) {
-      std::int32_t to = from + moves_.step[m];
-      if (is(to, kPortalCell)) to = portal(to);
-      if (!is(to, kSolidCell)) visit(to);
+      const std::int32_t to = region[next] + moves_.step[m];
+      visit(is(to, kPortalCell) ? portal(to) : to);
     }
   }
-  return enabled_ - found;
+  if (met) {
+    for (const std::int32_t cell : region) seen[static_cast<std::size_t>(cell)] = 2;
+  }
+  return met;
 }
 
 }  // namespace

@@ -9,7 +9,10 @@
 namespace stig {
 
 World::World(const RuleTable& rules, const std::vector<PlacedBrick>& start, std::optional<Box> box)
-    : rules_(&rules), box_(box), structure_(rules.lattice(), start) {
+    : rules_(&rules),
+      size_(static_cast<std::size_t>(rules.neighbours().size)),
+      box_(box),
+      structure_(rules.lattice(), start) {
   const Neighbourhood& n = rules.neighbours();
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     const Offset o = n.offsets[i];
@@ -31,7 +34,7 @@ View World::view(Cell site) const {
   if (!wraps_near(site)) {
     Surroundings around;
     gather(site, around);
-    return view_within(around, Surroundings::index(0, 0, 0));
+    return view_within(around, kCentre);
   }
   const Neighbourhood& n = rules_->neighbours();
   View view;
@@ -54,7 +57,7 @@ void World::gather(Cell cell, Surroundings& out) const {
   if (!rules_->floor() || cell.z >= 2) return;
   // Levels of the 5×5×5 below z = 0; they are the first in memory.
   const int below = std::min(5, 2 - cell.z);
-  std::fill_n(out.at.begin(), below * 25, kFloor);
+  std::fill_n(out.at.begin(), below * Surroundings::kLevel, kFloor);
 }
 
 bool World::stage_spent() const {
@@ -87,18 +90,26 @@ std::vector<Cell> World::enabled_sites() const {
   return sites;
 }
 
-Match World::choose(Cell site, Random& random, std::vector<Match>& scratch) const {
-  rules_->matches(view(site), site.z, stage_, scratch);
-  assert(!scratch.empty());
-  if (rules_->conflicts() != Conflicts::random || scratch.size() == 1) return scratch.front();
+void World::look_at(Cell cell) {
+  if (around_cell_ == cell) return;
+  gather(cell, around_);
+  around_cell_ = cell;
+}
+
+Match World::choose(Cell site, Random& random) {
+  look_at(site);
+  const bool wraps = wraps_near(site);
+  rules_->matches(wraps ? view(site) : view_within(around_, kCentre), site.z, stage_, matches_);
+  assert(!matches_.empty());
+  if (rules_->conflicts() != Conflicts::random || matches_.size() == 1) return matches_.front();
   double total = 0;
-  for (const Match& m : scratch) total += rules_->weight(m.rule);
+  for (const Match& m : matches_) total += rules_->weight(m.rule);
   double rest = random.unit() * total;
-  for (const Match& m : scratch) {
+  for (const Match& m : matches_) {
     rest -= rules_->weight(m.rule);
     if (rest < 0) return m;
   }
-  return scratch.back();
+  return matches_.back();
 }
 
 }  // namespace stig

@@ -35,6 +35,9 @@ class World {
   /// placeable. Counts the deposit towards the stage's limit.
   template <class Site>
   void deposit(Cell cell, Colour colour, const Site& site) {
+    look_at(cell);
+    around_.at[kCentre] = colour;
+    around_cell_.reset();
     structure_.place(cell, colour);
     ++deposits_in_stage_;
     for_each_neighbour_view(cell, site);
@@ -50,11 +53,15 @@ class World {
   std::vector<Cell> enabled_sites() const;
 
   /// The rule that acts at an enabled site (see swarm.h); draws from `random` only
-  /// under `conflicts: random`. `scratch` saves allocations.
-  Match choose(Cell site, Random& random, std::vector<Match>& scratch) const;
+  /// under `conflicts: random`.
+  Match choose(Cell site, Random& random);
 
  private:
-  /// visit(neighbour, view) for the empty, placeable neighbours of `cell`.
+  static constexpr std::size_t kCentre = Surroundings::index(0, 0, 0);
+
+  /// Gathers into around_, unless it holds that cell's surroundings already.
+  void look_at(Cell cell);
+  /// With around_ at `cell`: visit(neighbour, view) for the empty, placeable neighbours of `cell`.
   template <class Visit>
   void for_each_neighbour_view(Cell cell, const Visit& visit) const;
   /// Does the box's wrapping or floor show in the 5×5×5 around `cell`?
@@ -63,17 +70,22 @@ class World {
   /// The view from the site with this index in the surroundings of a cell.
   View view_within(const Surroundings& around, int site) const {
     View view;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(rules_->neighbours().size); ++k) {
+    for (std::size_t k = 0; k < size_; ++k) {
       view.at[k] = around.at[static_cast<std::size_t>(site + step_[k])];
     }
     return view;
   }
 
   const RuleTable* rules_;
+  std::size_t size_;  ///< of the neighbourhood
   std::optional<Box> box_;
   Structure structure_;
   int stage_ = 1;
   std::int64_t deposits_in_stage_ = 0;
+  /// The surroundings that choose() looked at; deposit() mostly follows in the same cell.
+  Surroundings around_;
+  std::optional<Cell> around_cell_;
+  std::vector<Match> matches_;  ///< saves allocations
   /// Steps between cells of Surroundings, by neighbour index.
   std::array<int, kMaxNeighbours> step_{};
 };
@@ -81,22 +93,18 @@ class World {
 template <class Visit>
 void World::for_each_neighbour_view(Cell cell, const Visit& visit) const {
   const Neighbourhood& n = rules_->neighbours();
-  const auto size = static_cast<std::size_t>(n.size);
   if (wraps_near(cell)) {
-    for (std::size_t i = 0; i < size; ++i) {
+    for (std::size_t i = 0; i < size_; ++i) {
       const Cell neighbour = wrap(cell + n.offsets[i]);
       if (placeable(neighbour) && at(neighbour) == kEmpty) visit(neighbour, view(neighbour));
     }
     return;
   }
-  Surroundings around;
-  gather(cell, around);
-  constexpr int kCentre = Surroundings::index(0, 0, 0);
-  for (std::size_t i = 0; i < size; ++i) {
-    const int site = kCentre + step_[i];
+  for (std::size_t i = 0; i < size_; ++i) {
+    const int site = static_cast<int>(kCentre) + step_[i];
     const Cell neighbour = cell + n.offsets[i];
-    if (around.at[static_cast<std::size_t>(site)] != kEmpty || !placeable(neighbour)) continue;
-    visit(neighbour, view_within(around, site));
+    if (around_.at[static_cast<std::size_t>(site)] != kEmpty || !placeable(neighbour)) continue;
+    visit(neighbour, view_within(around_, site));
   }
 }
 

@@ -76,7 +76,7 @@ int count_in_view(const CountCondition& condition, const Neighbourhood& neighbou
   return number;
 }
 
-/// Matches of one group of rules; entries are numbered as in RuleTable::entries_.
+/// Entries are numbered as in RuleTable::entries_.
 struct RuleTable::Index {
   struct Exact {
     View view;
@@ -94,6 +94,7 @@ struct RuleTable::Index {
 
   void add(const Entry& entry, std::uint32_t number, int size);
   void finish(const std::vector<Entry>& entries, int size, int colours);
+  bool accepts_anything(std::size_t neighbour) const;
   std::uint32_t find(std::uint64_t hash) const;
 };
 
@@ -134,11 +135,21 @@ void RuleTable::Index::finish(const std::vector<Entry>& entries, int size, int c
       accepting_empty[i] += pattern.allowed[i].contains(kEmpty) ? 1U : 0U;
     }
   }
-  order.resize(static_cast<std::size_t>(size));
-  std::iota(order.begin(), order.end(), std::uint8_t{0});
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
+    if (!accepts_anything(i)) order.push_back(static_cast<std::uint8_t>(i));
+  }
   std::stable_sort(order.begin(), order.end(), [&](std::uint8_t a, std::uint8_t b) {
     return accepting_empty[a] < accepting_empty[b];
   });
+}
+
+/// Does every entry accept every state of this neighbour?
+bool RuleTable::Index::accepts_anything(std::size_t neighbour) const {
+  for (std::size_t k = 0; k < loose.size() * rows; ++k) {
+    const std::size_t entry = k / rows, at = neighbour * rows + k % rows;
+    if ((accept[at * words + entry / 64] >> (entry % 64) & 1U) == 0) return false;
+  }
+  return true;
 }
 
 /// 1 + the first exact entry with this hash, or 0.
@@ -155,21 +166,20 @@ RuleTable::RuleTable(const RuleSet& rules)
       floor_(rules.floor),
       stage_count_(rules.stage_count()),
       conflicts_(rules.conflicts),
+      size_(neighbours().size),
       stage_limits_(static_cast<std::size_t>(stage_count_) + 1),
-      indices_(static_cast<std::size_t>(stage_count_) + 1) {
+      index_(std::make_unique<Index>()) {
   assert(stage_count_ <= kMaxStage);
-  const int size = neighbours().size;
   for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
     const Rule& rule = rules.rules[r];
-    actions_.push_back(
-        {rule.place, rule.probability, rule.weight, rule.height_min, rule.height_max, rule.counts});
+    actions_.push_back({rule.place, rule.stage, rule.probability, rule.weight, rule.height_min,
+                        rule.height_max, rule.counts});
     for (Entry& entry : entries_of(rules, r)) {
-      const auto number = static_cast<std::uint32_t>(entries_.size());
-      indices_[static_cast<std::size_t>(rule.stage)].add(entry, number, size);
+      index_->add(entry, static_cast<std::uint32_t>(entries_.size()), size_);
       entries_.push_back(std::move(entry));
     }
   }
-  for (Index& index : indices_) index.finish(entries_, size, rules.colours());
+  index_->finish(entries_, size_, rules.colours());
   for (const auto& [stage, limit] : rules.stages) {
     if (stage >= 1 && stage <= stage_count_) stage_limits_[static_cast<std::size_t>(stage)] = limit;
   }
@@ -191,15 +201,17 @@ bool RuleTable::conditions_hold(const Action& action, const View& view, std::int
   });
 }
 
-/// Calls found(entry) for each matching entry until it returns true; says whether one did.
+/// Calls found(match) for each entry that matches, whatever its stage, until it returns
+/// true; says whether one did.
 template <class Visit>
-bool RuleTable::visit(const Index& index, const View& view, std::uint64_t hash, std::int32_t z,
-                      const Visit& found) const {
+bool RuleTable::visit(const View& view, std::int32_t z, const Visit& found) const {
+  const Index& index = *index_;
   const auto accepted = [&](std::uint32_t entry) {
     const Match& source = entries_[entry].source;
     return conditions_hold(actions_[source.rule], view, z) && found(source);
   };
   if (!index.exact.empty()) {
+    const std::uint64_t hash = kViewHash(view, size_);
     if (const std::uint32_t first = index.find(hash)) {
       for (std::size_t i = first - 1; i < index.exact.size() && index.exact[i].hash == hash; ++i) {
         if (index.exact[i].view == view && accepted(index.exact[i].entry)) return true;
@@ -207,7 +219,8 @@ bool RuleTable::visit(const Index& index, const View& view, std::uint64_t hash, 
     }
   }
   for (std::size_t w = 0; w < index.words; ++w) {
-    std::uint64_t alive = ~std::uint64_t{0};
+    const std::size_t last = index.loose.size() - w * 64;
+    std::uint64_t alive = last >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << last) - 1;
     for (const std::uint8_t i : index.order) {
       alive &= index.accept[(i * index.rows + index.row[view.at[i]]) * index.words + w];
       if (alive == 0) break;
@@ -221,32 +234,30 @@ bool RuleTable::visit(const Index& index, const View& view, std::uint64_t hash, 
 }
 
 bool RuleTable::enabled(const View& view, std::int32_t z, int stage) const {
-  const auto any = [](const Match&) { return true; };
-  const std::uint64_t hash = kViewHash(view, neighbours().size);
-  return visit(indices_[static_cast<std::size_t>(stage)], view, hash, z, any) ||
-         visit(indices_[0], view, hash, z, any);
+  return visit(view, z, [&](const Match& match) {
+    const int own = actions_[match.rule].stage;
+    return own == 0 || own == stage;
+  });
 }
 
 std::uint64_t RuleTable::open_stages(const View& view, std::int32_t z, int from) const {
-  const auto any = [](const Match&) { return true; };
-  const std::uint64_t hash = kViewHash(view, neighbours().size);
-  std::uint64_t open = visit(indices_[0], view, hash, z, any) ? 1 : 0;
-  for (auto s = static_cast<std::size_t>(from); s < indices_.size(); ++s) {
-    if (visit(indices_[s], view, hash, z, any)) open |= std::uint64_t{1} << s;
-  }
+  std::uint64_t open = 0;
+  visit(view, z, [&](const Match& match) {
+    const int own = actions_[match.rule].stage;
+    if (own == 0 || own >= from) open |= std::uint64_t{1} << own;
+    return stage_count_ == 1;  // nothing else to find
+  });
   return open;
 }
 
 void RuleTable::matches(const View& view, std::int32_t z, int stage,
                         std::vector<Match>& out) const {
   out.clear();
-  const auto keep = [&out](const Match& match) {
-    out.push_back(match);
+  visit(view, z, [&](const Match& match) {
+    const int own = actions_[match.rule].stage;
+    if (own == 0 || own == stage) out.push_back(match);
     return false;
-  };
-  const std::uint64_t hash = kViewHash(view, neighbours().size);
-  visit(indices_[static_cast<std::size_t>(stage)], view, hash, z, keep);
-  visit(indices_[0], view, hash, z, keep);
+  });
   std::sort(out.begin(), out.end());
   const auto same_rule = [](const Match& a, const Match& b) { return a.rule == b.rule; };
   out.erase(std::unique(out.begin(), out.end(), same_rule), out.end());

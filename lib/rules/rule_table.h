@@ -6,8 +6,7 @@
 // table under the view. The rest are matched together by bit sets: for each
 // (neighbour, state) the set of entries that accept it; the matches of a view
 // are the intersection over its neighbours. Heights and counts are then checked
-// one by one. Rules of a stage have indices of their own; those without a stage share
-// a pair that serves all stages.
+// one by one, and the rule's stage with them: rules of all stages share the indices.
 #pragma once
 
 #include <cstdint>
@@ -66,6 +65,7 @@ class RuleTable {
   /// What a rule does and its conditions besides the pattern.
   struct Action {
     Colour place;
+    int stage;
     double probability, weight;
     std::optional<int> height_min, height_max;
     std::vector<CountCondition> counts;
@@ -74,17 +74,17 @@ class RuleTable {
 
   bool conditions_hold(const Action& action, const View& view, std::int32_t z) const;
   template <class Visit>
-  bool visit(const Index& index, const View& view, std::uint64_t hash, std::int32_t z,
-             const Visit& found) const;
+  bool visit(const View& view, std::int32_t z, const Visit& found) const;
 
   Lattice lattice_;
   bool floor_;
   int stage_count_;
   Conflicts conflicts_;
+  int size_;  ///< of the neighbourhood
   std::vector<Action> actions_;
   std::vector<Entry> entries_;
   std::vector<std::int64_t> stage_limits_;
-  std::vector<Index> indices_;  ///< [0]: rules without a stage; [s]: rules of stage s
+  std::unique_ptr<Index> index_;
 };
 
 /// Number of neighbours in view that show a state of the condition's set.

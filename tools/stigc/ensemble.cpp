@@ -149,7 +149,7 @@ std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,
   out += line("deposits", range_in_words(range_of(runs, [](auto& r) { return r.deposits; })));
   out += line("bricks", range_in_words(range_of(runs, [](auto& r) { return r.bricks; })));
   out += line("structures", fmt::format("{} distinct", ensemble.structures.size()));
-  return out + bold("runs by structure hash\n", color) + structure_table(ensemble);
+  return out + bold("runs by structure hash", color) + "\n" + structure_table(ensemble);
 }
 
 }  // namespace stig

@@ -44,7 +44,7 @@ std::string classify(const std::string& path, bool ensemble, Output& output) {
   }
   std::string error;
   if (output.kind == OutputKind::trace || can_write_structure(path, error)) return {};
-  return error;
+  return error + " .csv .stigt";
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ std::string levels_in_words(const Measures& measures) {
 }
 
 std::string rule_table(const RuleSet& rules, const SwarmResult& result, bool color) {
-  std::string out = bold("rules fired\n", color);
+  std::string out = bold("rules fired", color) + "\n";
   std::size_t never = 0, shown = 0;
   for (std::size_t r = 0; r < rules.rules.size(); ++r) {
     const std::uint64_t fired = result.rules[r].fired;
