@@ -65,6 +65,8 @@ class Diagnostics {
   void append(const Diagnostics& other);
 
   const std::vector<Diagnostic>& all() const { return all_; }
+  /// No more are kept: suggestions and the like need not be thought of.
+  bool full() const { return all_.size() >= kMostKept; }
   bool has_errors() const { return errors_ > 0; }
   std::size_t count(Severity severity) const {
     return severity == Severity::error ? errors_ : warnings_;

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace stig {
 
 namespace {
@@ -45,9 +47,8 @@ std::size_t find_invalid_utf8(std::string_view text) {
 }
 
 std::size_t count_code_points(std::string_view text) {
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < text.size(); ++count) i += decode_utf8(text.substr(i)).length;
-  return count;
+  const auto continues = std::count_if(text.begin(), text.end(), is_continuation);
+  return text.size() - static_cast<std::size_t>(continues);
 }
 
 std::string printable(std::string_view text, const CodePoint& point) {

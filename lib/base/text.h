@@ -21,7 +21,8 @@ CodePoint decode_utf8(std::string_view text);
 /// Offset of the first byte that is no UTF-8, or npos.
 std::size_t find_invalid_utf8(std::string_view text);
 
-/// Number of code points; invalid bytes count as one each.
+/// Number of code points of UTF-8. Of bytes that are none, those that look like the
+/// rest of a character are not counted.
 std::size_t count_code_points(std::string_view text);
 
 /// As it may be shown on a terminal: control characters, characters that reorder

@@ -137,12 +137,20 @@ class TreeBuilder : public YAML::EventHandler {
     return skip_properties(text_, at);
   }
 
+  /// The parser takes the end of the file for the quote that is missing.
+  [[noreturn]] void unclosed_quote(std::size_t at) {
+    out_.add(Code::R006, range(at, at + 1), "this quote is not closed");
+    throw Stop();
+  }
+
   void place_scalar(YamlNode& node, bool not_plain) {
     const char first = node.begin < text_.size() ? text_[node.begin] : '\0';
     std::size_t span_begin = node.begin;
     if (not_plain && (first == '"' || first == '\'')) {
       node.style = YamlStyle::quoted;
-      node.end = narrow(quoted_end(text_, node.begin));
+      const std::size_t end = quoted_end(text_, node.begin);
+      if (end == std::string_view::npos) unclosed_quote(node.begin);
+      node.end = narrow(end);
     } else if (not_plain && (first == '|' || first == '>')) {
       node.style = first == '|' ? YamlStyle::literal : YamlStyle::folded;
       const BlockContent content = block_content(text_, node.begin, node.text);
@@ -245,7 +253,7 @@ std::string plainer(const std::string& message) {
       {"end of map flow not found", "the mapping opened with '{' is not closed before this"},
       {"illegal map value", "no ':' can stand here; a text with ': ' in it needs quotes"},
       {"unknown token", "no value can start with this character without quotes"},
-      {"illegal EOF in scalar", "the quote is not closed before the end of the file"},
+      {"illegal EOF in scalar", "a quote is not closed before the end of the file"},
       {"illegal tab when looking for indentation", "indentation is made of spaces, not of tabs"},
   };
   const auto found = kWords.find(message);
@@ -360,28 +368,47 @@ std::optional<YamlDocument> parse_yaml(SourceRef source, const YamlLimits& limit
   return document;
 }
 
-SourceRange YamlDocument::range(const YamlNode& node, std::size_t begin, std::size_t end) const {
-  const std::string_view all = source->text();
-  const auto at = [&](std::size_t b, std::size_t e) {
-    return SourceRange{source, static_cast<std::uint32_t>(b), static_cast<std::uint32_t>(e)};
-  };
-  if (node.style == YamlStyle::literal) {
-    const BlockContent content = block_content(all, node.begin, node.text);
-    const std::string_view before = std::string_view(node.text).substr(0, begin);
-    std::size_t line = content.begin;
-    for (auto rows = std::count(before.begin(), before.end(), '\n'); rows > 0; --rows) {
-      line = std::min(all.find('\n', line), all.size() - 1) + 1;
-    }
-    const std::size_t row_start = before.rfind('\n') + 1;  // npos + 1 is 0
-    const std::size_t from = line + content.indent + (begin - row_start);
-    const std::size_t to = from + (end - begin);
-    return to <= node.end ? at(from, to) : at(std::min<std::size_t>(from, node.end), node.end);
+SourceRange YamlDocument::head(const YamlNode& node) const {
+  if (node.style == YamlStyle::block && !node.pairs.empty()) return range(node.pairs[0].key);
+  if (node.style == YamlStyle::literal || node.style == YamlStyle::folded) {
+    return {source, node.begin, node.begin + 1};
   }
-  const std::size_t quote = node.style == YamlStyle::quoted ? 1 : 0;
-  const std::string_view written = all.substr(node.begin, node.end - node.begin);
-  if (written.size() != node.text.size() + 2 * quote) return range(node);
-  if (written.substr(quote, node.text.size()) != node.text) return range(node);
-  return at(node.begin + quote + begin, node.begin + quote + end);
+  const std::size_t line_end =
+      std::min(source->text().find('\n', node.begin), source->text().size());
+  return {source, node.begin,
+          static_cast<std::uint32_t>(std::min<std::size_t>(node.end, line_end))};
+}
+
+YamlTextMap::YamlTextMap(const YamlDocument& document, const YamlNode& scalar)
+    : whole_(document.range(scalar)) {
+  const std::string_view all = document.source->text();
+  if (scalar.style == YamlStyle::literal) {
+    const BlockContent content = block_content(all, scalar.begin, scalar.text);
+    std::size_t source = content.begin;
+    for (std::size_t text = 0; text < scalar.text.size();) {
+      lines_.push_back({text, source + content.indent});
+      text = std::min(scalar.text.find('\n', text), scalar.text.size()) + 1;
+      source = std::min(all.find('\n', source), all.size() - 1) + 1;
+    }
+    return;
+  }
+  const std::size_t quote = scalar.style == YamlStyle::quoted ? 1 : 0;
+  const std::string_view written = all.substr(scalar.begin, scalar.end - scalar.begin);
+  const bool same = written.size() == scalar.text.size() + 2 * quote &&
+                    written.substr(quote, scalar.text.size()) == scalar.text;
+  if (same) lines_.push_back({0, scalar.begin + quote});
+}
+
+SourceRange YamlTextMap::range(std::size_t begin, std::size_t end) const {
+  const auto next =
+      std::upper_bound(lines_.begin(), lines_.end(), begin,
+                       [](std::size_t at, const Line& line) { return at < line.text; });
+  if (next == lines_.begin()) return whole_;
+  const Line& line = *std::prev(next);
+  const std::size_t from = line.source + (begin - line.text);
+  const std::size_t to = std::min<std::size_t>(from + (end - begin), whole_.end);
+  if (from >= to) return whole_;
+  return {whole_.file, static_cast<std::uint32_t>(from), static_cast<std::uint32_t>(to)};
 }
 
 }  // namespace stig

@@ -56,9 +56,26 @@ struct YamlDocument {
   std::vector<YamlComment> comments;
 
   SourceRange range(const YamlNode& node) const { return {source, node.begin, node.end}; }
-  /// Place of the bytes [begin, end) of a scalar's text: exact for literal blocks,
-  /// one-line plain and escape-free quoted texts, otherwise the whole scalar.
-  SourceRange range(const YamlNode& node, std::size_t begin, std::size_t end) const;
+  /// The beginning of a value, enough to point at: the first key of a mapping, the
+  /// bar of a block, otherwise the first line.
+  SourceRange head(const YamlNode& node) const;
+};
+
+/// Finds parts of a scalar's text in the file; made once for a scalar, since it
+/// looks through it. The document must outlive it.
+class YamlTextMap {
+ public:
+  YamlTextMap(const YamlDocument& document, const YamlNode& scalar);
+  /// Place of the bytes [begin, end) of the text, on one line: exact for literal
+  /// blocks, one-line plain and escape-free quoted texts, otherwise the whole scalar.
+  SourceRange range(std::size_t begin, std::size_t end) const;
+
+ private:
+  struct Line {
+    std::size_t text, source;  ///< where it starts
+  };
+  SourceRange whole_;
+  std::vector<Line> lines_;  ///< empty: not exact
 };
 
 struct YamlLimits {

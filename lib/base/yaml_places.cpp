@@ -50,7 +50,7 @@ std::size_t quoted_end(std::string_view source, std::size_t begin) {
       ++i;
     }
   }
-  return source.size();
+  return std::string_view::npos;
 }
 
 BlockContent block_content(std::string_view source, std::size_t begin, std::string_view value) {
@@ -103,8 +103,8 @@ std::vector<YamlComment> find_comments(std::string_view source,
   for (std::size_t i = 0; i < source.size(); ++i) {
     while (scalar != scalars.end() && scalar->end <= i) ++scalar;
     if (scalar != scalars.end() && i >= scalar->begin) {
-      const std::size_t last_break = source.rfind('\n', scalar->end - 1);
-      if (last_break != std::string_view::npos && last_break >= i) line_begin = last_break + 1;
+      const std::size_t last_break = source.substr(i, scalar->end - i).rfind('\n');
+      if (last_break != std::string_view::npos) line_begin = i + last_break + 1;
       i = scalar->end - 1;
     } else if (source[i] == '\n') {
       line_begin = i + 1;

@@ -13,7 +13,7 @@ namespace stig {
 /// End of a plain scalar with this value that starts at `begin`: the value's
 /// characters are matched, folded line ends skipped.
 std::size_t plain_end(std::string_view source, std::size_t begin, std::string_view value);
-/// Just past the closing quote of the quoted scalar that starts at `begin`.
+/// Just past the closing quote of the quoted scalar that starts at `begin`, or npos.
 std::size_t quoted_end(std::string_view source, std::size_t begin);
 
 /// The content of a block scalar (| or >) whose header starts at `begin`.

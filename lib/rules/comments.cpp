@@ -8,9 +8,12 @@ namespace stig {
 
 namespace {
 
+/// `inner_end`: a comment before it is inside the element; 0 for elements that have
+/// others inside them.
 struct Element {
   std::string path;
   std::uint32_t begin;
+  std::uint32_t inner_end = 0;
 };
 
 bool is_one_of(std::string_view key, std::initializer_list<std::string_view> keys) {
@@ -19,7 +22,7 @@ bool is_one_of(std::string_view key, std::initializer_list<std::string_view> key
 
 void add_keys(const YamlNode& mapping, const std::string& prefix, std::vector<Element>& out) {
   for (const YamlPair& pair : mapping.pairs)
-    out.push_back({prefix + pair.key.text, pair.key.begin});
+    out.push_back({prefix + pair.key.text, pair.key.begin, pair.value.end});
 }
 
 /// The elements that the printer puts on lines of their own, in the file's order.
@@ -27,7 +30,9 @@ std::vector<Element> elements_of(const YamlNode& root) {
   std::vector<Element> out;
   for (const YamlPair& pair : root.pairs) {
     const std::string& key = pair.key.text;
-    out.push_back({key, pair.key.begin});
+    const bool parted =
+        is_one_of(key, {"bricks", "legend", "physical", "expect", "start", "rules"});
+    out.push_back({key, pair.key.begin, parted ? 0 : pair.value.end});
     if (is_one_of(key, {"bricks", "legend", "physical", "expect"})) {
       add_keys(pair.value, key + "/", out);
     }
@@ -35,7 +40,7 @@ std::vector<Element> elements_of(const YamlNode& root) {
     for (std::size_t i = 0; i < pair.value.items.size(); ++i) {
       const YamlNode& item = pair.value.items[i];
       const std::string path = key + "/" + std::to_string(i);
-      out.push_back({path, item.begin});
+      out.push_back({path, item.begin, key == "start" ? item.end : 0});
       if (key == "rules") add_keys(item, path + "/", out);
     }
   }
@@ -58,6 +63,8 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
       comment.element = std::prev(after)->path;
     } else if (after == elements.begin()) {
       comment.element = "stigc";
+    } else if (found.begin < std::prev(after)->inner_end) {
+      comment.element = std::prev(after)->path;
     } else if (after != elements.end()) {
       comment.element = after->path;
     }

@@ -71,6 +71,13 @@ bool active_together(const Rule& a, const Rule& b) {
   return a.stage == 0 || b.stage == 0 || a.stage == b.stage;
 }
 
+bool heights_apart(const Rule& a, const Rule& b) {
+  const auto above = [](const Rule& x, const Rule& y) {
+    return x.height_min && y.height_max && *x.height_min > *y.height_max;
+  };
+  return above(a, b) || above(b, a);
+}
+
 /// All distinct orientations of a rule, the identity first.
 std::vector<Turned> turned_rule(const RuleSet& rules, std::uint32_t index, Groups& groups) {
   const Rule& rule = rules.rules[index];
@@ -183,13 +190,15 @@ class ConflictSearch {
 
   void compare(const Turned& a, const Turned& b) {
     if (done_) return;
-    budget_ -= 4;
+    budget_ -= 8;
     const Rule& first = rules_.rules[std::min(a.rule, b.rule)];
     const Rule& second = rules_.rules[std::max(a.rule, b.rule)];
     if (budget_ < 0) return give_up(second);
     if (first.place == second.place || !active_together(first, second)) return;
+    if (heights_apart(first, second)) return;
     if (found_.count(std::minmax(a.rule, b.rule)) > 0) return;
     Example example;
+    budget_ -= 500;
     const Answer answer = find_view(rules_, both(demand(a), demand(b)), example, budget_);
     if (answer == Answer::no) return;
     found_.insert(std::minmax(a.rule, b.rule));

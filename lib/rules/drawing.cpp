@@ -27,13 +27,16 @@ struct Row {
 std::vector<Row> split(std::string_view text) {
   static constexpr std::string_view kSpace = " \t\r\n";
   std::vector<Row> rows;
-  std::size_t line = std::string_view::npos;  // of the last row
-  for (std::size_t i = text.find_first_not_of(kSpace); i < text.size();
-       i = text.find_first_not_of(kSpace, i)) {
+  bool new_row = true;
+  for (std::size_t i = 0; i < text.size();) {
+    if (kSpace.find(text[i]) != kSpace.npos) {
+      new_row = new_row || text[i] == '\n';
+      ++i;
+      continue;
+    }
     const std::size_t end = std::min(text.find_first_of(kSpace, i), text.size());
-    const std::size_t start = text.rfind('\n', i) + 1;  // npos + 1 is 0
-    if (rows.empty() || start != line) rows.push_back({{}, i, end});
-    line = start;
+    if (new_row) rows.push_back({{}, i, end});
+    new_row = false;
     rows.back().tokens.push_back({std::string(text.substr(i, end - i)), i});
     rows.back().end = end;
     i = end;
@@ -49,14 +52,14 @@ class PatternReader {
         inversion_(inversion),
         context_(context),
         neighbours_(neighbourhood(context.lattice)),
-        rows_(split(node.text)) {}
+        rows_(split(node.text)),
+        places_(context.document, node) {}
 
   std::optional<Pattern> read() {
     if (rows_.size() != 3) {
-      const std::size_t begin = rows_.size() > 3 ? rows_[3].begin : 0;
-      const std::size_t end = rows_.size() > 3 ? rows_[3].end : 0;
+      const bool more = rows_.size() > 3;
       const SourceRange where =
-          rows_.size() > 3 ? context_.document.range(node_, begin, end) : head();
+          more ? places_.range(rows_[3].begin, rows_[3].end) : context_.document.head(node_);
       fail(Code::R201, where, fmt::format("a drawing has 3 rows, this one has {}", rows_.size()));
     }
     for (std::size_t row = 0; row < rows_.size(); ++row) read_row(row);
@@ -64,12 +67,8 @@ class PatternReader {
   }
 
  private:
-  /// The bar before a block, the first symbol of anything else.
-  SourceRange head() const {
-    return {context_.document.source, node_.begin, std::min(node_.begin + 1, node_.end)};
-  }
   SourceRange range(const Token& token) const {
-    return context_.document.range(node_, token.begin, token.begin + token.text.size());
+    return places_.range(token.begin, token.begin + token.text.size());
   }
   Diagnostic& fail(Code code, const SourceRange& where, std::string message) {
     sound_ = false;
@@ -92,7 +91,7 @@ class PatternReader {
     const Row& row = rows_[number];
     const bool shaped = rows_.size() == 3 && row.tokens.size() == 3 * width(number);
     if (rows_.size() == 3 && !shaped) {
-      fail(Code::R201, context_.document.range(node_, row.begin, row.end),
+      fail(Code::R201, places_.range(row.begin, row.end),
            fmt::format("this row of a {} drawing has {} symbols, not {}: three slices of {}",
                        to_string(context_.lattice), row.tokens.size(), 3 * width(number),
                        width(number)));
@@ -148,6 +147,7 @@ class PatternReader {
   DrawingContext& context_;
   const Neighbourhood& neighbours_;
   std::vector<Row> rows_;
+  YamlTextMap places_;
   Pattern pattern_;
   bool sound_ = true;
 };
@@ -168,11 +168,10 @@ std::vector<Slice> slices_of(const std::vector<Row>& rows) {
 }
 
 /// All slices alike? Reports the first row or slice that differs.
-bool check_structure_shape(const YamlNode& node, const std::vector<Slice>& slices,
+bool check_structure_shape(const YamlTextMap& places, const std::vector<Slice>& slices,
                            DrawingContext& context) {
   const auto fail = [&](std::size_t begin, std::size_t end, std::string message) {
-    context.diagnostics.add(Code::R207, context.document.range(node, begin, end),
-                            std::move(message));
+    context.diagnostics.add(Code::R207, places.range(begin, end), std::move(message));
     return false;
   };
   if (slices[0].empty()) return fail(0, 0, "the first slice of the structure has no rows");
@@ -234,9 +233,8 @@ std::string SymbolTable::nearest_to(std::string_view word, bool bricks_only) con
   std::vector<std::string_view> candidates;
   for (const std::string& symbol : order_) {
     if (!bricks_only || entries_.at(symbol).colour != 0) candidates.push_back(symbol);
+    if (candidates.size() == 200) break;  // thousands of symbols would take their time
   }
-  // A legend of thousands of symbols is no typing aid.
-  candidates.resize(std::min<std::size_t>(candidates.size(), 200));
   return std::string(nearest(word, candidates));
 }
 
@@ -247,6 +245,7 @@ void report_unknown(const SourceRange& range, const std::string& symbol, bool br
                                   ? fmt::format("{} is no brick", in_quotes(symbol))
                                   : fmt::format("unknown brick {}", in_quotes(symbol));
   Diagnostic& diagnostic = context.diagnostics.add(Code::R204, range, message);
+  if (context.diagnostics.full()) return;
   diagnostic.suggest(context.symbols.nearest_to(symbol, bricks_only));
   const bool run_together =
       symbol.size() > 1 && std::all_of(symbol.begin(), symbol.end(), [&](char c) {
@@ -264,7 +263,8 @@ std::optional<std::vector<PlacedBrick>> read_structure(const YamlNode& node,
                                                        DrawingContext& context) {
   const std::vector<Row> rows = split(node.text);
   const std::vector<Slice> slices = slices_of(rows);
-  bool sound = check_structure_shape(node, slices, context);
+  const YamlTextMap places(context.document, node);
+  bool sound = check_structure_shape(places, slices, context);
   std::vector<PlacedBrick> bricks;
   for (std::size_t s = 0; s < slices.size(); ++s) {
     const auto z = static_cast<std::int32_t>(slices.size() - 1 - s);
@@ -280,15 +280,14 @@ std::optional<std::vector<PlacedBrick>> read_structure(const YamlNode& node,
           continue;
         }
         const std::size_t end = token.begin + token.text.size();
-        report_unknown(context.document.range(node, token.begin, end), token.text, true, context);
+        report_unknown(places.range(token.begin, end), token.text, true, context);
         sound = false;
       }
     }
   }
   if (!sound) return std::nullopt;
   if (bricks.empty()) {
-    context.diagnostics.add(Code::R207, context.document.range(node, 0, 0),
-                            "the structure has no brick");
+    context.diagnostics.add(Code::R207, context.document.head(node), "the structure has no brick");
     return std::nullopt;
   }
   move_to_origin(bricks);

@@ -61,7 +61,7 @@ std::string draw_cells(const RuleSet& rules, StateSetAt at) {
 
 }  // namespace
 
-std::string symbol_of(const RuleSet& rules, StateSet states) {
+std::optional<std::string> find_symbol(const RuleSet& rules, StateSet states) {
   if (states == StateSet::anything()) return "?";
   if (states == StateSet::empty_cell()) return ".";
   if (states == StateSet::floor()) return "=";
@@ -72,6 +72,11 @@ std::string symbol_of(const RuleSet& rules, StateSet states) {
   for (const LegendEntry& entry : rules.legend) {
     if (entry.states == states) return entry.symbol;
   }
+  return std::nullopt;
+}
+
+std::string symbol_of(const RuleSet& rules, StateSet states) {
+  if (const auto symbol = find_symbol(rules, states)) return *symbol;
   std::string out;
   const auto add = [&](std::string_view text) {
     out += (out.empty() ? "" : ",") + std::string(text);

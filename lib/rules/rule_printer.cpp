@@ -47,7 +47,7 @@ RuleSet with_whole_legend(RuleSet rules) {
   std::vector<LegendEntry> added;
   int next = 0;
   visit_cells(rules, [&](StateSet states) {
-    if (symbol_of(rules, states)[0] != '{' || !drawn.insert(states.bits()).second) return;
+    if (find_symbol(rules, states) || !drawn.insert(states.bits()).second) return;
     added.push_back({fresh_symbol(taken, next), states, {}});
   });
   rules.legend.insert(rules.legend.end(), added.begin(), added.end());
@@ -144,10 +144,10 @@ class Printer {
 
   /// Symbols in brackets that together stand for a set of states.
   std::string state_list(StateSet states, bool by_legend) const {
-    const std::string symbol = symbol_of(rules_, states);
+    const auto symbol = find_symbol(rules_, states);
     const bool is_legend = std::any_of(rules_.legend.begin(), rules_.legend.end(),
                                        [&](const auto& entry) { return entry.symbol == symbol; });
-    if (symbol[0] != '{' && (by_legend || !is_legend)) return "[" + yaml_text(symbol, true) + "]";
+    if (symbol && (by_legend || !is_legend)) return "[" + yaml_text(*symbol, true) + "]";
     std::string out;
     const auto add = [&](std::string_view text) {
       out += (out.empty() ? "" : ", ") + yaml_text(text, true);

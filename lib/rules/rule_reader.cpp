@@ -362,7 +362,7 @@ class Reader {
     if (node == nullptr || node->kind != YamlKind::mapping) return;
     const auto range_of = [&](std::string_view key) {
       const YamlNode* value = node->find(key);
-      return value == nullptr ? SourceRange{} : document_.range(*value);
+      return value == nullptr ? SourceRange{} : document_.head(*value);
     };
     Expectation expect;
     expect.range = document_.range(*node);

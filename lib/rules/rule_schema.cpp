@@ -253,7 +253,8 @@ Json any_scalar() { return Json::array({"string", "number", "boolean"}); }
 
 constexpr const char* kSymbolPattern =
     "^(?!(\\.|\\*|\\?|#|=|---)$)[^\\u0000-\\u0020\\u007f]{1,16}$";
-constexpr const char* kStagePattern = "^([1-9][0-9]{0,2}|1000)$";
+static_assert(kMaxStage == 63, "the pattern of stage numbers says so too");
+constexpr const char* kStagePattern = "^([1-9]|[1-5][0-9]|6[0-3])$";
 
 Json range_json(const KeySchema& key, const char* type) {
   Json out = {{"type", type}};

@@ -31,7 +31,9 @@ std::string_view spoken(YamlKind kind) {
 }
 
 std::string found(const YamlNode& node) {
-  return node.kind == YamlKind::scalar ? in_quotes(node.text) : std::string(spoken(node.kind));
+  if (node.kind != YamlKind::scalar) return std::string(spoken(node.kind));
+  return node.style == YamlStyle::quoted ? "the quoted text " + in_quotes(node.text)
+                                         : in_quotes(node.text);
 }
 
 /// "a whole number 0..26": what a key wants, for messages.
@@ -100,13 +102,7 @@ class ShapeChecker {
     bad_.insert(&node);
     return false;
   }
-  /// A long value is pointed at by its beginning: its first line.
-  SourceRange head(const YamlNode& node) const {
-    const std::string_view text = document_.source->text();
-    const std::size_t line_end = std::min(text.find('\n', node.begin), text.size());
-    const auto end = std::min<std::size_t>(node.end, line_end);
-    return {document_.source, node.begin, static_cast<std::uint32_t>(end)};
-  }
+  SourceRange head(const YamlNode& node) const { return document_.head(node); }
 
   bool wrong_type(const YamlNode& node, std::string_view wanted) {
     if (node.kind != YamlKind::broken) {
@@ -123,11 +119,14 @@ class ShapeChecker {
     const auto known = std::find_if(schema.keys.begin(), schema.keys.end(),
                                     [&](const auto& key) { return key.name == pair.key.text; });
     if (known != schema.keys.end()) return check_value(pair.value, *known);
-    std::vector<std::string_view> names;
-    for (const KeySchema& key : schema.keys) names.push_back(key.name);
-    add(Code::R101, document_.range(pair.key),
-        fmt::format("unknown key {} in {}", in_quotes(pair.key.text), article(schema.title)))
-        .suggest(std::string(nearest(pair.key.text, names)));
+    Diagnostic& diagnostic =
+        add(Code::R101, document_.range(pair.key),
+            fmt::format("unknown key {} in {}", in_quotes(pair.key.text), article(schema.title)));
+    if (!out_.full()) {
+      std::vector<std::string_view> names;
+      for (const KeySchema& key : schema.keys) names.push_back(key.name);
+      diagnostic.suggest(std::string(nearest(pair.key.text, names)));
+    }
     return mark(pair.value);
   }
 

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "base/diagnostic_page.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "base/diagnostic.h"
+
+namespace stig {
+
+namespace {
+
+struct Group {
+  std::string_view prefix, title, about;
+};
+
+constexpr std::array<Group, 6> kGroups = {{
+    {"R0", "R0xx: the file as bytes and YAML", "Found before any key is looked at."},
+    {"R1", "R1xx: keys and values",
+     "What `stigc schema` describes: an editor that knows the schema finds these too."},
+    {"R2", "R2xx: drawings and symbols", "What the schema cannot see: drawings are texts to it."},
+    {"R3", "R3xx: meaning of the rule set", "Found by static checks; no rule is run for them."},
+    {"F4", "F4xx: structure and trace files", "Files that the program writes and reads back."},
+    {"C5", "C5xx: files of the command line", "Files named on the command line."},
+}};
+
+constexpr std::string_view kHead = R"(# Diagnostics
+
+Everything that `stigc` has to say about a file has a code, which never changes its
+meaning. A report names the place, shows the line and marks what is meant:
+
+```
+wall.yaml:18:25: error[R204]: unknown brick 'pnik'
+   18 |       . . .   . * .   . pnik .
+      |                         ^~~~
+help: did you mean 'pink'?
+1 error
+```
+
+Lines that begin with `note:` point to the other place involved, if there is one.
+Errors end a command with exit status 1; warnings do not. All problems of a file are
+reported at once. `--diagnostics json` prints the same as data.
+
+This page is generated from `lib/base/diagnostics.def`.
+)";
+
+bool has_prefix(const CodeInfo& code, std::string_view prefix) {
+  return code.name.substr(0, prefix.size()) == prefix;
+}
+
+}  // namespace
+
+std::string diagnostics_markdown() {
+  std::string out(kHead);
+  for (const Group& group : kGroups) {
+    bool begun = false;
+    for (const CodeInfo& code : all_codes()) {
+      if (!has_prefix(code, group.prefix)) continue;
+      if (!begun) out += fmt::format("\n## {}\n\n{}\n", group.title, group.about);
+      begun = true;
+      out += fmt::format("\n### {} {} ({})\n\n{}\n", code.name, code.slug,
+                         code.severity == Severity::error ? "error" : "warning", code.explanation);
+    }
+  }
+  return out;
+}
+
+}  // namespace stig
