@@ -18,8 +18,9 @@ constexpr std::uint64_t mix(std::uint64_t x) {
   x ^= x >> 33;
   return x;
 }
+/// Not symmetric: the seed is mixed once more than the value.
 constexpr std::uint64_t combine(std::uint64_t seed, std::uint64_t value) {
-  return mix(seed + 0x9e3779b97f4a7c15ULL + value);
+  return mix(mix(seed + 0x9e3779b97f4a7c15ULL) + value);
 }
 constexpr std::uint64_t hash_text(std::string_view text) {
   std::uint64_t h = 0xcbf29ce484222325ULL;

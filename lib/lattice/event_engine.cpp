@@ -39,13 +39,12 @@ class EventRun {
       open_.clear();
       for (const Cell site : all_.cells_with(present())) open_.set(site, present());
     }
-    if (world_.stage_spent()) open_.clear();  // the last stage has had its deposits
   }
 
   Terminated steps() {
     while (true) {
       if (open_.size() == 0) return Terminated::saturated;
-      if (log_.deposits_spent()) return Terminated::deposits;
+      if (log_.deposits_spent() || world_.stage_spent()) return Terminated::deposits;
       if (log_.limit_reached()) return log_.why();
       step();
     }

@@ -3,18 +3,11 @@
 
 #include <algorithm>
 #include <boost/pending/disjoint_sets.hpp>
-#include <unordered_map>
-
-#include "base/hash.h"
 
 namespace stig {
 namespace {
 
-constexpr std::int64_t kMostCavityCells = std::int64_t{1} << 31;
-
-struct CellHash {
-  std::size_t operator()(Cell c) const { return placement_hash(c, 1); }
-};
+constexpr std::int64_t kMostCavityCells = std::int64_t{1} << 26;
 
 std::vector<Offset> faces(Lattice lattice) {
   const Neighbourhood& n = neighbourhood(lattice);
@@ -25,28 +18,37 @@ std::vector<Offset> faces(Lattice lattice) {
   return all;
 }
 
+/// Calls visit(i, k) for the pairs of bricks with bricks[k] = bricks[i] + o. Bricks are
+/// in cell order, which adding an offset keeps: one sweep finds them all.
+template <class Visit>
+void for_each_pair(const std::vector<PlacedBrick>& bricks, Offset o, const Visit& visit) {
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < bricks.size(); ++i) {
+    const Cell wanted = bricks[i].at + o;
+    while (k < bricks.size() && bricks[k].at < wanted) ++k;
+    if (k == bricks.size()) return;
+    if (bricks[k].at == wanted) visit(i, k);
+  }
+}
+
 /// Components and mean degree of the contact graph of bricks.
 void measure_contacts(const Structure& structure, const std::vector<PlacedBrick>& bricks,
                       Measures& out) {
-  std::unordered_map<Cell, std::size_t, CellHash> number;
-  number.reserve(bricks.size());
-  for (std::size_t i = 0; i < bricks.size(); ++i) number.emplace(bricks[i].at, i);
-  std::vector<std::size_t> rank(bricks.size()), parent(bricks.size());
+  std::vector<std::uint32_t> rank(bricks.size()), parent(bricks.size());
   boost::disjoint_sets sets(rank.data(), parent.data());
-  for (std::size_t i = 0; i < bricks.size(); ++i) sets.make_set(i);
+  for (std::uint32_t i = 0; i < bricks.size(); ++i) sets.make_set(i);
   std::uint64_t contacts = 0;
   std::uint64_t components = bricks.size();
   for (const Offset o : faces(structure.lattice())) {
     if (o < Offset{}) continue;  // each pair once
-    for (std::size_t i = 0; i < bricks.size(); ++i) {
-      const auto other = number.find(bricks[i].at + o);
-      if (other == number.end()) continue;
+    for_each_pair(bricks, o, [&](std::size_t i, std::size_t k) {
       ++contacts;
-      const std::size_t a = sets.find_set(i), b = sets.find_set(other->second);
-      if (a == b) continue;
+      const auto a = sets.find_set(static_cast<std::uint32_t>(i));
+      const auto b = sets.find_set(static_cast<std::uint32_t>(k));
+      if (a == b) return;
       sets.link(a, b);
       --components;
-    }
+    });
   }
   out.components = components;
   out.mean_neighbours =
@@ -88,6 +90,10 @@ class CavityFlood {
                static_cast<std::size_t>(size_.x) +
            static_cast<std::size_t>(o.x);
   }
+  Cell cell_at(std::uint32_t index) const {
+    const auto i = static_cast<std::int32_t>(index);
+    return low_ + Offset{i % size_.x, i / size_.x % size_.y, i / size_.x / size_.y};
+  }
   bool inside(Cell c) const {
     const Offset o = c - low_;
     return o.x >= 0 && o.x < size_.x && o.y >= 0 && o.y < size_.y && o.z >= 0 && o.z < size_.z;
@@ -95,17 +101,17 @@ class CavityFlood {
   /// Takes the empty cells connected with `from`; returns their number.
   std::uint64_t flood(Cell from) {
     std::uint64_t number = 0;
-    std::vector<Cell> open{from};
+    std::vector<std::uint32_t> open{static_cast<std::uint32_t>(index(from))};
     taken_[index(from)] = true;
     while (!open.empty()) {
-      const Cell cell = open.back();
+      const Cell cell = cell_at(open.back());
       open.pop_back();
       ++number;
       for (const Offset o : faces_) {
         const Cell next = cell + o;
         if (!inside(next) || taken_[index(next)]) continue;
         taken_[index(next)] = true;
-        open.push_back(next);
+        open.push_back(static_cast<std::uint32_t>(index(next)));
       }
     }
     return number;
@@ -117,18 +123,29 @@ class CavityFlood {
   std::vector<bool> taken_;
 };
 
-int symmetry_order(const Structure& structure) {
-  const std::uint64_t own = structure_hash(structure);
-  int order = 0;
-  for (const Orientation& g :
-       orientations(structure.lattice(), Symmetry::rotations_mirrors, true)) {
-    if (g.name == "0°") {
-      ++order;
-      continue;
-    }
+/// The bricks' image under g, moved to the origin: its hash as a sum over bricks.
+std::uint64_t image_hash(const std::vector<PlacedBrick>& bricks, const Orientation& g) {
+  Cell low = Cell{} + g.apply(bricks.front().at - Cell{});
+  for (const PlacedBrick& b : bricks) {
+    const Cell at = Cell{} + g.apply(b.at - Cell{});
+    low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+  }
+  std::uint64_t sum = 0;
+  for (const PlacedBrick& b : bricks) {
+    const Cell at = Cell{} + g.apply(b.at - Cell{});
+    sum += placement_hash(Cell{} + (at - low), b.brick);
+  }
+  return sum;
+}
+
+int symmetry_order(const Structure& structure, const std::vector<PlacedBrick>& bricks) {
+  const auto group = orientations(structure.lattice(), Symmetry::rotations_mirrors, true);
+  const std::uint64_t own = image_hash(bricks, group.front());
+  int order = 1;
+  for (std::size_t g = 1; g < group.size(); ++g) {
     // Hashes part the unequal ones cheaply; equality is then certain.
-    const Structure image = transformed(structure, g);
-    if (structure_hash(image) == own && to_origin(image) == to_origin(structure)) ++order;
+    if (image_hash(bricks, group[g]) != own) continue;
+    if (to_origin(transformed(structure, group[g])) == to_origin(structure)) ++order;
   }
   return order;
 }
@@ -147,7 +164,7 @@ Measures measure(const Structure& structure) {
     ++m.height_profile[static_cast<std::size_t>(b.at.z - m.bounds->low.z)];
   }
   measure_contacts(structure, bricks, m);
-  m.symmetry_order = symmetry_order(structure);
+  m.symmetry_order = symmetry_order(structure, bricks);
 
   const Offset size = m.bounds->size();
   const std::int64_t slice = (std::int64_t{size.x} + 2) * (std::int64_t{size.y} + 2);

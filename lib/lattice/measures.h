@@ -34,7 +34,7 @@ struct Measures {
 };
 
 /// Cavities are left at 0 and `cavities_known` false when the bounding box has
-/// more than 2^31 cells.
+/// more than 2^26 cells.
 Measures measure(const Structure& structure);
 
 }  // namespace stig

@@ -2,6 +2,7 @@
 // Replay: a swarm's trace is run again and compared event by event; a given order
 // of events is checked against the rules.
 #include <algorithm>
+#include <atomic>
 
 #include "lattice/trace.h"
 #include "lattice/world.h"
@@ -50,7 +51,12 @@ class Comparison {
       differ("the run ends after " + std::to_string(report_.compared) + " events, the trace has " +
              std::to_string(trace_.events.size()));
     }
-    if (report_.difference.empty() && hash_ != trace_.final_hash) differ("the final hash differs");
+    if (trace_.hashes.size() != trace_.events.size() / kTraceHashEvery) {
+      differ("the trace has " + std::to_string(trace_.hashes.size()) + " state hashes for " +
+             std::to_string(trace_.events.size()) + " events");
+    }
+    if (hash_ != trace_.final_hash) differ("the final hash differs");
+    if (rule_set_hash(rules_) != trace_.rule_set_hash) differ("the rule set's hash differs");
     report_.identical = report_.difference.empty();
     return std::move(report_);
   }
@@ -78,7 +84,15 @@ ReplayReport rerun(const Trace& trace, const RuleSet& rules, const SwarmHooks& o
     comparison.differ("the recorded run is not possible: " + problem);
     return comparison.finish();
   }
-  SwarmHooks hooks = outer;
+  // Ends at the first difference, or when stopped from outside.
+  std::atomic<bool> halt{false};
+  const auto poll = [&] { halt = comparison.differs() || (outer.stop && outer.stop->load()); };
+  SwarmHooks hooks;
+  hooks.stop = &halt;
+  hooks.progress = [&](std::uint64_t steps, std::uint64_t deposits) {
+    poll();
+    if (outer.progress) outer.progress(steps, deposits);
+  };
   hooks.deposit = [&](const Deposit& d) { comparison.event(d); };
   const SwarmResult result = run_swarm(table, rules.start, config, hooks);
   const bool recorded_end =
@@ -100,9 +114,8 @@ bool open_at(World& world, const Deposit& event) {
   do {
     if (world.placeable(event.site) && world.at(event.site) == kEmpty) {
       world.rules().matches(world.view(event.site), event.site.z, world.stage(), matches);
-      const bool found = std::any_of(matches.begin(), matches.end(), [&](const Match& m) {
-        return world.rules().place(m.rule) == event.colour;
-      });
+      const bool found = std::find(matches.begin(), matches.end(), event.match) != matches.end() &&
+                         world.rules().place(event.match.rule) == event.colour;
       if (found && !world.stage_spent()) return true;
     }
     if (!world.stage_spent() && !world.enabled_sites().empty()) return false;
@@ -113,9 +126,15 @@ bool open_at(World& world, const Deposit& event) {
 ReplayReport check_given(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks) {
   Comparison comparison(trace, rules);
   const RuleTable table(rules);
-  std::optional<Box> box = trace.config.box;
-  if (box) box->floor = rules.floor;
-  World world(table, rules.start, box);
+  SwarmConfig config = trace.config;
+  config.motion = Motion::event;  // no agents: the order is given
+  if (config.box) config.box->floor = rules.floor;
+  const std::string problem = config_problem(table, rules.start, config);
+  if (!problem.empty()) {
+    comparison.differ("the recorded world is not possible: " + problem);
+    return comparison.finish();
+  }
+  World world(table, rules.start, config.box);
   for (const Deposit& event : trace.events) {
     if (hooks.stop && hooks.stop->load()) comparison.differ("replay was interrupted");
     if (!comparison.differs() && !open_at(world, event)) {

@@ -33,6 +33,8 @@
 namespace stig {
 
 enum class Motion : std::uint8_t { walk, teleport, event };
+/// saturated: no site is enabled, in this stage or a later one. deposits: the run's limit
+/// on them, or that of its last stage, is reached.
 enum class Terminated : std::uint8_t { saturated, steps, deposits, interrupted };
 
 std::string_view to_string(Motion motion);

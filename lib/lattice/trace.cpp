@@ -8,14 +8,15 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
-#include "lattice/varint.h"
+#include "lattice/bytes.h"
 #include "rules/rule_printer.h"
 
 namespace stig {
 namespace {
 
 constexpr std::string_view kMagic = "stigtrc1";
-constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;  ///< decompressed
+constexpr std::size_t kMostTraceBytes = std::size_t{1} << 29;  ///< decompressed
+constexpr std::size_t kMostTraceEvents = std::size_t{1} << 25;
 enum Tag : std::uint8_t { kEvent = 1, kHash = 2, kEnd = 3 };
 
 nlohmann::json to_json(Cell c) { return {c.x, c.y, c.z}; }
@@ -41,11 +42,25 @@ nlohmann::json header_of(const RuleSet& rules, const SwarmConfig& config, const 
   return h;
 }
 
+/// An integer within bounds; throws on anything else, fractions included.
+std::int64_t integer(const nlohmann::json& j, std::int64_t low, std::int64_t high) {
+  if (!j.is_number_integer()) throw std::range_error("integer");
+  if (j.is_number_unsigned() && j.get<std::uint64_t>() > static_cast<std::uint64_t>(high)) {
+    throw std::range_error("integer");
+  }
+  const auto value = j.get<std::int64_t>();
+  if (value < low || value > high) throw std::range_error("integer");
+  return value;
+}
+
+std::uint64_t unsigned_integer(const nlohmann::json& j) {
+  if (!j.is_number_unsigned()) throw std::range_error("integer");
+  return j.get<std::uint64_t>();
+}
+
 Cell cell_from(const nlohmann::json& j) {
   const auto at = [&](std::size_t i) {
-    const auto v = j.at(i).get<std::int64_t>();
-    if (v < -kMaxCoordinate || v > kMaxCoordinate) throw std::range_error("coordinate");
-    return static_cast<std::int32_t>(v);
+    return static_cast<std::int32_t>(integer(j.at(i), -kMaxCoordinate, kMaxCoordinate));
   };
   if (j.size() != 3) throw std::range_error("cell");
   return {at(0), at(1), at(2)};
@@ -71,16 +86,15 @@ void read_header(const std::string& text, Trace& trace) {
     c.box = Box{cell_from(h["box"].at("low")), size - Cell{}, h["box"].at("periodic").get<bool>(),
                 false};
   }
-  c.agents =
-      static_cast<int>(std::clamp<std::int64_t>(h.at("agents").get<std::int64_t>(), 0, 1 << 30));
-  c.moves = static_cast<int>(std::clamp<std::int64_t>(h.at("moves").get<std::int64_t>(), 0, 64));
+  c.agents = static_cast<int>(integer(h.at("agents"), 0, 1 << 30));
+  c.moves = static_cast<int>(integer(h.at("moves"), 0, 64));
   if (h.contains("agents_at")) {
     for (const auto& cell : h["agents_at"]) c.agents_at.push_back(cell_from(cell));
   }
-  c.seed = h.at("seed").get<std::uint64_t>();
-  c.run = h.at("run").get<std::uint32_t>();
-  if (h.contains("max_steps")) c.max_steps = h["max_steps"].get<std::uint64_t>();
-  if (h.contains("max_deposits")) c.max_deposits = h["max_deposits"].get<std::uint64_t>();
+  c.seed = unsigned_integer(h.at("seed"));
+  c.run = static_cast<std::uint32_t>(integer(h.at("run"), 0, (1 << 24) - 1));
+  if (h.contains("max_steps")) c.max_steps = unsigned_integer(h["max_steps"]);
+  if (h.contains("max_deposits")) c.max_deposits = unsigned_integer(h["max_deposits"]);
 }
 
 std::optional<std::string> decompress(std::string_view bytes) {
@@ -101,9 +115,12 @@ std::optional<std::string> decompress(std::string_view bytes) {
 
 bool read_event(ByteReader& in, Deposit& last) {
   const auto add = [&](std::int32_t& value) {
-    const std::int64_t sum = value + in.zigzag();
-    if (sum < -2147483647 || sum > 2147483647) in.fail();
-    value = static_cast<std::int32_t>(sum);
+    constexpr std::int64_t kFarthest = 2147483647;
+    const std::int64_t delta = in.zigzag();
+    const bool near = delta >= -2 * kFarthest && delta <= 2 * kFarthest;
+    const std::int64_t sum = near ? value + delta : kFarthest + 1;
+    if (sum < -kFarthest || sum > kFarthest) in.fail();
+    value = static_cast<std::int32_t>(in.good() ? sum : 0);
   };
   add(last.site.x);
   add(last.site.y);
@@ -118,7 +135,7 @@ bool read_event(ByteReader& in, Deposit& last) {
   last.match = {static_cast<std::uint32_t>(rule), static_cast<std::uint32_t>(orientation)};
   last.agent = static_cast<std::int32_t>(agent) - 1;
   last.step += in.varint();
-  return in.ok();
+  return in.good();
 }
 
 /// What is wrong with the decompressed payload; empty: nothing.
@@ -126,7 +143,7 @@ std::string read_payload(const std::string& payload, Trace& trace) {
   ByteReader in(payload);
   const std::string header(in.block());
   trace.rule_set_yaml = std::string(in.block());
-  if (!in.ok()) return "its header is cut short";
+  if (!in.good()) return "its header is cut short";
   try {
     read_header(header, trace);
   } catch (const std::exception&) {
@@ -134,20 +151,21 @@ std::string read_payload(const std::string& payload, Trace& trace) {
   }
   Deposit event;
   while (true) {
-    const std::uint8_t tag = in.byte();
+    const std::uint8_t tag = in.u8();
     if (tag == kEvent) {
+      if (trace.events.size() == kMostTraceEvents) return "it has more events than can be held";
       if (!read_event(in, event))
         return "event " + std::to_string(trace.events.size() + 1) + " is malformed";
       trace.events.push_back(event);
     } else if (tag == kHash) {
-      trace.hashes.push_back(in.word());
+      trace.hashes.push_back(in.u64());
     } else if (tag == kEnd) {
       trace.steps = in.varint();
       const std::uint64_t why = in.varint();
-      trace.final_hash = in.word();
-      if (!in.ok() || why > 3) return "its end is malformed";
+      trace.final_hash = in.u64();
+      if (!in.good() || why > 3) return "its end is malformed";
       trace.terminated = static_cast<Terminated>(why);
-      return in.at_end() ? "" : "there are bytes after its end";
+      return in.left() == 0 ? "" : "there are bytes after its end";
     } else {
       return "it ends before its end mark";
     }
@@ -206,7 +224,7 @@ void TraceWriter::deposit(const Deposit& d) {
   s.hash += placement_hash(d.site, d.colour);
   if (++s.events % kTraceHashEvery == 0) {
     out.push_back(static_cast<char>(kHash));
-    put_word(out, s.hash);
+    put(out, s.hash);
   }
   if (out.size() > 1U << 16) s.flush(ZSTD_e_continue);
 }
@@ -216,7 +234,7 @@ std::string TraceWriter::finish(std::uint64_t steps, Terminated terminated) {
   s.pending.push_back(static_cast<char>(kEnd));
   put_varint(s.pending, steps);
   put_varint(s.pending, static_cast<std::uint64_t>(terminated));
-  put_word(s.pending, s.hash);
+  put(s.pending, s.hash);
   s.flush(ZSTD_e_end);
   return std::move(s.bytes);
 }

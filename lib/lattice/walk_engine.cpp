@@ -30,11 +30,17 @@ struct Field {
   std::int32_t step(Offset o) const { return o.z * slice + o.y * row + o.x; }
 };
 
+/// Numbers coprime to `count`: all below it, or 4096 spread over the range where it is
+/// large.
 std::vector<std::uint32_t> coprimes(std::uint32_t count) {
-  constexpr std::size_t kEnough = 4096;
+  constexpr std::uint32_t kEnough = 4096;
+  if (count == 1) return {0};
+  const std::uint32_t stride = std::max(1U, count / kEnough);
   std::vector<std::uint32_t> all;
-  for (std::uint32_t i = 1; i <= count && all.size() < kEnough; ++i) {
-    if (std::gcd(i, count) == 1) all.push_back(i % count);
+  for (std::uint32_t from = 1; from < count; from += stride) {
+    std::uint32_t i = from;
+    while (i < from + stride && std::gcd(i, count) != 1) ++i;
+    if (i < from + stride && i < count) all.push_back(i);
   }
   return all;
 }
@@ -91,7 +97,7 @@ class AgentRun {
   bool stimulate(std::uint32_t agent);
   void walk(std::uint32_t agent);
   void jump(std::uint32_t agent);
-  bool ended() const { return enabled_ == 0 || log_.deposits_spent(); }
+  bool ended() const { return enabled_ == 0 || log_.deposits_spent() || world_.stage_spent(); }
 
   std::uint8_t& flags(std::int32_t index) { return flags_[static_cast<std::size_t>(index)]; }
   bool is(std::int32_t index, int bits) const {
@@ -210,10 +216,8 @@ void AgentRun::set_enabled(std::int32_t index, bool enabled) {
 void AgentRun::fill() {
   do {
     for (std::int32_t i = 0; enabled_ > 0; ++i) set_enabled(i, false);
-    if (!world_.stage_spent()) {
-      for (const Cell site : world_.enabled_sites()) set_enabled(field_.index(site), true);
-    }
-  } while (enabled_ == 0 && world_.next_stage());
+    for (const Cell site : world_.enabled_sites()) set_enabled(field_.index(site), true);
+  } while ((enabled_ == 0 || world_.stage_spent()) && world_.next_stage());
 }
 
 SwarmResult AgentRun::run() {
@@ -227,7 +231,7 @@ Terminated AgentRun::steps() {
   const auto agents = static_cast<std::uint64_t>(config_->agents);
   while (true) {
     if (enabled_ == 0) return Terminated::saturated;
-    if (log_.deposits_spent()) return Terminated::deposits;
+    if (log_.deposits_spent() || world_.stage_spent()) return Terminated::deposits;
     if (log_.limit_reached(agents)) return log_.why();
     step_ = log_.begin_step();
     draw_order(step_);

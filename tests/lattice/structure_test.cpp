@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "lattice/cell_marks.h"
 #include "support/random_structures.h"
@@ -100,6 +101,21 @@ TEST_CASE("different structures hash differently") {
   CHECK(hash({{{0, 0, 0}, 1}, {{1, 0, 0}, 2}}) != hash({{{0, 0, 0}, 2}, {{1, 0, 0}, 1}}));
   CHECK(one != structure_hash(Structure(Lattice::hexagonal, {{{0, 0, 0}, 1}})));
   CHECK(structure_hash(Structure{}) == structure_hash(Structure{}));
+}
+
+TEST_CASE("no two placements near each other have the same hash") {
+  std::set<std::uint64_t> seen;
+  for (int i = 0; i < 16 * 16 * 16; ++i) {
+    const Cell c{i % 16 - 8, i / 16 % 16 - 8, i / 256 - 8};
+    for (const Colour colour : {Colour{1}, Colour{2}, Colour{3}}) {
+      REQUIRE(seen.insert(placement_hash(c, colour)).second);
+    }
+  }
+  const auto pair = [](Cell second) {
+    return structure_hash(Structure(Lattice::cubic, {{{0, 0, 0}, 1}, {second, 1}}));
+  };
+  CHECK(pair({0, 1, 0}) != pair({0, 0, 1}));
+  CHECK(pair({1, 0, 0}) != pair({0, 1, 0}));
 }
 
 TEST_CASE("cell marks are a map, with its cells listed") {

@@ -311,6 +311,20 @@ TEST_CASE("stages follow one another, by exhaustion or by deposits") {
   CHECK(second == 3);
 }
 
+TEST_CASE("the last stage's limit ends the run as a limit, not as saturation") {
+  RuleSet rules = shipped("tiling");
+  for (Rule& rule : rules.rules) rule.stage = 1;
+  rules.stages[1] = 5;
+  SwarmConfig config = walkers(rules, 9, 30);
+  for (const Motion motion : {Motion::event, Motion::walk, Motion::teleport}) {
+    config.motion = motion;
+    const SwarmResult result = run(rules, config).result;
+    CHECK(result.terminated == Terminated::deposits);
+    CHECK(result.deposits == 5);
+    CHECK(result.enabled_left > 0);
+  }
+}
+
 TEST_CASE("what cannot run is said in words") {
   const RuleSet rules = shipped("stepped-pyramid");
   const RuleTable table(rules);

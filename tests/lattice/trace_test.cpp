@@ -115,6 +115,25 @@ TEST_CASE("a given order is held to the rules, event by event") {
   CHECK(report.difference.starts_with("no rule allows"));
 }
 
+TEST_CASE("a given trace must name the rule that fits, and a world that can be") {
+  const RuleSet rules = shipped("stepped-pyramid");
+  SwarmConfig config;
+  config.motion = Motion::event;
+  const Trace trace = *read(record(rules, config, "given").bytes);
+  Trace other = trace;
+  other.events[0].match.rule = (other.events[0].match.rule + 1) % 4;
+  CHECK_FALSE(replay(other, rules).identical);
+  other = trace;
+  other.config.box = Box{{0, 0, 0}, {0, 0, 0}, true, false};
+  CHECK(replay(other, rules).difference.starts_with("the recorded world is not possible"));
+  other = trace;
+  other.hashes.push_back(1);
+  CHECK_FALSE(replay(other, rules).identical);
+  other = trace;
+  other.rule_set_hash ^= 1;
+  CHECK(replay(other, rules).difference == "the rule set's hash differs");
+}
+
 TEST_CASE("damaged traces are refused") {
   const std::string bytes = record(shipped("staircase"), events(5)).bytes;
   CHECK_FALSE(read(""));
