@@ -123,28 +123,38 @@ class CavityFlood {
   std::vector<bool> taken_;
 };
 
-/// The bricks' image under g, moved to the origin: its hash as a sum over bricks.
-std::uint64_t image_hash(const std::vector<PlacedBrick>& bricks, const Orientation& g) {
-  Cell low = Cell{} + g.apply(bricks.front().at - Cell{});
+Cell image(const Orientation& g, Cell cell) { return Cell{} + g.apply(cell - Cell{}); }
+
+/// Bounds of the bricks' image under g.
+Bounds image_bounds(const std::vector<PlacedBrick>& bricks, const Orientation& g) {
+  Bounds bounds{image(g, bricks.front().at), image(g, bricks.front().at)};
+  auto& [low, high] = bounds;
   for (const PlacedBrick& b : bricks) {
-    const Cell at = Cell{} + g.apply(b.at - Cell{});
+    const Cell at = image(g, b.at);
     low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
+    high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
   }
+  return bounds;
+}
+
+/// Sum of the placements' hashes in the image, with its lowest corner at the origin.
+std::uint64_t image_hash(const std::vector<PlacedBrick>& bricks, const Orientation& g, Cell low) {
   std::uint64_t sum = 0;
   for (const PlacedBrick& b : bricks) {
-    const Cell at = Cell{} + g.apply(b.at - Cell{});
-    sum += placement_hash(Cell{} + (at - low), b.brick);
+    sum += placement_hash(Cell{} + (image(g, b.at) - low), b.brick);
   }
   return sum;
 }
 
 int symmetry_order(const Structure& structure, const std::vector<PlacedBrick>& bricks) {
   const auto group = orientations(structure.lattice(), Symmetry::rotations_mirrors, true);
-  const std::uint64_t own = image_hash(bricks, group.front());
+  const std::uint64_t own = image_hash(bricks, group.front(), structure.bounds()->low);
   int order = 1;
   for (std::size_t g = 1; g < group.size(); ++g) {
-    // Hashes part the unequal ones cheaply; equality is then certain.
-    if (image_hash(bricks, group[g]) != own) continue;
+    // Sizes and hashes part the unequal ones cheaply; equality is then certain.
+    const Bounds bounds = image_bounds(bricks, group[g]);
+    if (bounds.size() != structure.bounds()->size()) continue;
+    if (image_hash(bricks, group[g], bounds.low) != own) continue;
     if (to_origin(transformed(structure, group[g])) == to_origin(structure)) ++order;
   }
   return order;
