@@ -18,6 +18,8 @@ namespace stig {
 struct LoadedStructure {
   Structure structure;
   std::vector<Brick> bricks;  ///< colour k is bricks[k - 1], as in a rule set
+  /// Does the file say where the structure stands? If not, its lowest corner is (0, 0, 0).
+  bool placed = true;
 };
 
 inline constexpr std::size_t kMostFileBytes = std::size_t{1} << 28;   ///< of one structure file

@@ -11,7 +11,7 @@
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 #include "lattice/structure_json.h"
-#include "lattice/structure_text.h"
+#include "lattice/text_file.h"
 #include "lattice/vox.h"
 
 namespace stig {
@@ -33,18 +33,15 @@ std::string ending_of(std::string_view path) {
   return ending;
 }
 
-std::optional<LoadedStructure> read_text(const SourceRef& source,
-                                         const StructureReadOptions& options,
-                                         Diagnostics& diagnostics) {
-  auto structure = read_structure_text(source, options.lattice, options.bricks, diagnostics);
-  if (!structure) return std::nullopt;
-  std::vector<Brick> bricks = options.bricks;
-  if (bricks.empty()) {
-    Colour highest = 0;
-    for (const PlacedBrick& brick : structure->bricks()) highest = std::max(highest, brick.brick);
-    bricks = numbered_bricks(highest);
-  }
-  return LoadedStructure{std::move(*structure), std::move(bricks)};
+// A structure on the lattice that is wanted, or a diagnostic.
+std::optional<LoadedStructure> on_lattice(std::optional<LoadedStructure> loaded,
+                                          std::optional<Lattice> wanted, const SourceRef& source,
+                                          Diagnostics& diagnostics) {
+  if (!loaded || !wanted || loaded->structure.lattice() == *wanted) return loaded;
+  diagnostics.add(Code::F411, {source, 0, 0},
+                  fmt::format("the structure is {}, {} is wanted",
+                              to_string(loaded->structure.lattice()), to_string(*wanted)));
+  return std::nullopt;
 }
 
 bool print_text(const Structure& structure, const std::vector<Brick>& bricks, std::string& bytes,
@@ -55,7 +52,7 @@ bool print_text(const Structure& structure, const std::vector<Brick>& bricks, st
     error = "the box around the structure is too large to be drawn as text; use .json or .vox";
     return false;
   }
-  bytes = print_structure(structure, bricks);
+  bytes = print_text_file(structure, bricks);
   return true;
 }
 
@@ -111,10 +108,14 @@ std::optional<LoadedStructure> read_structure_file(const std::string& path,
     diagnostics.add(Code::R001, {std::make_shared<SourceFile>(path, ""), 0, 0}, error.message);
     return std::nullopt;
   }
-  if (ending == "vox") return read_vox(path, *bytes, diagnostics, options.lattice);
+  if (ending == "vox") {
+    return read_vox(path, *bytes, diagnostics, options.lattice.value_or(Lattice::cubic));
+  }
   const auto source = std::make_shared<SourceFile>(path, std::move(*bytes));
-  if (ending == "json") return read_structure_json(source, diagnostics);
-  return read_text(source, options, diagnostics);
+  if (ending == "txt") {
+    return read_text_file(source, options.lattice, options.bricks, diagnostics);
+  }
+  return on_lattice(read_structure_json(source, diagnostics), options.lattice, source, diagnostics);
 }
 
 bool can_write_structure(const std::string& path, std::string& error) {

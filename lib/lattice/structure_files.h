@@ -15,10 +15,10 @@
 
 namespace stig {
 
-/// For kinds that do not say it themselves.
+/// What a file need not say itself. One that says otherwise is a diagnostic.
 struct StructureReadOptions {
-  Lattice lattice = Lattice::cubic;  ///< of .txt and .vox
-  std::vector<Brick> bricks;         ///< symbols of .txt; empty: numbers
+  std::optional<Lattice> lattice;  ///< left out: the file's, or cubic
+  std::vector<Brick> bricks;       ///< symbols of .txt; empty: the file's (text_file.h)
 };
 
 struct StructureWriteOptions {

@@ -33,7 +33,7 @@ class TextReader {
   TextReader(SourceRef source, const std::vector<Brick>& bricks, Diagnostics& diagnostics)
       : source_(std::move(source)), states_(states_by_symbol(bricks)), diagnostics_(diagnostics) {}
 
-  std::optional<Structure> read(Lattice lattice) {
+  std::optional<Structure> read(Lattice lattice, Offset corner) {
     const std::string& text = source_->text();
     for (std::size_t begin = 0; begin < text.size() && errors_ < kMostErrors;) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
@@ -45,7 +45,7 @@ class TextReader {
     }
     if (errors_ == 0) end_slice(text.size(), text.size());
     if (errors_ != 0) return std::nullopt;
-    return build(lattice);
+    return build(lattice, corner);
   }
 
  private:
@@ -107,16 +107,16 @@ class TextReader {
     ++slices_;
   }
 
-  std::optional<Structure> build(Lattice lattice) {
+  std::optional<Structure> build(Lattice lattice, Offset corner) {
     assert(cells_.size() == width_ * height_ * slices_);
     std::vector<PlacedBrick> bricks;
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (cells_[i] == kEmpty) continue;
       const std::size_t row = i / width_;
-      bricks.push_back({{static_cast<std::int32_t>(i % width_),
-                         static_cast<std::int32_t>(height_ - 1 - row % height_),
-                         static_cast<std::int32_t>(slices_ - 1 - row / height_)},
-                        cells_[i]});
+      const Cell drawn{static_cast<std::int32_t>(i % width_),
+                       static_cast<std::int32_t>(height_ - 1 - row % height_),
+                       static_cast<std::int32_t>(slices_ - 1 - row / height_)};
+      bricks.push_back({drawn + corner, cells_[i]});
     }
     if (const auto problem = find_problem(bricks)) {
       error(Code::F406, 0, 0, to_string(*problem));
@@ -143,8 +143,9 @@ class TextReader {
 
 std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
                                              const std::vector<Brick>& bricks,
-                                             Diagnostics& diagnostics) {
-  return TextReader(std::move(source), bricks, diagnostics).read(lattice);
+                                             Diagnostics& diagnostics, Cell corner) {
+  return TextReader(std::move(source), bricks, diagnostics)
+      .read(lattice, {corner.x, corner.y, corner.z});
 }
 
 Structure structure_literal(std::string_view text, Lattice lattice) {

@@ -18,11 +18,12 @@
 namespace stig {
 
 /// Symbols are those of `bricks`; errors (unknown symbol, ragged rows, slices of
-/// different size) are reported. Blank lines and lines that start with "//" are
+/// different size) are reported. `corner` is the place of the lowest, left-most drawn
+/// cell. Blank lines and lines that start with "//" are
 /// passed over.
 std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
                                              const std::vector<Brick>& bricks,
-                                             Diagnostics& diagnostics);
+                                             Diagnostics& diagnostics, Cell corner = {});
 /// For tests: digits 1-9 are colours 1-9; asserts on a malformed literal.
 Structure structure_literal(std::string_view text, Lattice lattice = Lattice::cubic);
 

@@ -266,7 +266,7 @@ std::optional<LoadedStructure> VoxReader::read(Lattice lattice) {
     error(to_string(*problem), Code::F406);
     return std::nullopt;
   }
-  return LoadedStructure{Structure(lattice, bricks_), std::move(bricks)};
+  return LoadedStructure{Structure(lattice, bricks_), std::move(bricks), !scene_.empty()};
 }
 
 }  // namespace

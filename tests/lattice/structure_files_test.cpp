@@ -37,7 +37,8 @@ std::string written(const std::string& path, const Structure& structure) {
 TEST_CASE("every kind starts as it should") {
   const Folder folder;
   const Structure s = structure_literal("1 2\n---\n3 1");
-  CHECK(written(folder / "s.txt", s) == "1 2\n---\n3 1\n");
+  CHECK(written(folder / "s.txt", s) ==
+        "// lattice: cubic\n// lowest corner: 0 0 0\n// bricks: 1 2 3\n1 2\n---\n3 1\n");
   CHECK(written(folder / "s.json", s).starts_with("{\"stigc_structure\": 1"));
   CHECK(written(folder / "s.vox", s).starts_with("VOX "));
   CHECK(written(folder / "s.stl", s).starts_with("stigc"));

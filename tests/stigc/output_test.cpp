@@ -29,7 +29,8 @@ TEST_CASE("explore writes every format by its ending, several at once") {
   CHECK(place.file("s.ply").starts_with("ply\n"));
   CHECK(place.file("s.glb").starts_with("glTF"));
   CHECK(place.file("s.png").starts_with("\x89PNG"));
-  CHECK(place.file("s.txt") == "1 2 3\n");
+  CHECK(place.file("s.txt") ==
+        "// lattice: cubic\n// lowest corner: 0 0 0\n// bricks: 1 2 3\n1 2 3\n");
   CHECK(place.file("s.stigt").starts_with("stigtrc1"));
   CHECK(place.file("s.stigt") == place.file("trace"));
   CHECK(place.file("s.csv").starts_with("deposit,step,x,y,z,brick,rule,orientation,agent\n1,"));
@@ -46,6 +47,69 @@ TEST_CASE("structure files go round: written by one command, read by the next") 
   const json said = parsed(place.stigc(
       {"explain", "sets/line.yaml", "--structure", "c.vox", "--at", "3,0,0", "--json"}));
   CHECK(said["rules"][0]["fires"] == false);
+}
+
+TEST_CASE("text files keep lattice, place and symbols") {
+  const Workplace place;
+  REQUIRE(place
+              .shell("stigc explore sets/sheet.yaml -q --motion event --deposits 30 "
+                     "-o a.txt -o a.json -o a.vox")
+              .exit_code == 0);
+  json text = parsed(place.stigc({"measure", "a.txt", "--json"}));
+  json object = parsed(place.stigc({"measure", "a.json", "--json"}));
+  json vox = parsed(place.stigc({"measure", "a.vox", "--lattice", "hexagonal", "--json"}));
+  CHECK(parsed(place.stigc({"measure", "a.vox", "--json"}))["lattice"] == "cubic");
+  CHECK(text["lattice"] == "hexagonal");
+  for (json* one : {&text, &object, &vox}) one->erase("structure");
+  CHECK(text == object);
+  CHECK(vox["measures"] == object["measures"]);
+  CHECK(place.stigc({"measure", "a.txt", "--lattice", "cubic"}).exit_code == 1);
+  CHECK(place.stigc({"measure", "a.json", "--lattice", "cubic"}).exit_code == 1);
+  CHECK(place.stigc({"explain", "sets/line.yaml", "--structure", "a.txt", "--at", "0,0,0"})
+            .exit_code == 1);
+}
+
+TEST_CASE("explain takes the place from the file, and says so when there is none") {
+  const Workplace place;
+  REQUIRE(place.shell("stigc explore sets/corner.yaml -q -o a.txt -o a.vox").exit_code == 0);
+  for (const char* file : {"a.txt", "a.vox"}) {
+    const Outcome kept =
+        place.stigc({"explain", "sets/corner.yaml", "--structure", file, "--at", "1,0,0"});
+    CHECK(kept.exit_code == 0);
+    CHECK(kept.err.empty());
+  }
+  place.write("bare.txt", "t .\n---\nt s\n");
+  const Outcome bare =
+      place.stigc({"explain", "sets/corner.yaml", "--structure", "bare.txt", "--at", "1,0,0"});
+  CHECK(bare.exit_code == 0);
+  CHECK(bare.err.find("(0, 0, 0)") != std::string::npos);
+  CHECK(place.stigc({"measure", "bare.txt"}).exit_code == 0);
+  CHECK(place.stigc({"draw", "bare.txt", "-o", "bare.png"}).exit_code == 0);
+}
+
+TEST_CASE("draw takes an output once") {
+  const Workplace place;
+  place.write("s.txt", "1 2\n");
+  const Outcome outcome = place.stigc({"draw", "s.txt", "-o", "t.json", "-o", "t.json"});
+  CHECK(outcome.exit_code == 2);
+  CHECK(outcome.err == "stigc: 't.json' is given twice\n");
+  CHECK(place.files() == std::vector<std::string>{"s.txt"});
+}
+
+TEST_CASE("test counts files that expect nothing apart") {
+  const Workplace place;
+  REQUIRE(place.shell("sed '/^expect/,$d' sets/line.yaml > bare.yaml").exit_code == 0);
+  const Outcome alone = place.shell("stigc test bare.yaml");
+  CHECK(alone.exit_code == 0);
+  CHECK(alone.out == "bare.yaml\n  nothing is expected\n1 file expects nothing\n");
+  CHECK(place.shell("stigc test bare.yaml sets/line.yaml")
+            .out.ends_with("1 of 1 file is as expected, 1 file expects nothing\n"));
+  const json all = parsed(place.shell("stigc test --json bare.yaml sets/line.yaml"));
+  CHECK(all["passed"] == 1);
+  CHECK(all["of"] == 1);
+  CHECK(all["without_expectations"] == 1);
+  CHECK(all["files"][0]["expectations"] == 0);
+  CHECK(all["files"][1]["expectations"] == 3);
 }
 
 TEST_CASE("the object of explore --json has every field promised") {

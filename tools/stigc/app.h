@@ -68,8 +68,8 @@ std::string red(std::string_view text, bool on);
 std::string yellow(std::string_view text, bool on);
 std::string dim(std::string_view text, bool on);
 
-/// Opens /dev/null in place of standard streams that are closed, lets SIGPIPE be an
-/// error of write(2), and turns SIGINT and SIGTERM into the flag below. A second
+/// Opens /dev/null in place of standard streams that are closed, lets SIGPIPE and
+/// SIGXFSZ (a limit on the size of files) be errors of write(2), and turns SIGINT and SIGTERM into the flag below. A second
 /// signal ends the program at once.
 void prepare_process();
 /// Set when the user asked to stop.

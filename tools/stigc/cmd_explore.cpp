@@ -84,6 +84,9 @@ void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
   for (std::size_t r = 0; r < rules.rules.size(); ++r) {
     json["rules"].push_back({{"name", rules.rules[r].name}, {"fired", ensemble.fired[r]}});
   }
+  json["interrupted_runs"] = std::count_if(
+      ensemble.runs.begin(), ensemble.runs.end(),
+      [](const RunSummary& run) { return run.terminated == Terminated::interrupted; });
   json["distinct_structures"] = ensemble.structures.size();
   std::string text = dump(json);
   text.resize(text.rfind("\n}"));

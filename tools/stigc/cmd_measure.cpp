@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc measure and stigc draw: structure files by themselves.
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/hash.h"
 #include "commands.h"
@@ -22,7 +23,7 @@ std::string stem(const std::string& path) {
 }  // namespace
 
 int run(const MeasureOptions& options, App& app) {
-  const auto loaded = read_structure(options.structure, app);
+  const auto loaded = read_structure(options.structure, options.lattice, app);
   if (!loaded) return kFailed;
   if (options.json) {
     const Measures measures = measure(loaded->structure);
@@ -44,13 +45,17 @@ int run(const MeasureOptions& options, App& app) {
 }
 
 int run(const DrawOptions& options, App& app) {
+  std::set<std::string> seen;
   for (const std::string& path : options.outputs) {
     std::string error;
-    if (can_write_structure(path, error)) continue;
+    if (can_write_structure(path, error)) {
+      if (seen.insert(path).second) continue;
+      error = "'" + path + "' is given twice";
+    }
     app.complain(printable(error));
     return kUsage;
   }
-  const auto loaded = read_structure(options.structure, app);
+  const auto loaded = read_structure(options.structure, options.lattice, app);
   if (!loaded) return kFailed;
   for (const std::string& path : options.outputs) {
     std::string error;

@@ -37,14 +37,17 @@ int exit_code(const ExpectationReport& report) {
   return failed ? kFailed : kRunFailed;
 }
 
-void print_text(const std::string& file, const RuleSet& rules, const ExpectationReport& report,
-                App& app) {
+bool expects_nothing(const ExpectationReport& report) {
+  return report.items.empty() && report.problem.empty() && !report.interrupted;
+}
+
+void print_text(const std::string& file, const ExpectationReport& report, App& app) {
   app.print(bold(printable(file), app.color_out()) + "\n");
   if (!report.problem.empty()) {
     app.print(fmt::format("  {}: {}\n", red("cannot be run", app.color_out()), report.problem));
   } else if (report.interrupted) {
     app.print("  interrupted\n");
-  } else if (!rules.expect) {
+  } else if (expects_nothing(report)) {
     app.print("  nothing is expected\n");
   }
   for (const ExpectationItem& item : report.items) {
@@ -55,7 +58,10 @@ void print_text(const std::string& file, const RuleSet& rules, const Expectation
 }
 
 Json to_json(const std::string& file, const ExpectationReport& report) {
-  Json json{{"file", file}, {"passed", report.passed()}, {"states", report.states}};
+  Json json{{"file", file},
+            {"passed", report.passed()},
+            {"expectations", report.items.size()},
+            {"states", report.states}};
   if (!report.problem.empty()) json["problem"] = report.problem;
   if (report.interrupted) json["interrupted"] = true;
   json["items"] = Json::array();
@@ -69,6 +75,19 @@ Json to_json(const std::string& file, const ExpectationReport& report) {
   return json;
 }
 
+/// "2 of 3 files are as expected, 1 expects nothing".
+std::string summary(std::size_t passed, std::size_t of, std::size_t without) {
+  std::string text;
+  if (of > 0 || without == 0) {
+    text = fmt::format("{} of {} {} as expected", passed, of, of == 1 ? "file is" : "files are");
+  }
+  if (without > 0) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", without,
+                        without == 1 ? "file expects nothing" : "files expect nothing");
+  }
+  return text + "\n";
+}
+
 }  // namespace
 
 int run(const TestOptions& options, App& app) {
@@ -79,24 +98,29 @@ int run(const TestOptions& options, App& app) {
   hooks.stop = &stop_requested();
   Json all = Json::array();
   int worst = kOk;
-  std::size_t passed = 0;
+  std::size_t passed = 0, without = 0;
   Progress progress(app);
   for (std::size_t i = 0; i < options.files.size() && !stop_requested(); ++i) {
     const std::string& file = options.files[i];
     hooks.progress = [&](std::uint64_t states) {
-      progress.show(static_cast<double>(i) / static_cast<double>(options.files.size()),
-                    fmt::format("{}: {} states", printable(file), states));
+      progress.show(
+          static_cast<double>(i) / static_cast<double>(options.files.size()),
+          fmt::format("{}: {} {}", printable(file), states, states == 1 ? "state" : "states"));
     };
     const std::optional<RuleSet> rules = app.read_rules(file);
     ExpectationReport report;
     if (rules) report = hold_to_expectation(*rules, limits, hooks);
     const int code = rules ? exit_code(report) : kFailed;
     progress.clear();
-    if (code == kOk) ++passed;
+    if (rules && expects_nothing(report)) {
+      ++without;
+    } else if (code == kOk) {
+      ++passed;
+    }
     // What failed (1) counts for more than what stayed open (3).
     if (worst != kFailed && code != kOk) worst = code;
     if (!options.json && rules) {
-      print_text(file, *rules, report, app);
+      print_text(file, report, app);
       app.flush();
     }
     if (options.json) {
@@ -105,10 +129,12 @@ int run(const TestOptions& options, App& app) {
     }
   }
   if (options.json) {
-    app.print(dump({{"files", all}, {"passed", passed}, {"of", options.files.size()}}));
+    app.print(dump({{"files", all},
+                    {"passed", passed},
+                    {"of", options.files.size() - without},
+                    {"without_expectations", without}}));
   } else {
-    app.print(fmt::format("{} of {} {} as expected\n", passed, options.files.size(),
-                          options.files.size() == 1 ? "file is" : "files are"));
+    app.print(summary(passed, options.files.size() - without, without));
   }
   return stop_requested() ? kRunFailed : worst;
 }

@@ -67,8 +67,8 @@ template <class Enum>
 using Words = std::vector<std::pair<std::string, Enum>>;
 
 /// One of a few words; `value` of the option lists them, parted by bars.
-template <class Enum>
-CLI::Option* choice(CLI::App* app, const std::string& names, Enum& out, const Words<Enum>& words,
+template <class Out, class Enum = Out>
+CLI::Option* choice(CLI::App* app, const std::string& names, Out& out, const Words<Enum>& words,
                     const std::string& doc) {
   std::string value;
   for (const auto& [word, meaning] : words) value += (value.empty() ? "" : "|") + word;
@@ -228,6 +228,12 @@ void add_test(CLI::App& app, TestOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
+void lattice(CLI::App* sub, std::optional<Lattice>& out) {
+  choice<std::optional<Lattice>, Lattice>(
+      sub, "--lattice", out, {{"cubic", Lattice::cubic}, {"hexagonal", Lattice::hexagonal}},
+      "the lattice of a file that does not say it, as no .vox does (default: cubic)");
+}
+
 void add_files_out(CLI::App& app, Storage& s) {
   CLI::App* graph = command(app, "graph", "print which rule's brick another rule can need, as DOT",
                             "  stigc graph staircase.yaml | dot -Tsvg > staircase.svg\n");
@@ -241,13 +247,16 @@ void add_files_out(CLI::App& app, Storage& s) {
           "  stigc schema > stigc.schema.json\n");
   CLI::App* measure = command(app, "measure", "measure a structure file",
                               "  stigc measure staircase.vox\n"
+                              "  stigc measure tiling.vox --lattice hexagonal\n"
                               "  stigc measure staircase.json --json\n");
   file(measure, "STRUCTURE", s.measure.structure, "structure file (.vox .json .txt)");
+  lattice(measure, s.measure.lattice);
   measure->add_flag("--json", s.measure.json, "print one JSON object");
   CLI::App* draw = command(app, "draw", "draw a structure file, or turn it into another format",
                            "  stigc draw staircase.vox -o staircase.png\n"
                            "  stigc draw staircase.json -o staircase.glb -o staircase.stl\n");
   file(draw, "STRUCTURE", s.draw.structure, "structure file (.vox .json .txt)");
+  lattice(draw, s.draw.lattice);
   repeated(draw, "-o,--output", s.draw.outputs, "FILE",
            "file to write, in the format of its ending; may be repeated")
       ->required();

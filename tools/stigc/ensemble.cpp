@@ -27,7 +27,7 @@ void add_run(const RuleSet& rules, const SwarmConfig& config, const SwarmResult&
   const std::uint64_t hash = structure_hash(result.structure);
   ensemble.runs.push_back({result.steps, result.deposits, result.structure.size(), hash,
                            result.enabled_left, result.out_of_reach, result.terminated});
-  ++ensemble.structures[hash];
+  if (result.terminated != Terminated::interrupted) ++ensemble.structures[hash];
   for (std::size_t r = 0; r < ensemble.fired.size(); ++r) {
     ensemble.fired[r] += result.rules[r].fired;
   }
@@ -41,6 +41,14 @@ std::vector<Output> of_each_run(const std::vector<Output>& outputs) {
   std::vector<Output> kept;
   std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(kept),
                [](const Output& output) { return output.kind == OutputKind::structure; });
+  return kept;
+}
+
+/// The runs that were not interrupted: what is left of the others is no sample.
+std::vector<RunSummary> finished(const std::vector<RunSummary>& runs) {
+  std::vector<RunSummary> kept;
+  std::copy_if(runs.begin(), runs.end(), std::back_inserter(kept),
+               [](const RunSummary& run) { return run.terminated != Terminated::interrupted; });
   return kept;
 }
 
@@ -143,8 +151,9 @@ std::string runs_csv(const Ensemble& ensemble) {
 std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,
                            const Ensemble& ensemble, bool color) {
   std::string out = setting_lines(rules, config.swarm, color);
-  const auto& runs = ensemble.runs;
-  out += line("runs", fmt::format("{}: {}", runs.size(), endings_in_words(runs)));
+  out += line("runs", fmt::format("{}: {}", ensemble.runs.size(), endings_in_words(ensemble.runs)));
+  const std::vector<RunSummary> runs = finished(ensemble.runs);
+  if (runs.empty()) return out + line("structures", "none: no run was finished");
   out += line("steps", range_in_words(range_of(runs, [](auto& r) { return r.steps; })));
   out += line("deposits", range_in_words(range_of(runs, [](auto& r) { return r.deposits; })));
   out += line("bricks", range_in_words(range_of(runs, [](auto& r) { return r.bricks; })));

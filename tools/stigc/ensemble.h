@@ -21,8 +21,8 @@ struct RunSummary {
 struct Ensemble {
   std::vector<RunSummary> runs;
   std::vector<std::uint64_t> fired;  ///< by rule, over all runs
-  /// Structure hash (modulo translation) -> number of runs that ended there. Runs that
-  /// were interrupted count as well.
+  /// Structure hash (modulo translation) -> number of runs that ended there, those that
+  /// were interrupted left out.
   std::map<std::uint64_t, std::uint64_t> structures;
   std::string runs_json;  ///< one JSON object a run, when asked for; parted by commas
   bool interrupted = false;

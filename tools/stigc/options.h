@@ -84,11 +84,13 @@ struct SchemaOptions {};
 
 struct MeasureOptions {
   std::string structure;
+  std::optional<Lattice> lattice;  ///< of a file that does not say it
   bool json = false;
 };
 
 struct DrawOptions {
   std::string structure;
+  std::optional<Lattice> lattice;  ///< of a file that does not say it
   std::vector<std::string> outputs;
 };
 

@@ -28,18 +28,18 @@ Colour counterpart(const RuleSet& rules, const Brick& brick) {
 
 }  // namespace
 
-std::optional<LoadedStructure> read_structure(const std::string& path, const App& app) {
-  return read(path, {}, app);
+std::optional<LoadedStructure> read_structure(const std::string& path,
+                                              std::optional<Lattice> lattice, const App& app) {
+  return read(path, {lattice, {}}, app);
 }
 
 std::optional<Structure> read_structure_for(const RuleSet& rules, const std::string& path,
                                             const App& app) {
   auto loaded = read(path, {rules.lattice, rules.bricks}, app);
   if (!loaded) return std::nullopt;
-  if (loaded->structure.lattice() != rules.lattice) {
-    app.complain(fmt::format("'{}' is a {} structure, the rule set is {}", printable(path),
-                             to_string(loaded->structure.lattice()), to_string(rules.lattice)));
-    return std::nullopt;
+  if (!loaded->placed) {
+    app.say(fmt::format("{}: the file names no place; its lowest corner is taken to be (0, 0, 0)",
+                        printable(path)));
   }
   Structure structure(rules.lattice);
   for (const PlacedBrick& placed : loaded->structure.bricks()) {

@@ -10,11 +10,14 @@
 
 namespace stig {
 
-/// Reads a file on its own terms: .txt holds numbers, cubic. Problems are reported.
-std::optional<LoadedStructure> read_structure(const std::string& path, const App& app);
+/// Reads a file on its own terms; `lattice` is for files that do not say theirs, and
+/// holds the others to it. Problems are reported.
+std::optional<LoadedStructure> read_structure(const std::string& path,
+                                              std::optional<Lattice> lattice, const App& app);
 
 /// Reads a file in terms of a rule set: its bricks become the set's, matched by symbol,
-/// then by colour. Problems are reported; a brick that the set does not have is one.
+/// then by colour. Problems are reported; a brick that the set does not have is one. A
+/// file that does not say where its structure stands is remarked on.
 std::optional<Structure> read_structure_for(const RuleSet& rules, const std::string& path,
                                             const App& app);
 

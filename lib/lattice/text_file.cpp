@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+#include "lattice/text_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include "lattice/rgb.h"
+#include "lattice/structure_text.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::string_view kSpaces = " \t\r";
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kSpaces);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kSpaces) + 1 - first);
+}
+
+std::vector<std::string_view> words_of(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (text = trimmed(text); !text.empty(); text = trimmed(text)) {
+    const std::size_t end = std::min(text.find_first_of(kSpaces), text.size());
+    words.push_back(text.substr(0, end));
+    text.remove_prefix(end);
+  }
+  return words;
+}
+
+std::optional<int> number_of(std::string_view word, int low, int high) {
+  int value = 0;
+  const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (failure != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value < low || value > high ? std::nullopt : std::optional(value);
+}
+
+// Can a row of symbols be read back that has this one in it?
+bool drawable(std::string_view symbol) {
+  return !symbol.empty() && symbol != "." && symbol != "---" && !symbol.starts_with("//") &&
+         symbol.find_first_of(" \t\r\n") == std::string_view::npos;
+}
+
+std::vector<Brick> bricks_of(const std::vector<std::string_view>& symbols) {
+  std::vector<Brick> bricks = numbered_bricks(static_cast<int>(symbols.size()));
+  for (std::size_t i = 0; i < symbols.size(); ++i) bricks[i].symbol = bricks[i].name = symbols[i];
+  return bricks;
+}
+
+bool all_differ(const std::vector<std::string_view>& words) {
+  return std::set<std::string_view>(words.begin(), words.end()).size() == words.size();
+}
+
+struct Head {
+  std::optional<Lattice> lattice;
+  std::optional<Cell> corner;
+  std::optional<std::vector<Brick>> bricks;
+};
+
+// Reads the comments before the first row; those without a key of ours are passed over.
+class HeadReader {
+ public:
+  HeadReader(const SourceRef& source, Diagnostics& diagnostics)
+      : source_(source), diagnostics_(diagnostics) {}
+
+  /// False when something in the head is malformed.
+  bool read(Head& head) {
+    std::string_view rest = source_->text();
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find('\n'), rest.size());
+      const std::string_view line = trimmed(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+      if (line.empty()) continue;
+      if (!line.starts_with("//")) break;
+      read_line(line.substr(2), head);
+    }
+    return good_;
+  }
+
+ private:
+  void read_line(std::string_view line, Head& head) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos) return;
+    const std::string_view key = trimmed(line.substr(0, colon));
+    const std::string_view value = line.substr(colon + 1);
+    if (key == "lattice") read_lattice(value, head);
+    if (key == "lowest corner") read_corner(value, head);
+    if (key == "bricks") read_bricks(value, head);
+  }
+
+  void read_lattice(std::string_view value, Head& head) {
+    const std::string_view word = trimmed(value);
+    if (head.lattice) return error(value, "the lattice is given twice");
+    for (const Lattice lattice : {Lattice::cubic, Lattice::hexagonal}) {
+      if (word == to_string(lattice)) head.lattice = lattice;
+    }
+    if (!head.lattice) error(value, "the lattice is cubic or hexagonal");
+  }
+
+  void read_corner(std::string_view value, Head& head) {
+    if (head.corner) return error(value, "the lowest corner is given twice");
+    std::vector<int> numbers;
+    const auto words = words_of(value);
+    for (const std::string_view word : words) {
+      const auto number = number_of(word, -kMaxCoordinate, kMaxCoordinate);
+      if (number) numbers.push_back(*number);
+    }
+    if (words.size() != 3 || numbers.size() != 3) {
+      return error(value, fmt::format("the lowest corner is x y z, three whole numbers within ±{}",
+                                      kMaxCoordinate));
+    }
+    head.corner = Cell{numbers[0], numbers[1], numbers[2]};
+  }
+
+  void read_bricks(std::string_view value, Head& head) {
+    if (head.bricks) return error(value, "the bricks are given twice");
+    const auto symbols = words_of(value);
+    if (symbols.empty() || symbols.size() > kMaxColours || !all_differ(symbols) ||
+        !std::all_of(symbols.begin(), symbols.end(), drawable)) {
+      return error(value, fmt::format("the bricks are 1 to {} different symbols", kMaxColours));
+    }
+    head.bricks = bricks_of(symbols);
+  }
+
+  void error(std::string_view where, std::string message) {
+    const std::string_view shown = trimmed(where);
+    const char* begin = shown.empty() ? where.data() : shown.data();
+    const auto at = static_cast<std::uint32_t>(begin - source_->text().data());
+    diagnostics_.add(Code::F411, {source_, at, at + static_cast<std::uint32_t>(shown.size())},
+                     std::move(message));
+    good_ = false;
+  }
+
+  const SourceRef& source_;
+  Diagnostics& diagnostics_;
+  bool good_ = true;
+};
+
+// The bricks of slices that nobody has named: none, for numbers, when all symbols are
+// numbers; otherwise the symbols as they appear, as many as a structure has room for.
+std::vector<Brick> bricks_drawn(std::string_view text) {
+  std::vector<std::string_view> symbols;
+  std::set<std::string_view> seen{"."};
+  bool numbers = true;
+  while (!text.empty() && symbols.size() < kMaxColours) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (line.starts_with("//") || line == "---") continue;
+    for (const std::string_view word : words_of(line)) {
+      if (!seen.insert(word).second) continue;
+      if (symbols.size() < kMaxColours) symbols.push_back(word);
+      numbers &= number_of(word, 1, kMaxColours).has_value();
+    }
+  }
+  return numbers ? std::vector<Brick>{} : bricks_of(symbols);
+}
+
+int highest_colour(const Structure& structure) {
+  int highest = 0;
+  for (const PlacedBrick& brick : structure.bricks()) highest = std::max<int>(highest, brick.brick);
+  return highest;
+}
+
+// The bricks, or numbers where their symbols could not be told apart again.
+std::vector<Brick> drawable_bricks(const Structure& structure, const std::vector<Brick>& bricks) {
+  const int highest = highest_colour(structure);
+  std::vector<std::string_view> symbols;
+  for (const Brick& brick : bricks) symbols.push_back(brick.symbol);
+  const bool good = static_cast<int>(bricks.size()) >= highest && all_differ(symbols) &&
+                    std::all_of(symbols.begin(), symbols.end(), drawable);
+  return good ? bricks : numbered_bricks(std::max(highest, static_cast<int>(bricks.size())));
+}
+
+}  // namespace
+
+std::optional<LoadedStructure> read_text_file(const SourceRef& source,
+                                              std::optional<Lattice> lattice,
+                                              const std::vector<Brick>& bricks,
+                                              Diagnostics& diagnostics) {
+  Head head;
+  if (!HeadReader(source, diagnostics).read(head)) return std::nullopt;
+  if (lattice && head.lattice && *head.lattice != *lattice) {
+    diagnostics.add(Code::F411, {source, 0, 0},
+                    fmt::format("the structure is {}, {} is wanted", to_string(*head.lattice),
+                                to_string(*lattice)));
+    return std::nullopt;
+  }
+  if (!lattice) lattice = head.lattice.value_or(Lattice::cubic);
+  std::vector<Brick> known = bricks;
+  if (known.empty()) known = head.bricks ? *head.bricks : bricks_drawn(source->text());
+  auto structure =
+      read_structure_text(source, *lattice, known, diagnostics, head.corner.value_or(Cell{}));
+  if (!structure) return std::nullopt;
+  if (known.empty()) known = numbered_bricks(highest_colour(*structure));
+  return LoadedStructure{std::move(*structure), std::move(known), head.corner.has_value()};
+}
+
+std::string print_text_file(const Structure& structure, const std::vector<Brick>& bricks) {
+  const std::vector<Brick> drawn = drawable_bricks(structure, bricks);
+  const Cell corner = structure.empty() ? Cell{} : structure.bounds()->low;
+  std::string out = fmt::format("// lattice: {}\n// lowest corner: {} {} {}\n",
+                                to_string(structure.lattice()), corner.x, corner.y, corner.z);
+  if (!drawn.empty()) {
+    out += "// bricks:";
+    for (const Brick& brick : drawn) out += " " + brick.symbol;
+    out += '\n';
+  }
+  return out + print_structure(structure, drawn);
+}
+
+}  // namespace stig
