@@ -91,8 +91,7 @@ TEST_CASE("a failed write leaves the old file as it was") {
   const Workplace place;
   const std::string before = "stigc explore sets/line.yaml -q -o out.txt >/dev/null; ";
   CHECK(code(place, before + "ulimit -f 0; "
-                             "stigc explore sets/corner.yaml -q -o out.txt | cat; "
-                             "exit ${PIPESTATUS[0]}") == 3);
+                             "stigc explore sets/corner.yaml -q -o out.txt >/dev/null 2>&1") == 3);
   CHECK(place.file("out.txt").ends_with("\n1 2 3\n"));
   CHECK(place.files() == std::vector<std::string>{"out.txt"});
 }
