@@ -120,6 +120,9 @@ void prepare_process() {
     if (fcntl(descriptor, F_GETFD) == -1 && open("/dev/null", O_RDONLY) < 0) std::abort();
   }
   std::signal(SIGPIPE, SIG_IGN);
+}
+
+void stop_on_signals() {
   struct sigaction action {};
   action.sa_handler = on_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
