@@ -13,12 +13,11 @@ namespace {
 
 /// What sampling and searching found.
 struct Findings {
-  std::vector<Structure> ends;    ///< distinct, at absolute places
-  std::uint32_t samples = 0;      ///< orders sampled
-  std::uint32_t growing = 0;      ///< of these, still growing at the limit
-  std::uint32_t cut_short = 0;    ///< of these, stopped by the limit on steps
-  std::uint64_t growth_seen = 0;  ///< deposits after which growth was given up
-  bool exhausted = false;         ///< `ends` are the ends of all orders
+  std::vector<Structure> ends;  ///< distinct, at absolute places
+  std::uint32_t samples = 0;    ///< orders sampled
+  std::uint32_t growing = 0;    ///< of these, still growing at the limit on deposits
+  std::uint32_t cut_short = 0;  ///< of these, stopped by the limit on steps
+  bool exhausted = false;       ///< `ends` are the ends of all orders
   std::uint64_t states = 0;
   bool interrupted = false;
 
@@ -29,6 +28,11 @@ struct Findings {
     return fmt::format("{}; trying all was given up after {} states", sampled, states);
   }
 };
+
+/// A box needs no limit: it is full one day. Without one, growth has to be given up on.
+std::optional<std::uint64_t> deposit_limit(const RuleSet& rules, const ExpectationLimits& limits) {
+  return rules.box ? std::nullopt : std::optional(limits.deposits);
+}
 
 void add_end(Findings& findings, Structure structure) {
   for (const Structure& end : findings.ends) {
@@ -42,31 +46,37 @@ SwarmConfig event_config(const RuleSet& rules, const ExpectationLimits& limits) 
   config.motion = Motion::event;
   if (rules.box) config.box = lay_box(*rules.box, rules.start, rules.floor);
   config.seed = limits.seed;
-  config.max_deposits = limits.deposits;
+  config.max_deposits = deposit_limit(rules, limits);
   config.max_steps = limits.steps;
   return config;
 }
 
-/// Two ends are enough to refute and eight growing orders to call it growth; more
-/// samples would cost time and say nothing new.
-bool settled(const Findings& findings) {
-  constexpr std::uint32_t kEnoughGrowth = 8;
-  return findings.ends.size() >= 2 || findings.growing >= kEnoughGrowth;
+/// Two ends are enough to refute. Orders that come to no end prove nothing, be they ever
+/// so many; after eight of them more would cost time and say nothing new.
+bool sampled_enough(const Findings& findings) {
+  constexpr std::uint32_t kEnoughWithoutEnd = 8;
+  return findings.ends.size() >= 2 || findings.growing + findings.cut_short >= kEnoughWithoutEnd;
+}
+
+/// Was the run still growing at the limit on deposits? The limit of the last stage
+/// is an end that the set itself has.
+bool still_growing(const SwarmResult& result, const SwarmConfig& config) {
+  return result.terminated == Terminated::deposits && config.max_deposits &&
+         result.deposits >= *config.max_deposits;
 }
 
 void sample(const RuleTable& table, const RuleSet& rules, SwarmConfig config,
             const ExpectationLimits& limits, const EventOrdersHooks& hooks, Findings& findings) {
   SwarmHooks run_hooks;
   run_hooks.stop = hooks.stop;
-  findings.growth_seen = limits.deposits;
-  for (config.run = 0; config.run < limits.samples && !settled(findings); ++config.run) {
+  for (config.run = 0; config.run < limits.samples && !sampled_enough(findings); ++config.run) {
     SwarmResult result = run_swarm(table, rules.start, config, run_hooks);
     if (result.terminated == Terminated::interrupted) {
       findings.interrupted = true;
       return;
     }
     ++findings.samples;
-    if (result.terminated == Terminated::deposits) {
+    if (still_growing(result, config)) {
       ++findings.growing;
     } else if (result.terminated == Terminated::steps) {
       ++findings.cut_short;
@@ -85,15 +95,18 @@ void search(const RuleTable& table, const RuleSet& rules, const SwarmConfig& con
   for (Structure& end : orders.ends) add_end(findings, std::move(end));
 }
 
-std::string growth_in_words(const Findings& findings) {
-  return fmt::format("{} of {} sampled orders still growing after {} deposits", findings.growing,
-                     findings.samples, findings.growth_seen);
+std::string no_end_in_words(const Findings& findings, const ExpectationLimits& limits) {
+  if (findings.growing > 0) {
+    return fmt::format("no end found; {} of {} sampled orders still growing after {} deposits",
+                       findings.growing, findings.samples, limits.deposits);
+  }
+  if (findings.cut_short == 0) return "no end found";
+  return fmt::format("no end found; {} of {} sampled orders stopped after {} steps",
+                     findings.cut_short, findings.samples, limits.steps);
 }
 
-std::string ends_in_words(const Findings& findings) {
-  if (findings.ends.empty()) {
-    return findings.growing > 0 ? growth_in_words(findings) : "no end found";
-  }
+std::string ends_in_words(const Findings& findings, const ExpectationLimits& limits) {
+  if (findings.ends.empty()) return no_end_in_words(findings, limits);
   std::size_t least = findings.ends.front().size(), most = least;
   for (const Structure& end : findings.ends) {
     least = std::min(least, end.size());
@@ -109,13 +122,15 @@ std::string ends_in_words(const Findings& findings) {
 /// A claim about every end, all of those found agreeing with it.
 Standing standing_of_agreement(const Findings& findings) {
   if (findings.exhausted) return Standing::held;
-  if (findings.growing > 0) return Standing::failed;
-  if (findings.ends.empty() || findings.cut_short > 0) return Standing::undecided;
+  if (findings.ends.empty() || findings.growing > 0 || findings.cut_short > 0) {
+    return Standing::undecided;
+  }
   return Standing::not_contradicted;
 }
 
-void judge_verdict(Verdict expected, const Findings& findings, ExpectationItem& item) {
-  item.found = ends_in_words(findings);
+void judge_verdict(Verdict expected, const Findings& findings, const ExpectationLimits& limits,
+                   ExpectationItem& item) {
+  item.found = ends_in_words(findings, limits);
   item.method = findings.method();
   switch (expected) {
     case Verdict::coordinated:
@@ -130,19 +145,19 @@ void judge_verdict(Verdict expected, const Findings& findings, ExpectationItem& 
       }
       return;
     case Verdict::endless:
-      if (findings.growing > 0) item.found = growth_in_words(findings);
       item.standing = !findings.ends.empty() ? Standing::failed
-                      : findings.growing > 0 ? Standing::held
+                      : findings.growing > 0 ? Standing::not_contradicted
                                              : Standing::undecided;
       return;
   }
 }
 
-void judge_bricks(std::int64_t expected, const Findings& findings, ExpectationItem& item) {
+void judge_bricks(std::int64_t expected, const Findings& findings, const ExpectationLimits& limits,
+                  ExpectationItem& item) {
   const auto fits = [&](const Structure& end) {
     return end.size() == static_cast<std::size_t>(expected);
   };
-  item.found = ends_in_words(findings);
+  item.found = ends_in_words(findings, limits);
   item.method = findings.method();
   item.standing = std::all_of(findings.ends.begin(), findings.ends.end(), fits)
                       ? standing_of_agreement(findings)
@@ -167,7 +182,8 @@ std::string first_difference(const RuleSet& rules, const Structure& wanted, cons
   return "nothing";
 }
 
-void judge_structure(const RuleSet& rules, const Findings& findings, ExpectationItem& item) {
+void judge_structure(const RuleSet& rules, const Findings& findings,
+                     const ExpectationLimits& limits, ExpectationItem& item) {
   const Structure wanted = to_origin(Structure(rules.lattice, rules.expect->structure));
   item.method = findings.method();
   for (const Structure& end : findings.ends) {
@@ -178,20 +194,21 @@ void judge_structure(const RuleSet& rules, const Findings& findings, Expectation
     return;
   }
   item.standing = standing_of_agreement(findings);
-  item.found = findings.ends.empty() ? ends_in_words(findings) : "as drawn";
+  item.found = findings.ends.empty() ? no_end_in_words(findings, limits) : "as drawn";
 }
 
-std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& findings) {
+std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& findings,
+                                   const ExpectationLimits& limits) {
   const Expectation& expect = *rules.expect;
   std::vector<ExpectationItem> items;
   if (expect.bricks) {
     items.push_back({"bricks", {}, fmt::to_string(*expect.bricks), {}, {}, expect.bricks_range});
-    judge_bricks(*expect.bricks, findings, items.back());
+    judge_bricks(*expect.bricks, findings, limits, items.back());
   }
   if (expect.verdict) {
     items.push_back(
         {"verdict", {}, std::string(to_string(*expect.verdict)), {}, {}, expect.verdict_range});
-    judge_verdict(*expect.verdict, findings, items.back());
+    judge_verdict(*expect.verdict, findings, limits, items.back());
   }
   if (!expect.structure.empty()) {
     items.push_back({"structure",
@@ -200,7 +217,7 @@ std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& finding
                      {},
                      {},
                      expect.structure_range});
-    judge_structure(rules, findings, items.back());
+    judge_structure(rules, findings, limits, items.back());
   }
   return items;
 }
@@ -239,12 +256,12 @@ ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLim
   if (!report.problem.empty()) return report;
   Findings findings;
   sample(table, rules, config, limits, hooks, findings);
-  if (!findings.interrupted && !settled(findings) && findings.growing == 0) {
+  if (!findings.interrupted && findings.ends.size() < 2 && findings.growing == 0) {
     search(table, rules, config, limits, hooks, findings);
   }
   report.states = findings.states;
   report.interrupted = findings.interrupted;
-  if (!report.interrupted) report.items = judge(rules, findings);
+  if (!report.interrupted) report.items = judge(rules, findings, limits);
   return report;
 }
 

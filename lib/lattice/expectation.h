@@ -2,14 +2,16 @@
 // Holding a rule set to its own `expect`, with the method said honestly.
 //
 // First many event orders are sampled, each with its own stream of random numbers;
-// two different ends, or growth past a limit, settle much. If all samples agree,
-// every order is tried exhaustively (event_orders.h) as far as a budget goes; only
-// a complete search proves, and what rests on samples alone says so.
+// two different ends settle much. If all samples agree, every order is tried
+// exhaustively (event_orders.h) as far as a budget goes; only a complete search
+// proves, and what rests on samples alone says so. Growth past a limit proves nothing:
+// it might end later. In a box, which is full one day, there is no such limit.
 //
 //   coordinated      held: every order ends in one structure, by exhaustion;
 //                    otherwise at best not contradicted by the samples
 //   order-dependent  held: two orders were found that end differently
-//   endless          held: every sampled order was still growing after the limit
+//   endless          never held: at best not contradicted, by samples still growing at
+//                    the limit and none that ended; growth leaves the others undecided
 //   bricks,          of every end found; a statement about all orders only when the
 //   structure        search was complete (structure: modulo translation)
 #pragma once
@@ -43,9 +45,8 @@ struct ExpectationItem {
 
 struct ExpectationLimits {
   std::uint32_t samples = 64;
-  std::uint64_t deposits = 20'000;  ///< growing past this counts as endless
-  /// Steps a sample may take without any deposit limit being near: rules of low
-  /// probability can idle.
+  std::uint64_t deposits = 20'000;  ///< of one sample, where there is no box
+  /// Of one sample: rules of low probability can idle.
   std::uint64_t steps = 10'000'000;
   std::uint64_t seed = 1;
   EventOrdersLimits search;

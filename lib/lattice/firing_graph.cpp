@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
+#include <cassert>
 #include <cstdlib>
 #include <map>
 
@@ -151,17 +152,41 @@ void write_nodes(const FiringGraph& graph, const RuleSet& rules, std::string& ou
   }
 }
 
-}  // namespace
-
-FiringGraph firing_graph(const RuleSet& rules) {
-  FiringGraph graph;
-  graph.nodes.resize(rules.rules.size());
+std::vector<Needs> needs_of(const RuleSet& rules) {
   std::vector<Needs> needs;
   for (const Rule& rule : rules.rules) needs.push_back(needs_of(rules, rule));
+  return needs;
+}
+
+bool feeds(const Rule& a, const Rule& b, const Needs& needs_of_b) {
+  return in_time(a.stage, b.stage) && needs_of_b.any.contains(a.place);
+}
+
+}  // namespace
+
+std::string firing_graph_problem(const RuleSet& rules) {
+  const std::size_t count = rules.rules.size();
+  if (count > kMostGraphRules) {
+    return fmt::format("{} rules are too many for a graph: at most {}", count, kMostGraphRules);
+  }
+  const std::vector<Needs> needs = needs_of(rules);
+  std::size_t edges = 0;
+  for (const Rule& rule : rules.rules) {
+    for (std::size_t b = 0; b < count; ++b) edges += feeds(rule, rules.rules[b], needs[b]);
+  }
+  if (edges <= kMostGraphEdges) return {};
+  return fmt::format("{} edges between {} rules are too many for a graph: at most {}", edges, count,
+                     kMostGraphEdges);
+}
+
+FiringGraph firing_graph(const RuleSet& rules) {
+  assert(firing_graph_problem(rules).empty());
+  FiringGraph graph;
+  graph.nodes.resize(rules.rules.size());
+  const std::vector<Needs> needs = needs_of(rules);
   for (std::uint32_t a = 0; a < rules.rules.size(); ++a) {
     for (std::uint32_t b = 0; b < rules.rules.size(); ++b) {
-      if (!in_time(rules.rules[a].stage, rules.rules[b].stage)) continue;
-      if (needs[b].any.contains(rules.rules[a].place)) graph.edges.push_back({a, b});
+      if (feeds(rules.rules[a], rules.rules[b], needs[b])) graph.edges.push_back({a, b});
     }
   }
   for (std::uint32_t b = 0; b < rules.rules.size(); ++b) {

@@ -39,6 +39,13 @@ struct FiringGraph {
   std::vector<std::vector<std::uint32_t>> cycles;  ///< rules of each cyclic component, sorted
 };
 
+/// Edges grow with the square of the rules, and no layout of so many ends.
+inline constexpr std::size_t kMostGraphRules = 2000;
+inline constexpr std::size_t kMostGraphEdges = 1'000'000;
+
+/// Why the set is too large for a graph, in words; empty: it is not.
+std::string firing_graph_problem(const RuleSet& rules);
+/// There must be no problem (asserted).
 FiringGraph firing_graph(const RuleSet& rules);
 
 /// Graphviz text: names and bricks' colours in the nodes, stages as clusters,

@@ -66,6 +66,7 @@ class VoxReader {
   bool read_voxels(ByteReader content);
   bool read_palette(ByteReader content);
   std::optional<std::vector<PlacedModel>> place_models();
+  bool check_placed(const std::vector<PlacedModel>& placed);
   bool collect(const PlacedModel& placed);
   bool number_colours(std::vector<Brick>& bricks);
   void keep_first();
@@ -172,19 +173,29 @@ std::optional<std::vector<PlacedModel>> VoxReader::place_models() {
   return placed;
 }
 
+// One model may be placed many times, and all its cells be read each time, those of
+// index 0 too, which come to nothing: the sum is what has to be bounded.
+bool VoxReader::check_placed(const std::vector<PlacedModel>& placed) {
+  std::size_t cells = 0;
+  for (const PlacedModel& model : placed) {
+    if (model.model >= models_.size()) {
+      return error(fmt::format("the scene places model {}, but there are {}", model.model + 1,
+                               models_.size()));
+    }
+    cells += models_[model.model].voxels.size() / 4;
+    if (cells > kMostFileBricks) {
+      return error(fmt::format("more than {} cells", kMostFileBricks), Code::F406);
+    }
+  }
+  return true;
+}
+
 // A model turns about the corner of cells at half its size, rounded down, and that
 // corner is what its transform places. Twice the centres of cells are odd, so the
 // turned cell is the half, rounded down.
 bool VoxReader::collect(const PlacedModel& placed) {
-  if (placed.model >= models_.size()) {
-    return error(fmt::format("the scene places model {}, but there are {}", placed.model + 1,
-                             models_.size()));
-  }
   const Model& model = models_[placed.model];
   ByteReader in(model.voxels);
-  if (bricks_.size() + in.left() / 4 > kMostFileBricks) {
-    return error(fmt::format("more than {} cells", kMostFileBricks), Code::F406);
-  }
   while (in.left() > 0) {
     std::array<std::int64_t, 3> twice{};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -255,7 +266,7 @@ bool VoxReader::number_colours(std::vector<Brick>& bricks) {
 std::optional<LoadedStructure> VoxReader::read(Lattice lattice) {
   if (!read_chunks()) return std::nullopt;
   const auto placed = place_models();
-  if (!placed) return std::nullopt;
+  if (!placed || !check_placed(*placed)) return std::nullopt;
   for (const PlacedModel& model : *placed) {
     if (!collect(model)) return std::nullopt;
   }

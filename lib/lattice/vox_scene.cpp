@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdlib>
 #include <set>
 
 namespace stig {
@@ -11,6 +10,9 @@ namespace stig {
 namespace {
 
 constexpr std::int64_t kFarthest = std::int64_t{1} << 26;
+
+// Not by std::abs, which the least number does not have.
+bool too_far(std::int64_t value) { return value < -kFarthest || value > kFarthest; }
 
 using Attributes = std::map<std::string, std::string>;
 
@@ -42,7 +44,7 @@ bool parse_int(std::string_view& text, std::int64_t& value) {
 // "x y z" in decimal.
 bool parse_shift(std::string_view text, VoxTransform& transform) {
   for (std::int64_t& value : transform.shift) {
-    if (!parse_int(text, value) || std::abs(value) > kFarthest) return false;
+    if (!parse_int(text, value) || too_far(value)) return false;
   }
   return true;
 }
@@ -137,7 +139,7 @@ std::optional<std::vector<PlacedModel>> flatten_scene(const VoxScene& scene) {
     const VoxNode& node = found->second;
     const VoxTransform here = visit.outer.after(node.transform);
     for (const std::int64_t value : here.shift) {
-      if (std::abs(value) > kFarthest) return std::nullopt;
+      if (too_far(value)) return std::nullopt;
     }
     if (node.model) models.push_back({*node.model, here});
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {

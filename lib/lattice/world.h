@@ -31,8 +31,8 @@ class World {
   State at(Cell cell) const;
   View view(Cell site) const;
 
-  /// Places a brick and calls site(neighbour, view) for every empty neighbour that is
-  /// placeable. Counts the deposit towards the stage's limit.
+  /// Places a brick and calls site(neighbour, view) for every empty, placeable neighbour
+  /// to which the new brick can make a difference. Counts the deposit towards the stage's limit.
   template <class Site>
   void deposit(Cell cell, Colour colour, const Site& site) {
     look_at(cell);
@@ -101,6 +101,7 @@ void World::for_each_neighbour_view(Cell cell, const Visit& visit) const {
     return;
   }
   for (std::size_t i = 0; i < size_; ++i) {
+    if (!rules_->sees(static_cast<std::size_t>(n.opposite(static_cast<int>(i))))) continue;
     const int site = static_cast<int>(kCentre) + step_[i];
     const Cell neighbour = cell + n.offsets[i];
     if (around_.at[static_cast<std::size_t>(site)] != kEmpty || !placeable(neighbour)) continue;

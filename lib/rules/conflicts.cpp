@@ -295,6 +295,14 @@ bool same_conditions(const Rule& a, const Rule& b) {
          a.height_max == b.height_max && counts(a) == counts(b);
 }
 
+/// Is every pattern of `entries` among those of `others`?
+bool covers(const std::vector<Turned>& others, const std::vector<Turned>& entries) {
+  return std::all_of(entries.begin(), entries.end(), [&](const Turned& entry) {
+    return std::any_of(others.begin(), others.end(),
+                       [&](const Turned& other) { return other.pattern == entry.pattern; });
+  });
+}
+
 }  // namespace
 
 SourceRange rule_place(const Rule& rule) { return rule.name_range ? rule.name_range : rule.range; }
@@ -307,31 +315,29 @@ void check_conflicts(const RuleSet& rules, Diagnostics& diagnostics) {
 void check_repetitions(const RuleSet& rules, Diagnostics& diagnostics) {
   const int size = neighbourhood(rules.lattice).size;
   Groups groups(rules);
-  // Hash of a pattern in any orientation, with its conditions -> first such rule.
-  std::unordered_map<std::uint64_t, std::uint32_t> seen;
+  // Hash of a pattern in any orientation, with its conditions -> such rules, none a
+  // repetition. They differ in symmetry, so a list is short.
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> seen;
   for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
     const Rule& rule = rules.rules[r];
     const std::uint64_t conditions = conditions_hash(rule);
     const std::vector<Turned> entries = turned_rule(rules, r, groups);
-    const auto found = seen.find(combine(conditions, hash_of(entries[0].pattern, size)));
-    if (found != seen.end()) {
-      const Rule& first = rules.rules[found->second];
-      const std::vector<Turned> others = turned_rule(rules, found->second, groups);
-      const auto covered = [&](const Turned& entry) {
-        return std::any_of(others.begin(), others.end(),
-                           [&](const Turned& other) { return other.pattern == entry.pattern; });
-      };
-      if (same_conditions(first, rule) && std::all_of(entries.begin(), entries.end(), covered)) {
-        diagnostics
-            .add(
-                Code::R303, rule_place(rule),
-                fmt::format("rule {} repeats rule {}", in_quotes(rule.name), in_quotes(first.name)))
-            .note(rule_place(first), "the first one");
-        continue;
-      }
+    const auto repeated = [&](std::uint32_t earlier) {
+      return same_conditions(rules.rules[earlier], rule) &&
+             covers(turned_rule(rules, earlier, groups), entries);
+    };
+    const auto& alike = seen[combine(conditions, hash_of(entries[0].pattern, size))];
+    const auto found = std::find_if(alike.begin(), alike.end(), repeated);
+    if (found != alike.end()) {
+      const Rule& first = rules.rules[*found];
+      diagnostics
+          .add(Code::R303, rule_place(rule),
+               fmt::format("rule {} repeats rule {}", in_quotes(rule.name), in_quotes(first.name)))
+          .note(rule_place(first), "the first one");
+      continue;
     }
     for (const Turned& entry : entries) {
-      seen.emplace(combine(conditions, hash_of(entry.pattern, size)), r);
+      seen[combine(conditions, hash_of(entry.pattern, size))].push_back(r);
     }
   }
 }

@@ -180,6 +180,12 @@ RuleTable::RuleTable(const RuleSet& rules)
     }
   }
   index_->finish(entries_, size_, rules.colours());
+  for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) {
+    sees_[i] = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+      return entry.pattern.allowed[i] != StateSet::anything() ||
+             !actions_[entry.source.rule].counts.empty();
+    });
+  }
   for (const auto& [stage, limit] : rules.stages) {
     if (stage >= 1 && stage <= stage_count_) stage_limits_[static_cast<std::size_t>(stage)] = limit;
   }

@@ -9,6 +9,7 @@
 // one by one, and the rule's stage with them: rules of all stages share the indices.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -53,6 +54,10 @@ class RuleTable {
   /// All rules that match, by rising rule index, each once. `out` is cleared.
   void matches(const View& view, std::int32_t z, int stage, std::vector<Match>& out) const;
 
+  /// Can the state of this neighbour ever decide whether a rule matches? Where not, a
+  /// change there need not be looked at.
+  bool sees(std::size_t neighbour) const { return sees_[neighbour]; }
+
   Colour place(std::uint32_t rule) const { return actions_[rule].place; }
   double probability(std::uint32_t rule) const { return actions_[rule].probability; }
   double weight(std::uint32_t rule) const { return actions_[rule].weight; }
@@ -81,6 +86,7 @@ class RuleTable {
   int stage_count_;
   Conflicts conflicts_;
   int size_;  ///< of the neighbourhood
+  std::array<bool, kMaxNeighbours> sees_{};
   std::vector<Action> actions_;
   std::vector<Entry> entries_;
   std::vector<std::int64_t> stage_limits_;

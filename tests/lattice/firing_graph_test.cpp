@@ -87,5 +87,17 @@ TEST_CASE("names are escaped for DOT") {
   CHECK(dot.find(R"(label="a \"quoted\" \\ name and more → 2")") != std::string::npos);
 }
 
+TEST_CASE("sets too large for a graph are refused with words") {
+  RuleSet rules = small_set(east_of("1", "1"));
+  const Rule rule = rules.rules[0];
+  rules.rules.assign(1000, rule);
+  CHECK(firing_graph_problem(rules).empty());
+  rules.rules.push_back(rule);
+  CHECK(firing_graph_problem(rules) ==
+        "1002001 edges between 1001 rules are too many for a graph: at most 1000000");
+  rules.rules.assign(2001, rule);
+  CHECK(firing_graph_problem(rules) == "2001 rules are too many for a graph: at most 2000");
+}
+
 }  // namespace
 }  // namespace stig

@@ -221,6 +221,8 @@ TEST_CASE("scenes that are no trees are refused") {
   CHECK(complaint(file(one + shape(0, 0) + shape(0, 0))).find("damaged") != std::string::npos);
   CHECK(complaint(file(one + placed(0, 1, "4", "99999999999 0 0") + shape(1, 0)))
             .starts_with("F407"));
+  CHECK(complaint(file(one + placed(0, 1, "4", "0 -9223372036854775808 0") + shape(1, 0)))
+            .starts_with("F407"));
   CHECK(complaint(file(one + placed(0, 1, "5", "0 0 0") + shape(1, 0))).starts_with("F407"));
 }
 
@@ -231,6 +233,22 @@ TEST_CASE("more colours than a structure can have are refused") {
   }
   CHECK(complaint(file(model(64, 1, 1, voxels))) ==
         "F408 the models use 63 colours, the most is 62");
+}
+
+TEST_CASE("cells are counted as often as they are placed, the empty ones too") {
+  const int cells = 1 << 18, shapes = 129;  // one placement more than 2^25 cells
+  std::string scene, children;
+  for (int i = 1; i <= shapes; ++i) {
+    scene += shape(i, 0);
+    children += numbers({i});
+  }
+  const auto bytes = [&](int placements) {
+    const std::string some = children.substr(0, std::size_t{4} * static_cast<unsigned>(placements));
+    return file(model(1, 1, 1, std::string(std::size_t{4} * cells, '\0')) +
+                chunk("nGRP", numbers({0, 0, placements}) + some) + scene);
+  };
+  CHECK(complaint(bytes(shapes)) == "F406 more than 33554432 cells");
+  CHECK(read(bytes(1)).structure.size() == 0);
 }
 
 TEST_CASE("cells far out are refused") {

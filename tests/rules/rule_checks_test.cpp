@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "rules/conflicts.h"
 #include "rules/rule_reader.h"
 #include "rules/view_search.h"
 #include "support/golden.h"
@@ -213,6 +214,24 @@ TEST_CASE("rules of different stages do not conflict, and orientations of one ne
   std::string same = text;
   same.replace(same.find("place: pink"), 11, "place: 2");
   CHECK(codes_of(same) == std::vector{Code::R303});
+}
+
+TEST_CASE("a repetition is found behind a rule that holds in fewer orientations") {
+  const std::string head = project_file("tests/bad/R303-repeated.yaml");
+  Diagnostics diagnostics;
+  auto rules = read_rule_set(std::make_shared<const SourceFile>("m.yaml", head), diagnostics);
+  REQUIRE(rules.has_value());
+  Rule rule = rules->rules[0];
+  for (StateSet& states : rule.pattern.allowed) states = StateSet::empty_cell();
+  rule.pattern.allowed[open_cells(rules->lattice)[0]] = StateSet::of(1);
+  rules->rules.assign(3, rule);
+  rules->rules[0].symmetry = Symmetry::none;
+  rules->rules[1].symmetry = rules->rules[2].symmetry = Symmetry::rotations;
+  for (std::size_t i = 0; i < 3; ++i) rules->rules[i].name = std::string(1, "ABC"[i]);
+  Diagnostics found;
+  check_repetitions(*rules, found);
+  REQUIRE(found.all().size() == 1);
+  CHECK(found.all()[0].message == "rule 'C' repeats rule 'B'");
 }
 
 TEST_CASE("many conflicts: each pair once, and an end") {

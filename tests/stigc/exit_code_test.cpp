@@ -87,6 +87,32 @@ TEST_CASE("averages and structures leave interrupted runs out") {
   CHECK(outcome.out.find("on average") == std::string::npos);
 }
 
+TEST_CASE("a stop asked for while results are written counts") {
+  const Workplace place;
+  // One byte read: the runs are over. The pipe takes no more, so the program waits.
+  CHECK(code(place,
+             "mkfifo pipe; '" STIGC_PROGRAM "' explore sets/corner.yaml --motion event --json "
+             "--runs 300 > pipe & exec 3< pipe; read -r -n 1 -u 3; kill -TERM $!; "
+             "cat <&3 > rest; wait $!") == 3);
+  CHECK(place.file("rest").ends_with("\n}\n"));
+}
+
+TEST_CASE("a command that looks at no flag dies of the first signal") {
+  for (const std::string command : {"check", "fmt", "graph", "explain --at 0,0,0"}) {
+    for (const int signal : {SIGINT, SIGTERM}) {
+      CAPTURE(command);
+      const Workplace place;
+      // The pipe is empty until after the signal, so the program waits for it. A shell
+      // lets what it starts in the background ignore SIGINT, unless told otherwise.
+      CHECK(code(place,
+                 "mkfifo pipe; exec 3<> pipe; "
+                 "env --default-signal=INT '" STIGC_PROGRAM "' " +
+                     command + " - < pipe 3>&- & sleep 0.2; kill -" + std::to_string(signal) +
+                     " $!; exec 3>&-; wait $!") == 128 + signal);
+    }
+  }
+}
+
 TEST_CASE("a failed write leaves the old file as it was") {
   const Workplace place;
   const std::string before = "stigc explore sets/line.yaml -q -o out.txt >/dev/null; ";

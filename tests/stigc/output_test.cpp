@@ -38,6 +38,18 @@ TEST_CASE("explore writes every format by its ending, several at once") {
   CHECK(structure["cells"].size() == 3);
 }
 
+TEST_CASE("the limit of the last stage is not told as one that nobody asked for") {
+  const Workplace place;
+  const Outcome outcome = place.shell(
+      "sed 's/^symmetry/stages: {1: 4}\\nsymmetry/; s/    place: 1/&\\n    stage: 1/; "
+      "/^expect/,$d' "
+      "sets/sheet.yaml > staged.yaml; stigc explore staged.yaml --motion event --json");
+  const json run = parsed(outcome);
+  CHECK(run["terminated"] == "deposits");
+  CHECK(run["deposits"] == 4);
+  CHECK(outcome.err.find("--deposits") == std::string::npos);
+}
+
 TEST_CASE("structure files go round: written by one command, read by the next") {
   const Workplace place;
   REQUIRE(place.shell("stigc explore sets/line.yaml -q -o a.vox -o a.json").exit_code == 0);

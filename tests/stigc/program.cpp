@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -40,6 +41,8 @@ void redirect(const std::string& path, int descriptor) {
 [[noreturn]] void become(const std::string& folder, const std::string& streams,
                          const std::vector<std::string>& words) {
   if (chdir(folder.c_str()) != 0) _exit(126);
+  // A shell may have started the tests in the background, with these ignored.
+  for (const int number : {SIGINT, SIGTERM}) std::signal(number, SIG_DFL);
   redirect(streams + "/out", STDOUT_FILENO);
   redirect(streams + "/err", STDERR_FILENO);
   const int nothing = open("/dev/null", O_RDONLY);

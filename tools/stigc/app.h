@@ -68,10 +68,12 @@ std::string red(std::string_view text, bool on);
 std::string yellow(std::string_view text, bool on);
 std::string dim(std::string_view text, bool on);
 
-/// Opens /dev/null in place of standard streams that are closed, lets SIGPIPE and
-/// SIGXFSZ (a limit on the size of files) be errors of write(2), and turns SIGINT and SIGTERM into the flag below. A second
-/// signal ends the program at once.
+/// Opens /dev/null in place of standard streams that are closed, and lets SIGPIPE and
+/// SIGXFSZ (a limit on the size of files) be errors of write(2).
 void prepare_process();
+/// Turns SIGINT and SIGTERM into the flag below; a second signal ends the program at
+/// once. For commands that look at the flag: the others die of the first.
+void stop_on_signals();
 /// Set when the user asked to stop.
 const std::atomic<bool>& stop_requested();
 

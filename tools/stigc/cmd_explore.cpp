@@ -28,7 +28,9 @@ double fraction_done(const SwarmConfig& config, std::uint64_t steps, std::uint64
 /// Says that a limit nobody asked for ended a run.
 void say_default_limit(const ExploreConfig& config, const RunSummary& run, const App& app) {
   const bool steps = run.terminated == Terminated::steps && config.steps_by_default;
-  const bool deposits = run.terminated == Terminated::deposits && config.deposits_by_default;
+  // The limit of the last stage ends a run in the same way, and somebody did ask for it.
+  const bool deposits = run.terminated == Terminated::deposits && config.deposits_by_default &&
+                        run.deposits >= kDefaultDeposits;
   if (!steps && !deposits) return;
   std::string text =
       steps ? fmt::format("stopped after {} steps, the limit when --steps is not given",
@@ -139,6 +141,7 @@ int run(const ExploreOptions& options, App& app) {
     app.complain(printable(config.problem));
     return kUsage;
   }
+  stop_on_signals();
   return ensemble ? explore_many(*rules, table, config, options, outputs, app)
                   : explore_once(*rules, table, config, options, outputs, app);
 }

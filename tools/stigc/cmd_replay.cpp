@@ -71,6 +71,7 @@ int run(const ReplayOptions& options, App& app) {
   }
   const std::optional<RuleSet> rules = rules_of(*trace, options.trace, app);
   if (!rules) return kFailed;
+  stop_on_signals();
   Progress progress(app);
   SwarmHooks hooks;
   hooks.stop = &stop_requested();

@@ -95,6 +95,7 @@ int run(const TestOptions& options, App& app) {
   if (options.samples) limits.samples = *options.samples;
   if (options.states) limits.search.states = *options.states;
   EventOrdersHooks hooks;
+  stop_on_signals();
   hooks.stop = &stop_requested();
   Json all = Json::array();
   int worst = kOk;

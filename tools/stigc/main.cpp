@@ -47,7 +47,10 @@ int run_program(int argc, const char* const* argv) {
     app.complain("there is not enough memory for this");
     code = kRunFailed;
   }
-  return app.flush() ? code : kRunFailed;
+  const bool flushed = app.flush();
+  // Asked for after the last look at the flag, while measuring or writing, a stop counts
+  // all the same.
+  return flushed && !stop_requested() ? code : kRunFailed;
 }
 
 }  // namespace
