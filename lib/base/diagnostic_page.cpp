@@ -21,7 +21,8 @@ constexpr std::array<Group, 6> kGroups = {{
      "What `stigc schema` describes: an editor that knows the schema finds these too."},
     {"R2", "R2xx: drawings and symbols", "What the schema cannot see: drawings are texts to it."},
     {"R3", "R3xx: meaning of the rule set", "Found by static checks; no rule is run for them."},
-    {"F4", "F4xx: structure and trace files", "Files that the program writes and reads back."},
+    {"F4", "F4xx: structure, trace and certificate files",
+     "Files that the program writes and reads back."},
     {"C5", "C5xx: files of the command line", "Files named on the command line."},
 }};
 

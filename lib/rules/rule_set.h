@@ -86,6 +86,7 @@ struct BoxSpec {
   Offset size;                 ///< cells along x, y, z; each >= 1
   std::optional<Cell> origin;  ///< lowest cell
   bool periodic = false;
+  bool operator==(const BoxSpec&) const = default;
 };
 
 /// What is assumed of robots; used by compile and validate alone.
