@@ -122,8 +122,8 @@ class ClashFinder {
     for (std::int32_t i = first; i >= 0 && found < most_; i = keys_.image(i).next) {
       const Clash clash{keys_.image(i).key, keys_.image(i).orientation,
                         static_cast<std::int32_t>(number), mask, intended};
-      const auto from = static_cast<std::size_t>(
-          schedule_.keys[static_cast<std::size_t>(clash.key)].site);
+      const auto from =
+          static_cast<std::size_t>(schedule_.keys[static_cast<std::size_t>(clash.key)].site);
       if (intended && colours_[from] == colours_[static_cast<std::size_t>(site.orbit)]) continue;
       if (!looks_alike(schedule_, colours_, clash)) continue;
       out.push_back(clash);

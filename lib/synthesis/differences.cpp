@@ -59,10 +59,8 @@ std::vector<int> greedy_clique(const std::vector<std::vector<int>>& differ) {
 
 std::int32_t Differences::pair(int a, int b) {
   if (a > b) std::swap(a, b);
-  const std::uint64_t key =
-      static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
-  const auto [at, added] =
-      pair_index_.try_emplace(key, static_cast<std::int32_t>(pairs_.size()));
+  const std::uint64_t key = static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
+  const auto [at, added] = pair_index_.try_emplace(key, static_cast<std::int32_t>(pairs_.size()));
   if (added) pairs_.emplace_back(a, b);
   return at->second;
 }
@@ -155,8 +153,8 @@ std::vector<bool> Differences::forced_differences() const {
     for (const std::int32_t c : uses[static_cast<std::size_t>(pair)]) {
       const DifferenceClause& clause = clauses_[static_cast<std::size_t>(c)];
       const bool in_equal = clause.equal == pair;
-      const bool false_now = in_equal ? differ[static_cast<std::size_t>(pair)]
-                                      : equal[static_cast<std::size_t>(pair)];
+      const bool false_now =
+          in_equal ? differ[static_cast<std::size_t>(pair)] : equal[static_cast<std::size_t>(pair)];
       if (false_now && --open[static_cast<std::size_t>(c)] == 1) settle_last(clause);
     }
   }

@@ -23,7 +23,8 @@ class Encoding {
  public:
   using Sink = std::function<void(std::span<const int> literals, ClauseKind kind)>;
 
-  Encoding(const Differences& differences, int named, int k) : d_(differences), named_(named), k_(k) {}
+  Encoding(const Differences& differences, int named, int k)
+      : d_(differences), named_(named), k_(k) {}
 
   int has(int orbit, int colour) const { return orbit * k_ + colour; }
   int equal(int pair) const {

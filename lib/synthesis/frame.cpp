@@ -81,8 +81,8 @@ void add_orbits(const Target& target, const Placing& placing, const Turning& tur
       of = number;
       orbit.colours = orbit.colours & target.colours[static_cast<std::size_t>(image)];
     }
-    orbit.start = std::find(placing.start.begin(), placing.start.end(), orbit.at) !=
-                  placing.start.end();
+    orbit.start =
+        std::find(placing.start.begin(), placing.start.end(), orbit.at) != placing.start.end();
     frame.orbits.push_back(orbit);
   }
 }

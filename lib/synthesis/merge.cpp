@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 #include "base/random.h"
@@ -98,8 +99,8 @@ class Merger {
     std::vector<const Pattern*> other;  ///< patterns that place another brick
   };
 
-  Demand best_demand(const View& seed, const Pattern& pattern, const Active& active,
-                     bool untouched, Colour place) const {
+  Demand best_demand(const View& seed, const Pattern& pattern, const Active& active, bool untouched,
+                     Colour place) const {
     Tally good, bad;
     for (const Positive& p : active.good) {
       for (std::size_t i = 0; i < size_; ++i) ++good.showing[i][p.view->at[i]];
@@ -112,7 +113,7 @@ class Merger {
     const auto p0 = static_cast<double>(active.good.size());
     const auto n0 = static_cast<double>(active.bad.size() + active.other.size());
     Demand best;
-    double most = -1;
+    double most = -std::numeric_limits<double>::infinity();
     for_each_demand(seed, [&](const Demand& demand) {
       if (pattern.allowed[demand.at].subset_of(demand.states)) return;
       std::uint32_t p = 0, n = 0;
@@ -141,8 +142,7 @@ class Merger {
     Active active = all_active(rule.place);
     bool untouched = true;
     while (!active.bad.empty() || !active.other.empty()) {
-      const Demand demand =
-          best_demand(view, rule.pattern, active, untouched, rule.place);
+      const Demand demand = best_demand(view, rule.pattern, active, untouched, rule.place);
       untouched = false;
       rule.pattern.allowed[demand.at] = demand.states;
       const auto shows = [&](const View& v) { return demand.states.contains(v.at[demand.at]); };

@@ -34,8 +34,8 @@ std::string reason_of(const Differences& differences, const std::vector<int>& na
   const std::int32_t from = schedule.keys[static_cast<std::size_t>(clash.key)].site;
   const Cell q = schedule.frame->sites[static_cast<std::size_t>(from)].at;
   const Site& site = schedule.frame->sites[static_cast<std::size_t>(clash.site)];
-  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", clash.intended ? 'B' : 'A', from, q.x,
-                     q.y, q.z, clash.orientation, site.orbit, site.at.x, site.at.y, site.at.z,
+  return fmt::format("{} {} {} {} {} {} {} {} {} {} {}", clash.intended ? 'B' : 'A', from, q.x, q.y,
+                     q.z, clash.orientation, site.orbit, site.at.x, site.at.y, site.at.z,
                      clash.mask);
 }
 
