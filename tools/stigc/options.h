@@ -71,6 +71,16 @@ struct TestOptions {
   bool json = false;
 };
 
+/// A certificate for a rule set, or a proof for a formula.
+struct CertifyOptions {
+  std::string file;   ///< rule set, or formula
+  std::string proof;  ///< certificate, or proof
+  bool drat = false;
+  std::optional<BoxOption> box;  ///< in place of the file's
+  bool periodic = false;
+  bool json = false;
+};
+
 struct GraphOptions {
   std::string file;
 };
@@ -104,9 +114,10 @@ struct DoctorOptions {
   bool json = false;
 };
 
-using CommandOptions = std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions,
-                                    TestOptions, GraphOptions, ReplayOptions, SchemaOptions,
-                                    MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
+using CommandOptions =
+    std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
+                 CertifyOptions, GraphOptions, ReplayOptions, SchemaOptions, MeasureOptions,
+                 DrawOptions, CompletionsOptions, DoctorOptions>;
 
 struct CommandLine {
   GlobalOptions global;
