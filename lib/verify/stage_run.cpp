@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "verify/stage_run.h"
+
+#include <deque>
+
+#include "lattice/cell_marks.h"
+
+namespace stig {
+namespace {
+
+constexpr std::uint64_t kSeed = 0x7665726966790001;  ///< of all runs made for proofs
+
+/// The open sites, in the order a schedule wants them.
+class OpenSites {
+ public:
+  explicit OpenSites(Schedule schedule) : schedule_(schedule) {}
+
+  void set(Cell site, bool open) {
+    if (open && schedule_ != Schedule::random && !marks_.contains(site)) waiting_.push_back(site);
+    marks_.set(site, open ? 1 : 0);
+  }
+  bool empty() const { return marks_.size() == 0; }
+  Cell next(Random& random) {
+    if (schedule_ == Schedule::random) return marks_[random.below(marks_.size())];
+    while (true) {
+      const Cell site = schedule_ == Schedule::newest ? waiting_.back() : waiting_.front();
+      schedule_ == Schedule::newest ? waiting_.pop_back() : waiting_.pop_front();
+      if (marks_.contains(site)) return site;
+    }
+  }
+
+ private:
+  Schedule schedule_;
+  CellMarks marks_;
+  std::deque<Cell> waiting_;  ///< sites once open, some no more
+};
+
+}  // namespace
+
+StageRun run_stage(World& world, const StageRunConfig& config, const Budget& budget) {
+  StageRun run;
+  OpenSites open(config.schedule);
+  const auto allowed = [&](Cell site) { return !config.may_fill || config.may_fill(site); };
+  for (const Cell site : world.enabled_sites()) {
+    if (allowed(site)) open.set(site, true);
+  }
+  for (std::uint64_t step = 1;; ++step) {
+    if (open.empty() || world.stage_spent()) {
+      run.ended = true;
+      return run;
+    }
+    if (run.deposits.size() >= config.most || (step % 1024 == 0 && budget.spent())) return run;
+    Random random(kSeed, config.run, Purpose::event, 0, step);
+    const Cell site = open.next(random);
+    const Match match = world.choose(site, random);
+    const Colour colour = world.rules().place(match.rule);
+    open.set(site, false);
+    world.deposit(site, colour, [&](Cell neighbour, const View& view) {
+      if (!allowed(neighbour)) return;
+      open.set(neighbour, world.rules().enabled(view, neighbour.z, world.stage()));
+    });
+    run.deposits.push_back({site, colour, match, -1, run.deposits.size() + 1});
+  }
+}
+
+World world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
+                     const std::optional<Box>& box, int stage) {
+  World world(rules, bricks, box);
+  while (world.stage() < stage && world.next_stage()) {
+  }
+  return world;
+}
+
+}  // namespace stig
