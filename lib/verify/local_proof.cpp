@@ -34,10 +34,6 @@ class SiteChecker {
     }
     seen_ = 0;
     for (const LocalRule& rule : site_.rules) seen_ |= rule.sees();
-    if (site_.unclear) {
-      fail(LocalFailure::Kind::too_many, 0);
-      return result_;
-    }
     if (is_brick && invariant_.group_of[number] != Invariant::kNoWindow) {
       return result_;  // its window answers for it
     }
@@ -57,7 +53,7 @@ class SiteChecker {
 
   /// Number of local states that the invariant leaves possible at the site last checked.
   std::uint64_t count_states() {
-    if (site_.rules.empty() || site_.unclear) return 0;
+    if (site_.rules.empty()) return 0;
     order_ = local_order(model_, invariant_, site_);
     std::uint64_t count = 0;
     for_each_local_state(model_, site_, order_, seen_ & ~order_.after, kMostLocalStates, [&](Mask) {

@@ -7,9 +7,22 @@
 namespace stig {
 
 bool LocalCount::holds(Mask state) const {
-  const int number =
-      always + std::popcount(state & if_filled) + std::popcount(~state & if_empty);
+  int number = always;
+  for (const Layer& layer : layers) {
+    number += std::popcount(state & layer.if_filled) + std::popcount(~state & layer.if_empty);
+  }
   return number >= min && number <= max;
+}
+
+void LocalCount::add(Mask bit, bool filled, bool empty) {
+  const auto free = [&](const Layer& layer) {
+    return ((layer.if_filled | layer.if_empty) & bit) == 0;
+  };
+  if (!filled && !empty) return;
+  auto layer = std::find_if(layers.begin(), layers.end(), free);
+  if (layer == layers.end()) layer = layers.insert(layers.end(), Layer{});
+  if (filled) layer->if_filled |= bit;
+  if (empty) layer->if_empty |= bit;
 }
 
 bool LocalRule::matches(Mask state) const {
@@ -20,7 +33,9 @@ bool LocalRule::matches(Mask state) const {
 
 Mask LocalRule::sees() const {
   Mask seen = need | forbid;
-  for (const LocalCount& count : counts) seen |= count.if_filled ^ count.if_empty;
+  for (const LocalCount& count : counts) {
+    for (const LocalCount::Layer& layer : count.layers) seen |= layer.if_filled ^ layer.if_empty;
+  }
   return seen;
 }
 
@@ -64,8 +79,6 @@ void StageModel::look(std::uint32_t number, Site& out) const {
   out.colour = number < bricks() ? (*run_)[number].colour : Colour{0};
   out.bricks = 0;
   out.rules.clear();
-  out.unclear = false;
-  bool aliased = false;
   View fixed = before_->view(out.at);
   PossibleStates possible;
   std::array<std::int8_t, kMaxNeighbours> alias{};
@@ -82,7 +95,6 @@ void StageModel::look(std::uint32_t number, Site& out) const {
     for (std::size_t k = 0; small && k < i; ++k) {
       if ((out.bricks & bit(static_cast<int>(k))) == 0 || out.brick[k] != brick) continue;
       alias[i] = static_cast<std::int8_t>(k);
-      aliased = true;
       break;
     }
     out.brick[i] = brick;
@@ -91,7 +103,6 @@ void StageModel::look(std::uint32_t number, Site& out) const {
   index_.possible(possible, out.at.z, possible_);
   for (const std::uint32_t e : possible_) {
     LocalRule rule = local_rule(table_->entries()[e], out, fixed, alias);
-    out.unclear = out.unclear || (aliased && !rule.counts.empty());
     if ((rule.need & rule.forbid) == 0) out.rules.push_back(std::move(rule));
   }
 }
@@ -123,8 +134,7 @@ LocalRule StageModel::local_rule(const Entry& entry, const Site& site, const Vie
         count.always += condition.of.contains(fixed.at[i]) ? 1 : 0;
         continue;
       }
-      if (condition.of.contains(colour(i))) count.if_filled |= bit(alias[i]);
-      if (condition.of.contains(kEmpty)) count.if_empty |= bit(alias[i]);
+      count.add(bit(alias[i]), condition.of.contains(colour(i)), condition.of.contains(kEmpty));
     }
     rule.counts.push_back(count);
   }

@@ -7,8 +7,8 @@
 // among its neighbours, as a mask over neighbour indices; whatever else is around the
 // site (earlier bricks, floor, nothing) stays as it is while the stage lasts.
 //
-// In a periodic box of a side below three a cell can be a neighbour twice; it then has
-// the bit of its lowest index alone.
+// In a periodic box of a side below three a cell can be a neighbour several times; it
+// then has the bit of its lowest index alone.
 #pragma once
 
 #include <array>
@@ -28,11 +28,17 @@ inline constexpr Mask bit(int index) { return Mask{1} << index; }
 
 /// count_in_view as a function of the local state.
 struct LocalCount {
-  int always = 0;       ///< counted whatever the state
-  Mask if_filled = 0;   ///< bricks that count
-  Mask if_empty = 0;    ///< bricks whose absence counts
+  /// Bricks that count, and bricks whose absence does.
+  struct Layer {
+    Mask if_filled = 0, if_empty = 0;
+  };
+  int always = 0;             ///< counted whatever the state
+  std::vector<Layer> layers;  ///< one; more where a cell is a neighbour several times
   int min = 0, max = 0;
+
   bool holds(Mask state) const;
+  /// The brick with this bit counts once more in these cases.
+  void add(Mask bit, bool filled, bool empty);
 };
 
 /// An entry that matches in exactly those local states that have all of `need`, nothing of
@@ -55,8 +61,6 @@ struct Site {
   Mask bricks = 0;    ///< neighbours that are bricks of this stage
   std::array<std::uint32_t, kMaxNeighbours> brick{};  ///< their numbers
   bool beside = false;  ///< has a neighbouring brick from before the stage
-  /// A rule counts a cell that is a neighbour twice: local states do not say what it sees.
-  bool unclear = false;
   std::vector<LocalRule> rules;  ///< by rising rule; none: no rule can ever act
 };
 

@@ -40,10 +40,6 @@ class Exploration {
   }
 
   std::optional<WindowFailure> explore() {
-    if (std::any_of(cells_.begin(), cells_.end(),
-                    [](const WindowCell& cell) { return cell.site.unclear; })) {
-      return WindowFailure{};
-    }
     window_.fillings.assign(window_.words, 0);
     window_.from.assign(1, 0);
     window_.added.assign(1, 0);
