@@ -13,17 +13,37 @@ struct Ending {
   std::vector<Deposit> deposits;  ///< after the prefix
   Structure structure;
   bool ended = false;
+  std::size_t in_stage = 0;  ///< of the deposits
 };
+
+/// Runs a world on through all of its stages. `in_stage`: deposits of the stage it was in.
+StageRun run_to_the_end(World& world, const Plan& plan, std::uint64_t most, const Budget& budget,
+                        std::size_t& in_stage) {
+  StageRun all;
+  const int begun_in = world.stage();
+  do {
+    StageRunConfig config;
+    config.schedule = Schedule::planned;
+    config.plan = &plan;
+    config.most = most - std::min<std::uint64_t>(most, all.deposits.size());
+    StageRun stage = run_stage(world, config, budget);
+    all.deposits.insert(all.deposits.end(), stage.deposits.begin(), stage.deposits.end());
+    all.ended = stage.ended;
+    if (world.stage() == begun_in) in_stage = all.deposits.size();
+  } while (all.ended && world.next_stage());
+  return all;
+}
 
 class Explainer {
  public:
   Explainer(const RuleSet& rules, const RuleTable& table, const World& begin,
-            const std::vector<Deposit>& other, std::uint32_t stream, const Budget& budget)
+            const std::vector<Deposit>& first, const std::vector<Deposit>& other,
+            const Budget& budget)
       : rules_(rules),
         table_(table),
         begin_(begin),
         other_(other),
-        stream_(stream),
+        plan_(first),
         budget_(budget) {}
 
   std::optional<Refutation> explain(const std::vector<Deposit>& earlier) {
@@ -61,8 +81,12 @@ class Explainer {
   }
   Ending go_on(std::size_t prefix, std::uint64_t most) const {
     World world = after(prefix);
-    StageRun run = run_to_the_end(world, stream_, most, budget_);
-    return {std::move(run.deposits), world.take_structure(), run.ended};
+    Ending ending;
+    StageRun run = run_to_the_end(world, plan_, most, budget_, ending.in_stage);
+    ending.deposits = std::move(run.deposits);
+    ending.structure = world.take_structure();
+    ending.ended = run.ended;
+    return ending;
   }
   bool same_end(const Ending& ending) const { return ending.ended && ending.structure == end_; }
 
@@ -74,6 +98,8 @@ class Explainer {
                      other_.begin() + static_cast<std::ptrdiff_t>(common));
     out.common = out.first.size();
     out.second = out.first;
+    out.first_stage_end = out.common + first.in_stage;
+    out.second_stage_end = out.common + 1 + second.in_stage;
     out.first.insert(out.first.end(), first.deposits.begin(), first.deposits.end());
     out.second.push_back(other_[common]);
     out.second.insert(out.second.end(), second.deposits.begin(), second.deposits.end());
@@ -119,7 +145,7 @@ class Explainer {
   const RuleTable& table_;
   const World& begin_;
   const std::vector<Deposit>& other_;
-  std::uint32_t stream_;
+  Plan plan_;
   const Budget& budget_;
   std::uint64_t most_ = 0;
   Structure end_;
@@ -127,26 +153,13 @@ class Explainer {
 
 }  // namespace
 
-StageRun run_to_the_end(World& world, std::uint32_t stream, std::uint64_t most,
-                        const Budget& budget) {
-  StageRun all;
-  do {
-    StageRunConfig config;
-    config.run = stream;
-    config.most = most - std::min<std::uint64_t>(most, all.deposits.size());
-    StageRun stage = run_stage(world, config, budget);
-    all.deposits.insert(all.deposits.end(), stage.deposits.begin(), stage.deposits.end());
-    all.ended = stage.ended;
-  } while (all.ended && world.next_stage());
-  return all;
-}
-
 std::optional<Refutation> explain_refutation(const RuleSet& rules, const RuleTable& table,
                                              const World& stage_begin,
                                              const std::vector<Deposit>& earlier,
+                                             const std::vector<Deposit>& first,
                                              const std::vector<Deposit>& other,
-                                             std::uint32_t stream, const Budget& budget) {
-  return Explainer(rules, table, stage_begin, other, stream, budget).explain(earlier);
+                                             const Budget& budget) {
+  return Explainer(rules, table, stage_begin, first, other, budget).explain(earlier);
 }
 
 }  // namespace stig

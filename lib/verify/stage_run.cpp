@@ -2,6 +2,7 @@
 #include "verify/stage_run.h"
 
 #include <deque>
+#include <set>
 
 #include "lattice/cell_marks.h"
 
@@ -13,14 +14,17 @@ constexpr std::uint64_t kSeed = 0x7665726966790001;  ///< of all runs made for p
 /// The open sites, in the order a schedule wants them.
 class OpenSites {
  public:
-  explicit OpenSites(Schedule schedule) : schedule_(schedule) {}
+  explicit OpenSites(const StageRunConfig& config)
+      : schedule_(config.schedule), plan_(config.plan) {}
 
   void set(Cell site, bool open) {
+    if (schedule_ == Schedule::planned) return set_planned(site, open);
     if (open && schedule_ != Schedule::random && !marks_.contains(site)) waiting_.push_back(site);
     marks_.set(site, open ? 1 : 0);
   }
-  bool empty() const { return marks_.size() == 0; }
+  bool empty() const { return marks_.size() == 0 && planned_.empty(); }
   Cell next(Random& random) {
+    if (schedule_ == Schedule::planned) return planned_.begin()->second;
     if (schedule_ == Schedule::random) return marks_[random.below(marks_.size())];
     while (true) {
       const Cell site = schedule_ == Schedule::newest ? waiting_.back() : waiting_.front();
@@ -30,16 +34,44 @@ class OpenSites {
   }
 
  private:
+  void set_planned(Cell site, bool open) {
+    const std::pair<std::uint32_t, Cell> entry{plan_->rank(site), site};
+    if (open) {
+      planned_.insert(entry);
+    } else {
+      planned_.erase(entry);
+    }
+  }
+
   Schedule schedule_;
+  const Plan* plan_;
   CellMarks marks_;
+  std::set<std::pair<std::uint32_t, Cell>> planned_;
   std::deque<Cell> waiting_;  ///< sites once open, some no more
 };
 
+/// The rule that places what the plan says, if one acts; else any that does.
+Match choose_planned(World& world, Cell site, const Plan& plan, Random& random) {
+  const RuleTable& rules = world.rules();
+  if (rules.conflicts() != Conflicts::first) {
+    std::vector<Match> matches;
+    rules.matches(world.view(site), site.z, world.stage(), matches);
+    for (const Match& match : matches) {
+      if (rules.place(match.rule) == plan.colour(site)) return match;
+    }
+  }
+  return world.choose(site, random);
+}
+
 }  // namespace
+
+Plan::Plan(const std::vector<Deposit>& order) {
+  for (std::uint32_t i = 0; i < order.size(); ++i) steps_[order[i].site] = {i, order[i].colour};
+}
 
 StageRun run_stage(World& world, const StageRunConfig& config, const Budget& budget) {
   StageRun run;
-  OpenSites open(config.schedule);
+  OpenSites open(config);
   const auto allowed = [&](Cell site) { return !config.may_fill || config.may_fill(site); };
   for (const Cell site : world.enabled_sites()) {
     if (allowed(site)) open.set(site, true);
@@ -52,7 +84,9 @@ StageRun run_stage(World& world, const StageRunConfig& config, const Budget& bud
     if (run.deposits.size() >= config.most || (step % 1024 == 0 && budget.spent())) return run;
     Random random(kSeed, config.run, Purpose::event, 0, step);
     const Cell site = open.next(random);
-    const Match match = world.choose(site, random);
+    const Match match = config.schedule == Schedule::planned
+                            ? choose_planned(world, site, *config.plan, random)
+                            : world.choose(site, random);
     const Colour colour = world.rules().place(match.rule);
     open.set(site, false);
     world.deposit(site, colour, [&](Cell neighbour, const View& view) {

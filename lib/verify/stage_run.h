@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "lattice/cell_map.h"
 #include "lattice/swarm.h"
 #include "lattice/world.h"
 #include "verify/budget.h"
@@ -14,10 +15,29 @@ namespace stig {
 
 /// Which of the open sites is next. Different schedules find different ends, and the
 /// newest first grows a single limb, whose period is easily seen.
-enum class Schedule : std::uint8_t { random, newest, oldest };
+/// planned: what comes first in a plan; then the rest.
+enum class Schedule : std::uint8_t { random, newest, oldest, planned };
+
+/// An order to keep to as far as the rules allow it: each site's place in it and what it
+/// takes there.
+class Plan {
+ public:
+  explicit Plan(const std::vector<Deposit>& order);
+  /// Sites that are not in the plan come last.
+  std::uint32_t rank(Cell site) const { return steps_.at(site).rank; }
+  Colour colour(Cell site) const { return steps_.at(site).colour; }
+
+ private:
+  struct Step {
+    std::uint32_t rank = ~std::uint32_t{0};
+    Colour colour = 0;
+  };
+  CellMap<Step> steps_;
+};
 
 struct StageRunConfig {
   Schedule schedule = Schedule::random;
+  const Plan* plan = nullptr;  ///< of Schedule::planned
   std::uint32_t run = 0;         ///< a stream of random numbers of its own
   std::uint64_t most = 1'000'000;  ///< deposits
   /// Sites for which it says no are left open. Empty: all may be filled.

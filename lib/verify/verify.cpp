@@ -76,11 +76,11 @@ class Verification {
     config.most = repetition ? kPatience : kMostDeposits;
     const StageRun run = run_stage(world_, config, budget_);
     if (!run.ended) return leave_growing(run, probe, repetition);
-    if (repetition) return refute(begin, probe.deposits);
+    if (repetition) return refute(begin, run, probe.deposits);
     say(fmt::format("proving {} bricks", run.deposits.size()));
     StageProof proof = prove_stage(rules_, table_, begin, run, budget_);
     result_.local_states += proof.local_states;
-    if (proof.kind == StageProof::Kind::refuted) return refute(begin, proof.other.deposits);
+    if (proof.kind == StageProof::Kind::refuted) return refute(begin, run, proof.other.deposits);
     if (proof.kind == StageProof::Kind::unknown) return leave_open(run, proof.open);
     result_.method = std::max(result_.method, proof.method);
     certificate_.stages.push_back(std::move(proof.certificate));
@@ -128,11 +128,11 @@ class Verification {
     have_structure_ = world_.stage() == table_.stage_count();
   }
 
-  void refute(const World& begin, const std::vector<Deposit>& other) {
+  void refute(const World& begin, const StageRun& run, const std::vector<Deposit>& other) {
     say("looking for the deposit that makes the difference");
     result_.verdict = ProofVerdict::refuted;
     result_.refutation =
-        explain_refutation(rules_, table_, begin, result_.run, other, kFirstRun, budget_);
+        explain_refutation(rules_, table_, begin, result_.run, run.deposits, other, budget_);
     if (result_.refutation) return;
     result_.verdict = ProofVerdict::unknown;
     result_.open = budget_.spent()

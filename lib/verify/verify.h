@@ -46,6 +46,8 @@ std::optional<Box> file_box(const RuleSet& rules);
 struct Refutation {
   std::vector<Deposit> first, second;  ///< from the start
   std::size_t common = 0;              ///< deposits that they share
+  /// Deposits of each order up to the end of the stage in which they part.
+  std::size_t first_stage_end = 0, second_stage_end = 0;
   bool second_ended = false;           ///< false: it has a brick that the first never gets
   Structure first_end, second_end;
   /// Where they part: the second order does `second[common]` at once. In the first, this

@@ -22,6 +22,7 @@ struct Storage {
   ExploreOptions explore;
   ExplainOptions explain;
   TestOptions test;
+  VerifyFileOptions verify;
   GraphOptions graph;
   ReplayOptions replay;
   SchemaOptions schema;
@@ -228,6 +229,33 @@ void add_test(CLI::App& app, TestOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
+void add_verify(CLI::App& app, VerifyFileOptions& o) {
+  CLI::App* sub = command(
+      app, "verify", "prove that every order of events ends in the same structure, or refute it",
+      "  stigc verify staircase.yaml --certificate staircase.cert\n"
+      "  stigc certify staircase.yaml staircase.cert\n"
+      "  stigc verify order-dependent.yaml --witness two-ends\n"
+      "  stigc verify architecture-4n.yaml --box none --budget 300 --json\n");
+  file(sub, "FILE", o.file, "the rule set; - is standard input");
+  parsed(sub, "--box", "X,Y,Z",
+         "size of the world, laid around the start, or none for unbounded space (default: the "
+         "file's box, else none)",
+         [&o](const std::string& text) -> std::string {
+           o.box.emplace();
+           return text == "none" ? "" : parse_size(text, o.box->size.emplace());
+         });
+  parsed(sub, "--budget", "S", "seconds after which the verdict is 'unknown' (default: 60)",
+         [&o](const std::string& text) { return parse_seconds(text, o.budget); });
+  integer(sub, "--states", o.states, 1, std::int64_t{1} << 31,
+          "fillings of a group of bricks kept at most (default: 2000000)");
+  sub->add_option("--certificate", o.certificate, "write the certificate of a proof")
+      ->type_name("FILE");
+  sub->add_option("--witness", o.witness,
+                  "write what shows the verdict: traces and pictures whose names begin with this")
+      ->type_name("NAME");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
 void lattice(CLI::App* sub, std::optional<Lattice>& out) {
   choice<std::optional<Lattice>, Lattice>(
       sub, "--lattice", out, {{"cubic", Lattice::cubic}, {"hexagonal", Lattice::hexagonal}},
@@ -289,6 +317,7 @@ void build(CLI::App& app, Storage& s) {
   add_explore(app, s.explore);
   add_explain(app, s.explain);
   add_test(app, s.test);
+  add_verify(app, s.verify);
   add_files_out(app, s);
   add_about_itself(app, s);
 }
@@ -323,7 +352,7 @@ CommandInfo describe_command(const CLI::App& sub) {
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
       {"check", s.check},     {"fmt", s.fmt},       {"explore", s.explore},
-      {"explain", s.explain}, {"test", s.test},     {"graph", s.graph},
+      {"explain", s.explain}, {"test", s.test},     {"verify", s.verify},   {"graph", s.graph},
       {"replay", s.replay},   {"schema", s.schema}, {"measure", s.measure},
       {"draw", s.draw},       {"doctor", s.doctor}, {"completions", s.completions}};
   const auto found =

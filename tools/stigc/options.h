@@ -71,6 +71,16 @@ struct TestOptions {
   bool json = false;
 };
 
+struct VerifyFileOptions {
+  std::string file;
+  std::optional<BoxOption> box;
+  double budget = 60;  ///< seconds
+  std::uint64_t states = 2'000'000;
+  std::optional<std::string> certificate;
+  std::optional<std::string> witness;  ///< begins the names of the files that show the verdict
+  bool json = false;
+};
+
 struct GraphOptions {
   std::string file;
 };
@@ -105,7 +115,7 @@ struct DoctorOptions {
 };
 
 using CommandOptions = std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions,
-                                    TestOptions, GraphOptions, ReplayOptions, SchemaOptions,
+                                    TestOptions, VerifyFileOptions, GraphOptions, ReplayOptions, SchemaOptions,
                                     MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
 
 struct CommandLine {
