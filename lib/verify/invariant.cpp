@@ -11,26 +11,27 @@ constexpr Mask kSelfBit = bit(StageModel::kSelf);
 
 int lowest(Mask mask) { return std::countr_zero(mask); }
 
-/// The neighbours in `mask` by rising number of their bricks, which is an order in which
-/// they can be placed.
+/// The neighbours in `mask`, and the site itself if it is a brick, by rising number of
+/// their bricks, which is an order in which they can be placed.
 struct Sorted {
   std::array<std::int8_t, kMaxNeighbours + 1> index{};
   std::size_t size = 0;
 };
 
 Sorted by_number(const StageModel& model, const Site& site, Mask mask) {
+  std::array<std::uint64_t, kMaxNeighbours + 1> keys{};  // number, then index
   Sorted sorted;
-  const auto number = [&](std::int8_t i) {
-    return i == StageModel::kSelf ? site.number : site.brick[static_cast<std::size_t>(i)];
+  const auto add = [&](std::uint32_t number, int index) {
+    keys[sorted.size++] = std::uint64_t{number} << 8 | static_cast<std::uint64_t>(index);
   };
   for (; mask != 0; mask &= mask - 1) {
-    sorted.index[sorted.size++] = static_cast<std::int8_t>(lowest(mask));
+    add(site.brick[static_cast<std::size_t>(lowest(mask))], lowest(mask));
   }
-  if (site.number < model.bricks()) {
-    sorted.index[sorted.size++] = static_cast<std::int8_t>(StageModel::kSelf);
+  if (site.number < model.bricks()) add(site.number, StageModel::kSelf);
+  std::sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(sorted.size));
+  for (std::size_t k = 0; k < sorted.size; ++k) {
+    sorted.index[k] = static_cast<std::int8_t>(keys[k] & 0xff);
   }
-  std::sort(sorted.index.begin(), sorted.index.begin() + static_cast<std::ptrdiff_t>(sorted.size),
-            [&](std::int8_t a, std::int8_t b) { return number(a) < number(b); });
   return sorted;
 }
 

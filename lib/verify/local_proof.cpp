@@ -34,9 +34,7 @@ class SiteChecker {
     }
     seen_ = 0;
     for (const LocalRule& rule : site_.rules) seen_ |= rule.sees();
-    if (is_brick && invariant_.group_of[number] != Invariant::kNoWindow) {
-      return result_;  // its window answers for it
-    }
+    if (in_group()) return result_;  // its window answers for it
     order_ = local_order(model_, invariant_, site_);
     run_ = is_brick ? first_[number] & site_.bricks : 0;
     find_windows();
@@ -53,8 +51,7 @@ class SiteChecker {
 
   /// Number of local states that the invariant leaves possible at the site last checked.
   std::uint64_t count_states() {
-    if (site_.rules.empty()) return 0;
-    order_ = local_order(model_, invariant_, site_);
+    if (site_.rules.empty() || in_group()) return 0;
     std::uint64_t count = 0;
     for_each_local_state(model_, site_, order_, seen_ & ~order_.after, kMostLocalStates, [&](Mask) {
       ++count;
@@ -64,6 +61,10 @@ class SiteChecker {
   }
 
  private:
+  bool in_group() const {
+    return site_.number < model_.bricks() &&
+           invariant_.group_of[site_.number] != Invariant::kNoWindow;
+  }
   void fail(LocalFailure::Kind kind, Mask state) {
     if (!result_.failure) result_.failure = {kind, site_.number, state, seen_};
   }
