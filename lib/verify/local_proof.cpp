@@ -52,6 +52,7 @@ class SiteChecker {
   /// Number of local states that the invariant leaves possible at the site last checked.
   std::uint64_t count_states() {
     if (site_.rules.empty() || in_group()) return 0;
+    if (!windows_.empty()) return result_.states;
     std::uint64_t count = 0;
     for_each_local_state(model_, site_, order_, seen_ & ~order_.after, kMostLocalStates, [&](Mask) {
       ++count;
@@ -283,7 +284,7 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
     // What fails under a strong invariant fails under a weaker one: once is enough.
     if (look.failure) failures.push_back(*look.failure);
     if (failures.size() >= kMostFailures) break;
-    states[number] = std::max<std::uint64_t>(look.states, checker.count_states());
+    states[number] = checker.count_states();
     if (number >= model.bricks()) continue;
     const Mask kept = invariant.before[number] & look.before;
     if (kept == invariant.before[number]) continue;

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "verify/local_proof.h"
 #include "verify/window.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr std::size_t kDepositsOfRuns = 200'000;  ///< in all runs after the first
 constexpr std::size_t kMostRuns = 32;
 constexpr std::size_t kMostAttempts = 24;  ///< at orders that a failed proof suggests
+constexpr int kMostWitnesses = 6;
 constexpr int kMostRounds = 12;            ///< of growing groups before they are all of the stage
 constexpr std::size_t kMostGroup = 4096;   ///< bricks
 
@@ -26,16 +28,31 @@ std::string in_words(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cel
 class StageProver {
  public:
   StageProver(const RuleSet& rules, const RuleTable& table, const World& before,
-              const StageRun& run, const Budget& budget)
-      : before_(before), budget_(budget), model_(rules, table, before, run.deposits) {}
+              std::vector<Deposit> run, const Budget& budget)
+      : before_(before),
+        budget_(budget),
+        run_(std::move(run)),
+        model_(rules, table, before, run_) {}
 
-  StageProof prove() {
-    first_ = placed_before(model_, model_.run());
+  /// The bricks that the run finds open and other orders may find closed.
+  const std::set<Cell>& stuck() const { return stuck_; }
+
+  /// `hasty`: give up as soon as the order of neighbours alone does not settle the stage.
+  StageProof prove(bool hasty) {
+    first_ = placed_before(model_, run_);
     if (other_runs_differ()) return std::move(proof_);
     Groups groups;
-    for (int round = 0; !budget_.spent(); ++round) {
+    if (attempt(groups)) return std::move(proof_);
+    for (const LocalFailure& failure : failures_) {
+      if (failure.kind == LocalFailure::Kind::stuck) stuck_.insert(model_.at(failure.site));
+    }
+    if (hasty && !stuck_.empty() && proof_.kind == StageProof::Kind::unknown) {
+      return std::move(proof_);
+    }
+    grow(groups, 0);
+    for (int round = 1; !gave_up_ && !refuted() && !budget_.spent(); ++round) {
       if (attempt(groups)) return std::move(proof_);
-      if (proof_.kind == StageProof::Kind::refuted || gave_up_) return std::move(proof_);
+      if (refuted() || gave_up_) return std::move(proof_);
       if (groups.size() == 1 && groups.front().size() == model_.bricks()) break;
       grow(groups, round);
     }
@@ -47,6 +64,8 @@ class StageProver {
   }
 
  private:
+  bool refuted() const { return proof_.kind == StageProof::Kind::refuted; }
+
   using Groups = std::vector<std::vector<std::uint32_t>>;  ///< bricks by rising number
 
   static std::size_t group_bricks(const Groups& groups) {
@@ -176,7 +195,7 @@ class StageProver {
   // Proofs.
 
   /// One round: true when the stage is proved or refuted.
-  bool attempt(const Groups& groups) {
+  bool attempt(Groups& groups) {
     invariant_ = {};
     invariant_.before = agreed_;
     invariant_.group_of.assign(model_.bricks(), Invariant::kNoWindow);
@@ -196,8 +215,8 @@ class StageProver {
     failures_.clear();
     while (true) {
       const std::vector<Mask> held = invariant_.before;
-      for (std::size_t w = 0; w < groups.size(); ++w) {
-        if (!fill(invariant_.windows[w])) return false;
+      for (std::uint32_t w = 0; w < groups.size(); ++w) {
+        if (!fill(groups, w)) return false;
       }
       LocalProof local = prove_locally(model_, first_, invariant_, budget_);
       if (!local.finished) return false;
@@ -221,23 +240,87 @@ class StageProver {
     return false;
   }
 
-  /// False when the window's search failed, which may refute the stage.
-  bool fill(Window& window) {
-    const auto failure = explore_window(model_, invariant_, budget_, window);
-    if (!failure) return true;
-    if (failure->kind == WindowFailure::Kind::too_many) {
-      gave_up_ = true;
-      proof_.open = fmt::format("{} fillings of {} bricks were explored, and there are more",
-                                window.count(), window.group.size());
-      return false;
+  /// Searches a window, its group growing where the context is at fault. False when that
+  /// does not help, or the stage is refuted on the way.
+  bool fill(Groups& groups, std::uint32_t number) {
+    Window& window = invariant_.windows[number];
+    while (true) {
+      const auto failure = explore_window(model_, invariant_, budget_, window);
+      if (!failure) return true;
+      if (failure->kind == WindowFailure::Kind::too_many) {
+        gave_up_ = true;
+        proof_.open = fmt::format("{} fillings of {} bricks were explored, and there are more",
+                                  window.count(), window.group.size());
+        return false;
+      }
+      const bool wrong = failure->kind == WindowFailure::Kind::wrong;
+      const std::uint32_t site = wrong ? failure->site : StageModel::kNone;
+      if (path_differs(path_to(window, failure->filling), site)) return false;
+      assert(!window.context.empty());
+      const std::uint32_t brick = most_helpful(number);
+      if (brick == StageModel::kNone) {
+        for (const std::uint32_t c : window.context) {
+          failures_.push_back({LocalFailure::Kind::too_many, c, 0, 0});
+        }
+        return false;
+      }
+      take(brick, number);
+      groups[number] = window.group;
     }
-    const bool wrong = failure->kind == WindowFailure::Kind::wrong;
-    const std::uint32_t site = wrong ? failure->site : StageModel::kNone;
-    if (path_differs(path_to(window, failure->filling), site)) return false;
-    assert(!window.context.empty());
-    // Only the context's freedom can be to blame.
-    for (const std::uint32_t brick : window.context) {
-      failures_.push_back({LocalFailure::Kind::too_many, brick, 0, 0});
+  }
+
+  void take(std::uint32_t brick, std::uint32_t window) {
+    std::vector<std::uint32_t>& group = invariant_.windows[window].group;
+    group.insert(std::lower_bound(group.begin(), group.end(), brick), brick);
+    invariant_.before[brick] = 0;
+    invariant_.group_of[brick] = window;
+  }
+
+  /// The brick of a window's context with which in its group the search gets farthest, of
+  /// those that do not touch another group.
+  std::uint32_t most_helpful(std::uint32_t number) {
+    constexpr std::uint64_t kAll = ~std::uint64_t{0};
+    Budget little = budget_;
+    little.states = std::min<std::uint64_t>(little.states, 20'000);
+    std::uint32_t best = StageModel::kNone;
+    std::uint64_t farthest = 0;
+    const std::vector<std::uint32_t> context = invariant_.windows[number].context;
+    for (const std::uint32_t brick : context) {
+      if (touches_another_group(brick, number)) continue;
+      Invariant kept = std::exchange(invariant_, with_one_window(number));
+      take(brick, 0);
+      Window& window = invariant_.windows[0];
+      const auto failure = explore_window(model_, invariant_, little, window);
+      const std::uint64_t got = failure ? 1 + window.bricks_in(failure->filling) : kAll;
+      if (got > farthest) {
+        farthest = got;
+        best = brick;
+      }
+      invariant_ = std::move(kept);
+    }
+    return best;
+  }
+
+  Invariant with_one_window(std::uint32_t number) const {
+    Invariant one;
+    one.before = invariant_.before;
+    one.group_of = invariant_.group_of;
+    for (std::uint32_t& window : one.group_of) {
+      if (window == number) window = 0;
+    }
+    one.windows.resize(1);
+    one.windows[0].group = invariant_.windows[number].group;
+    return one;
+  }
+
+  bool touches_another_group(std::uint32_t brick, std::uint32_t number) const {
+    const Neighbourhood& n = model_.table().neighbours();
+    for (int i = 0; i < n.size; ++i) {
+      const std::uint32_t beside =
+          model_.number(model_.at(brick) + n.offsets[static_cast<std::size_t>(i)]);
+      if (beside >= model_.bricks()) continue;
+      const std::uint32_t window = invariant_.group_of[beside];
+      if (window != Invariant::kNoWindow && window != number) return true;
     }
     return false;
   }
@@ -293,6 +376,8 @@ class StageProver {
     Site site;
     for (const LocalFailure& failure : failures_) {
       take(failure.site);
+      // A brick alone at first: its window takes in what it needs.
+      if (round == 0 && failure.site < model_.bricks()) continue;
       model_.look(failure.site, site);
       const Mask around = failure.seen != 0 ? failure.seen & site.bricks : Mask{0};
       for (Mask left = around; left != 0; left &= left - 1) {
@@ -342,6 +427,7 @@ class StageProver {
       proof_.method = ProofMethod::exhaustive;
     }
     CertifiedStage& stage = proof_.certificate;
+    proof_.run = run_;
     stage.order.reserve(model_.bricks());
     for (std::uint32_t b = 0; b < model_.bricks(); ++b) {
       stage.order.push_back({model_.at(b), model_.run()[b].colour, invariant_.before[b]});
@@ -365,7 +451,9 @@ class StageProver {
 
   const World& before_;
   const Budget& budget_;
+  std::vector<Deposit> run_;
   StageModel model_;
+  std::set<Cell> stuck_;
   std::vector<Mask> first_;   ///< placed_before of the model's run
   std::vector<Mask> agreed_;  ///< of all runs
   Invariant invariant_;
@@ -374,11 +462,44 @@ class StageProver {
   StageProof proof_;
 };
 
+/// Another run, in which some bricks wait until nothing else can be done.
+std::vector<Deposit> run_with_delays(const World& before, const std::vector<Deposit>& run,
+                                     const std::set<Cell>& late, const Budget& budget) {
+  std::vector<Deposit> wish;
+  for (const bool now : {false, true}) {
+    for (const Deposit& deposit : run) {
+      if (late.contains(deposit.site) == now) wish.push_back(deposit);
+    }
+  }
+  const Plan plan(wish);
+  StageRunConfig config;
+  config.schedule = Schedule::planned;
+  config.plan = &plan;
+  config.most = run.size() + 1000;
+  World world = before;
+  StageRun result = run_stage(world, config, budget);
+  return result.ended ? std::move(result.deposits) : std::vector<Deposit>{};
+}
+
 }  // namespace
 
 StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const World& before,
                        const StageRun& run, const Budget& budget) {
-  return StageProver(rules, table, before, run, budget).prove();
+  // A witness in which bricks come as late as they can leaves less to be shown of them.
+  std::set<Cell> late;
+  std::vector<Deposit> witness = run.deposits;
+  for (int i = 0; i < kMostWitnesses; ++i) {
+    StageProver prover(rules, table, before, witness, budget);
+    StageProof proof = prover.prove(true);
+    if (proof.kind != StageProof::Kind::unknown || prover.stuck().empty()) return proof;
+    const std::size_t had = late.size();
+    late.insert(prover.stuck().begin(), prover.stuck().end());
+    if (late.size() == had) break;
+    std::vector<Deposit> next = run_with_delays(before, witness, late, budget);
+    if (next.size() != run.deposits.size()) break;
+    witness = std::move(next);
+  }
+  return StageProver(rules, table, before, run.deposits, budget).prove(false);
 }
 
 }  // namespace stig

@@ -27,6 +27,7 @@ struct StageProof {
 
   ProofMethod method = ProofMethod::certificate;
   CertifiedStage certificate;        ///< proved
+  std::vector<Deposit> run;          ///< proved: the certificate's witness run
   std::uint64_t local_states = 0;    ///< local states and fillings looked at
 
   /// refuted: another order of events. It ends without a brick of the first run, or has a

@@ -81,10 +81,10 @@ class Verification {
     StageProof proof = prove_stage(rules_, table_, begin, run, budget_);
     result_.local_states += proof.local_states;
     if (proof.kind == StageProof::Kind::refuted) return refute(begin, run, proof.other.deposits);
-    if (proof.kind == StageProof::Kind::unknown) return leave_open(run, proof.open);
+    if (proof.kind == StageProof::Kind::unknown) return leave_open(run.deposits, proof.open);
     result_.method = std::max(result_.method, proof.method);
     certificate_.stages.push_back(std::move(proof.certificate));
-    keep(run);
+    keep(proof.run);
   }
 
   StageRun probe_growth(const World& begin, std::optional<Repetition>& repetition) {
@@ -97,8 +97,8 @@ class Verification {
     return run;
   }
 
-  void keep(const StageRun& run) {
-    result_.run.insert(result_.run.end(), run.deposits.begin(), run.deposits.end());
+  void keep(const std::vector<Deposit>& run) {
+    result_.run.insert(result_.run.end(), run.begin(), run.end());
     for (std::size_t i = 0; i < result_.run.size(); ++i) result_.run[i].step = i + 1;
     result_.stage_ends.push_back(result_.run.size());
   }
@@ -121,7 +121,7 @@ class Verification {
     endless.step = repetition->step;
   }
 
-  void leave_open(const StageRun& run, const std::string& why) {
+  void leave_open(const std::vector<Deposit>& run, const std::string& why) {
     result_.verdict = ProofVerdict::unknown;
     result_.open = why;
     keep(run);
