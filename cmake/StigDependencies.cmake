@@ -16,3 +16,11 @@ find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)
 mark_as_advanced(RANDOM123_INCLUDE_DIR)
 add_library(Random123::Random123 INTERFACE IMPORTED)
 target_include_directories(Random123::Random123 INTERFACE ${RANDOM123_INCLUDE_DIR})
+
+find_path(CADICAL_INCLUDE_DIR cadical.hpp REQUIRED)
+find_library(CADICAL_LIBRARY cadical REQUIRED)
+mark_as_advanced(CADICAL_INCLUDE_DIR CADICAL_LIBRARY)
+add_library(Cadical::Cadical STATIC IMPORTED)
+set_target_properties(Cadical::Cadical PROPERTIES
+  IMPORTED_LOCATION ${CADICAL_LIBRARY}
+  INTERFACE_INCLUDE_DIRECTORIES ${CADICAL_INCLUDE_DIR})

@@ -11,14 +11,13 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "certify/filling.h"
 
 namespace stig {
 namespace {
 
-constexpr std::size_t kBitsPerWord = 64;
 constexpr std::int64_t kMostBoxSide = std::int64_t{2} * kMaxCoordinate + 1;
 
-std::size_t words_for(std::size_t bits) { return (bits + kBitsPerWord - 1) / kBitsPerWord; }
 std::size_t hex_digits_for(std::size_t bits) { return (bits + 3) / 4; }
 
 // Printing
@@ -283,16 +282,11 @@ class Reader {
       }
       digits.remove_suffix(part.size());
     }
-    if (bits % kBitsPerWord != 0 && filling.back() >> (bits % kBitsPerWord) != 0) {
+    if (!is_filling_of(bits, filling)) {
       fail("the filling has a brick that its window has not");
     }
     next_word();
     return filling;
-  }
-
-  /// As numbers.
-  static bool less(const Filling& a, const Filling& b) {
-    return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
   }
 
   const std::string& path_;

@@ -78,8 +78,8 @@ class CellMap {
   }
 
   T other_;
-  std::deque<Chunk> chunks_;           ///< stable addresses
-  std::vector<std::uint32_t> index_;   ///< open addressing: 1 + position in chunks_, 0 free
+  std::deque<Chunk> chunks_;             ///< stable addresses
+  std::vector<std::uint32_t> index_;     ///< open addressing: 1 + position in chunks_, 0 free
   mutable const Chunk* last_ = nullptr;  ///< where the last cell was found
 };
 

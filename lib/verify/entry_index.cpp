@@ -6,9 +6,7 @@
 namespace stig {
 
 EntryIndex::EntryIndex(const RuleSet& rules, const RuleTable& table, int stage)
-    : rules_(&rules),
-      table_(&table),
-      size_(static_cast<std::size_t>(table.neighbours().size)) {
+    : rules_(&rules), table_(&table), size_(static_cast<std::size_t>(table.neighbours().size)) {
   for (std::uint32_t e = 0; e < table.entries().size(); ++e) {
     const int own = rules.rules[table.entries()[e].source.rule].stage;
     if (own == 0 || own == stage) entries_.push_back(e);

@@ -28,13 +28,13 @@ class EntryIndex {
  private:
   const RuleSet* rules_;
   const RuleTable* table_;
-  std::size_t size_;   ///< of the neighbourhood
-  std::size_t words_;  ///< of a set of entries
+  std::size_t size_;                    ///< of the neighbourhood
+  std::size_t words_;                   ///< of a set of entries
   std::vector<std::uint32_t> entries_;  ///< those of the stage
   std::array<std::uint8_t, 64> row_{};  ///< of a state
   std::size_t rows_ = 0;
-  std::uint64_t known_ = 0;             ///< states that have a row
-  std::vector<std::uint64_t> accept_;   ///< [neighbour][row] -> set of entries
+  std::uint64_t known_ = 0;            ///< states that have a row
+  std::vector<std::uint64_t> accept_;  ///< [neighbour][row] -> set of entries
 };
 
 }  // namespace stig

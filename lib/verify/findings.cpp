@@ -124,7 +124,7 @@ Findings find_more(const RuleSet& rules, const VerifyOptions& options, const Ver
     find_redundant(rules, options, result, clock, findings);
   }
   if (result.refutation) {
-    const Refutation& found = *result.refutation;
+    const DivergingOrders& found = *result.refutation;
     findings.blocking.push_back({found.second[found.common].match.rule, found.rival.match.rule,
                                  found.second[found.common].site, found.rival.site});
     findings.repair = find_repair(rules, options, result, clock.left());

@@ -71,8 +71,7 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
 }
 
 bool for_each_local_state(const StageModel& model, const Site& site, const LocalOrder& order,
-                          Mask among, std::uint64_t most,
-                          const std::function<bool(Mask)>& visit) {
+                          Mask among, std::uint64_t most, const std::function<bool(Mask)>& visit) {
   const Sorted sorted = by_number(model, site, among);
   // Depth first over "leave out, take in", in an order in which what is below comes first.
   struct Step {

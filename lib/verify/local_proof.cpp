@@ -103,9 +103,8 @@ class SiteChecker {
       matters |= rule.need | rule.forbid;
     }
     const auto open = [&](Mask state) {
-      return std::any_of(site_.rules.begin(), site_.rules.end(), [&](const LocalRule& rule) {
-        return right(rule) && rule.matches(state);
-      });
+      return std::any_of(site_.rules.begin(), site_.rules.end(),
+                         [&](const LocalRule& rule) { return right(rule) && rule.matches(state); });
     };
     visit(matters & ~order_.after & ~run_, [&](Mask more) {
       if (!open(run_ | more)) fail(LocalFailure::Kind::stuck, (run_ | more) & seen_);
@@ -150,8 +149,7 @@ class SiteChecker {
   }
 
   void visit(Mask among, const std::function<bool(Mask)>& each) {
-    const bool all =
-        for_each_local_state(model_, site_, order_, among, kMostLocalStates, each);
+    const bool all = for_each_local_state(model_, site_, order_, among, kMostLocalStates, each);
     if (!all) fail(LocalFailure::Kind::too_many, 0);
   }
 
@@ -222,8 +220,8 @@ class SiteChecker {
   const Invariant& invariant_;
   Site site_;
   LocalOrder order_;
-  Mask seen_ = 0;  ///< neighbours that matter
-  Mask run_ = 0;   ///< those that were there when the run placed the brick
+  Mask seen_ = 0;                       ///< neighbours that matter
+  Mask run_ = 0;                        ///< those that were there when the run placed the brick
   std::vector<std::uint32_t> windows_;  ///< whose group bricks are around the site
   Look result_;
 };
@@ -296,9 +294,8 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
       if (other != StageModel::kNone) waiting.add(other);
     }
   }
-  std::sort(failures.begin(), failures.end(), [](const LocalFailure& a, const LocalFailure& b) {
-    return a.site < b.site;
-  });
+  std::sort(failures.begin(), failures.end(),
+            [](const LocalFailure& a, const LocalFailure& b) { return a.site < b.site; });
   for (const LocalFailure& failure : failures) {
     if (proof.failures.empty() || proof.failures.back().site != failure.site) {
       proof.failures.push_back(failure);

@@ -23,7 +23,7 @@ StageRun run_to_the_end(World& world, const Plan& plan, std::uint64_t most, cons
   const int begun_in = world.stage();
   do {
     StageRunConfig config;
-    config.schedule = Schedule::planned;
+    config.schedule = RunOrder::planned;
     config.plan = &plan;
     config.most = most - std::min<std::uint64_t>(most, all.deposits.size());
     StageRun stage = run_stage(world, config, budget);
@@ -39,14 +39,9 @@ class Explainer {
   Explainer(const RuleSet& rules, const RuleTable& table, const World& begin,
             const std::vector<Deposit>& first, const std::vector<Deposit>& other,
             const Budget& budget)
-      : rules_(rules),
-        table_(table),
-        begin_(begin),
-        other_(other),
-        plan_(first),
-        budget_(budget) {}
+      : rules_(rules), table_(table), begin_(begin), other_(other), plan_(first), budget_(budget) {}
 
-  std::optional<Refutation> explain(const std::vector<Deposit>& earlier) {
+  std::optional<DivergingOrders> explain(const std::vector<Deposit>& earlier) {
     Ending first = go_on(0, ~std::uint64_t{0} >> 1);
     if (!first.ended) return std::nullopt;
     most_ = first.deposits.size() + kBeyond;
@@ -90,9 +85,9 @@ class Explainer {
   }
   bool same_end(const Ending& ending) const { return ending.ended && ending.structure == end_; }
 
-  std::optional<Refutation> write(const std::vector<Deposit>& earlier, std::size_t common,
-                                  Ending& first, Ending& second) const {
-    Refutation out;
+  std::optional<DivergingOrders> write(const std::vector<Deposit>& earlier, std::size_t common,
+                                       Ending& first, Ending& second) const {
+    DivergingOrders out;
     out.first = earlier;
     out.first.insert(out.first.end(), other_.begin(),
                      other_.begin() + static_cast<std::ptrdiff_t>(common));
@@ -124,7 +119,8 @@ class Explainer {
   }
 
   /// The first deposit of the first order that cannot stand beside the decisive one.
-  void find_rival(const std::vector<Deposit>& first, std::size_t common, Refutation& out) const {
+  void find_rival(const std::vector<Deposit>& first, std::size_t common,
+                  DivergingOrders& out) const {
     const Deposit& decisive = other_[common];
     World without = after(common), with = after(common + 1);
     const int stage = without.stage();
@@ -153,12 +149,12 @@ class Explainer {
 
 }  // namespace
 
-std::optional<Refutation> explain_refutation(const RuleSet& rules, const RuleTable& table,
-                                             const World& stage_begin,
-                                             const std::vector<Deposit>& earlier,
-                                             const std::vector<Deposit>& first,
-                                             const std::vector<Deposit>& other,
-                                             const Budget& budget) {
+std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const RuleTable& table,
+                                                  const World& stage_begin,
+                                                  const std::vector<Deposit>& earlier,
+                                                  const std::vector<Deposit>& first,
+                                                  const std::vector<Deposit>& other,
+                                                  const Budget& budget) {
   return Explainer(rules, table, stage_begin, first, other, budget).explain(earlier);
 }
 

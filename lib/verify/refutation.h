@@ -16,11 +16,11 @@ namespace stig {
 /// The other order is followed for a while, and then the first as far as the rules still
 /// allow it. The longest such detour that ends as the first order does, and the next
 /// deposit of the other, make the difference.
-std::optional<Refutation> explain_refutation(const RuleSet& rules, const RuleTable& table,
-                                             const World& stage_begin,
-                                             const std::vector<Deposit>& earlier,
-                                             const std::vector<Deposit>& first,
-                                             const std::vector<Deposit>& other,
-                                             const Budget& budget);
+std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const RuleTable& table,
+                                                  const World& stage_begin,
+                                                  const std::vector<Deposit>& earlier,
+                                                  const std::vector<Deposit>& first,
+                                                  const std::vector<Deposit>& other,
+                                                  const Budget& budget);
 
 }  // namespace stig

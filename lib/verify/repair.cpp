@@ -49,7 +49,7 @@ class Repairer {
 
   std::optional<Repair> find(const VerifyResult& refuted) {
     stage_ = refuted.stage;
-    const Refutation& found = *refuted.refutation;
+    const DivergingOrders& found = *refuted.refutation;
     least_ = rules_.start.size() + std::min(found.first_stage_end, found.second_stage_end);
     std::optional<Repair> repair = search(refuted);
     if (repair && stage_ < rules_.stage_count()) {
@@ -110,7 +110,7 @@ class Repairer {
   std::vector<Repair> additions(const Repair& so_far, const VerifyResult& result) const {
     std::vector<Repair> out;
     if (!result.refutation || !result.refutation->second_ended) return out;
-    const Refutation& found = *result.refutation;
+    const DivergingOrders& found = *result.refutation;
     const RuleSet& rules = so_far.repaired;
     const Structure a = at_stage_end(rules, found.first, found.first_stage_end);
     const Structure b = at_stage_end(rules, found.second, found.second_stage_end);
@@ -131,7 +131,7 @@ class Repairer {
     return out;
   }
 
-  std::optional<Repair> removals(const Refutation& found) const {
+  std::optional<Repair> removals(const DivergingOrders& found) const {
     const std::uint32_t rules[] = {found.second[found.common].match.rule, found.rival.match.rule};
     for (const std::uint32_t rule : rules) {
       if (left() <= 0 || rules_.rules.size() < 2) return std::nullopt;
@@ -148,8 +148,8 @@ class Repairer {
   const RuleSet& rules_;
   const VerifyOptions& options_;
   std::chrono::steady_clock::time_point end_;
-  int stage_ = 1;           ///< in which orders part
-  std::size_t least_ = 0;   ///< bricks that each order had at its end
+  int stage_ = 1;          ///< in which orders part
+  std::size_t least_ = 0;  ///< bricks that each order had at its end
 };
 
 }  // namespace

@@ -10,8 +10,8 @@
 namespace stig {
 namespace {
 
-constexpr std::uint64_t kMostStates = 4096;        ///< of one site
-constexpr std::uint64_t kMostSites = 200'000;      ///< of a stage, for blocking pairs
+constexpr std::uint64_t kMostStates = 4096;    ///< of one site
+constexpr std::uint64_t kMostSites = 200'000;  ///< of a stage, for blocking pairs
 
 /// What the certificate says, as the invariant it was written from; group bricks are
 /// ordered by nothing, which allows more states than there are.

@@ -51,8 +51,7 @@ StageModel::StageModel(const RuleSet& rules, const RuleTable& table, const World
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     for (std::size_t j = 0; j < static_cast<std::size_t>(n.size); ++j) {
       const Offset sum = n.offsets[i] + n.offsets[j];
-      two_steps_[i][j] =
-          static_cast<std::int8_t>(sum == Offset{} ? kSelf : n.index_of(sum));
+      two_steps_[i][j] = static_cast<std::int8_t>(sum == Offset{} ? kSelf : n.index_of(sum));
     }
   }
   for (std::uint32_t i = 0; i < run.size(); ++i) numbers_[run[i].site] = i;

@@ -57,10 +57,10 @@ struct LocalRule {
 struct Site {
   Cell at;
   std::uint32_t number = 0;
-  Colour colour = 0;  ///< what the run places here; 0: border
-  Mask bricks = 0;    ///< neighbours that are bricks of this stage
+  Colour colour = 0;                                  ///< what the run places here; 0: border
+  Mask bricks = 0;                                    ///< neighbours that are bricks of this stage
   std::array<std::uint32_t, kMaxNeighbours> brick{};  ///< their numbers
-  bool beside = false;  ///< has a neighbouring brick from before the stage
+  bool beside = false;           ///< has a neighbouring brick from before the stage
   std::vector<LocalRule> rules;  ///< by rising rule; none: no rule can ever act
 };
 

@@ -20,8 +20,8 @@ constexpr std::size_t kDepositsOfRuns = 200'000;  ///< in all runs after the fir
 constexpr std::size_t kMostRuns = 32;
 constexpr std::size_t kMostAttempts = 24;  ///< at orders that a failed proof suggests
 constexpr int kMostWitnesses = 6;
-constexpr int kMostRounds = 12;            ///< of growing groups before they are all of the stage
-constexpr std::size_t kMostGroup = 4096;   ///< bricks
+constexpr int kMostRounds = 12;           ///< of growing groups before they are all of the stage
+constexpr std::size_t kMostGroup = 4096;  ///< bricks
 
 std::string in_words(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
@@ -81,8 +81,8 @@ class StageProver {
     bool strange = false;
     for (const Deposit& deposit : run.deposits) {
       const std::uint32_t number = model_.number(deposit.site);
-      strange = strange || number >= model_.bricks() ||
-                model_.run()[number].colour != deposit.colour;
+      strange =
+          strange || number >= model_.bricks() || model_.run()[number].colour != deposit.colour;
     }
     if (!strange && !(run.ended && run.deposits.size() < model_.bricks())) return false;
     proof_.kind = StageProof::Kind::refuted;
@@ -96,9 +96,7 @@ class StageProver {
         std::clamp<std::size_t>(kDepositsOfRuns / (model_.bricks() + 1), 1, kMostRuns);
     for (std::size_t i = 0; i < runs && !budget_.spent(); ++i) {
       StageRunConfig config;
-      config.schedule = i == 0   ? Schedule::newest
-                        : i == 1 ? Schedule::oldest
-                                 : Schedule::random;
+      config.schedule = i == 0 ? RunOrder::newest : i == 1 ? RunOrder::oldest : RunOrder::random;
       config.run = static_cast<std::uint32_t>(i + 1);
       config.most = model_.bricks() + 1000;
       World world = before_;
@@ -117,7 +115,7 @@ class StageProver {
   bool completion_differs(World world, std::vector<Deposit> done, std::uint32_t stream) {
     StageRunConfig config;
     config.run = stream;
-    config.schedule = Schedule::random;
+    config.schedule = RunOrder::random;
     config.most = model_.bricks() + 1000;
     StageRun rest = run_stage(world, config, budget_);
     for (const Deposit& deposit : rest.deposits) done.push_back(deposit);
@@ -183,7 +181,7 @@ class StageProver {
     World world = before_;
     StageRunConfig config;
     config.run = stream;
-    config.schedule = Schedule::random;
+    config.schedule = RunOrder::random;
     config.may_fill = [&](Cell cell) { return wanted.contains(model_.number(cell)); };
     std::vector<Deposit> done = run_stage(world, config, budget_).deposits;
     std::uint64_t others = ~std::uint64_t{0};
@@ -389,10 +387,9 @@ class StageProver {
     }
     if (bricks.size() > kMostGroup) {
       gave_up_ = true;
-      proof_.open = fmt::format(
-          "{} sites are not settled by the order of their neighbours, the first at {}",
-          failures_.size(),
-          in_words(model_.at(failures_.front().site)));
+      proof_.open =
+          fmt::format("{} sites are not settled by the order of their neighbours, the first at {}",
+                      failures_.size(), in_words(model_.at(failures_.front().site)));
       return;
     }
     groups = touching(bricks);
@@ -438,8 +435,7 @@ class StageProver {
       out.group = window.group;
       out.context = window.context;
       for (std::size_t f = 0; f < window.count(); ++f) {
-        const auto first =
-            window.fillings.begin() + static_cast<std::ptrdiff_t>(f * window.words);
+        const auto first = window.fillings.begin() + static_cast<std::ptrdiff_t>(f * window.words);
         out.fillings.emplace_back(first, first + static_cast<std::ptrdiff_t>(window.words));
       }
       std::sort(out.fillings.begin(), out.fillings.end(), [](const Filling& a, const Filling& b) {
@@ -473,7 +469,7 @@ std::vector<Deposit> run_with_delays(const World& before, const std::vector<Depo
   }
   const Plan plan(wish);
   StageRunConfig config;
-  config.schedule = Schedule::planned;
+  config.schedule = RunOrder::planned;
   config.plan = &plan;
   config.most = run.size() + 1000;
   World world = before;

@@ -26,9 +26,9 @@ struct StageProof {
   Kind kind = Kind::unknown;
 
   ProofMethod method = ProofMethod::certificate;
-  CertifiedStage certificate;        ///< proved
-  std::vector<Deposit> run;          ///< proved: the certificate's witness run
-  std::uint64_t local_states = 0;    ///< local states and fillings looked at
+  CertifiedStage certificate;      ///< proved
+  std::vector<Deposit> run;        ///< proved: the certificate's witness run
+  std::uint64_t local_states = 0;  ///< local states and fillings looked at
 
   /// refuted: another order of events. It ends without a brick of the first run, or has a
   /// brick that the first run has not.

@@ -18,17 +18,17 @@ class OpenSites {
       : schedule_(config.schedule), plan_(config.plan) {}
 
   void set(Cell site, bool open) {
-    if (schedule_ == Schedule::planned) return set_planned(site, open);
-    if (open && schedule_ != Schedule::random && !marks_.contains(site)) waiting_.push_back(site);
+    if (schedule_ == RunOrder::planned) return set_planned(site, open);
+    if (open && schedule_ != RunOrder::random && !marks_.contains(site)) waiting_.push_back(site);
     marks_.set(site, open ? 1 : 0);
   }
   bool empty() const { return marks_.size() == 0 && planned_.empty(); }
   Cell next(Random& random) {
-    if (schedule_ == Schedule::planned) return planned_.begin()->second;
-    if (schedule_ == Schedule::random) return marks_[random.below(marks_.size())];
+    if (schedule_ == RunOrder::planned) return planned_.begin()->second;
+    if (schedule_ == RunOrder::random) return marks_[random.below(marks_.size())];
     while (true) {
-      const Cell site = schedule_ == Schedule::newest ? waiting_.back() : waiting_.front();
-      schedule_ == Schedule::newest ? waiting_.pop_back() : waiting_.pop_front();
+      const Cell site = schedule_ == RunOrder::newest ? waiting_.back() : waiting_.front();
+      schedule_ == RunOrder::newest ? waiting_.pop_back() : waiting_.pop_front();
       if (marks_.contains(site)) return site;
     }
   }
@@ -43,7 +43,7 @@ class OpenSites {
     }
   }
 
-  Schedule schedule_;
+  RunOrder schedule_;
   const Plan* plan_;
   CellMarks marks_;
   std::set<std::pair<std::uint32_t, Cell>> planned_;
@@ -84,7 +84,7 @@ StageRun run_stage(World& world, const StageRunConfig& config, const Budget& bud
     if (run.deposits.size() >= config.most || (step % 1024 == 0 && budget.spent())) return run;
     Random random(kSeed, config.run, Purpose::event, 0, step);
     const Cell site = open.next(random);
-    const Match match = config.schedule == Schedule::planned
+    const Match match = config.schedule == RunOrder::planned
                             ? choose_planned(world, site, *config.plan, random)
                             : world.choose(site, random);
     const Colour colour = world.rules().place(match.rule);

@@ -16,7 +16,7 @@ namespace stig {
 /// Which of the open sites is next. Different schedules find different ends, and the
 /// newest first grows a single limb, whose period is easily seen.
 /// planned: what comes first in a plan; then the rest.
-enum class Schedule : std::uint8_t { random, newest, oldest, planned };
+enum class RunOrder : std::uint8_t { random, newest, oldest, planned };
 
 /// An order to keep to as far as the rules allow it: each site's place in it and what it
 /// takes there.
@@ -36,9 +36,9 @@ class Plan {
 };
 
 struct StageRunConfig {
-  Schedule schedule = Schedule::random;
-  const Plan* plan = nullptr;  ///< of Schedule::planned
-  std::uint32_t run = 0;         ///< a stream of random numbers of its own
+  RunOrder schedule = RunOrder::random;
+  const Plan* plan = nullptr;      ///< of RunOrder::planned
+  std::uint32_t run = 0;           ///< a stream of random numbers of its own
   std::uint64_t most = 1'000'000;  ///< deposits
   /// Sites for which it says no are left open. Empty: all may be filled.
   std::function<bool(Cell)> may_fill;

@@ -13,8 +13,8 @@
 namespace stig {
 namespace {
 
-constexpr std::uint32_t kFirstRun = 0;           ///< its stream of random numbers
-constexpr std::uint64_t kProbe = 4000;           ///< deposits in search of a repetition
+constexpr std::uint32_t kFirstRun = 0;  ///< its stream of random numbers
+constexpr std::uint64_t kProbe = 4000;  ///< deposits in search of a repetition
 constexpr std::uint64_t kMostDeposits = 20'000'000;
 /// Deposits after which growth that is known to be able to go on for ever is not waited for.
 constexpr std::uint64_t kPatience = 50'000;
@@ -90,7 +90,7 @@ class Verification {
   StageRun probe_growth(const World& begin, std::optional<Repetition>& repetition) {
     World world = begin;
     StageRunConfig config;
-    config.schedule = Schedule::newest;
+    config.schedule = RunOrder::newest;
     config.most = kProbe;
     StageRun run = run_stage(world, config, budget_);
     if (!run.ended) repetition = find_repetition(rules_, begin.structure().bricks(), run.deposits);
@@ -135,11 +135,11 @@ class Verification {
         explain_refutation(rules_, table_, begin, result_.run, run.deposits, other, budget_);
     if (result_.refutation) return;
     result_.verdict = ProofVerdict::unknown;
-    result_.open = budget_.spent()
-                       ? "the time allowed ended while two orders were compared"
-                       : fmt::format("stage {} ends differently for different orders, but no "
-                                     "different end was found after the stages that follow",
-                                     begin.stage());
+    result_.open = budget_.spent() ? "the time allowed ended while two orders were compared"
+                                   : fmt::format(
+                                         "stage {} ends differently for different orders, but no "
+                                         "different end was found after the stages that follow",
+                                         begin.stage());
   }
 
   const RuleSet& rules_;

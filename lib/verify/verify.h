@@ -43,12 +43,12 @@ std::optional<Box> file_box(const RuleSet& rules);
 
 /// Two orders of events that end differently. They are the same at first, and part in the
 /// structure that those deposits give.
-struct Refutation {
+struct DivergingOrders {
   std::vector<Deposit> first, second;  ///< from the start
   std::size_t common = 0;              ///< deposits that they share
   /// Deposits of each order up to the end of the stage in which they part.
   std::size_t first_stage_end = 0, second_stage_end = 0;
-  bool second_ended = false;           ///< false: it has a brick that the first never gets
+  bool second_ended = false;  ///< false: it has a brick that the first never gets
   Structure first_end, second_end;
   /// Where they part: the second order does `second[common]` at once. In the first, this
   /// deposit is what that one rules out, or what rules that one out.
@@ -69,13 +69,13 @@ struct VerifyResult {
   ProofVerdict verdict = ProofVerdict::unknown;
   /// The structure in which every order ends (proved), or in which one run ended.
   std::optional<Structure> structure;
-  std::vector<Deposit> run;            ///< from the start to that structure
-  std::vector<std::size_t> stage_ends;  ///< number of deposits in `run` after each stage
+  std::vector<Deposit> run;                       ///< from the start to that structure
+  std::vector<std::size_t> stage_ends;            ///< number of deposits in `run` after each stage
   ProofMethod method = ProofMethod::certificate;  ///< proved: the least local of all stages'
   std::uint64_t local_states = 0;
   double seconds = 0;
   std::optional<Certificate> certificate;  ///< proved
-  std::optional<Refutation> refutation;
+  std::optional<DivergingOrders> refutation;
   std::optional<EndlessGrowth> endless;
   int stage = 1;     ///< where it was decided, or where the proof stopped
   std::string open;  ///< unknown: what was explored, where it stopped, what would help

@@ -19,9 +19,9 @@ struct Seen {
 /// A brick of the window with what is needed to say when it may come.
 struct WindowCell {
   Site site;
-  std::vector<Seen> around;      ///< its neighbours in the window
+  std::vector<Seen> around;         ///< its neighbours in the window
   std::vector<std::size_t> before;  ///< context: what is known to be there first
-  bool exact = false;            ///< all its neighbours are in the window
+  bool exact = false;               ///< all its neighbours are in the window
 };
 
 class Exploration {
@@ -34,9 +34,8 @@ class Exploration {
     for (std::size_t i = 0; i < window_.size(); ++i) positions_[window_.brick(i)] = i;
     for (std::size_t i = 0; i < window_.size(); ++i) cells_.push_back(cell_view(i));
     for (std::size_t i = 0; i < window_.size(); ++i) by_run_.push_back(i);
-    std::sort(by_run_.begin(), by_run_.end(), [&](std::size_t a, std::size_t b) {
-      return window_.brick(a) < window_.brick(b);
-    });
+    std::sort(by_run_.begin(), by_run_.end(),
+              [&](std::size_t a, std::size_t b) { return window_.brick(a) < window_.brick(b); });
   }
 
   std::optional<WindowFailure> explore() {
@@ -178,8 +177,8 @@ class Exploration {
   Window& window_;
   std::map<std::uint32_t, std::size_t> positions_;  ///< of bricks in the window
   std::vector<WindowCell> cells_;
-  std::vector<std::size_t> by_run_;    ///< positions in the order of the run
-  std::vector<std::uint32_t> slots_;   ///< open addressing: 1 + number of a filling
+  std::vector<std::size_t> by_run_;   ///< positions in the order of the run
+  std::vector<std::uint32_t> slots_;  ///< open addressing: 1 + number of a filling
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ TEST_CASE("help of the program and of every command") {
   const Workplace place;
   hold(place, "help", "stigc --help");
   for (const char* command : {"check", "fmt", "explore", "explain", "test", "graph", "replay",
-                              "schema", "measure", "draw", "completions", "doctor"}) {
+                              "schema", "measure", "draw", "synth", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
   }
 }
@@ -71,6 +71,18 @@ TEST_CASE("graph, fmt, replay, measure") {
   place.write("half.txt", "1 .\n---\n1 2\n");
   hold(place, "measure", "stigc measure half.txt");
   hold(place, "measure-json", "stigc measure half.txt --json");
+}
+
+TEST_CASE("synth prints a rule set, a summary, or why there is none") {
+  const Workplace place;
+  place.write("stairs.txt", "3 . .\n---\n3 2 .\n---\n3 2 1\n");
+  hold(place, "synth", "stigc synth stairs.txt --colours given --floor");
+  hold(place, "synth-summary", "stigc synth stairs.txt -o s.yaml && stigc check s.yaml");
+  hold(place, "synth-test", "stigc test s.yaml");
+  place.write("apart.txt", "1 . 1\n");
+  hold(place, "synth-impossible",
+       "stigc synth apart.txt; stigc synth apart.txt --json | grep -v seconds");
+  hold(place, "synth-asymmetric", "stigc synth stairs.txt --symmetry rotations --start 0,0,0");
 }
 
 TEST_CASE("usage errors name what is wrong and what was meant") {

@@ -54,8 +54,8 @@ class Maker {
     do {
       must = static_cast<std::size_t>(number(0, n.size - 1));
     } while (!n.is_face[must] && !one_in(4));
-    rule.pattern.allowed[must] = one_in(3) ? StateSet::bricks(2)
-                                           : StateSet::of(static_cast<State>(number(1, 2)));
+    rule.pattern.allowed[must] =
+        one_in(3) ? StateSet::bricks(2) : StateSet::of(static_cast<State>(number(1, 2)));
     if (one_in(6)) rule.height_min = number(0, 1);
     if (one_in(6)) rule.height_max = number(0, 2);
     if (one_in(6)) {
@@ -144,8 +144,8 @@ class TinyWorld {
       o.y = (o.y % size_.y + size_.y) % size_.y;
       if (!rules_.floor) o.z = (o.z % size_.z + size_.z) % size_.z;
     }
-    const bool inside = o.x >= 0 && o.x < size_.x && o.y >= 0 && o.y < size_.y && o.z >= 0 &&
-                        o.z < size_.z;
+    const bool inside =
+        o.x >= 0 && o.x < size_.x && o.y >= 0 && o.y < size_.y && o.z >= 0 && o.z < size_.z;
     return inside ? states[index(low_ + o)] : kEmpty;
   }
   const std::vector<Colour>& placed(const States& states, Cell site, int stage) {

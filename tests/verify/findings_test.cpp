@@ -21,7 +21,8 @@ Findings findings_of(const RuleSet& rules) {
 }  // namespace
 
 TEST_CASE("a rule that waits for a brick that never comes is dead") {
-  const Findings f = findings_of(small_set(east_of("1", "2") + east_of("3", "1", "    height: {min: 0}\n")));
+  const Findings f =
+      findings_of(small_set(east_of("1", "2") + east_of("3", "1", "    height: {min: 0}\n")));
   CHECK(f.dead == std::vector<std::uint32_t>{1});
   CHECK(f.redundant.empty());
   CHECK(f.redundant_known);

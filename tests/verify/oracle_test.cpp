@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <set>
 
+#include "certify/check.h"
 #include "lattice/trace.h"
 #include "rules/rule_printer.h"
 #include "support/oracle.h"
@@ -38,6 +39,19 @@ bool replays(const RuleSet& rules, const std::vector<Deposit>& order) {
   return report.identical;
 }
 
+/// The certificate, printed and read back, holds before the checker.
+void check_by_checker(const RuleSet& rules, const VerifyResult& result) {
+  REQUIRE(result.certificate);
+  const std::string text = print_certificate(*result.certificate);
+  Diagnostics diagnostics;
+  const auto again = read_certificate("certificate", text, diagnostics);
+  REQUIRE(again);
+  CHECK(*again == *result.certificate);
+  const CheckReport report = check_certificate(rules, *again);
+  CHECK_MESSAGE(report.accepted, report.refusal);
+  CHECK(report.structure == result.structure->bricks());
+}
+
 struct Tally {
   int worlds = 0, proved = 0, refuted = 0, unknown = 0, skipped = 0;
   int by_method[3] = {0, 0, 0};
@@ -62,7 +76,7 @@ void check_world(std::uint64_t seed, Tally& tally) {
   ++tally.worlds;
   const auto ends = all_ends(rules, 20'000);
   if (result.refutation) {
-    const Refutation& found = *result.refutation;
+    const DivergingOrders& found = *result.refutation;
     CHECK(replays(rules, found.first));
     CHECK(replays(rules, found.second));
     CHECK_FALSE(found.first_end == found.second_end);
@@ -74,6 +88,7 @@ void check_world(std::uint64_t seed, Tally& tally) {
     case ProofVerdict::proved:
       ++tally.proved;
       ++tally.by_method[static_cast<int>(result.method)];
+      check_by_checker(rules, result);
       if (ends) CHECK(ends->size() == 1);
       if (ends) CHECK(*ends->begin() == map_of(*result.structure));
       break;
@@ -86,7 +101,8 @@ void check_world(std::uint64_t seed, Tally& tally) {
       break;
     case ProofVerdict::unknown:
       ++tally.unknown;
-      MESSAGE("unknown: " << result.open << " " << (ends ? ends->size() : 0) << " ends\n" << (std::getenv("STIG_SHOW") ? print_rule_set(rules) : ""));
+      MESSAGE("unknown: " << result.open << " " << (ends ? ends->size() : 0) << " ends\n"
+                          << (std::getenv("STIG_SHOW") ? print_rule_set(rules) : ""));
       break;
   }
   if (!ends) ++tally.skipped;
@@ -101,8 +117,8 @@ TEST_CASE("no verdict on a small random world is at odds with trying every order
   for (std::uint64_t seed = 0; tally.worlds < worlds; ++seed) check_world(seed, tally);
   MESSAGE("proved " << tally.proved << " (" << tally.by_method[0] << " by order, "
                     << tally.by_method[1] << " by components, " << tally.by_method[2]
-                    << " by exhaustion), refuted " << tally.refuted << ", unknown "
-                    << tally.unknown << ", too large for the oracle " << tally.skipped);
+                    << " by exhaustion), refuted " << tally.refuted << ", unknown " << tally.unknown
+                    << ", too large for the oracle " << tally.skipped);
   CHECK(tally.unknown * 50 < worlds);
   CHECK(tally.proved > worlds / 10);
   CHECK(tally.refuted > worlds / 10);

@@ -91,7 +91,8 @@ int run(const VerifyFileOptions& options, App& app) {
   } else {
     app.print(to_text(report, app.color_out()));
   }
-  if (options.certificate) code = std::max(code, write_certificate(*options.certificate, result, app));
+  if (options.certificate)
+    code = std::max(code, write_certificate(*options.certificate, result, app));
   if (options.witness) code = std::max(code, write_witness(*options.witness, report, app));
   return code;
 }

@@ -30,6 +30,7 @@ struct Storage {
   DrawOptions draw;
   CompletionsOptions completions;
   DoctorOptions doctor;
+  SynthOptions synth;
 };
 
 /// An option whose text is read by `parse`, which returns what is wrong.
@@ -54,7 +55,7 @@ CLI::Option* integer(CLI::App* app, const std::string& names, Integer& out, std:
     std::int64_t value = 0;
     const std::string problem = parse_integer(text, low, high, value);
     if (problem.empty()) {
-      if constexpr (std::is_integral_v<Integer>) {
+      if constexpr (std::is_arithmetic_v<Integer>) {
         out = static_cast<Integer>(value);
       } else {
         out = static_cast<typename Integer::value_type>(value);
@@ -290,6 +291,66 @@ void add_files_out(CLI::App& app, Storage& s) {
       ->required();
 }
 
+/// N, or one of two words.
+std::string parse_colours(const std::string& text, SynthOptions& o) {
+  o.colours.reset();
+  o.use = text == "given" ? ColourUse::given : ColourUse::free;
+  if (text == "given" || text == "free") return {};
+  std::int64_t value = 0;
+  const std::string problem = parse_integer(text, 1, kMaxColours, value);
+  if (problem.empty()) o.colours = static_cast<int>(value);
+  return problem.empty()
+             ? ""
+             : fmt::format("'{}' is not a number from 1 to {}, given or free", text, kMaxColours);
+}
+
+void add_synth_search(CLI::App* sub, SynthOptions& o) {
+  choice(sub, "--fewest", o.fewest, {{"colours", Fewest::colours}, {"rules", Fewest::rules}},
+         "what there is to be little of (default: colours)");
+  choice<std::optional<OrderFamily>, OrderFamily>(
+      sub, "--order", o.family,
+      {{"breadth-first", OrderFamily::breadth_first},
+       {"raster", OrderFamily::raster},
+       {"ribbons", OrderFamily::ribbons},
+       {"crowded", OrderFamily::crowded}},
+      "orders of placement that are tried (default: all)");
+  sub->add_flag("--exact", o.exact, "one rule for each neighbourhood, none merged");
+  integer(sub, "--budget", o.seconds, 1, 1000000, "seconds for the search (default: 20)");
+}
+
+void add_synth(CLI::App& app, SynthOptions& o) {
+  CLI::App* sub =
+      command(app, "synth", "compile a structure into a rule set that builds it in every order",
+              "  stigc synth castle.vox -o castle.yaml\n"
+              "  stigc synth staircase.txt --colours given --floor -o staircase.yaml\n"
+              "  stigc synth pyramid.vox --symmetry rotations --fewest rules -o pyramid.yaml\n"
+              "  stigc synth cube.json --order breadth-first --proof proof/ -o cube.yaml --json\n");
+  file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt)");
+  lattice(sub, o.lattice);
+  parsed(sub, "--colours", "N|given|free",
+         "free: any colours, the fewest (default); N: at most so many; given: those of the file, "
+         "where a brick with the symbol ? or # may have any",
+         [&o](const std::string& text) { return parse_colours(text, o); });
+  choice(sub, "--symmetry", o.symmetry,
+         {{"none", Symmetry::none},
+          {"rotations", Symmetry::rotations},
+          {"rotations+mirrors", Symmetry::rotations_mirrors}},
+         "of the rules; the target must have it about the start (default: none)");
+  parsed(sub, "--start", "X,Y,Z",
+         "where the first brick is; may be repeated for several (default: chosen)",
+         [&o](const std::string& text) { return parse_cells(text, o.start); })
+      ->allow_extra_args(false)
+      ->trigger_on_parse();
+  sub->add_flag("--floor", o.floor, "cells below z = 0 look like floor to the rules");
+  add_synth_search(sub, o);
+  sub->add_option("-o,--output", o.output, "the rule set (default: standard output)")
+      ->type_name("FILE");
+  sub->add_option("--proof", o.proof,
+                  "folder for the proof that one colour fewer does not do under this order")
+      ->type_name("FOLDER");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
 void add_about_itself(CLI::App& app, Storage& s) {
   CLI::App* completions =
       command(app, "completions", "print a completion script for a shell",
@@ -319,6 +380,7 @@ void build(CLI::App& app, Storage& s) {
   add_test(app, s.test);
   add_verify(app, s.verify);
   add_files_out(app, s);
+  add_synth(app, s.synth);
   add_about_itself(app, s);
 }
 
@@ -351,10 +413,20 @@ CommandInfo describe_command(const CLI::App& sub) {
 
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
-      {"check", s.check},     {"fmt", s.fmt},       {"explore", s.explore},
-      {"explain", s.explain}, {"test", s.test},     {"verify", s.verify},   {"graph", s.graph},
-      {"replay", s.replay},   {"schema", s.schema}, {"measure", s.measure},
-      {"draw", s.draw},       {"doctor", s.doctor}, {"completions", s.completions}};
+      {"check", s.check},
+      {"fmt", s.fmt},
+      {"explore", s.explore},
+      {"explain", s.explain},
+      {"test", s.test},
+      {"verify", s.verify},
+      {"graph", s.graph},
+      {"replay", s.replay},
+      {"schema", s.schema},
+      {"measure", s.measure},
+      {"draw", s.draw},
+      {"doctor", s.doctor},
+      {"completions", s.completions},
+      {"synth", s.synth}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

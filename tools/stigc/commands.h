@@ -20,5 +20,6 @@ int run(const MeasureOptions& options, App& app);
 int run(const DrawOptions& options, App& app);
 int run(const CompletionsOptions& options, App& app);
 int run(const DoctorOptions& options, App& app);
+int run(const SynthOptions& options, App& app);
 
 }  // namespace stig

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "lattice/swarm.h"
+#include "synthesis/synthesise.h"
 
 namespace stig {
 
@@ -114,9 +115,27 @@ struct DoctorOptions {
   bool json = false;
 };
 
-using CommandOptions = std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions,
-                                    TestOptions, VerifyFileOptions, GraphOptions, ReplayOptions, SchemaOptions,
-                                    MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
+struct SynthOptions {
+  std::string target;
+  std::optional<Lattice> lattice;  ///< of a file that does not say it
+  ColourUse use = ColourUse::free;
+  std::optional<int> colours;  ///< so many at most
+  Symmetry symmetry = Symmetry::none;
+  std::vector<Cell> start;
+  bool floor = false;
+  Fewest fewest = Fewest::colours;
+  std::optional<OrderFamily> family;
+  bool exact = false;  ///< no merging
+  double seconds = 20;
+  std::optional<std::string> output;
+  std::optional<std::string> proof;
+  bool json = false;
+};
+
+using CommandOptions =
+    std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
+                 VerifyFileOptions, SynthOptions, GraphOptions, ReplayOptions, SchemaOptions,
+                 MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -37,7 +37,7 @@ Json end_json(const Structure& structure, bool ended) {
 }
 
 Json refutation_json(const VerifyReport& report) {
-  const Refutation& found = *report.result.refutation;
+  const DivergingOrders& found = *report.result.refutation;
   return {{"common_deposits", found.common},
           {"stage", report.result.stage},
           {"ends", Json::array({end_json(found.first_end, true),
@@ -48,7 +48,9 @@ Json refutation_json(const VerifyReport& report) {
 }
 
 Json repair_json(const RuleSet& rules, const Repair& repair) {
-  Json json{{"bricks", repair.bricks}, {"all_stages", repair.whole}, {"without", rules_json(rules, repair.removed)}};
+  Json json{{"bricks", repair.bricks},
+            {"all_stages", repair.whole},
+            {"without", rules_json(rules, repair.removed)}};
   json["with"] = Json::array();
   for (const Rule& rule : repair.added) {
     json["with"].push_back({{"place", symbol_of(rules, StateSet::of(rule.place))},

@@ -70,9 +70,9 @@ std::string proved_text(const VerifyReport& report, bool color) {
   } else if (result.method == ProofMethod::exhaustive) {
     method = "all orders";
   }
-  return out + line("method", fmt::format("{} ({}), {}", to_string(result.method), method,
-                                          counted(result.local_states, "local state",
-                                                  "local states")));
+  return out +
+         line("method", fmt::format("{} ({}), {}", to_string(result.method), method,
+                                    counted(result.local_states, "local state", "local states")));
 }
 
 std::string deposit_in_words(const RuleSet& rules, const Deposit& deposit) {
@@ -86,14 +86,15 @@ std::string end_in_words(const Structure& structure, bool ended) {
 }
 
 std::string refuted_text(const VerifyReport& report, bool color) {
-  const Refutation& found = *report.result.refutation;
+  const DivergingOrders& found = *report.result.refutation;
   const Deposit& decisive = found.second[found.common];
-  std::string out = fmt::format("{}: two orders of events end in different structures\n",
-                                red("REFUTED", color));
+  std::string out =
+      fmt::format("{}: two orders of events end in different structures\n", red("REFUTED", color));
   out += line("world", box_in_words(report.box));
   out += line("one end", end_in_words(found.first_end, true));
   out += line("another", end_in_words(found.second_end, found.second_ended));
-  out += fmt::format("\nAfter {} these two are at odds", counted(found.common, "deposit", "deposits"));
+  out +=
+      fmt::format("\nAfter {} these two are at odds", counted(found.common, "deposit", "deposits"));
   if (report.rules.stage_count() > 1) out += fmt::format(" (stage {})", report.result.stage);
   out += ":\n";
   out += fmt::format("  {}, which sees\n{}", deposit_in_words(report.rules, found.rival),
@@ -108,10 +109,12 @@ std::string endless_text(const VerifyReport& report, bool color) {
   std::string out =
       fmt::format("{}: an order of events goes on for ever\n", yellow("ENDLESS", color));
   out += line("world", box_in_words(report.box));
-  out += line("period", fmt::format("after {}, the last {} again and again, each time ({}, {}, {}) further on",
-                                    counted(endless.run.size(), "deposit", "deposits"),
-                                    endless.period == 1 ? "one" : fmt::to_string(endless.period),
-                                    endless.step.x, endless.step.y, endless.step.z));
+  out +=
+      line("period",
+           fmt::format("after {}, the last {} again and again, each time ({}, {}, {}) further on",
+                       counted(endless.run.size(), "deposit", "deposits"),
+                       endless.period == 1 ? "one" : fmt::to_string(endless.period), endless.step.x,
+                       endless.step.y, endless.step.z));
   return out;
 }
 
@@ -137,11 +140,11 @@ std::string repair_text(const VerifyReport& report, const Repair& repair) {
                                       names(rules, repair.removed), repair.bricks, where));
   }
   if (repair.added.empty()) return out;
-  out += line("repair",
-              fmt::format("with {} every order ends in the same {} bricks{}:",
-                          repair.added.size() == 1 ? std::string("one rule more")
-                                                   : fmt::format("{} rules more", repair.added.size()),
-                          repair.bricks, where));
+  out += line("repair", fmt::format("with {} every order ends in the same {} bricks{}:",
+                                    repair.added.size() == 1
+                                        ? std::string("one rule more")
+                                        : fmt::format("{} rules more", repair.added.size()),
+                                    repair.bricks, where));
   for (const Rule& rule : repair.added) {
     out += fmt::format("    place {}{} when\n{}", brick(rules, rule.place),
                        rule.stage > 0 ? fmt::format(" in stage {}", rule.stage) : "",
@@ -155,9 +158,9 @@ std::string findings_text(const VerifyReport& report) {
   const RuleSet& rules = report.rules;
   std::string out;
   if (f.level_count > 0) {
-    out += line("levels", fmt::format("the rules follow each other in {}",
-                                      counted(static_cast<std::uint64_t>(f.level_count), "level",
-                                              "levels")));
+    out += line("levels",
+                fmt::format("the rules follow each other in {}",
+                            counted(static_cast<std::uint64_t>(f.level_count), "level", "levels")));
   }
   if (f.parallelism && !f.parallelism->rounds.empty()) {
     out += line("parallel", fmt::format("{} at least, up to {} at once, {:.1f} on average",
@@ -172,16 +175,16 @@ std::string findings_text(const VerifyReport& report) {
   if (report.result.verdict == ProofVerdict::proved) {
     for (std::size_t i = 0; i < std::min(f.blocking.size(), kMostNames); ++i) {
       const Blocking& b = f.blocking[i];
-      out += line("may block", fmt::format("'{}' at {} closes '{}' at {}, for a while",
-                                           printable(rules.rules[b.placed].name), to_text(b.at),
-                                           printable(rules.rules[b.blocked].name),
-                                           to_text(b.site)));
+      out +=
+          line("may block", fmt::format("'{}' at {} closes '{}' at {}, for a while",
+                                        printable(rules.rules[b.placed].name), to_text(b.at),
+                                        printable(rules.rules[b.blocked].name), to_text(b.site)));
     }
   }
   for (const WalledIn& walled : f.walled_in) {
-    out += line("walled in", fmt::format("{} can be cut off while it is open, after {}",
-                                         to_text(walled.site),
-                                         counted(walled.order.size(), "deposit", "deposits")));
+    out += line("walled in",
+                fmt::format("{} can be cut off while it is open, after {}", to_text(walled.site),
+                            counted(walled.order.size(), "deposit", "deposits")));
   }
   if (f.maybe_walled_in > 0) {
     out += line("walled in?", fmt::format("{} could not be shown to be in reach at all times",

@@ -35,7 +35,8 @@ class Witness {
 
   void write(const std::string& ending, const std::string& bytes) {
     FileError error;
-    if (write_file(name_ + ending, bytes, error)) return app_.say("wrote " + printable(name_ + ending));
+    if (write_file(name_ + ending, bytes, error))
+      return app_.say("wrote " + printable(name_ + ending));
     app_.complain(error.message);
     code_ = kRunFailed;
   }
@@ -69,7 +70,7 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
   const std::string& title = report.rules.name;
   Witness witness(name, report, app);
   if (result.refutation) {
-    const Refutation& found = *result.refutation;
+    const DivergingOrders& found = *result.refutation;
     witness.trace("-first.stigt", found.first);
     witness.trace("-second.stigt", found.second);
     witness.picture(

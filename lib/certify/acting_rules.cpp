@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "certify/acting_rules.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kStates = 64;
+
+Pattern turned(const Pattern& pattern, const Orientation& g, const Neighbourhood& neighbours) {
+  Pattern image;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
+    const int to = neighbours.index_of(g.apply(neighbours.offsets[i]));
+    image.allowed[static_cast<std::size_t>(to)] = pattern.allowed[i];
+  }
+  return image;
+}
+
+bool height_holds(const Rule& rule, std::int32_t z) {
+  return (!rule.height_min || z >= *rule.height_min) && (!rule.height_max || z <= *rule.height_max);
+}
+
+/// What the rule asks of the open neighbours, given that it accepts the others.
+Candidate asked(std::uint32_t rule, const Pattern& pattern, const Outlook& site) {
+  Candidate candidate{rule, 0, 0};
+  for (NeighbourSet rest = site.open; rest != 0; rest &= rest - 1) {
+    const auto i = static_cast<std::size_t>(std::countr_zero(rest));
+    const NeighbourSet bit = NeighbourSet{1} << i;
+    if (!pattern.allowed[i].contains(kEmpty)) candidate.there |= bit;
+    if (!pattern.allowed[i].contains(site.shows[i])) candidate.not_there |= bit;
+  }
+  return candidate;
+}
+
+}  // namespace
+
+ActingRules::ActingRules(const RuleSet& rules)
+    : rules_(rules), neighbours_(neighbourhood(rules.lattice)) {
+  for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
+    const Rule& rule = rules.rules[r];
+    for (const Orientation& g :
+         orientations(rules.lattice, rules.symmetry_of(rule), rules.inversion_of(rule))) {
+      oriented_.push_back({r, turned(rule.pattern, g, neighbours_)});
+    }
+  }
+  words_ = (oriented_.size() + 63) / 64;
+  const auto size = static_cast<std::size_t>(neighbours_.size);
+  accept_.assign(size * kStates * words_, 0);
+  for (std::size_t k = 0; k < oriented_.size(); ++k) {
+    for (std::size_t i = 0; i < size; ++i) {
+      for (std::uint64_t rest = oriented_[k].pattern.allowed[i].bits(); rest != 0;
+           rest &= rest - 1) {
+        const auto state = static_cast<std::size_t>(std::countr_zero(rest));
+        accept_[(i * kStates + state) * words_ + k / 64] |= std::uint64_t{1} << k % 64;
+      }
+    }
+  }
+}
+
+/// Those of 64 oriented rules that accept, at each neighbour, something it can show.
+std::uint64_t ActingRules::accepting(std::size_t word, const Outlook& site) const {
+  std::uint64_t alive = ~std::uint64_t{0};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size) && alive != 0; ++i) {
+    std::uint64_t accept = accept_[(i * kStates + site.shows[i]) * words_ + word];
+    if (site.open >> i & 1U) accept |= accept_[(i * kStates + kEmpty) * words_ + word];
+    alive &= accept;
+  }
+  return alive;
+}
+
+void ActingRules::candidates(const Outlook& site, int stage, std::vector<Candidate>& out) const {
+  out.clear();
+  for (std::size_t word = 0; word < words_; ++word) {
+    for (std::uint64_t rest = accepting(word, site); rest != 0; rest &= rest - 1) {
+      const Oriented& found =
+          oriented_[word * 64 + static_cast<std::size_t>(std::countr_zero(rest))];
+      const Rule& rule = rules_.rules[found.rule];
+      if (rule.stage != 0 && rule.stage != stage) continue;
+      if (height_holds(rule, site.z)) out.push_back(asked(found.rule, found.pattern, site));
+    }
+  }
+}
+
+bool ActingRules::counts_hold(const Rule& rule, const Outlook& site, NeighbourSet there) const {
+  return std::all_of(rule.counts.begin(), rule.counts.end(), [&](const CountCondition& count) {
+    int number = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size); ++i) {
+      if (count.faces_only && !neighbours_.is_face[i]) continue;
+      const bool shown = ((site.open & ~there) >> i & 1U) == 0;
+      number += count.of.contains(shown ? site.shows[i] : kEmpty) ? 1 : 0;
+    }
+    return number >= count.min && number <= count.max;
+  });
+}
+
+Action ActingRules::act(const Outlook& site, const std::vector<Candidate>& candidates,
+                        NeighbourSet there, Colour expected) const {
+  Action action;
+  if (!site.event_possible(there)) return action;
+  for (const Candidate& candidate : candidates) {
+    if ((candidate.there & ~there) != 0 || (candidate.not_there & there) != 0) continue;
+    const Rule& rule = rules_.rules[candidate.rule];
+    if (!counts_hold(rule, site, there)) continue;
+    action = {true, candidate.rule, rule.place != expected};
+    if (action.other || rules_.conflicts == Conflicts::first) break;
+  }
+  return action;
+}
+
+}  // namespace stig

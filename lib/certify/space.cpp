@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "certify/space.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+
+namespace stig {
+namespace {
+
+bool within(std::int32_t at, std::int32_t low, std::int32_t size) {
+  return at >= low && at - low < size;
+}
+
+std::int32_t wrapped(std::int32_t at, std::int32_t low, std::int32_t size) {
+  return low + ((at - low) % size + size) % size;
+}
+
+/// The lowest coordinate of a side that has [low, high] in its middle, rounded down.
+std::int32_t centred(std::int32_t low, std::int32_t high, std::int32_t size) {
+  const std::int32_t spare = size - (high - low + 1);
+  return low - (spare - (spare % 2 + 2) % 2) / 2;
+}
+
+}  // namespace
+
+bool Space::placeable(Cell cell) const {
+  if (is_floor(cell)) return false;
+  return !box || (within(cell.x, box->origin->x, box->size.x) &&
+                  within(cell.y, box->origin->y, box->size.y) &&
+                  within(cell.z, box->origin->z, box->size.z));
+}
+
+Cell Space::wrap(Cell cell) const {
+  if (!box || !box->periodic) return cell;
+  return {wrapped(cell.x, box->origin->x, box->size.x),
+          wrapped(cell.y, box->origin->y, box->size.y),
+          floor ? cell.z : wrapped(cell.z, box->origin->z, box->size.z)};
+}
+
+BoxSpec placed_box(const BoxSpec& box, const std::vector<PlacedBrick>& start, bool floor) {
+  if (box.origin) return box;
+  Cell low = start.empty() ? Cell{} : start.front().at, high = low;
+  for (const PlacedBrick& brick : start) {
+    low = {std::min(low.x, brick.at.x), std::min(low.y, brick.at.y), std::min(low.z, brick.at.z)};
+    high = {std::max(high.x, brick.at.x), std::max(high.y, brick.at.y),
+            std::max(high.z, brick.at.z)};
+  }
+  BoxSpec placed = box;
+  placed.origin = Cell{centred(low.x, high.x, box.size.x), centred(low.y, high.y, box.size.y),
+                       floor ? 0 : centred(low.z, high.z, box.size.z)};
+  return placed;
+}
+
+/// The slot that holds the cell, or the free one where it belongs. Cells of a row are
+/// kept together, since they are asked for together.
+std::size_t KnownCells::slot_of(Cell cell) const {
+  const auto bits = [](std::int32_t n) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(n));
+  };
+  const std::uint64_t row = mix(bits(cell.x >> 3) ^ bits(cell.y) << 22U ^ bits(cell.z) << 43U);
+  std::size_t slot = (row * 8 + (bits(cell.x) & 7U)) & (slots_.size() - 1);
+  while (slots_[slot] != kNone && cells_[slots_[slot]].at != cell) {
+    slot = (slot + 1) & (slots_.size() - 1);
+  }
+  return slot;
+}
+
+std::uint32_t KnownCells::find(Cell cell) const {
+  return slots_.empty() ? kNone : slots_[slot_of(cell)];
+}
+
+std::uint32_t KnownCells::find_or_add(Cell cell) {
+  if (cells_.size() * 2 >= slots_.size()) grow();
+  std::uint32_t& number = slots_[slot_of(cell)];
+  if (number == kNone) {
+    number = size();
+    cells_.push_back({cell});
+  }
+  return number;
+}
+
+void KnownCells::grow() {
+  slots_.assign(std::max<std::size_t>(64, slots_.size() * 2), kNone);
+  for (std::uint32_t i = 0; i < size(); ++i) slots_[slot_of(cells_[i].at)] = i;
+}
+
+}  // namespace stig

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "synthesis/check_rules.h"
+
+#include <fmt/format.h>
+
+#include "rules/rule_table.h"
+#include "synthesis/local_views.h"
+
+namespace stig {
+namespace {
+
+std::string at(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
+
+}  // namespace
+
+std::optional<std::string> find_fault(const Schedule& schedule, const Colouring& colours,
+                                      const RuleSet& rules) {
+  const Frame& frame = *schedule.frame;
+  const RuleTable table(rules);
+  std::vector<Match> matches;
+  for (std::size_t s = 0; s < frame.sites.size(); ++s) {
+    const Site& site = frame.sites[s];
+    for (const std::uint32_t mask : schedule.states.of(s)) {
+      const bool intended = schedule.intended(site, mask);
+      table.matches(view_of(frame, site, mask, colours), site.at.z, 1, matches);
+      if (matches.empty() && intended) {
+        return fmt::format("no rule places the brick at {}", at(site.at));
+      }
+      for (const Match& match : matches) {
+        if (!intended) {
+          return fmt::format("rule '{}' fires at {} when it must not", rules.rules[match.rule].name,
+                             at(site.at));
+        }
+        if (table.place(match.rule) != colours[static_cast<std::size_t>(site.orbit)]) {
+          return fmt::format("rule '{}' places another brick at {}", rules.rules[match.rule].name,
+                             at(site.at));
+        }
+      }
+    }
+  }
+  for (const bool on_floor : {false, true}) {
+    Site bare;
+    bare.on_floor = on_floor;
+    if (on_floor && !frame.floor) continue;
+    table.matches(view_of(frame, bare, 0, colours), 0, 1, matches);
+    if (!matches.empty()) {
+      return fmt::format("rule '{}' fires far from everything",
+                         rules.rules[matches.front().rule].name);
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace stig

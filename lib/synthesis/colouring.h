@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Colours for a schedule, or the proof that so many do not do, by a SAT solver.
+//
+// Variables: orbit o has colour c; pair p is equal. Conditions A and B are added when
+// a solution violates them, until find_clashes finds none; for the target's cells are
+// few and the pairs of a key and a state very many. The clauses over pairs
+// (differences.h) are kept from one number of colours to the next.
+//
+// A proof is the clauses met, as CNF with a comment on why each holds, and the
+// solver's DRAT proof that they contradict each other. The claim is "fewest colours
+// for this order"; other orders may do with fewer.
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "synthesis/deadline.h"
+#include "synthesis/differences.h"
+
+namespace stig {
+
+enum class Answered : std::uint8_t { yes, no, out_of_time };
+
+struct ColouringLimits {
+  Deadline deadline;
+  std::function<void(int colours, int rounds)> progress;  ///< before every round; may be empty
+};
+
+class ColouringSearch {
+ public:
+  /// Colours 1..named are those of the target; further ones are interchangeable. The
+  /// schedule must outlive the search.
+  ColouringSearch(const Schedule& schedule, int named);
+
+  /// Is there a colouring with colours 1..k? `hint` is tried first where it goes.
+  Answered colour(int k, const ColouringLimits& limits, Colouring& colours);
+
+  /// No fewer than this will do, as far as is known without a solver.
+  int at_least() const;
+  const Differences& differences() const { return differences_; }
+  /// Orbits whose colours may be named in this order without loss.
+  const std::vector<int>& naming() const { return naming_; }
+  int rounds() const { return rounds_; }
+
+ private:
+  void update_naming();
+
+  Differences differences_;
+  int named_;
+  std::vector<int> naming_;
+  int rounds_ = 0;
+  std::size_t named_at_ = 0;  ///< clauses when naming_ was last worked out
+};
+
+/// The clauses met by a search whose answer for k colours was no.
+struct Refutation {
+  std::string cnf;   ///< DIMACS, with comments (proof_files.h)
+  std::string drat;  ///< text form
+};
+/// Nothing when the time is over before the solver is done.
+std::optional<Refutation> refute(const ColouringSearch& search, int named, int k,
+                                 const Deadline& deadline);
+
+}  // namespace stig

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Time that may be spent, and whether it is.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+
+namespace stig {
+
+struct Deadline {
+  std::chrono::steady_clock::time_point end = std::chrono::steady_clock::time_point::max();
+  const std::atomic<bool>* stop = nullptr;  ///< set: as if the time were over
+
+  static Deadline after(double seconds, const std::atomic<bool>* stop = nullptr) {
+    return {std::chrono::steady_clock::now() +
+                std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                    std::chrono::duration<double>(seconds)),
+            stop};
+  }
+  bool passed() const {
+    return (stop != nullptr && stop->load(std::memory_order_relaxed)) ||
+           std::chrono::steady_clock::now() >= end;
+  }
+  /// The earlier of this and so many seconds from now.
+  Deadline within(double seconds) const {
+    const Deadline other = after(seconds, stop);
+    return other.end < end ? other : *this;
+  }
+};
+
+}  // namespace stig

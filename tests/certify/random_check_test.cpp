@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+// The checker against an exhaustive search over random rule sets.
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "certify/brute_proof.h"
+#include "certify/check.h"
+#include "support/random_rules.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostStructures = 300;
+
+int number(int low, int high) { return *rc::gen::inRange(low, high + 1); }
+
+/// In a small box, solid or periodic, that is full after a few bricks.
+RuleSet random_set_in_box() {
+  RuleSet rules = random_rule_set();
+  const bool one_stage = number(0, 2) > 0;
+  for (Rule& rule : rules.rules) {
+    if (one_stage) rule.stage = 0;
+  }
+  rules.conflicts = number(0, 2) == 0 ? Conflicts::first : Conflicts::random;
+  rules.start = {{{0, 0, 0}, 1}};
+  BoxSpec box{{number(1, 3), number(1, 3), number(1, 2)}, Cell{0, 0, 0}, number(0, 2) == 0};
+  if (!box.periodic) box.origin = Cell{1 - box.size.x, 1 - box.size.y, 0};
+  rules.box = box;
+  if (number(0, 2) == 0) rules.stages[1] = number(1, 4);
+  return rules;
+}
+
+struct Searched {
+  RuleSet rules;
+  std::vector<ReachedStage> stages;
+};
+
+/// A set with some events and not too many, and what they lead to. Nothing when none was
+/// found soon: small cases of rapidcheck are all alike.
+std::optional<Searched> any_searched_set() {
+  for (int attempt = 0; attempt < 20; ++attempt) {
+    RuleSet rules = random_set_in_box();
+    auto stages = reach_all(rules, kMostStructures);
+    if (stages && stages->front().all.size() > 2) return Searched{rules, *stages};
+  }
+  return std::nullopt;
+}
+
+/// Has every order of events one end, and has every stage been searched?
+bool one_end(const RuleSet& rules, const std::vector<ReachedStage>& stages) {
+  return stages.size() == static_cast<std::size_t>(rules.stage_count()) &&
+         stages.back().ends.size() == 1;
+}
+
+template <class T>
+T& any_of(std::vector<T>& list) {
+  return list[static_cast<std::size_t>(number(0, static_cast<int>(list.size()) - 1))];
+}
+
+void change_window(CertifiedWindow& window) {
+  const std::size_t bits = window.group.size() + window.context.size();
+  switch (number(0, 2)) {
+    case 0:
+      window.fillings.erase(window.fillings.begin() +
+                            number(0, static_cast<int>(window.fillings.size()) - 1));
+      break;
+    case 1: {
+      const Filling filling{static_cast<std::uint64_t>(number(0, (1 << bits) - 1))};
+      const auto at = std::lower_bound(window.fillings.begin(), window.fillings.end(), filling);
+      if (at == window.fillings.end() || *at != filling) window.fillings.insert(at, filling);
+      break;
+    }
+    default:
+      if (window.group.size() > 1) {
+        window.context.insert(window.context.begin(), window.group.back());
+        window.group.pop_back();
+      }
+  }
+}
+
+void change_somewhere(Certificate& certificate) {
+  CertifiedStage& stage = any_of(certificate.stages);
+  if (stage.order.empty()) {
+    certificate.bricks += 1;
+    return;
+  }
+  switch (number(0, 6)) {
+    case 0:
+      any_of(stage.order).before ^= 1U << number(0, kMaxNeighbours - 1);
+      break;
+    case 1:
+      for (CertifiedBrick& brick : stage.order) brick.before = 0;
+      stage.far.clear();
+      break;
+    case 2:
+      any_of(stage.order).colour = static_cast<Colour>(number(1, 3));
+      break;
+    case 3: {
+      Cell& cell = any_of(stage.order).at;
+      cell = cell + Offset{number(-1, 1), number(-1, 1), number(-1, 1)};
+      break;
+    }
+    case 4:
+      std::swap(any_of(stage.order), any_of(stage.order));
+      break;
+    case 5:
+      stage.order.pop_back();
+      certificate.bricks -= 1;
+      break;
+    default:
+      if (stage.windows.empty()) {
+        stage.far.push_back({0, number(0, 1) == 0 ? 0U : 1U});
+      } else {
+        change_window(any_of(stage.windows));
+      }
+  }
+}
+
+TEST_CASE("one window over everything proves each set that has one end") {
+  int proved = 0;
+  CHECK(rc::check("whole windows", [&] {
+    const auto searched = any_searched_set();
+    if (!searched) return;
+    const auto& [rules, stages] = *searched;
+    if (!one_end(rules, stages)) return;
+    const CheckReport report =
+        check_certificate(rules, certificate_of(rules, stages, Grouping::all));
+    RC_LOG() << report.refusal << "\n";
+    RC_ASSERT(report.accepted);
+    RC_ASSERT(report.structure == *stages.back().ends.begin());
+    ++proved;
+  }));
+  CHECK(proved > 10);
+}
+
+TEST_CASE("what is accepted is the only end there is, whatever is claimed") {
+  int accepted = 0, refused = 0, false_claims = 0;
+  CHECK(rc::check("any certificate", [&] {
+    const auto searched = any_searched_set();
+    if (!searched) return;
+    const auto& [rules, stages] = *searched;
+    for (int attempt = 0; attempt < 20; ++attempt) {
+      Certificate certificate = certificate_of(rules, stages, static_cast<Grouping>(number(0, 2)));
+      for (int changes = number(0, 2); changes > 0; --changes) change_somewhere(certificate);
+      const CheckReport report = check_certificate(rules, certificate);
+      RC_ASSERT(report.accepted == report.refusal.empty());
+      RC_LOG() << print_certificate(certificate) << "\n";
+      if (report.accepted) {
+        RC_ASSERT(one_end(rules, stages));
+        RC_ASSERT(report.structure == *stages.back().ends.begin());
+      }
+      (report.accepted ? accepted : refused) += 1;
+      false_claims += one_end(rules, stages) ? 0 : 1;
+    }
+  }));
+  MESSAGE("accepted " << accepted << ", refused " << refused << ", " << false_claims
+                      << " of sets without one end");
+  CHECK(accepted > 100);
+  CHECK(refused > 100);
+  CHECK(false_claims > 100);
+}
+
+}  // namespace
+}  // namespace stig

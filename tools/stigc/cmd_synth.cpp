@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+// stigc synth: from a target structure to a rule set that builds it.
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "commands.h"
+#include "outputs.h"
+#include "progress.h"
+#include "report.h"
+#include "rules/rule_printer.h"
+#include "structure_input.h"
+#include "synthesis/emit.h"
+#include "synthesis/synthesise.h"
+
+namespace stig {
+namespace {
+
+std::string_view words(Impossible::Kind kind) {
+  switch (kind) {
+    case Impossible::Kind::bad_start:
+      return "bad-start";
+    case Impossible::Kind::not_connected:
+      return "not-connected";
+    case Impossible::Kind::asymmetric:
+      return "asymmetric";
+    case Impossible::Kind::look_alike:
+      return "look-alike";
+    case Impossible::Kind::colours:
+      break;
+  }
+  return "colours";
+}
+
+std::string file_name(const std::string& path) {
+  const std::size_t slash = path.rfind('/');
+  return slash == std::string::npos ? path : path.substr(slash + 1);
+}
+
+/// "tower", of "models/tower.vox": what a rule set may be called.
+std::string set_name(const std::string& path) {
+  std::string name = file_name(path);
+  name = name.substr(0, name.rfind('.'));
+  for (char& c : name) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (!plain) c = '-';
+  }
+  return name.empty() ? "target" : name;
+}
+
+/// The options that made a difference, as they are written.
+std::string options_in_words(const SynthOptions& o) {
+  std::string out;
+  if (o.use == ColourUse::given) out += " --colours given";
+  if (o.colours) out += fmt::format(" --colours {}", *o.colours);
+  if (o.symmetry != Symmetry::none) out += fmt::format(" --symmetry {}", to_string(o.symmetry));
+  for (const Cell c : o.start) out += fmt::format(" --start {},{},{}", c.x, c.y, c.z);
+  if (o.floor) out += " --floor";
+  if (o.fewest == Fewest::rules) out += " --fewest rules";
+  return out;
+}
+
+Wording wording(const SynthOptions& options, const Solution& solution) {
+  const std::string file = file_name(options.target);
+  return {set_name(options.target),
+          fmt::format("{}, {} bricks", file, solution.frame->cells.size()),
+          fmt::format("compiled by stigc synth from {}{}; {}", file, options_in_words(options),
+                      solution.order.name)};
+}
+
+Json point_json(const Solution& s) {
+  return {{"colours", s.colour_count},
+          {"fewer_refuted", s.fewer_refuted},
+          {"rules", s.rules.size()},
+          {"exact_rules", s.exact_rules},
+          {"order", s.order.name}};
+}
+
+Json to_json(const SynthOptions& options, const Synthesis& result,
+             const std::vector<std::string>& written) {
+  Json json{{"target", options.target}};
+  if (result.best) {
+    const Solution& s = *result.best;
+    json["verdict"] = "compiled";
+    json["bricks"] = s.frame->cells.size();
+    json.update(point_json(s));
+    json["start"] = Json::array();
+    for (const Orbit& orbit : s.frame->orbits) {
+      if (orbit.start) json["start"].push_back(to_json(orbit.at));
+    }
+    json["others"] = Json::array();
+    for (const Solution& other : result.others) json["others"].push_back(point_json(other));
+  } else if (result.impossible) {
+    json["verdict"] = "impossible";
+    json["reason"] = words(result.impossible->kind);
+    json["what"] = result.impossible->what;
+    if (!result.impossible->drawing.empty()) json["drawing"] = result.impossible->drawing;
+    json["remedies"] = result.impossible->remedies;
+  } else {
+    json["verdict"] = "out-of-time";
+  }
+  json["orders_tried"] = result.orders_tried;
+  json["seconds"] = result.seconds;
+  if (!written.empty()) json["written"] = written;
+  return json;
+}
+
+std::string summary(const Synthesis& result) {
+  const Solution& s = *result.best;
+  std::string out = line("bricks", fmt::format("{}", s.frame->cells.size()));
+  out +=
+      line("colours", fmt::format("{}{}", s.colour_count,
+                                  s.colour_count == 1 ? ""
+                                  : s.fewer_refuted   ? ", the fewest for this order"
+                                                      : ", perhaps not the fewest for this order"));
+  out += line("rules", fmt::format("{}, merged from {} exact ones", s.rules.size(), s.exact_rules));
+  out += line("order", fmt::format("{} (of {} tried)", s.order.name, result.orders_tried));
+  for (const Solution& other : result.others) {
+    out += line("or", fmt::format("{} colours and {} rules: {}", other.colour_count,
+                                  other.rules.size(), other.order.name));
+  }
+  return out;
+}
+
+std::string reason(const Impossible& impossible, bool color) {
+  std::string out = fmt::format("{}: {}\n", red("impossible", color), impossible.what);
+  if (!impossible.drawing.empty()) out += "\n" + impossible.drawing + "\n";
+  for (const std::string& remedy : impossible.remedies) out += "  remedy: " + remedy + "\n";
+  return out;
+}
+
+/// Writes a file into a folder that may have to be made.
+bool write_into(const std::string& folder, const std::string& name, const std::string& bytes,
+                std::string& error) {
+  if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
+    error = fmt::format("cannot make folder '{}': {}", printable(folder), strerror(errno));
+    return false;
+  }
+  FileError failed;
+  if (write_file(folder + "/" + name, bytes, failed)) return true;
+  error = failed.message;
+  return false;
+}
+
+/// The proof that one colour fewer does not do; returns an exit code.
+int write_proof(const SynthOptions& options, const Target& target, const Solution& solution,
+                const App& app, std::vector<std::string>& written) {
+  if (solution.colour_count == 1) {
+    app.say("one colour: there are no fewer to be refuted");
+    return kOk;
+  }
+  const auto proof = prove_fewest(solution, static_cast<int>(target.bricks.size()),
+                                  Deadline::after(options.seconds, &stop_requested()));
+  if (!proof) {
+    app.complain("no proof that fewer colours do not do was found within the budget");
+    return kRunFailed;
+  }
+  const std::vector<std::pair<std::string, const std::string*>> files = {
+      {"fewer.json", &proof->problem}, {"fewer.cnf", &proof->cnf}, {"fewer.drat", &proof->drat}};
+  for (const auto& [name, bytes] : files) {
+    std::string error;
+    if (!write_into(*options.proof, name, *bytes, error)) {
+      app.complain(error);
+      return kRunFailed;
+    }
+    written.push_back(*options.proof + "/" + name);
+  }
+  return kOk;
+}
+
+int write_results(const SynthOptions& options, const Target& target, const Synthesis& result,
+                  App& app, std::vector<std::string>& written) {
+  const Solution& s = *result.best;
+  const RuleSet rules = make_rule_set(*s.frame, s.colours, s.colour_count, target.bricks, s.rules,
+                                      wording(options, s));
+  const std::string text = print_rule_set(rules);
+  if (options.output) {
+    FileError error;
+    if (!write_file(*options.output, text, error)) {
+      app.complain(error.message);
+      return kRunFailed;
+    }
+    written.push_back(*options.output);
+  } else if (!options.json) {
+    app.print(text);
+  }
+  return options.proof ? write_proof(options, target, s, app, written) : kOk;
+}
+
+SynthesisOptions synthesis_options(const SynthOptions& options) {
+  SynthesisOptions out;
+  out.symmetry = options.symmetry;
+  out.start = options.start;
+  out.floor = options.floor;
+  if (options.colours) out.most_colours = *options.colours;
+  out.fewest = options.fewest;
+  out.family = options.family;
+  out.merge = !options.exact;
+  out.seconds = options.seconds;
+  return out;
+}
+
+}  // namespace
+
+int run(const SynthOptions& options, App& app) {
+  const auto loaded = read_structure(options.target, options.lattice, app);
+  if (!loaded) return kFailed;
+  if (loaded->structure.empty()) {
+    app.complain("the target has no cells");
+    return kFailed;
+  }
+  const Target target = target_of(*loaded, options.use);
+  stop_on_signals();
+  Progress progress(app);
+  SynthesisHooks hooks;
+  hooks.stop = &stop_requested();
+  hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
+  const Synthesis result = synthesise(target, synthesis_options(options), hooks);
+  progress.clear();
+  std::vector<std::string> written;
+  int code = kRunFailed;
+  if (result.best) {
+    code = write_results(options, target, result, app, written);
+    if (options.output && !options.json) app.print(summary(result));
+    if (!options.output && !options.json) app.say(summary(result));
+  } else if (result.impossible) {
+    code = kFailed;
+    if (!options.json) app.print(reason(*result.impossible, app.color_out()));
+  } else if (!options.json) {
+    app.complain("no rule set was found within the budget; --budget gives it more time");
+  }
+  if (options.json) app.print(dump(to_json(options, result, written)));
+  return code;
+}
+
+}  // namespace stig
