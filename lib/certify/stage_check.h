@@ -24,7 +24,7 @@
 namespace stig {
 
 /// "(1, 0, 0)"
-std::string to_text(Cell cell);
+std::string cell_text(Cell cell);
 
 class StageCheck {
  public:

@@ -16,9 +16,14 @@ namespace {
 
 /// The world to prove things of; none: unbounded space.
 std::optional<Box> chosen_box(const RuleSet& rules, const VerifyFileOptions& options) {
-  if (!options.box) return file_box(rules);
+  if (!options.box) {
+    std::optional<Box> box = file_box(rules);
+    if (box && options.periodic) box->periodic = true;
+    return box;
+  }
   if (!options.box->size) return std::nullopt;
-  return lay_box(BoxSpec{*options.box->size, std::nullopt, false}, rules.start, rules.floor);
+  return lay_box(BoxSpec{*options.box->size, std::nullopt, options.periodic}, rules.start,
+                 rules.floor);
 }
 
 int exit_code(ProofVerdict verdict) {

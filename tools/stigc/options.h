@@ -75,10 +75,21 @@ struct TestOptions {
 struct VerifyFileOptions {
   std::string file;
   std::optional<BoxOption> box;
+  bool periodic = false;
   double budget = 60;  ///< seconds
   std::uint64_t states = 2'000'000;
   std::optional<std::string> certificate;
   std::optional<std::string> witness;  ///< begins the names of the files that show the verdict
+  bool json = false;
+};
+
+/// A certificate for a rule set, or a proof for a formula.
+struct CertifyOptions {
+  std::string file;   ///< rule set, or formula
+  std::string proof;  ///< certificate, or proof
+  bool drat = false;
+  std::optional<BoxOption> box;  ///< in place of the file's
+  bool periodic = false;
   bool json = false;
 };
 
@@ -134,8 +145,8 @@ struct SynthOptions {
 
 using CommandOptions =
     std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
-                 VerifyFileOptions, SynthOptions, GraphOptions, ReplayOptions, SchemaOptions,
-                 MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
+                 VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
+                 SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
 
 struct CommandLine {
   GlobalOptions global;
