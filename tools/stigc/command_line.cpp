@@ -22,6 +22,7 @@ struct Storage {
   ExploreOptions explore;
   ExplainOptions explain;
   TestOptions test;
+  VerifyFileOptions verify;
   CertifyOptions certify;
   GraphOptions graph;
   ReplayOptions replay;
@@ -233,10 +234,34 @@ void add_test(CLI::App& app, TestOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
+void add_verify(CLI::App& app, VerifyFileOptions& o) {
+  CLI::App* sub =
+      command(app, "verify", "prove that every order of events ends alike, or refute it",
+              "  stigc verify staircase.yaml --certificate staircase.cert\n"
+              "  stigc certify staircase.yaml staircase.cert\n"
+              "  stigc verify order-dependent.yaml --witness two-ends\n"
+              "  stigc verify architecture-4n.yaml --box none --budget 300 --json\n");
+  file(sub, "FILE", o.file, "the rule set; - is standard input");
+  box(sub, o.box,
+      "the world that is meant, a size laid around the start, or none for unbounded space "
+      "(default: the file's box, else none)");
+  sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+  parsed(sub, "--budget", "S", "seconds after which the verdict is 'unknown' (default: 60)",
+         [&o](const std::string& text) { return parse_seconds(text, o.budget); });
+  integer(sub, "--states", o.states, 1, std::int64_t{1} << 31,
+          "fillings of a group of bricks kept at most (default: 2000000)");
+  sub->add_option("--certificate", o.certificate, "write the certificate of a proof")
+      ->type_name("FILE");
+  sub->add_option("--witness", o.witness,
+                  "write what shows the verdict: traces and pictures whose names begin with this")
+      ->type_name("NAME");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
 void add_certify(CLI::App& app, CertifyOptions& o) {
   CLI::App* sub = command(app, "certify", "check a proof again, without trust in its maker",
+                          "  stigc verify staircase.yaml --certificate staircase.cert\n"
                           "  stigc certify staircase.yaml staircase.cert\n"
-                          "  stigc certify staircase.yaml staircase.cert --box 9,9,9\n"
                           "  stigc certify --drat fewer.cnf fewer.drat\n");
   file(sub, "FILE", o.file, "the rule set; with --drat, a formula (DIMACS CNF)");
   file(sub, "PROOF", o.proof,
@@ -370,6 +395,7 @@ void build(CLI::App& app, Storage& s) {
   add_explore(app, s.explore);
   add_explain(app, s.explain);
   add_test(app, s.test);
+  add_verify(app, s.verify);
   add_certify(app, s.certify);
   add_files_out(app, s);
   add_synth(app, s.synth);
@@ -405,13 +431,11 @@ CommandInfo describe_command(const CLI::App& sub) {
 
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
-      {"check", s.check},     {"fmt", s.fmt},
-      {"explore", s.explore}, {"explain", s.explain},
-      {"test", s.test},       {"certify", s.certify},
-      {"graph", s.graph},     {"replay", s.replay},
-      {"schema", s.schema},   {"measure", s.measure},
-      {"draw", s.draw},       {"synth", s.synth},
-      {"doctor", s.doctor},   {"completions", s.completions}};
+      {"check", s.check},     {"fmt", s.fmt},         {"explore", s.explore},
+      {"explain", s.explain}, {"test", s.test},       {"verify", s.verify},
+      {"certify", s.certify}, {"graph", s.graph},     {"replay", s.replay},
+      {"schema", s.schema},   {"measure", s.measure}, {"draw", s.draw},
+      {"synth", s.synth},     {"doctor", s.doctor},   {"completions", s.completions}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;
