@@ -20,7 +20,7 @@ bool within_reach(Cell cell) {
 std::string text_of(const std::optional<BoxSpec>& box) {
   if (!box) return "unbounded space";
   return fmt::format("{}box {}x{}x{} at {}", box->periodic ? "the periodic " : "the ", box->size.x,
-                     box->size.y, box->size.z, to_text(*box->origin));
+                     box->size.y, box->size.z, cell_text(*box->origin));
 }
 
 /// Does the certificate speak of these rules in this box at all?
@@ -52,11 +52,11 @@ std::string misfit(const RuleSet& rules, const Certificate& certificate,
 std::string add_start(const RuleSet& rules, const Space& space, KnownCells& cells) {
   for (const PlacedBrick& brick : rules.start) {
     if (!within_reach(brick.at) || !space.placeable(brick.at)) {
-      return fmt::format("the start has a brick where none can be, at {}", to_text(brick.at));
+      return fmt::format("the start has a brick where none can be, at {}", cell_text(brick.at));
     }
     KnownCell& cell = cells[cells.find_or_add(brick.at)];
     if (cell.colour != 0) {
-      return fmt::format("the start has two bricks at {}", to_text(brick.at));
+      return fmt::format("the start has two bricks at {}", cell_text(brick.at));
     }
     cell.colour = brick.brick;
   }
@@ -83,7 +83,7 @@ std::string refusal_of(const RuleSet& rules, const Certificate& certificate,
     const int number = static_cast<int>(i) + 1;
     for (const CertifiedBrick& brick : certificate.stages[i].order) {
       if (within_reach(brick.at)) continue;
-      return fmt::format("stage {}: the brick at {} is out of reach", number, to_text(brick.at));
+      return fmt::format("stage {}: the brick at {} is out of reach", number, cell_text(brick.at));
     }
     StageCheck stage(rules, acting, space, certificate.stages[i], number, cells);
     if (std::string problem = stage.refusal(); !problem.empty()) {

@@ -11,7 +11,7 @@
 
 namespace stig {
 
-std::string to_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
+std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
 StageCheck::StageCheck(const RuleSet& rules, const ActingRules& acting, const Space& space,
                        const CertifiedStage& stage, int number, KnownCells& cells)
@@ -43,14 +43,14 @@ bool StageCheck::load_order() {
     const CertifiedBrick& brick = stage_.order[position];
     if (brick.colour < 1 || brick.colour > rules_.colours()) {
       return refuse(fmt::format("the brick at {} has a colour that the rules do not know",
-                                to_text(brick.at)));
+                                cell_text(brick.at)));
     }
     if (!space_.placeable(brick.at)) {
-      return refuse(fmt::format("no brick can be placed at {}", to_text(brick.at)));
+      return refuse(fmt::format("no brick can be placed at {}", cell_text(brick.at)));
     }
     const std::uint32_t cell = cells_.find_or_add(brick.at);
     if (cells_[cell].colour != 0) {
-      return refuse(fmt::format("there is a brick already at {}", to_text(brick.at)));
+      return refuse(fmt::format("there is a brick already at {}", cell_text(brick.at)));
     }
     cells_[cell].colour = brick.colour;
     cells_[cell].position = position;
@@ -73,7 +73,7 @@ bool StageCheck::load_before(std::uint32_t position) {
     }
     if (earlier == kNone || earlier >= position) {
       return refuse(fmt::format("neighbour {} of the brick at {} is no brick that comes earlier",
-                                index, to_text(brick.at)));
+                                index, cell_text(brick.at)));
     }
     earlier_[position].push_back(earlier);
   }
@@ -102,8 +102,8 @@ bool StageCheck::load_far() {
       const std::vector<std::uint32_t>& earlier = earlier_[chain[i - 1]];
       if (std::find(earlier.begin(), earlier.end(), chain[i]) == earlier.end()) {
         return refuse(fmt::format("a far fact has a step that is none, from {} to {}",
-                                  to_text(stage_.order[chain[i - 1]].at),
-                                  to_text(stage_.order[chain[i]].at)));
+                                  cell_text(stage_.order[chain[i - 1]].at),
+                                  cell_text(stage_.order[chain[i]].at)));
       }
     }
     if (chain.size() >= 2) facts.emplace_back(chain.front(), chain.back());
@@ -131,7 +131,7 @@ bool StageCheck::load_members(std::uint32_t window, const std::vector<std::uint3
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     const std::uint32_t position = bricks[i];
     if (position >= stage_.order.size()) return refuse("a window names no brick");
-    const std::string at = to_text(stage_.order[position].at);
+    const std::string at = cell_text(stage_.order[position].at);
     if (in_group(position)) {
       return refuse(
           fmt::format("the brick at {} is in the group of a window and in another "
@@ -199,10 +199,10 @@ bool StageCheck::windows_progress() {
         return !has(window.fillings[f], brick.second);
       });
       if (missing == by_order.end() || !in_group(missing->first) || leads_on_[w][f]) continue;
-      return refuse(
-          fmt::format("a filling of {} bricks is a dead end: no rule places a brick of "
-                      "the group of the brick at {}",
-                      count_bricks(window.fillings[f]), to_text(stage_.order[missing->first].at)));
+      return refuse(fmt::format(
+          "a filling of {} bricks is a dead end: no rule places a brick of "
+          "the group of the brick at {}",
+          count_bricks(window.fillings[f]), cell_text(stage_.order[missing->first].at)));
     }
   }
   return true;

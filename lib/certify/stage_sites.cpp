@@ -114,7 +114,7 @@ bool StageCheck::check_run(const Site& site) {
   const Action action = acting_.act(site.outlook, site.candidates, seen_in_run(site), site.colour);
   if (action.other) return refuse_rule(site, action.rule);
   return action.acts || refuse(fmt::format("no rule places the brick at {} when its turn comes",
-                                           to_text(site.at)));
+                                           cell_text(site.at)));
 }
 
 bool StageCheck::check_local_states(const Site& site) {
@@ -130,13 +130,13 @@ bool StageCheck::check_local_states(const Site& site) {
       return refuse(
           fmt::format("the rule {} can place the brick at {} when a brick that should "
                       "be there before it is not",
-                      in_quotes(rules_.rules[action.rule].name), to_text(site.at)));
+                      in_quotes(rules_.rules[action.rule].name), cell_text(site.at)));
     }
     if (brick && !action.acts && (run & ~there) == 0) {
       return refuse(
           fmt::format("the brick at {} can be placed, and can no longer be when more "
                       "bricks stand around it",
-                      to_text(site.at)));
+                      cell_text(site.at)));
     }
   }
   return true;
@@ -149,7 +149,7 @@ bool StageCheck::check_group_brick(const Site& site) {
     return refuse(
         fmt::format("the brick at {} is in the group of a window that does not have all "
                     "bricks around it",
-                    to_text(site.at)));
+                    cell_text(site.at)));
   }
   if (!check_run(site)) return false;
   const std::vector<Seen> seen = seen_of(site, own.window, false);
@@ -289,7 +289,7 @@ bool StageCheck::is_listed(const CertifiedWindow& window, const Filling& filling
 bool StageCheck::refuse_rule(const Site& site, std::uint32_t rule) {
   const Rule& acting = rules_.rules[rule];
   std::string why = fmt::format("the rule {} can place a brick {} at {}", in_quotes(acting.name),
-                                in_quotes(rules_.brick(acting.place).symbol), to_text(site.at));
+                                in_quotes(rules_.brick(acting.place).symbol), cell_text(site.at));
   why += site.colour == 0 ? std::string(", where the structure has none")
                           : fmt::format(", where the structure has {}",
                                         in_quotes(rules_.brick(site.colour).symbol));
@@ -300,12 +300,12 @@ bool StageCheck::refuse_filling(const Site& site, const Filling& filling) {
   return refuse(
       fmt::format("the brick at {} can be placed in a filling of {} bricks, and the "
                   "window does not list the filling with it",
-                  to_text(site.at), count_bricks(filling)));
+                  cell_text(site.at), count_bricks(filling)));
 }
 
 bool StageCheck::refuse_too_many(const Site& site) {
-  return refuse(
-      fmt::format("the site {} has more than {} local states", to_text(site.at), kMostLocalStates));
+  return refuse(fmt::format("the site {} has more than {} local states", cell_text(site.at),
+                            kMostLocalStates));
 }
 
 }  // namespace stig

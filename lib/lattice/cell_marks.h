@@ -17,6 +17,7 @@ class CellMarks {
 
   std::size_t size() const { return entries_.size(); }
   Cell operator[](std::size_t i) const { return entries_[i].cell; }
+  bool contains(Cell cell) const { return slots_[find(cell)] != 0; }
   void clear();
   /// Marks a cell anew; marks of 0 take it out. False when it was not in and stays out.
   bool set(Cell cell, std::uint64_t marks);

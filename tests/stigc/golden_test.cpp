@@ -16,8 +16,9 @@ void hold(const Workplace& place, const std::string& name, const std::string& li
 TEST_CASE("help of the program and of every command") {
   const Workplace place;
   hold(place, "help", "stigc --help");
-  for (const char* command : {"check", "fmt", "explore", "explain", "test", "graph", "replay",
-                              "schema", "measure", "draw", "synth", "completions", "doctor"}) {
+  for (const char* command :
+       {"check", "fmt", "explore", "explain", "test", "certify", "graph", "replay", "schema",
+        "measure", "draw", "synth", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
   }
 }
@@ -59,6 +60,27 @@ TEST_CASE("test says how each expectation stands and by what method") {
   hold(place, "test-wrong", "stigc test sets/wrong_expectation.yaml");
   hold(place, "test-budget", "stigc test --states 2 --samples 3 sets/line.yaml");
   hold(place, "test-json", "stigc test --json sets/line.yaml sets/wrong_expectation.yaml");
+}
+
+TEST_CASE("certify accepts, or says what does not hold") {
+  const Workplace place;
+  hold(place, "certify", "stigc certify sets/line.yaml sets/line.cert");
+  hold(place, "certify-json", "stigc certify sets/line.yaml sets/line.cert --json");
+  hold(place, "certify-box", "stigc certify sets/line.yaml sets/line.cert --box 5,5,5");
+  place.write("wrong.cert", "stigc-certificate 1\nrules 0\n");
+  hold(place, "certify-malformed", "stigc certify sets/line.yaml wrong.cert");
+  std::string missing = place.file("sets/line.cert");
+  const std::size_t brick = missing.find("stage 2");
+  missing.replace(brick, std::string::npos, "stage 2 order 0\nend 2\n");
+  place.write("missing.cert", missing);
+  hold(place, "certify-refused", "stigc certify sets/line.yaml missing.cert");
+  hold(place, "certify-refused-json", "stigc certify sets/line.yaml missing.cert --json");
+  place.write("square.cnf", "p cnf 2 4\n1 2 0\n1 -2 0\n-1 2 0\n-1 -2 0\n");
+  place.write("square.drat", "1 0\n0\n");
+  place.write("empty.drat", "");
+  hold(place, "certify-drat", "stigc certify --drat square.cnf square.drat");
+  hold(place, "certify-drat-json", "stigc certify --drat square.cnf square.drat --json");
+  hold(place, "certify-drat-refused", "stigc certify --drat square.cnf empty.drat");
 }
 
 TEST_CASE("graph, fmt, replay, measure") {

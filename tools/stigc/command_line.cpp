@@ -22,6 +22,8 @@ struct Storage {
   ExploreOptions explore;
   ExplainOptions explain;
   TestOptions test;
+  VerifyFileOptions verify;
+  CertifyOptions certify;
   GraphOptions graph;
   ReplayOptions replay;
   SchemaOptions schema;
@@ -148,6 +150,13 @@ void add_fmt(CLI::App& app, FmtOptions& o) {
       ->excludes(write);
 }
 
+void box(CLI::App* sub, std::optional<BoxOption>& out, const std::string& doc) {
+  parsed(sub, "--box", "X,Y,Z", doc, [&out](const std::string& text) -> std::string {
+    out.emplace();
+    return text == "none" ? "" : parse_size(text, out->size.emplace());
+  });
+}
+
 void add_explore_swarm(CLI::App* sub, ExploreOptions& o) {
   choice(sub, "--motion", o.motion,
          {{"walk", Motion::walk}, {"teleport", Motion::teleport}, {"event", Motion::event}},
@@ -161,13 +170,9 @@ void add_explore_swarm(CLI::App* sub, ExploreOptions& o) {
       ->trigger_on_parse();
   integer(sub, "--moves", o.moves, 6, 26,
           "neighbours an agent steps to: 6, 18 or 26; hexagonal 8 or 20 (default: the most)");
-  parsed(sub, "--box", "X,Y,Z",
-         "size of the world, laid around the start, or none for unbounded space (event motion "
-         "alone); default: the file's box, else 20,20,20 for agents and none for events",
-         [&o](const std::string& text) -> std::string {
-           o.box.emplace();
-           return text == "none" ? "" : parse_size(text, o.box->size.emplace());
-         });
+  box(sub, o.box,
+      "size of the world, laid around the start, or none for unbounded space (event motion "
+      "alone); default: the file's box, else 20,20,20 for agents and none for events");
   sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
 }
 
@@ -226,6 +231,46 @@ void add_test(CLI::App& app, TestOptions& o) {
           "orders of events sampled before all are tried (default: 64)");
   integer(sub, "--states", o.states, 0, kMostCount,
           "states visited at most when every order is tried (default: 2000000)");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
+void add_verify(CLI::App& app, VerifyFileOptions& o) {
+  CLI::App* sub =
+      command(app, "verify", "prove that every order of events ends alike, or refute it",
+              "  stigc verify staircase.yaml --certificate staircase.cert\n"
+              "  stigc certify staircase.yaml staircase.cert\n"
+              "  stigc verify order-dependent.yaml --witness two-ends\n"
+              "  stigc verify architecture-4n.yaml --box none --budget 300 --json\n");
+  file(sub, "FILE", o.file, "the rule set; - is standard input");
+  box(sub, o.box,
+      "the world that is meant, a size laid around the start, or none for unbounded space "
+      "(default: the file's box, else none)");
+  sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+  parsed(sub, "--budget", "S", "seconds after which the verdict is 'unknown' (default: 60)",
+         [&o](const std::string& text) { return parse_seconds(text, o.budget); });
+  integer(sub, "--states", o.states, 1, std::int64_t{1} << 31,
+          "fillings of a group of bricks kept at most (default: 2000000)");
+  sub->add_option("--certificate", o.certificate, "write the certificate of a proof")
+      ->type_name("FILE");
+  sub->add_option("--witness", o.witness,
+                  "write what shows the verdict: traces and pictures whose names begin with this")
+      ->type_name("NAME");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
+void add_certify(CLI::App& app, CertifyOptions& o) {
+  CLI::App* sub = command(app, "certify", "check a proof again, without trust in its maker",
+                          "  stigc verify staircase.yaml --certificate staircase.cert\n"
+                          "  stigc certify staircase.yaml staircase.cert\n"
+                          "  stigc certify --drat fewer.cnf fewer.drat\n");
+  file(sub, "FILE", o.file, "the rule set; with --drat, a formula (DIMACS CNF)");
+  file(sub, "PROOF", o.proof,
+       "its certificate; with --drat, a proof that the formula has no solution");
+  sub->add_flag("--drat", o.drat, "a formula and its DRAT proof, text or binary");
+  box(sub, o.box,
+      "the world that is meant, a size laid around the start, or none for unbounded space "
+      "(default: the file's box, else none)");
+  sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
@@ -350,6 +395,8 @@ void build(CLI::App& app, Storage& s) {
   add_explore(app, s.explore);
   add_explain(app, s.explain);
   add_test(app, s.test);
+  add_verify(app, s.verify);
+  add_certify(app, s.certify);
   add_files_out(app, s);
   add_synth(app, s.synth);
   add_about_itself(app, s);
@@ -384,11 +431,11 @@ CommandInfo describe_command(const CLI::App& sub) {
 
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
-      {"check", s.check},     {"fmt", s.fmt},       {"explore", s.explore},
-      {"explain", s.explain}, {"test", s.test},     {"graph", s.graph},
-      {"replay", s.replay},   {"schema", s.schema}, {"measure", s.measure},
-      {"draw", s.draw},       {"doctor", s.doctor}, {"completions", s.completions},
-      {"synth", s.synth}};
+      {"check", s.check},     {"fmt", s.fmt},         {"explore", s.explore},
+      {"explain", s.explain}, {"test", s.test},       {"verify", s.verify},
+      {"certify", s.certify}, {"graph", s.graph},     {"replay", s.replay},
+      {"schema", s.schema},   {"measure", s.measure}, {"draw", s.draw},
+      {"synth", s.synth},     {"doctor", s.doctor},   {"completions", s.completions}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

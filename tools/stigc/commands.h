@@ -12,6 +12,8 @@ int run(const FmtOptions& options, App& app);
 int run(const ExploreOptions& options, App& app);
 int run(const ExplainOptions& options, App& app);
 int run(const TestOptions& options, App& app);
+int run(const VerifyFileOptions& options, App& app);
+int run(const CertifyOptions& options, App& app);
 int run(const GraphOptions& options, App& app);
 int run(const ReplayOptions& options, App& app);
 int run(const SchemaOptions& options, App& app);

@@ -12,7 +12,8 @@ namespace stig {
 namespace {
 
 bool is_file(const OptionInfo& option) {
-  return option.value == "FILE" || option.value == "TRACE" || option.value == "STRUCTURE";
+  return option.value == "FILE" || option.value == "TRACE" || option.value == "STRUCTURE" ||
+         option.value == "PROOF";
 }
 
 /// The words of "a|b|c"; none when there is no bar.

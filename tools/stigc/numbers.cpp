@@ -18,6 +18,14 @@ bool parse_whole(std::string_view text, Number& out, int base = 10) {
   return error == std::errc{} && stop == end;
 }
 
+/// Digits with at most one point.
+bool parse_decimal(std::string_view text, double& out) {
+  const bool plain = text.find_first_not_of("0123456789.") == std::string_view::npos;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data(), end, out, std::chars_format::fixed);
+  return plain && error == std::errc{} && stop == end;
+}
+
 /// Three integers parted by commas.
 std::string parse_three(std::string_view text, std::int64_t low, std::int64_t high,
                         std::array<std::int32_t, 3>& out) {
@@ -52,6 +60,13 @@ std::string parse_seed(std::string_view text, std::uint64_t& out) {
   const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
   if (parse_whole(hexadecimal ? text.substr(2) : text, out, hexadecimal ? 16 : 10)) return {};
   return fmt::format("'{}' is no integer within 0 to 2^64 - 1", text);
+}
+
+std::string parse_seconds(std::string_view text, double& out) {
+  constexpr double kTenYears = 3.2e8;
+  if (!parse_decimal(text, out)) return fmt::format("'{}' is no number of seconds", text);
+  if (!(out > 0 && out <= kTenYears)) return fmt::format("{} is not within 0 and ten years", text);
+  return {};
 }
 
 std::string parse_cell(std::string_view text, Cell& out) {

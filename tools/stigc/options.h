@@ -72,6 +72,27 @@ struct TestOptions {
   bool json = false;
 };
 
+struct VerifyFileOptions {
+  std::string file;
+  std::optional<BoxOption> box;
+  bool periodic = false;
+  double budget = 60;  ///< seconds
+  std::uint64_t states = 2'000'000;
+  std::optional<std::string> certificate;
+  std::optional<std::string> witness;  ///< begins the names of the files that show the verdict
+  bool json = false;
+};
+
+/// A certificate for a rule set, or a proof for a formula.
+struct CertifyOptions {
+  std::string file;   ///< rule set, or formula
+  std::string proof;  ///< certificate, or proof
+  bool drat = false;
+  std::optional<BoxOption> box;  ///< in place of the file's
+  bool periodic = false;
+  bool json = false;
+};
+
 struct GraphOptions {
   std::string file;
 };
@@ -122,9 +143,10 @@ struct SynthOptions {
   bool json = false;
 };
 
-using CommandOptions = std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions,
-                                    TestOptions, GraphOptions, ReplayOptions, SchemaOptions,
-                                    MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions, SynthOptions>;
+using CommandOptions =
+    std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
+                 VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
+                 SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
 
 struct CommandLine {
   GlobalOptions global;

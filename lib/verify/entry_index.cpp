@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "verify/entry_index.h"
+
+#include <bit>
+
+namespace stig {
+
+EntryIndex::EntryIndex(const RuleSet& rules, const RuleTable& table, int stage)
+    : rules_(&rules), table_(&table), size_(static_cast<std::size_t>(table.neighbours().size)) {
+  for (std::uint32_t e = 0; e < table.entries().size(); ++e) {
+    const int own = rules.rules[table.entries()[e].source.rule].stage;
+    if (own == 0 || own == stage) entries_.push_back(e);
+  }
+  words_ = (entries_.size() + 63) / 64;
+  known_ = 1U | StateSet::bricks(rules.colours()).bits() | StateSet::floor().bits();
+  for (std::uint64_t left = known_; left != 0; left &= left - 1) {
+    row_[static_cast<std::size_t>(std::countr_zero(left))] = static_cast<std::uint8_t>(rows_++);
+  }
+  accept_.assign(size_ * rows_ * words_, 0);
+  for (std::size_t k = 0; k < entries_.size(); ++k) {
+    const Pattern& pattern = table.entries()[entries_[k]].pattern;
+    for (std::size_t i = 0; i < size_; ++i) {
+      for (std::uint64_t left = pattern.allowed[i].bits() & known_; left != 0; left &= left - 1) {
+        const std::size_t row = row_[static_cast<std::size_t>(std::countr_zero(left))];
+        accept_[(i * rows_ + row) * words_ + k / 64] |= std::uint64_t{1} << (k % 64);
+      }
+    }
+  }
+}
+
+void EntryIndex::possible(const PossibleStates& states, std::int32_t z,
+                          std::vector<std::uint32_t>& out) const {
+  out.clear();
+  for (std::size_t w = 0; w < words_; ++w) {
+    const std::size_t last = entries_.size() - w * 64;
+    std::uint64_t alive = last >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << last) - 1;
+    for (std::size_t i = 0; i < size_ && alive != 0; ++i) {
+      std::uint64_t accepted = 0;
+      for (std::uint64_t left = states[i].bits() & known_; left != 0; left &= left - 1) {
+        const std::size_t row = row_[static_cast<std::size_t>(std::countr_zero(left))];
+        accepted |= accept_[(i * rows_ + row) * words_ + w];
+      }
+      alive &= accepted;
+    }
+    for (; alive != 0; alive &= alive - 1) {
+      const std::uint32_t entry =
+          entries_[w * 64 + static_cast<std::size_t>(std::countr_zero(alive))];
+      const Rule& rule = rules_->rules[table_->entries()[entry].source.rule];
+      const bool low = rule.height_min && z < *rule.height_min;
+      const bool high = rule.height_max && z > *rule.height_max;
+      if (!low && !high) out.push_back(entry);
+    }
+  }
+}
+
+}  // namespace stig

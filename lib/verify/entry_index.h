@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Which entries of a rule table could ever match a site, when the state of each of its
+// neighbours is known up to a set? RuleTable answers for one view; proofs ask for all the
+// views of a site at once.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "rules/rule_table.h"
+
+namespace stig {
+
+/// For each neighbour index the states it may have.
+using PossibleStates = std::array<StateSet, kMaxNeighbours>;
+
+class EntryIndex {
+ public:
+  /// Of the rules that act in a stage (1-based). The table and the rules must outlive it.
+  EntryIndex(const RuleSet& rules, const RuleTable& table, int stage);
+
+  /// Entries (positions in RuleTable::entries) that accept one of the possible states of
+  /// each neighbour and the height z, by rising rule. `out` is cleared.
+  void possible(const PossibleStates& states, std::int32_t z,
+                std::vector<std::uint32_t>& out) const;
+
+ private:
+  const RuleSet* rules_;
+  const RuleTable* table_;
+  std::size_t size_;                    ///< of the neighbourhood
+  std::size_t words_;                   ///< of a set of entries
+  std::vector<std::uint32_t> entries_;  ///< those of the stage
+  std::array<std::uint8_t, 64> row_{};  ///< of a state
+  std::size_t rows_ = 0;
+  std::uint64_t known_ = 0;            ///< states that have a row
+  std::vector<std::uint64_t> accept_;  ///< [neighbour][row] -> set of entries
+};
+
+}  // namespace stig

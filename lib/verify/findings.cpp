@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "verify/findings.h"
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "lattice/cell_map.h"
+#include "lattice/firing_graph.h"
+#include "verify/reachability.h"
+#include "verify/repair.h"
+#include "verify/rule_use.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostRedundancyTrials = 200;
+
+/// Seconds left of those granted.
+class Clock {
+ public:
+  explicit Clock(double seconds) : seconds_(seconds), begun_(std::chrono::steady_clock::now()) {}
+  double left() const {
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
+    return std::max(0.0, seconds_ - spent.count());
+  }
+
+ private:
+  double seconds_;
+  std::chrono::steady_clock::time_point begun_;
+};
+
+RuleSet without(const RuleSet& rules, std::size_t rule) {
+  RuleSet fewer = rules;
+  fewer.rules.erase(fewer.rules.begin() + static_cast<std::ptrdiff_t>(rule));
+  return fewer;
+}
+
+/// A set without its last rule of some stage would have fewer stages.
+bool has_same_stages(const RuleSet& a, const RuleSet& b) {
+  return a.stage_count() == b.stage_count();
+}
+
+void find_redundant(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
+                    const Clock& clock, Findings& findings) {
+  findings.redundant_known = true;
+  for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
+    if (std::binary_search(findings.dead.begin(), findings.dead.end(), r)) continue;
+    // Each trial costs about what the proof did.
+    if (r >= kMostRedundancyTrials || clock.left() < 2 * result.seconds) {
+      findings.redundant_known = false;
+      return;
+    }
+    const RuleSet fewer = without(rules, r);
+    if (fewer.rules.empty() || !has_same_stages(fewer, rules)) continue;
+    VerifyOptions again = options;
+    again.seconds = clock.left();
+    again.progress = {};
+    const VerifyResult trial = verify(fewer, again);
+    if (trial.verdict == ProofVerdict::proved && *trial.structure == *result.structure) {
+      findings.redundant.push_back(r);
+    }
+  }
+}
+
+Parallelism parallelism_of(const Certificate& certificate, const RuleSet& rules,
+                           const std::optional<Box>& box) {
+  const Neighbourhood& n = neighbourhood(rules.lattice);
+  Parallelism out;
+  for (const CertifiedStage& stage : certificate.stages) {
+    CellMap<std::uint32_t> round(0);  // 1-based within the stage
+    std::vector<std::uint64_t> rounds;
+    for (const CertifiedBrick& brick : stage.order) {
+      std::uint32_t last = 0;
+      for (int i = 0; i < n.size; ++i) {
+        if ((brick.before >> i & 1U) == 0) continue;
+        const Cell cell = brick.at + n.offsets[static_cast<std::size_t>(i)];
+        last = std::max(last, round.at(box ? box->wrap(cell) : cell));
+      }
+      round[brick.at] = last + 1;
+      if (rounds.size() <= last) rounds.push_back(0);
+      ++rounds[last];
+    }
+    out.rounds.insert(out.rounds.end(), rounds.begin(), rounds.end());
+  }
+  return out;
+}
+
+void find_levels(const RuleSet& rules, Findings& findings) {
+  findings.levels.assign(rules.rules.size(), std::nullopt);
+  if (!firing_graph_problem(rules).empty()) return;
+  const FiringGraph graph = firing_graph(rules);
+  for (std::size_t r = 0; r < graph.nodes.size(); ++r) {
+    findings.levels[r] = graph.nodes[r].level;
+    if (graph.nodes[r].level) {
+      findings.level_count = std::max(findings.level_count, *graph.nodes[r].level + 1);
+    }
+  }
+}
+
+}  // namespace
+
+std::uint64_t Parallelism::widest() const {
+  return rounds.empty() ? 0 : *std::max_element(rounds.begin(), rounds.end());
+}
+
+double Parallelism::mean() const {
+  std::uint64_t bricks = 0;
+  for (const std::uint64_t round : rounds) bricks += round;
+  return rounds.empty() ? 0 : static_cast<double>(bricks) / static_cast<double>(rounds.size());
+}
+
+Findings find_more(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
+                   const FindingOptions& limits) {
+  const Clock clock(limits.seconds);
+  Findings findings;
+  find_levels(rules, findings);
+  if (result.verdict == ProofVerdict::proved) {
+    const RuleUse use = use_of_rules(rules, options, result);
+    findings.dead = use.dead;
+    findings.blocking = use.blocking;
+    findings.parallelism = parallelism_of(*result.certificate, rules, options.box);
+    find_walled_in(rules, options, result, findings);
+    find_redundant(rules, options, result, clock, findings);
+  }
+  if (result.refutation) {
+    const DivergingOrders& found = *result.refutation;
+    findings.blocking.push_back({found.second[found.common].match.rule, found.rival.match.rule,
+                                 found.second[found.common].site, found.rival.site});
+    findings.repair = find_repair(rules, options, result, clock.left());
+  }
+  return findings;
+}
+
+}  // namespace stig

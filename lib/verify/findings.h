@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// What else a proof or a refutation tells about a rule set.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "verify/verify.h"
+
+namespace stig {
+
+/// How much of the work can be done at once, from the order that a proof found: each brick
+/// waits for the ones that are always before it.
+struct Parallelism {
+  std::vector<std::uint64_t> rounds;  ///< bricks that can be placed in each round
+  std::uint64_t widest() const;
+  double mean() const;
+};
+
+/// A brick that can be walled in: in some order of events its site, open, is cut off from
+/// the outside, so that an agent who walks through empty cells cannot get there.
+struct WalledIn {
+  Cell site;
+  std::vector<Deposit> order;  ///< from the start to that structure
+};
+
+/// A rule's brick that closes a site which another rule had open.
+/// Where a certificate lists fillings, more is granted here than can occur.
+struct Blocking {
+  std::uint32_t placed = 0;   ///< rule whose brick does it
+  std::uint32_t blocked = 0;  ///< rule that matched before, where none matches after
+  Cell at, site;              ///< an example: the brick, and the site
+  auto operator<=>(const Blocking&) const = default;
+};
+
+/// A change to the rule set that was tried: with it every order ends alike, up to the end
+/// of the stage in which orders parted.
+struct Repair {
+  std::vector<Rule> added;             ///< with exact patterns
+  std::vector<std::uint32_t> removed;  ///< rules
+  std::uint64_t bricks = 0;            ///< of the structure that is proved then
+  bool whole = true;                   ///< proved for all stages
+  RuleSet repaired;
+};
+
+struct Findings {
+  std::vector<std::uint32_t> dead;       ///< rules that no order of events fires (proved sets)
+  std::vector<std::uint32_t> redundant;  ///< each alone can be left out: the proof still holds
+  bool redundant_known = false;          ///< all rules were tried
+  /// By rule: the level of the firing graph, the least number of other rules' levels that
+  /// must have come before; none: it cannot fire, or the graph is too large.
+  std::vector<std::optional<int>> levels;
+  int level_count = 0;
+  std::optional<Parallelism> parallelism;  ///< proved sets
+  std::vector<Blocking> blocking;
+  std::vector<WalledIn> walled_in;    ///< a few examples
+  std::uint64_t maybe_walled_in = 0;  ///< sites of which neither was shown
+  std::optional<Repair> repair;       ///< refuted sets: the smallest that was found
+};
+
+struct FindingOptions {
+  double seconds = 10;  ///< for repairs and redundant rules together
+  const std::atomic<bool>* stop = nullptr;
+};
+
+Findings find_more(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
+                   const FindingOptions& limits);
+
+}  // namespace stig

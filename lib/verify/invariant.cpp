@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "verify/invariant.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace stig {
+namespace {
+
+constexpr Mask kSelfBit = bit(StageModel::kSelf);
+
+int lowest(Mask mask) { return std::countr_zero(mask); }
+
+/// The neighbours in `mask`, and the site itself if it is a brick, by rising number of
+/// their bricks, which is an order in which they can be placed.
+struct Sorted {
+  std::array<std::int8_t, kMaxNeighbours + 1> index{};
+  std::size_t size = 0;
+};
+
+Sorted by_number(const StageModel& model, const Site& site, Mask mask) {
+  std::array<std::uint64_t, kMaxNeighbours + 1> keys{};  // number, then index
+  Sorted sorted;
+  const auto add = [&](std::uint32_t number, int index) {
+    keys[sorted.size++] = std::uint64_t{number} << 8 | static_cast<std::uint64_t>(index);
+  };
+  for (; mask != 0; mask &= mask - 1) {
+    add(site.brick[static_cast<std::size_t>(lowest(mask))], lowest(mask));
+  }
+  if (site.number < model.bricks()) add(site.number, StageModel::kSelf);
+  std::sort(keys.begin(), keys.begin() + static_cast<std::ptrdiff_t>(sorted.size));
+  for (std::size_t k = 0; k < sorted.size; ++k) {
+    sorted.index[k] = static_cast<std::int8_t>(keys[k] & 0xff);
+  }
+  return sorted;
+}
+
+}  // namespace
+
+Mask LocalOrder::closed(Mask some) const {
+  Mask all = some;
+  for (; some != 0; some &= some - 1) all |= below[static_cast<std::size_t>(lowest(some))];
+  return all;
+}
+
+LocalOrder local_order(const StageModel& model, const Invariant& invariant, const Site& site) {
+  LocalOrder order;
+  Mask below_self = 0;
+  const Sorted sorted = by_number(model, site, site.bricks);
+  for (std::size_t k = 0; k < sorted.size; ++k) {
+    const int i = sorted.index[k];
+    if (i == StageModel::kSelf) {
+      const Mask direct = invariant.before[site.number] & site.bricks;
+      below_self = order.closed(direct);
+      continue;
+    }
+    Mask below = 0;
+    const std::uint32_t brick = site.brick[static_cast<std::size_t>(i)];
+    for (Mask left = invariant.before[brick]; left != 0; left &= left - 1) {
+      const int there = model.two_steps(i, lowest(left));
+      if (there == StageModel::kSelf) {
+        below |= kSelfBit | below_self;
+      } else if (there >= 0 && (site.bricks & bit(there)) != 0) {
+        below |= bit(there) | order.below[static_cast<std::size_t>(there)];
+      }
+    }
+    order.below[static_cast<std::size_t>(i)] = below & ~kSelfBit;
+    if ((below & kSelfBit) != 0 || (below & order.after) != 0) order.after |= bit(i);
+  }
+  return order;
+}
+
+bool for_each_local_state(const StageModel& model, const Site& site, const LocalOrder& order,
+                          Mask among, std::uint64_t most, const std::function<bool(Mask)>& visit) {
+  const Sorted sorted = by_number(model, site, among);
+  // Depth first over "leave out, take in", in an order in which what is below comes first.
+  struct Step {
+    std::size_t next;
+    Mask state;
+  };
+  std::vector<Step> stack{{0, 0}};
+  std::uint64_t visited = 0;
+  while (!stack.empty()) {
+    Step step = stack.back();
+    stack.pop_back();
+    while (step.next < sorted.size) {
+      const int i = sorted.index[step.next++];
+      if (i == StageModel::kSelf) continue;
+      const Mask needed = order.below[static_cast<std::size_t>(i)] & among;
+      if ((step.state & needed) == needed) {
+        stack.push_back({step.next, step.state | bit(i)});
+      }
+    }
+    if (++visited > most) return false;
+    if (!visit(step.state)) return false;
+  }
+  return true;
+}
+
+}  // namespace stig

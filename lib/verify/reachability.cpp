@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "verify/reachability.h"
+
+#include <algorithm>
+#include <set>
+#include <vector>
+
+#include "lattice/cell_map.h"
+#include "verify/stage_run.h"
+
+namespace stig {
+namespace {
+
+constexpr std::int64_t kMostCells = std::int64_t{1} << 26;  ///< of the region looked at
+constexpr std::size_t kMostExamples = 3;
+constexpr std::size_t kMostAttempts = 24;
+
+/// The bounding box of a structure and one cell more to every side, as far as agents get.
+class Region {
+ public:
+  Region(const Bounds& bounds, const std::optional<Box>& box, bool floor) {
+    low_ = bounds.low + Offset{-1, -1, -1};
+    high_ = bounds.high + Offset{1, 1, 1};
+    if (floor) low_.z = std::max(low_.z, 0);
+    if (box) {
+      low_ = {std::max(low_.x, box->low.x), std::max(low_.y, box->low.y),
+              std::max(low_.z, box->low.z)};
+      const Cell top = box->low + box->size + Offset{-1, -1, -1};
+      high_ = {std::min(high_.x, top.x), std::min(high_.y, top.y), std::min(high_.z, top.z)};
+    }
+    bounds_ = bounds;
+  }
+  std::int64_t cells() const {
+    const Offset s = high_ - low_ + Offset{1, 1, 1};
+    return std::int64_t{s.x} * s.y * s.z;
+  }
+  bool contains(Cell c) const {
+    return c.x >= low_.x && c.y >= low_.y && c.z >= low_.z && c.x <= high_.x && c.y <= high_.y &&
+           c.z <= high_.z;
+  }
+  /// Outside the structure's bounding box: there is nothing there but air.
+  bool is_margin(Cell c) const {
+    return c.x < bounds_.low.x || c.y < bounds_.low.y || c.z < bounds_.low.z ||
+           c.x > bounds_.high.x || c.y > bounds_.high.y || c.z > bounds_.high.z;
+  }
+  std::size_t index(Cell c) const {
+    const Offset s = high_ - low_ + Offset{1, 1, 1}, o = c - low_;
+    return (static_cast<std::size_t>(o.z) * static_cast<std::size_t>(s.y) +
+            static_cast<std::size_t>(o.y)) *
+               static_cast<std::size_t>(s.x) +
+           static_cast<std::size_t>(o.x);
+  }
+  template <class Visit>
+  void for_each_margin_cell(const Visit& visit) const {
+    for (std::int32_t z = low_.z; z <= high_.z; ++z) {
+      for (std::int32_t y = low_.y; y <= high_.y; ++y) {
+        for (std::int32_t x = low_.x; x <= high_.x; ++x) {
+          const Cell c{x, y, z};
+          if (is_margin(c)) visit(c);
+        }
+      }
+    }
+  }
+
+ private:
+  Cell low_, high_;
+  Bounds bounds_;
+};
+
+/// The empty cells of the region that agents from outside can walk to.
+std::vector<bool> outside(const Structure& structure, const Region& region) {
+  const Neighbourhood& n = neighbourhood(structure.lattice());
+  std::vector<bool> reached(static_cast<std::size_t>(region.cells()), false);
+  std::vector<Cell> todo;
+  const auto reach = [&](Cell c) {
+    if (!region.contains(c) || reached[region.index(c)] || structure.at(c) != kEmpty) return;
+    reached[region.index(c)] = true;
+    todo.push_back(c);
+  };
+  region.for_each_margin_cell(reach);
+  while (!todo.empty()) {
+    const Cell c = todo.back();
+    todo.pop_back();
+    for (int i = 0; i < n.size; ++i) reach(c + n.offsets[static_cast<std::size_t>(i)]);
+  }
+  return reached;
+}
+
+/// The bricks of all stages in the order of the run, with what is before each.
+struct Work {
+  std::vector<CertifiedBrick> bricks;
+  std::vector<int> stage;
+  CellMap<std::uint32_t> number{~std::uint32_t{0}};
+};
+
+Work work_of(const Certificate& certificate) {
+  Work work;
+  int stage = 1;
+  for (const CertifiedStage& s : certificate.stages) {
+    for (const CertifiedBrick& brick : s.order) {
+      work.number[brick.at] = static_cast<std::uint32_t>(work.bricks.size());
+      work.bricks.push_back(brick);
+      work.stage.push_back(stage);
+    }
+    ++stage;
+  }
+  return work;
+}
+
+class Reachability {
+ public:
+  Reachability(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result)
+      : rules_(rules),
+        options_(options),
+        n_(neighbourhood(rules.lattice)),
+        structure_(*result.structure),
+        run_(result.run),
+        region_(*structure_.bounds(), options.box, rules.floor),
+        work_(work_of(*result.certificate)) {}
+
+  void find(Findings& findings) {
+    if (region_.cells() > kMostCells || (options_.box && options_.box->periodic)) return;
+    const std::vector<bool> free = outside(structure_, region_);
+    if (std::find(free.begin(), free.end(), true) == free.end()) return;  // the box is full
+    std::vector<bool> open(work_.bricks.size(), false);
+    std::vector<std::uint32_t> doubtful;
+    for (std::uint32_t b = static_cast<std::uint32_t>(work_.bricks.size()); b-- > 0;) {
+      open[b] = has_way_out(b, free, open);
+      if (!open[b]) doubtful.push_back(b);
+    }
+    std::reverse(doubtful.begin(), doubtful.end());
+    for (std::size_t k = 0; k < doubtful.size(); ++k) {
+      const bool tried = k < kMostAttempts && findings.walled_in.size() < kMostExamples;
+      if (tried && wall_in(doubtful[k], findings)) continue;
+      ++findings.maybe_walled_in;
+    }
+  }
+
+ private:
+  bool has_way_out(std::uint32_t b, const std::vector<bool>& free,
+                   const std::vector<bool>& open) const {
+    for (int i = 0; i < n_.size; ++i) {
+      const Cell beside = work_.bricks[b].at + n_.offsets[static_cast<std::size_t>(i)];
+      if (!region_.contains(beside)) continue;
+      if (structure_.at(beside) == kEmpty) {
+        if (free[region_.index(beside)]) return true;
+        continue;
+      }
+      const std::uint32_t other = work_.number.at(beside);
+      if (other < work_.bricks.size() && open[other] && is_after(other, b, i)) return true;
+    }
+    return false;
+  }
+  /// Is `other`, neighbour i of b, always after b?
+  bool is_after(std::uint32_t other, std::uint32_t b, int i) const {
+    if (work_.stage[other] != work_.stage[b]) return work_.stage[other] > work_.stage[b];
+    return (work_.bricks[other].before >> n_.opposite(i) & 1U) != 0;
+  }
+
+  /// Builds all that can be built without this brick, and looks whether it is cut off.
+  bool wall_in(std::uint32_t b, Findings& findings) const {
+    const RuleTable table(rules_);
+    Budget budget;
+    budget.end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
+    budget.stop = options_.stop;
+    World world(table, rules_.start, options_.box);
+    std::vector<Deposit> order;
+    for (std::uint32_t i = 0; i < run_.size() && work_.stage[i] < work_.stage[b]; ++i) {
+      world.deposit(run_[i].site, run_[i].colour, [](Cell, const View&) {});
+      order.push_back(run_[i]);
+    }
+    while (world.stage() < work_.stage[b] && world.next_stage()) {
+    }
+    const Cell site = work_.bricks[b].at;
+    StageRunConfig config;
+    config.may_fill = [&](Cell cell) { return cell != site; };
+    const StageRun run = run_stage(world, config, budget);
+    order.insert(order.end(), run.deposits.begin(), run.deposits.end());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i].step = i + 1;
+    if (world.at(site) != kEmpty || !table.enabled(world.view(site), site.z, world.stage())) {
+      return false;
+    }
+    if (outside(world.structure(), region_)[region_.index(site)]) return false;
+    findings.walled_in.push_back({site, std::move(order)});
+    return true;
+  }
+
+  const RuleSet& rules_;
+  const VerifyOptions& options_;
+  const Neighbourhood& n_;
+  const Structure& structure_;
+  const std::vector<Deposit>& run_;
+  Region region_;
+  Work work_;
+};
+
+}  // namespace
+
+void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
+                    Findings& findings) {
+  if (result.structure->empty()) return;
+  Reachability(rules, options, result).find(findings);
+}
+
+}  // namespace stig

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Can an agent that walks through empty cells get to every site in time?
+//
+// While q is empty, everything that is always after q is empty too. So q can be reached if
+// a chain of bricks, each after the one before it and beside it, leads from q to a cell
+// beside the outside. Where there is no such chain, an order is looked for in which q is
+// really cut off. Moves are to any of the neighbours (26 or 20).
+#pragma once
+
+#include "verify/findings.h"
+
+namespace stig {
+
+/// Of a proved set: fills in walled_in and maybe_walled_in.
+void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
+                    Findings& findings);
+
+}  // namespace stig

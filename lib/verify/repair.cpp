@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "verify/repair.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostAdded = 3;    ///< rules of one repair
+constexpr std::size_t kMostMissing = 8;  ///< sites tried where an order came to a halt
+
+/// A structure at the end of the stage in which two orders part.
+Structure at_stage_end(const RuleSet& rules, const std::vector<Deposit>& order, std::size_t end) {
+  Structure structure(rules.lattice, rules.start);
+  for (std::size_t i = 0; i < end; ++i) structure.place(order[i].site, order[i].colour);
+  return structure;
+}
+
+Rule rule_for(const RuleSet& rules, const View& view, Colour colour, int stage) {
+  Rule rule;
+  rule.place = colour;
+  rule.stage = rules.stage_count() > 1 ? stage : 0;
+  const Neighbourhood& n = neighbourhood(rules.lattice);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+    rule.pattern.allowed[i] = StateSet::of(view.at[i]);
+  }
+  std::size_t number = 1;
+  const auto taken = [&](const std::string& name) {
+    return std::any_of(rules.rules.begin(), rules.rules.end(),
+                       [&](const Rule& other) { return other.name == name; });
+  };
+  do {
+    rule.name = fmt::format("repair {}", number++);
+  } while (taken(rule.name));
+  return rule;
+}
+
+class Repairer {
+ public:
+  Repairer(const RuleSet& rules, const VerifyOptions& options, double seconds)
+      : rules_(rules),
+        options_(options),
+        end_(std::chrono::steady_clock::now() +
+             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                 std::chrono::duration<double>(seconds))) {}
+
+  std::optional<Repair> find(const VerifyResult& refuted) {
+    stage_ = refuted.stage;
+    const DivergingOrders& found = *refuted.refutation;
+    least_ = rules_.start.size() + std::min(found.first_stage_end, found.second_stage_end);
+    std::optional<Repair> repair = search(refuted);
+    if (repair && stage_ < rules_.stage_count()) {
+      repair->whole = left() > 0 && verify_within(repair->repaired, rules_.stage_count()).verdict ==
+                                        ProofVerdict::proved;
+    }
+    return repair;
+  }
+
+ private:
+  std::optional<Repair> search(const VerifyResult& refuted) {
+    // Breadth first: fewer new rules before more.
+    struct Candidate {
+      Repair repair;
+      VerifyResult result;
+    };
+    std::vector<Candidate> level(1);
+    level[0].repair.repaired = rules_;
+    level[0].result = refuted;
+    for (std::size_t added = 0; added < kMostAdded && !level.empty(); ++added) {
+      std::vector<Candidate> next;
+      for (const Candidate& candidate : level) {
+        for (Repair& repair : additions(candidate.repair, candidate.result)) {
+          if (left() <= 0) return std::nullopt;
+          VerifyResult result = verify_within(repair.repaired, stage_);
+          if (holds(result, repair)) return repair;
+          if (result.refutation) next.push_back({std::move(repair), std::move(result)});
+        }
+      }
+      if (added == 0) {
+        if (auto repair = removals(*refuted.refutation)) return repair;
+      }
+      level = std::move(next);
+    }
+    return std::nullopt;
+  }
+
+  double left() const {
+    const std::chrono::duration<double> rest = end_ - std::chrono::steady_clock::now();
+    return rest.count();
+  }
+  /// Of the stages up to one alone.
+  VerifyResult verify_within(RuleSet rules, int stage) const {
+    std::erase_if(rules.rules, [&](const Rule& rule) { return rule.stage > stage; });
+    VerifyOptions again = options_;
+    again.seconds = std::max(0.01, left());
+    again.progress = {};
+    return verify(rules, again);
+  }
+  /// A repair that builds less than either order did is none.
+  bool holds(const VerifyResult& result, Repair& repair) const {
+    if (result.verdict != ProofVerdict::proved || result.structure->size() < least_) return false;
+    repair.bricks = result.structure->size();
+    return true;
+  }
+
+  /// A rule more for each way in which an order can come to a halt before the other.
+  std::vector<Repair> additions(const Repair& so_far, const VerifyResult& result) const {
+    std::vector<Repair> out;
+    if (!result.refutation || !result.refutation->second_ended) return out;
+    const DivergingOrders& found = *result.refutation;
+    const RuleSet& rules = so_far.repaired;
+    const Structure a = at_stage_end(rules, found.first, found.first_stage_end);
+    const Structure b = at_stage_end(rules, found.second, found.second_stage_end);
+    const RuleTable table(rules);
+    for (const auto& [less, more] : {std::pair(&b, &a), std::pair(&a, &b)}) {
+      std::vector<View> seen;
+      for (const PlacedBrick& brick : more->bricks()) {
+        if (less->at(brick.at) != kEmpty || seen.size() >= kMostMissing) continue;
+        const View view = view_at(*less, table, options_.box, brick.at);
+        if (view == View{} || std::find(seen.begin(), seen.end(), view) != seen.end()) continue;
+        seen.push_back(view);
+        Repair repair = so_far;
+        repair.added.push_back(rule_for(rules, view, brick.brick, result.stage));
+        repair.repaired.rules.push_back(repair.added.back());
+        out.push_back(std::move(repair));
+      }
+    }
+    return out;
+  }
+
+  std::optional<Repair> removals(const DivergingOrders& found) const {
+    const std::uint32_t rules[] = {found.second[found.common].match.rule, found.rival.match.rule};
+    for (const std::uint32_t rule : rules) {
+      if (left() <= 0 || rules_.rules.size() < 2) return std::nullopt;
+      Repair repair;
+      repair.removed = {rule};
+      repair.repaired = rules_;
+      repair.repaired.rules.erase(repair.repaired.rules.begin() +
+                                  static_cast<std::ptrdiff_t>(rule));
+      if (holds(verify_within(repair.repaired, stage_), repair)) return repair;
+    }
+    return std::nullopt;
+  }
+
+  const RuleSet& rules_;
+  const VerifyOptions& options_;
+  std::chrono::steady_clock::time_point end_;
+  int stage_ = 1;          ///< in which orders part
+  std::size_t least_ = 0;  ///< bricks that each order had at its end
+};
+
+}  // namespace
+
+std::optional<Repair> find_repair(const RuleSet& rules, const VerifyOptions& options,
+                                  const VerifyResult& refuted, double seconds) {
+  if (!refuted.refutation) return std::nullopt;
+  return Repairer(rules, options, seconds).find(refuted);
+}
+
+}  // namespace stig

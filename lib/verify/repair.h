@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The smallest change to a refuted rule set, of the changes that are tried, after which
+// every order ends alike: rules for sites where one order comes to a halt and another does
+// not, or one rule left out of two that are at odds.
+#pragma once
+
+#include "verify/findings.h"
+
+namespace stig {
+
+/// None: nothing that was tried within the time is proved.
+std::optional<Repair> find_repair(const RuleSet& rules, const VerifyOptions& options,
+                                  const VerifyResult& refuted, double seconds);
+
+}  // namespace stig

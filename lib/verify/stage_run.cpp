@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "verify/stage_run.h"
+
+#include <deque>
+#include <set>
+
+#include "lattice/cell_marks.h"
+
+namespace stig {
+namespace {
+
+constexpr std::uint64_t kSeed = 0x7665726966790001;  ///< of all runs made for proofs
+
+/// The open sites, in the order a schedule wants them.
+class OpenSites {
+ public:
+  explicit OpenSites(const StageRunConfig& config)
+      : schedule_(config.schedule), plan_(config.plan) {}
+
+  void set(Cell site, bool open) {
+    if (schedule_ == RunOrder::planned) return set_planned(site, open);
+    if (open && schedule_ != RunOrder::random && !marks_.contains(site)) waiting_.push_back(site);
+    marks_.set(site, open ? 1 : 0);
+  }
+  bool empty() const { return marks_.size() == 0 && planned_.empty(); }
+  Cell next(Random& random) {
+    if (schedule_ == RunOrder::planned) return planned_.begin()->second;
+    if (schedule_ == RunOrder::random) return marks_[random.below(marks_.size())];
+    while (true) {
+      const Cell site = schedule_ == RunOrder::newest ? waiting_.back() : waiting_.front();
+      schedule_ == RunOrder::newest ? waiting_.pop_back() : waiting_.pop_front();
+      if (marks_.contains(site)) return site;
+    }
+  }
+
+ private:
+  void set_planned(Cell site, bool open) {
+    const std::pair<std::uint32_t, Cell> entry{plan_->rank(site), site};
+    if (open) {
+      planned_.insert(entry);
+    } else {
+      planned_.erase(entry);
+    }
+  }
+
+  RunOrder schedule_;
+  const Plan* plan_;
+  CellMarks marks_;
+  std::set<std::pair<std::uint32_t, Cell>> planned_;
+  std::deque<Cell> waiting_;  ///< sites once open, some no more
+};
+
+/// The rule that places what the plan says, if one acts; else any that does.
+Match choose_planned(World& world, Cell site, const Plan& plan, Random& random) {
+  const RuleTable& rules = world.rules();
+  if (rules.conflicts() != Conflicts::first) {
+    std::vector<Match> matches;
+    rules.matches(world.view(site), site.z, world.stage(), matches);
+    for (const Match& match : matches) {
+      if (rules.place(match.rule) == plan.colour(site)) return match;
+    }
+  }
+  return world.choose(site, random);
+}
+
+}  // namespace
+
+Plan::Plan(const std::vector<Deposit>& order) {
+  for (std::uint32_t i = 0; i < order.size(); ++i) steps_[order[i].site] = {i, order[i].colour};
+}
+
+StageRun run_stage(World& world, const StageRunConfig& config, const Budget& budget) {
+  StageRun run;
+  OpenSites open(config);
+  const auto allowed = [&](Cell site) { return !config.may_fill || config.may_fill(site); };
+  for (const Cell site : world.enabled_sites()) {
+    if (allowed(site)) open.set(site, true);
+  }
+  for (std::uint64_t step = 1;; ++step) {
+    if (open.empty() || world.stage_spent()) {
+      run.ended = true;
+      return run;
+    }
+    if (run.deposits.size() >= config.most || (step % 1024 == 0 && budget.spent())) return run;
+    Random random(kSeed, config.run, Purpose::event, 0, step);
+    const Cell site = open.next(random);
+    const Match match = config.schedule == RunOrder::planned
+                            ? choose_planned(world, site, *config.plan, random)
+                            : world.choose(site, random);
+    const Colour colour = world.rules().place(match.rule);
+    open.set(site, false);
+    world.deposit(site, colour, [&](Cell neighbour, const View& view) {
+      if (!allowed(neighbour)) return;
+      open.set(neighbour, world.rules().enabled(view, neighbour.z, world.stage()));
+    });
+    run.deposits.push_back({site, colour, match, -1, run.deposits.size() + 1});
+  }
+}
+
+World world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
+                     const std::optional<Box>& box, int stage) {
+  World world(rules, bricks, box);
+  while (world.stage() < stage && world.next_stage()) {
+  }
+  return world;
+}
+
+}  // namespace stig

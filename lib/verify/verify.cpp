@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: MIT
+#include "verify/verify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "rules/rule_printer.h"
+#include "verify/endless.h"
+#include "verify/refutation.h"
+
+namespace stig {
+namespace {
+
+constexpr std::uint32_t kFirstRun = 0;  ///< its stream of random numbers
+constexpr std::uint64_t kProbe = 4000;  ///< deposits in search of a repetition
+constexpr std::uint64_t kMostDeposits = 20'000'000;
+/// Deposits after which growth that is known to be able to go on for ever is not waited for.
+constexpr std::uint64_t kPatience = 50'000;
+
+class Verification {
+ public:
+  Verification(const RuleSet& rules, const VerifyOptions& options)
+      : rules_(rules),
+        options_(options),
+        table_(rules),
+        world_(table_, rules.start, options.box),
+        begun_(std::chrono::steady_clock::now()) {
+    // A year, for budgets without end: the clock's own range is not exceeded.
+    const double seconds = std::clamp(options.seconds, 0.0, 3.2e7);
+    budget_.end = begun_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                               std::chrono::duration<double>(seconds));
+    budget_.states = options.states;
+    budget_.stop = options.stop;
+  }
+
+  VerifyResult run() {
+    certificate_.rule_set_hash = rule_set_hash(rules_);
+    if (options_.box) {
+      certificate_.box = BoxSpec{options_.box->size, options_.box->low, options_.box->periodic};
+    }
+    result_.verdict = ProofVerdict::proved;
+    do {
+      result_.stage = world_.stage();
+      decide_stage();
+    } while (result_.verdict == ProofVerdict::proved && world_.next_stage());
+    if (result_.verdict == ProofVerdict::proved) {
+      certificate_.bricks = world_.structure().size();
+      result_.certificate = std::move(certificate_);
+    }
+    if (result_.verdict == ProofVerdict::proved || have_structure_) {
+      result_.structure = world_.take_structure();
+    }
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
+    result_.seconds = spent.count();
+    return std::move(result_);
+  }
+
+ private:
+  void say(const std::string& what) const {
+    if (options_.progress) options_.progress(world_.stage(), what);
+  }
+
+  void decide_stage() {
+    const World begin = world_;
+    StageRun probe;
+    std::optional<Repetition> repetition;
+    if (!options_.box && table_.stage_limit(world_.stage()) == 0) {
+      say("looking for growth that repeats");
+      probe = probe_growth(begin, repetition);
+    }
+    say("building");
+    StageRunConfig config;
+    config.run = kFirstRun;
+    config.most = repetition ? kPatience : kMostDeposits;
+    const StageRun run = run_stage(world_, config, budget_);
+    if (!run.ended) return leave_growing(run, probe, repetition);
+    if (repetition) return refute(begin, run, probe.deposits);
+    say(fmt::format("proving {} bricks", run.deposits.size()));
+    StageProof proof = prove_stage(rules_, table_, begin, run, budget_);
+    result_.local_states += proof.local_states;
+    if (proof.kind == StageProof::Kind::refuted) return refute(begin, run, proof.other.deposits);
+    if (proof.kind == StageProof::Kind::unknown) return leave_open(run.deposits, proof.open);
+    result_.method = std::max(result_.method, proof.method);
+    certificate_.stages.push_back(std::move(proof.certificate));
+    keep(proof.run);
+  }
+
+  StageRun probe_growth(const World& begin, std::optional<Repetition>& repetition) {
+    World world = begin;
+    StageRunConfig config;
+    config.schedule = RunOrder::newest;
+    config.most = kProbe;
+    StageRun run = run_stage(world, config, budget_);
+    if (!run.ended) repetition = find_repetition(rules_, begin.structure().bricks(), run.deposits);
+    return run;
+  }
+
+  void keep(const std::vector<Deposit>& run) {
+    result_.run.insert(result_.run.end(), run.begin(), run.end());
+    for (std::size_t i = 0; i < result_.run.size(); ++i) result_.run[i].step = i + 1;
+    result_.stage_ends.push_back(result_.run.size());
+  }
+
+  void leave_growing(const StageRun& run, const StageRun& probe,
+                     const std::optional<Repetition>& repetition) {
+    if (!repetition) {
+      result_.verdict = ProofVerdict::unknown;
+      result_.open = fmt::format(
+          "a run placed {} bricks and was not at its end; no repetition was seen in its growth",
+          run.deposits.size());
+      return;
+    }
+    result_.verdict = ProofVerdict::endless;
+    EndlessGrowth& endless = result_.endless.emplace();
+    endless.run = result_.run;
+    endless.run.insert(endless.run.end(), probe.deposits.begin(), probe.deposits.end());
+    for (std::size_t i = 0; i < endless.run.size(); ++i) endless.run[i].step = i + 1;
+    endless.period = repetition->period;
+    endless.step = repetition->step;
+  }
+
+  void leave_open(const std::vector<Deposit>& run, const std::string& why) {
+    result_.verdict = ProofVerdict::unknown;
+    result_.open = why;
+    keep(run);
+    have_structure_ = world_.stage() == table_.stage_count();
+  }
+
+  void refute(const World& begin, const StageRun& run, const std::vector<Deposit>& other) {
+    say("looking for the deposit that makes the difference");
+    result_.verdict = ProofVerdict::refuted;
+    result_.refutation =
+        explain_refutation(rules_, table_, begin, result_.run, run.deposits, other, budget_);
+    if (result_.refutation) return;
+    result_.verdict = ProofVerdict::unknown;
+    result_.open = budget_.spent() ? "the time allowed ended while two orders were compared"
+                                   : fmt::format(
+                                         "stage {} ends differently for different orders, but no "
+                                         "different end was found after the stages that follow",
+                                         begin.stage());
+  }
+
+  const RuleSet& rules_;
+  const VerifyOptions& options_;
+  RuleTable table_;
+  World world_;
+  Budget budget_;
+  std::chrono::steady_clock::time_point begun_;
+  Certificate certificate_;
+  bool have_structure_ = false;
+  VerifyResult result_;
+};
+
+}  // namespace
+
+std::string_view to_string(ProofVerdict verdict) {
+  switch (verdict) {
+    case ProofVerdict::proved:
+      return "proved";
+    case ProofVerdict::refuted:
+      return "refuted";
+    case ProofVerdict::endless:
+      return "endless";
+    case ProofVerdict::unknown:
+      break;
+  }
+  return "unknown";
+}
+
+std::string_view to_string(ProofMethod method) {
+  switch (method) {
+    case ProofMethod::certificate:
+      return "certificate";
+    case ProofMethod::components:
+      return "components";
+    case ProofMethod::exhaustive:
+      break;
+  }
+  return "exhaustive";
+}
+
+std::optional<Box> file_box(const RuleSet& rules) {
+  if (!rules.box) return std::nullopt;
+  return lay_box(*rules.box, rules.start, rules.floor);
+}
+
+VerifyResult verify(const RuleSet& rules, const VerifyOptions& options) {
+  return Verification(rules, options).run();
+}
+
+}  // namespace stig

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "verify/window.h"
+
+#include <algorithm>
+#include <bit>
+#include <map>
+
+#include "base/hash.h"
+
+namespace stig {
+namespace {
+
+/// A neighbour of a brick: its bit in the brick's local state and in the filling.
+struct Seen {
+  Mask mask;
+  std::size_t at;
+};
+
+/// A brick of the window with what is needed to say when it may come.
+struct WindowCell {
+  Site site;
+  std::vector<Seen> around;         ///< its neighbours in the window
+  std::vector<std::size_t> before;  ///< context: what is known to be there first
+  bool exact = false;               ///< all its neighbours are in the window
+};
+
+class Exploration {
+ public:
+  Exploration(const StageModel& model, const Invariant& invariant, const Budget& budget,
+              Window& window)
+      : model_(model), invariant_(invariant), budget_(budget), window_(window) {
+    collect_context();
+    window_.words = (window_.size() + 63) / 64;
+    for (std::size_t i = 0; i < window_.size(); ++i) positions_[window_.brick(i)] = i;
+    for (std::size_t i = 0; i < window_.size(); ++i) cells_.push_back(cell_view(i));
+    for (std::size_t i = 0; i < window_.size(); ++i) by_run_.push_back(i);
+    std::sort(by_run_.begin(), by_run_.end(),
+              [&](std::size_t a, std::size_t b) { return window_.brick(a) < window_.brick(b); });
+  }
+
+  std::optional<WindowFailure> explore() {
+    window_.fillings.assign(window_.words, 0);
+    window_.from.assign(1, 0);
+    window_.added.assign(1, 0);
+    slots_.assign(1024, 0);
+    insert(0);
+    for (std::size_t f = 0; f < window_.count(); ++f) {
+      if (window_.count() > budget_.states || (f % 1024 == 0 && budget_.spent())) {
+        return WindowFailure{WindowFailure::Kind::too_many, f, 0};
+      }
+      if (auto failure = expand(f)) return failure;
+    }
+    return std::nullopt;
+  }
+
+ private:
+  void collect_context() {
+    window_.context.clear();
+    std::vector<std::uint32_t> found;
+    Site site;
+    for (const std::uint32_t brick : window_.group) {
+      model_.look(brick, site);
+      for (Mask left = site.bricks; left != 0; left &= left - 1) {
+        found.push_back(site.brick[static_cast<std::size_t>(std::countr_zero(left))]);
+      }
+    }
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    for (const std::uint32_t brick : found) {
+      if (!std::binary_search(window_.group.begin(), window_.group.end(), brick)) {
+        window_.context.push_back(brick);
+      }
+    }
+  }
+
+  WindowCell cell_view(std::size_t i) {
+    WindowCell cell;
+    const std::uint32_t brick = window_.brick(i);
+    model_.look(brick, cell.site);
+    cell.exact = true;
+    for (Mask left = cell.site.bricks; left != 0; left &= left - 1) {
+      const int index = std::countr_zero(left);
+      const auto found = positions_.find(cell.site.brick[static_cast<std::size_t>(index)]);
+      if (found == positions_.end()) {
+        cell.exact = false;
+        continue;
+      }
+      cell.around.push_back({bit(index), found->second});
+      if ((invariant_.before[brick] & bit(index)) != 0) cell.before.push_back(found->second);
+    }
+    return cell;
+  }
+
+  Mask state(const WindowCell& cell, std::size_t filling) const {
+    Mask mask = 0;
+    for (const Seen& seen : cell.around) mask |= window_.has(filling, seen.at) ? seen.mask : 0;
+    return mask;
+  }
+
+  std::optional<WindowFailure> expand(std::size_t filling) {
+    if (invariant_.over_at > 0 && window_.bricks_in(filling) >= invariant_.over_at) {
+      return std::nullopt;
+    }
+    bool group_opens = false;
+    for (std::size_t i = 0; i < window_.size(); ++i) {
+      if (window_.has(filling, i)) continue;
+      const WindowCell& cell = cells_[i];
+      const bool in_group = i < window_.group.size();
+      bool comes = std::all_of(cell.before.begin(), cell.before.end(),
+                               [&](std::size_t at) { return window_.has(filling, at); });
+      if (comes && cell.exact) {
+        const std::uint64_t placed = colours_placed(model_, cell.site, state(cell, filling));
+        if ((placed & ~(std::uint64_t{1} << cell.site.colour)) != 0 && in_group) {
+          return WindowFailure{WindowFailure::Kind::wrong, filling, cell.site.number};
+        }
+        comes = placed != 0;
+      }
+      if (!comes) continue;
+      group_opens = group_opens || in_group;
+      add(filling, i);
+    }
+    if (!group_opens && group_brick_is_next(filling)) {
+      return WindowFailure{WindowFailure::Kind::stuck, filling, 0};
+    }
+    return std::nullopt;
+  }
+
+  /// Is the first missing brick, in the order of the run, one of the group?
+  bool group_brick_is_next(std::size_t filling) const {
+    const auto missing = std::find_if(by_run_.begin(), by_run_.end(),
+                                      [&](std::size_t i) { return !window_.has(filling, i); });
+    return missing != by_run_.end() && *missing < window_.group.size();
+  }
+
+  // The fillings, each once.
+
+  void add(std::size_t filling, std::size_t i) {
+    const std::size_t number = window_.count();
+    for (std::size_t w = 0; w < window_.words; ++w) {
+      const std::uint64_t word = window_.fillings[filling * window_.words + w];
+      window_.fillings.push_back(word | (w == i / 64 ? std::uint64_t{1} << (i % 64) : 0));
+    }
+    if (!insert(number)) {
+      window_.fillings.resize(number * window_.words);
+      return;
+    }
+    window_.from.push_back(static_cast<std::uint32_t>(filling));
+    window_.added.push_back(static_cast<std::uint32_t>(i));
+    if (window_.count() * 2 > slots_.size()) grow();
+  }
+  const std::uint64_t* words(std::size_t filling) const {
+    return window_.fillings.data() + filling * window_.words;
+  }
+  std::size_t home(std::size_t filling) const {
+    std::uint64_t hash = 0;
+    for (std::size_t w = 0; w < window_.words; ++w) hash = combine(hash, words(filling)[w]);
+    return static_cast<std::size_t>(hash) & (slots_.size() - 1);
+  }
+  bool insert(std::size_t filling) {
+    std::size_t slot = home(filling);
+    for (; slots_[slot] != 0; slot = (slot + 1) & (slots_.size() - 1)) {
+      if (std::equal(words(filling), words(filling) + window_.words, words(slots_[slot] - 1))) {
+        return false;
+      }
+    }
+    slots_[slot] = static_cast<std::uint32_t>(filling + 1);
+    return true;
+  }
+  void grow() {
+    slots_.assign(slots_.size() * 2, 0);
+    for (std::size_t f = 0; f < window_.count(); ++f) insert(f);
+  }
+
+  const StageModel& model_;
+  const Invariant& invariant_;
+  const Budget& budget_;
+  Window& window_;
+  std::map<std::uint32_t, std::size_t> positions_;  ///< of bricks in the window
+  std::vector<WindowCell> cells_;
+  std::vector<std::size_t> by_run_;   ///< positions in the order of the run
+  std::vector<std::uint32_t> slots_;  ///< open addressing: 1 + number of a filling
+};
+
+}  // namespace
+
+std::optional<WindowFailure> explore_window(const StageModel& model, const Invariant& invariant,
+                                            const Budget& budget, Window& window) {
+  std::sort(window.group.begin(), window.group.end());
+  return Exploration(model, invariant, budget, window).explore();
+}
+
+std::vector<std::uint32_t> path_to(const Window& window, std::size_t filling) {
+  std::vector<std::uint32_t> path;
+  for (; filling != 0; filling = window.from[filling]) {
+    path.push_back(window.brick(window.added[filling]));
+  }
+  std::reverse(path.begin(), path.end());
+  return path;
+}
+
+}  // namespace stig

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Small random rule sets in small boxes, whose orders of events can all be tried.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <set>
+
+#include "support/oracle.h"
+
+namespace stig {
+
+/// Of number `seed`: two colours, a box of up to 4×4×4, both lattices, exact, sparse and
+/// wildcard patterns, heights, counts, symmetries, floors, periodic sides, stages.
+RuleSet small_world(std::uint64_t seed);
+
+/// Every structure in which some order of events ends, stage after stage, by trying them
+/// all in the set's own box (solid or periodic); nothing when more than `most` structures
+/// are met. Knows the language's meaning and OracleMatcher, no engine.
+std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t most);
+
+}  // namespace stig

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// stigc certify: proofs looked at again, by code that shares nothing with their makers.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "base/hash.h"
+#include "certify/check.h"
+#include "certify/drat.h"
+#include "commands.h"
+#include "lattice/box.h"
+#include "lattice/structure.h"
+#include "report.h"
+#include "rules/rule_printer.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostProofBytes = std::size_t{1} << 32;
+
+std::optional<std::string> bytes_of(const std::string& path, std::size_t most, const App& app) {
+  FileError error;
+  auto bytes = read_file(path, most, error);
+  if (!bytes) app.complain(error.message);
+  return bytes;
+}
+
+std::string place_of(const std::optional<BoxSpec>& box) {
+  if (!box) return "in unbounded space";
+  return fmt::format("in the {}box {} at {}", box->periodic ? "periodic " : "", to_text(box->size),
+                     to_text(*box->origin));
+}
+
+void print_verdict(const std::string& path, const std::string& refusal, App& app) {
+  if (refusal.empty()) {
+    app.print(fmt::format("{}: {}\n", printable(path), green("accepted", app.color_out())));
+  } else {
+    app.print(
+        fmt::format("{}: {}: {}\n", printable(path), red("refused", app.color_out()), refusal));
+  }
+}
+
+void print_text(const CertifyOptions& options, const CheckReport& report, std::uint64_t hash,
+                std::size_t stages, App& app) {
+  print_verdict(options.proof, report.refusal, app);
+  if (!report.accepted) return;
+  app.print(fmt::format("  every order of events ends in the same structure of {} {}, hash {}\n",
+                        report.structure.size(), report.structure.size() == 1 ? "brick" : "bricks",
+                        to_hex(hash)));
+  app.print(fmt::format("  {}; {} {}, {} sites, {} local states\n", place_of(report.box), stages,
+                        stages == 1 ? "stage" : "stages", report.sites, report.local_states));
+}
+
+void print_json(const CertifyOptions& options, const RuleSet& rules, const CheckReport& report,
+                std::uint64_t hash, std::size_t stages, App& app) {
+  Json json;
+  json["ruleset"] = rules.name;
+  json["ruleset_hash"] = to_hex(rule_set_hash(rules));
+  json["certificate"] = options.proof;
+  json["accepted"] = report.accepted;
+  if (report.accepted) {
+    std::optional<Box> box;
+    if (report.box) {
+      box = Box{*report.box->origin, report.box->size, report.box->periodic, rules.floor};
+    }
+    json["bricks"] = report.structure.size();
+    json["structure_hash"] = to_hex(hash);
+    json["box"] = to_json(box);
+    json["stages"] = stages;
+    json["sites"] = report.sites;
+    json["local_states"] = report.local_states;
+  } else {
+    json["refusal"] = report.refusal;
+  }
+  app.print(dump(json));
+}
+
+int certify_rules(const CertifyOptions& options, App& app) {
+  const std::optional<RuleSet> rules = app.read_rules(options.file);
+  if (!rules) return kFailed;
+  const auto text = bytes_of(options.proof, kMostCertificateBytes, app);
+  if (!text) return kFailed;
+  Diagnostics diagnostics;
+  const auto certificate = read_certificate(options.proof, *text, diagnostics);
+  if (!certificate) {
+    app.report(diagnostics);
+    return kFailed;
+  }
+  std::optional<BoxSpec> box = rules->box;
+  if (options.box) {
+    box.reset();
+    if (options.box->size) box = BoxSpec{*options.box->size, std::nullopt, options.periodic};
+  } else if (box && options.periodic) {
+    box->periodic = true;
+  }
+  const CheckReport report = check_certificate(*rules, *certificate, box);
+  const std::uint64_t hash = structure_hash(Structure(rules->lattice, report.structure));
+  if (options.json) {
+    print_json(options, *rules, report, hash, certificate->stages.size(), app);
+  } else {
+    print_text(options, report, hash, certificate->stages.size(), app);
+  }
+  return report.accepted ? kOk : kFailed;
+}
+
+int certify_drat(const CertifyOptions& options, App& app) {
+  const auto formula = bytes_of(options.file, kMostProofBytes, app);
+  if (!formula) return kFailed;
+  const auto proof = bytes_of(options.proof, kMostProofBytes, app);
+  if (!proof) return kFailed;
+  const DratReport report = check_drat(*formula, *proof);
+  if (options.json) {
+    Json json;
+    json["formula"] = options.file;
+    json["proof"] = options.proof;
+    json["accepted"] = report.refuted;
+    if (!report.refuted) json["refusal"] = report.refusal;
+    json["variables"] = report.variables;
+    json["clauses"] = report.clauses;
+    json["lemmas"] = report.lemmas;
+    json["deletions"] = report.deletions;
+    app.print(dump(json));
+  } else {
+    print_verdict(options.proof, report.refusal, app);
+    if (report.refuted) {
+      app.print(fmt::format("  the formula has no solution: {} variables, {} clauses, {} {}\n",
+                            report.variables, report.clauses, report.lemmas,
+                            report.lemmas == 1 ? "lemma" : "lemmas"));
+    }
+  }
+  return report.refuted ? kOk : kFailed;
+}
+
+}  // namespace
+
+int run(const CertifyOptions& options, App& app) {
+  if (options.drat && (options.box || options.periodic)) {
+    app.complain("--drat knows no box");
+    return kUsage;
+  }
+  return options.drat ? certify_drat(options, app) : certify_rules(options, app);
+}
+
+}  // namespace stig

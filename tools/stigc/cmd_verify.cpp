@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// stigc verify: does every order of events end in the same structure?
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "commands.h"
+#include "outputs.h"
+#include "progress.h"
+#include "report.h"
+#include "verify_report.h"
+
+namespace stig {
+namespace {
+
+/// The world to prove things of; none: unbounded space.
+std::optional<Box> chosen_box(const RuleSet& rules, const VerifyFileOptions& options) {
+  if (!options.box) {
+    std::optional<Box> box = file_box(rules);
+    if (box && options.periodic) box->periodic = true;
+    return box;
+  }
+  if (!options.box->size) return std::nullopt;
+  return lay_box(BoxSpec{*options.box->size, std::nullopt, options.periodic}, rules.start,
+                 rules.floor);
+}
+
+int exit_code(ProofVerdict verdict) {
+  switch (verdict) {
+    case ProofVerdict::proved:
+      return kOk;
+    case ProofVerdict::refuted:
+    case ProofVerdict::endless:
+      return kFailed;
+    case ProofVerdict::unknown:
+      break;
+  }
+  return kRunFailed;
+}
+
+int write_certificate(const std::string& path, const VerifyResult& result, const App& app) {
+  if (!result.certificate) {
+    app.say("no certificate was written: nothing was proved");
+    return kOk;
+  }
+  FileError error;
+  if (!write_file(path, print_certificate(*result.certificate), error)) {
+    app.complain(error.message);
+    return kRunFailed;
+  }
+  app.say("wrote " + printable(path));
+  return kOk;
+}
+
+}  // namespace
+
+int run(const VerifyFileOptions& options, App& app) {
+  for (const auto& path : {options.certificate, options.witness}) {
+    const std::string problem = path ? folder_problem(*path) : "";
+    if (problem.empty()) continue;
+    app.complain(printable(problem));
+    return kUsage;
+  }
+  const std::optional<RuleSet> rules = app.read_rules(options.file);
+  if (!rules) return kFailed;
+  VerifyOptions settings;
+  settings.box = chosen_box(*rules, options);
+  SwarmConfig config;
+  config.motion = Motion::event;
+  config.box = settings.box;
+  const std::string problem = config_problem(RuleTable(*rules), rules->start, config);
+  if (!problem.empty()) {
+    app.complain(printable(problem));
+    return kUsage;
+  }
+  stop_on_signals();
+  Progress progress(app);
+  settings.seconds = options.budget;
+  settings.states = options.states;
+  settings.stop = &stop_requested();
+  settings.progress = [&](int stage, const std::string& what) {
+    progress.show(0, rules->stage_count() > 1 ? fmt::format("stage {}: {}", stage, what) : what);
+  };
+  const VerifyResult result = verify(*rules, settings);
+  FindingOptions limits;
+  limits.seconds = std::min(10.0, options.budget);
+  limits.stop = &stop_requested();
+  progress.show(0, "looking at what else there is to say");
+  const Findings findings = find_more(*rules, settings, result, limits);
+  progress.clear();
+  int code = exit_code(result.verdict);
+  const VerifyReport report{*rules, settings.box, result, findings};
+  if (options.json) {
+    app.print(dump(to_json(report)));
+  } else {
+    app.print(to_text(report, app.color_out()));
+  }
+  if (options.certificate)
+    code = std::max(code, write_certificate(*options.certificate, result, app));
+  if (options.witness) code = std::max(code, write_witness(*options.witness, report, app));
+  return code;
+}
+
+}  // namespace stig

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/hash.h"
+#include "rules/explain.h"
+#include "rules/rule_printer.h"
+#include "verify_report.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostNames = 8;
+
+std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
+  return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
+std::string rule_name(const RuleSet& rules, std::uint32_t rule) {
+  const Rule& r = rules.rules[rule];
+  std::string text = fmt::format("'{}'", printable(r.name));
+  if (r.range) {
+    text += fmt::format(" ({}:{})", printable(r.range.file->path()),
+                        r.range.file->position(r.range.begin).line);
+  }
+  return text;
+}
+
+std::string names(const RuleSet& rules, const std::vector<std::uint32_t>& some) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(some.size(), kMostNames); ++i) {
+    text += fmt::format("{}'{}'", i == 0 ? "" : ", ", printable(rules.rules[some[i]].name));
+  }
+  if (some.size() > kMostNames) text += fmt::format(" and {} more", some.size() - kMostNames);
+  return text;
+}
+
+std::string indented(const std::string& drawing) {
+  std::string out;
+  for (std::size_t at = 0; at < drawing.size();) {
+    const std::size_t end = std::min(drawing.find('\n', at), drawing.size());
+    out += "    " + drawing.substr(at, end - at) + "\n";
+    at = end + 1;
+  }
+  return out;
+}
+
+std::string brick(const RuleSet& rules, Colour colour) {
+  return printable(symbol_of(rules, StateSet::of(colour)));
+}
+
+std::string box_in_words(const std::optional<Box>& box) {
+  if (!box) return "in unbounded space";
+  return fmt::format("in the {}box {} from {}", box->periodic ? "periodic " : "",
+                     to_text(box->size), to_text(box->low));
+}
+
+std::string proved_text(const VerifyReport& report, bool color) {
+  const VerifyResult& result = report.result;
+  std::string out = fmt::format("{}: {}\n", green("PROVED", color),
+                                "every order of events ends in the same structure");
+  out += line("world", box_in_words(report.box));
+  out += line("bricks", fmt::format("{}: {} at the start, {} placed", result.structure->size(),
+                                    report.rules.start.size(), result.run.size()));
+  out += line("hash", to_hex(structure_hash(*result.structure)));
+  std::string method = "the order of neighbours, site by site";
+  if (result.method == ProofMethod::components) {
+    method = "the order of neighbours, and all orders of independent groups of bricks";
+  } else if (result.method == ProofMethod::exhaustive) {
+    method = "all orders";
+  }
+  return out +
+         line("method", fmt::format("{} ({}), {}", to_string(result.method), method,
+                                    counted(result.local_states, "local state", "local states")));
+}
+
+std::string deposit_in_words(const RuleSet& rules, const Deposit& deposit) {
+  return fmt::format("brick {} at {} by rule {}", brick(rules, deposit.colour),
+                     to_text(deposit.site), rule_name(rules, deposit.match.rule));
+}
+
+std::string end_in_words(const Structure& structure, bool ended) {
+  return fmt::format("{}{}, hash {}", counted(structure.size(), "brick", "bricks"),
+                     ended ? "" : " and growing", to_hex(structure_hash(structure)));
+}
+
+std::string refuted_text(const VerifyReport& report, bool color) {
+  const DivergingOrders& found = *report.result.refutation;
+  const Deposit& decisive = found.second[found.common];
+  std::string out =
+      fmt::format("{}: two orders of events end in different structures\n", red("REFUTED", color));
+  out += line("world", box_in_words(report.box));
+  out += line("one end", end_in_words(found.first_end, true));
+  out += line("another", end_in_words(found.second_end, found.second_ended));
+  out +=
+      fmt::format("\nAfter {} these two are at odds", counted(found.common, "deposit", "deposits"));
+  if (report.rules.stage_count() > 1) out += fmt::format(" (stage {})", report.result.stage);
+  out += ":\n";
+  out += fmt::format("  {}, which sees\n{}", deposit_in_words(report.rules, found.rival),
+                     indented(draw_view(report.rules, found.rival_view)));
+  out += fmt::format("  {}, which sees\n{}", deposit_in_words(report.rules, decisive),
+                     indented(draw_view(report.rules, found.view)));
+  return out;
+}
+
+std::string endless_text(const VerifyReport& report, bool color) {
+  const EndlessGrowth& endless = *report.result.endless;
+  std::string out =
+      fmt::format("{}: an order of events goes on for ever\n", yellow("ENDLESS", color));
+  out += line("world", box_in_words(report.box));
+  out +=
+      line("period",
+           fmt::format("after {}, the last {} again and again, each time ({}, {}, {}) further on",
+                       counted(endless.run.size(), "deposit", "deposits"),
+                       endless.period == 1 ? "one" : fmt::to_string(endless.period), endless.step.x,
+                       endless.step.y, endless.step.z));
+  return out;
+}
+
+std::string unknown_text(const VerifyReport& report, bool color) {
+  std::string out = fmt::format("{}: neither shown nor refuted\n", yellow("UNKNOWN", color));
+  out += line("world", box_in_words(report.box));
+  out += line("explored", printable(report.result.open));
+  if (report.rules.stage_count() > 1) {
+    out += line("stage", fmt::format("{} of {}", report.result.stage, report.rules.stage_count()));
+  }
+  std::string help = "more time (--budget) or memory (--states)";
+  if (!report.box) help += ", or a box to grow in (--box)";
+  return out + line("may help", help);
+}
+
+std::string repair_text(const VerifyReport& report, const Repair& repair) {
+  const RuleSet& rules = report.rules;
+  std::string out;
+  const std::string where =
+      repair.whole ? "" : fmt::format(" up to the end of stage {}", report.result.stage);
+  if (!repair.removed.empty()) {
+    out += line("repair", fmt::format("without rule {} every order ends in the same {} bricks{}",
+                                      names(rules, repair.removed), repair.bricks, where));
+  }
+  if (repair.added.empty()) return out;
+  out += line("repair", fmt::format("with {} every order ends in the same {} bricks{}:",
+                                    repair.added.size() == 1
+                                        ? std::string("one rule more")
+                                        : fmt::format("{} rules more", repair.added.size()),
+                                    repair.bricks, where));
+  for (const Rule& rule : repair.added) {
+    out += fmt::format("    place {}{} when\n{}", brick(rules, rule.place),
+                       rule.stage > 0 ? fmt::format(" in stage {}", rule.stage) : "",
+                       indented(draw_pattern(repair.repaired, rule.pattern)));
+  }
+  return out;
+}
+
+std::string findings_text(const VerifyReport& report) {
+  const Findings& f = report.findings;
+  const RuleSet& rules = report.rules;
+  std::string out;
+  if (f.level_count > 0) {
+    out += line("levels",
+                fmt::format("the rules follow each other in {}",
+                            counted(static_cast<std::uint64_t>(f.level_count), "level", "levels")));
+  }
+  if (f.parallelism && !f.parallelism->rounds.empty()) {
+    out += line("parallel", fmt::format("{} at least, up to {} at once, {:.1f} on average",
+                                        counted(f.parallelism->rounds.size(), "round", "rounds"),
+                                        counted(f.parallelism->widest(), "brick", "bricks"),
+                                        f.parallelism->mean()));
+  }
+  if (!f.dead.empty()) out += line("never fires", names(rules, f.dead));
+  if (!f.redundant.empty()) {
+    out += line("not needed", fmt::format("each alone: {}", names(rules, f.redundant)));
+  }
+  if (report.result.verdict == ProofVerdict::proved) {
+    for (std::size_t i = 0; i < std::min(f.blocking.size(), kMostNames); ++i) {
+      const Blocking& b = f.blocking[i];
+      out +=
+          line("may block", fmt::format("'{}' at {} closes '{}' at {}, for a while",
+                                        printable(rules.rules[b.placed].name), to_text(b.at),
+                                        printable(rules.rules[b.blocked].name), to_text(b.site)));
+    }
+  }
+  for (const WalledIn& walled : f.walled_in) {
+    out += line("walled in",
+                fmt::format("{} can be cut off while it is open, after {}", to_text(walled.site),
+                            counted(walled.order.size(), "deposit", "deposits")));
+  }
+  if (f.maybe_walled_in > 0) {
+    out += line("walled in?", fmt::format("{} could not be shown to be in reach at all times",
+                                          counted(f.maybe_walled_in, "site", "sites")));
+  }
+  if (f.repair) out += repair_text(report, *f.repair);
+  return out;
+}
+
+}  // namespace
+
+std::string to_text(const VerifyReport& report, bool color) {
+  const std::string title = report.rules.title.empty() ? "" : ": " + printable(report.rules.title);
+  std::string out = bold(printable(report.rules.name), color) + title + "\n";
+  switch (report.result.verdict) {
+    case ProofVerdict::proved:
+      out += proved_text(report, color);
+      break;
+    case ProofVerdict::refuted:
+      out += refuted_text(report, color);
+      break;
+    case ProofVerdict::endless:
+      out += endless_text(report, color);
+      break;
+    case ProofVerdict::unknown:
+      out += unknown_text(report, color);
+      break;
+  }
+  out += findings_text(report);
+  if (report.result.verdict == ProofVerdict::proved) {
+    const std::string drawing = small_drawing(*report.result.structure, report.rules.bricks);
+    if (!drawing.empty()) out += "\n" + drawing;
+  }
+  return out;
+}
+
+}  // namespace stig
