@@ -7,6 +7,7 @@
 #include <cassert>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "base/hash.h"
 #include "base/random.h"
@@ -34,6 +35,8 @@ constexpr int kMoreColours = 4;
 /// Below this many orbits every order is tried.
 constexpr std::size_t kFewOrbits = 8, kMostOrders = 1000;
 constexpr std::size_t kManyOrbits = 1500;
+/// More rules than this hardly fit a file (kMaxRuleFileBytes).
+constexpr std::size_t kMostRules = 5000;
 constexpr std::size_t kMostSolutions = 1000;
 constexpr int kRestarts = 30;
 /// Solutions of one number of colours that are merged; more as long as it goes quickly.
@@ -235,14 +238,15 @@ class Synthesiser {
   /// Other solutions with as many colours: the more regular, the fewer rules.
   void gather(double until) {
     const Deadline deadline = share(until);
-    const int more = options_.fewest == Fewest::rules ? kMoreColours : 0;
+    const bool large = frames_.front()->orbits.size() > kManyOrbits;
+    const int more = options_.fewest == Fewest::rules || large ? kMoreColours : 0;
     for (Candidate& candidate : candidates_) {
       if (best_ == 0 || solutions_.size() >= kMostSolutions) return;
       if (candidate.least() > best_ + more) continue;
       const Schedule schedule = schedule_of(candidate);
       ColouringSearch search(schedule, named_);
       for (int k = std::max(best_, candidate.least());
-           k <= std::min(best_ + more, options_.most_colours); ++k) {
+           k <= std::min(best_ + more, options_.most_colours); k += large ? 2 : 1) {
         for (const Hint hint : {Hint::depth, Hint::uniform, Hint::distance}) {
           if (deadline.passed()) return;
           const double slice = kSliceOfSuccess * fastest_;
@@ -307,7 +311,8 @@ class Synthesiser {
   /// one that is best, as few as can be had in the time that is left.
   void finish() {
     std::stable_sort(solutions_.begin(), solutions_.end(), [](const auto& a, const auto& b) {
-      return std::pair(a.colour_count, a.exact_rules) < std::pair(b.colour_count, b.exact_rules);
+      return std::tuple(a.exact_rules > kMostRules, a.colour_count, a.exact_rules) <
+             std::tuple(b.exact_rules > kMostRules, b.colour_count, b.exact_rules);
     });
     const Deadline many = share(kMergingMany),
                    quick = many.within(options_.seconds * kMergingQuick);
@@ -354,6 +359,8 @@ class Synthesiser {
     const auto better = [&](const Solution& a, const Solution& b) {
       const std::pair ka(static_cast<std::size_t>(a.colour_count), a.rules.size());
       const std::pair kb(static_cast<std::size_t>(b.colour_count), b.rules.size());
+      const bool a_large = a.rules.size() > kMostRules, b_large = b.rules.size() > kMostRules;
+      if (a_large != b_large) return b_large;
       if (options_.fewest == Fewest::colours) return ka < kb;
       return std::pair(ka.second, ka.first) < std::pair(kb.second, kb.first);
     };
