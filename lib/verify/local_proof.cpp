@@ -124,7 +124,8 @@ class SiteChecker {
       return true;
     };
     visit(seen_ & ~order_.after, [&](Mask state) {
-      if (fits(state)) judge(state);
+      // Bricks that do not matter to the rules may be there all the same.
+      if (fits(state)) judge(state, true);
       return !result_.failure;
     });
   }
@@ -132,13 +133,13 @@ class SiteChecker {
   void check_by_window(const Window& window) {
     const auto number = static_cast<std::uint32_t>(&window - invariant_.windows.data());
     std::vector<Mask> states = projections(number, site_.bricks);
-    for (const Mask state : states) judge(state);
+    for (const Mask state : states) judge(state, site_.beside);
   }
 
   /// What a state that may occur allows.
-  void judge(Mask state) {
+  void judge(Mask state, bool beside) {
     ++result_.states;
-    const std::uint64_t placed = colours_placed(model_, site_, state);
+    const std::uint64_t placed = colours_placed(model_, site_, state, beside);
     const std::uint64_t wanted = site_.colour == 0 ? 0 : std::uint64_t{1} << site_.colour;
     if ((placed & ~wanted) != 0) return fail(LocalFailure::Kind::wrong, state);
     if (placed != 0) result_.before &= order_.closed(state);
