@@ -203,10 +203,10 @@ bool ClauseSet::follows(const Literals& clause) {
 /// give, its other literals assumed false too, a contradiction?
 bool ClauseSet::redundant_for(Literal pivot) {
   const std::size_t trail = trail_.size();
-  for (std::size_t i = 0; i < clauses_.size(); ++i) {
-    if (clauses_[i].deleted) continue;
-    const auto begin = literals_.begin() + static_cast<std::ptrdiff_t>(clauses_[i].begin);
-    const Literals other(begin, begin + clauses_[i].size);
+  for (const Clause& clause : clauses_) {
+    if (clause.deleted) continue;
+    const auto begin = literals_.begin() + static_cast<std::ptrdiff_t>(clause.begin);
+    const Literals other(begin, begin + clause.size);
     if (std::find(other.begin(), other.end(), negated(pivot)) == other.end()) continue;
     const bool yes = refutes(other, negated(pivot));
     take_back(trail);

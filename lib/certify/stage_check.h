@@ -85,7 +85,7 @@ class StageCheck {
   void look(std::uint32_t cell, Site& site) const;
   bool check_site(const Site& site);
   bool check_group_brick(const Site& site);
-  bool check_context_brick(const Site& site, const Member& member);
+  bool check_context_brick(const Site& site, const Member& own);
   bool check_local_states(const Site& site);
   bool check_run(const Site& site);
   static NeighbourSet seen_in_run(const Site& site);

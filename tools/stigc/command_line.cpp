@@ -260,8 +260,8 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
 
 void add_certify(CLI::App& app, CertifyOptions& o) {
   CLI::App* sub = command(app, "certify", "check a proof again, without trust in its maker",
+                          "  stigc verify staircase.yaml --certificate staircase.cert\n"
                           "  stigc certify staircase.yaml staircase.cert\n"
-                          "  stigc certify staircase.yaml staircase.cert --box 9,9,9\n"
                           "  stigc certify --drat fewer.cnf fewer.drat\n");
   file(sub, "FILE", o.file, "the rule set; with --drat, a formula (DIMACS CNF)");
   file(sub, "PROOF", o.proof,
