@@ -29,6 +29,7 @@
 //   5 6                    the group, as numbers of bricks
 //   3                      the context
 //   0 1 3 7                fillings, hexadecimal: bit 0 the first of group, then context
+//                          (all with as many digits as there are bricks for)
 //   end 6                  bricks in the final structure, the start included
 #pragma once
 
