@@ -106,6 +106,8 @@ class SiteChecker {
       return std::any_of(site_.rules.begin(), site_.rules.end(),
                          [&](const LocalRule& rule) { return right(rule) && rule.matches(state); });
     };
+    // The checker lists these states together with all others; it has to be able to.
+    if (count_states() >= kMostLocalStates) return fail(LocalFailure::Kind::too_many, 0);
     visit(matters & ~order_.after & ~run_, [&](Mask more) {
       if (!open(run_ | more)) fail(LocalFailure::Kind::stuck, (run_ | more) & seen_);
       return !result_.failure;
