@@ -34,6 +34,9 @@ class Solver {
          const Deadline& deadline)
       : encoding_(differences, named, k), differences_(differences), k_(k), time_(deadline) {
     solver_.set("quiet", 1);
+    // Both would drop the colours that decisions are to lean towards.
+    solver_.set("lucky", 0);
+    solver_.set("walk", 0);
     solver_.connect_terminator(&time_);
     encoding_.emit_domains(naming, sink());
     update();

@@ -32,7 +32,8 @@ class ColouringSearch {
   /// schedule must outlive the search.
   ColouringSearch(const Schedule& schedule, int named);
 
-  /// Is there a colouring with colours 1..k? `hint` is tried first where it goes.
+  /// Is there a colouring with colours 1..k? One near to what `colours` holds, if it
+  /// holds anything, is looked for first.
   Answered colour(int k, const ColouringLimits& limits, Colouring& colours);
 
   /// No fewer than this will do, as far as is known without a solver.

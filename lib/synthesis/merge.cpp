@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <unordered_set>
 
 #include "base/random.h"
 #include "rules/rule_table.h"
@@ -18,6 +20,10 @@ struct Demand {
   std::size_t at = 0;
   StateSet states;
 };
+
+/// Of very many views this number is worked on at first.
+constexpr std::size_t kWorkingViews = 20'000;
+constexpr std::size_t kViolatedAtOnce = 500;
 
 struct Positive {
   const View* view;
@@ -46,13 +52,10 @@ class Merger {
         size_(static_cast<std::size_t>(frame.neighbours().size)),
         colours_(colours),
         exact_(exact),
-        views_(views),
+        all_views_(views),
         deadline_(deadline) {
-    for (const LocalView& view : views_) {
-      for (std::size_t i = 0; i < size_; ++i) ++of_colour_[view.wanted].showing[i][view.view.at[i]];
-      for (std::size_t i = 0; i < size_; ++i) ++all_.showing[i][view.view.at[i]];
-      ++of_colour_[view.wanted].views;
-    }
+    const std::size_t step = std::max<std::size_t>(1, views.size() / kWorkingViews);
+    for (std::size_t i = 0; i < views.size(); i += step) work_on(views[i]);
   }
 
   std::vector<MergedRule> cover(const std::vector<std::size_t>& order) {
@@ -60,7 +63,14 @@ class Merger {
     turns_.clear();
     covered_.assign(exact_.size(), false);
     for (const std::size_t seed : order) {
-      if (!covered_[seed]) add(deadline_.passed() ? exactly(seed) : grow(seed));
+      if (covered_[seed]) continue;
+      MergedRule rule = exactly(seed);
+      if (!deadline_.passed()) {
+        do {
+          rule = grow(seed);
+        } while (add_violated(rule));
+      }
+      add(std::move(rule));
     }
     leave_out_the_needless();
     return rules_;
@@ -69,8 +79,36 @@ class Merger {
  private:
   struct Tally {
     std::array<std::array<std::uint32_t, 64>, kMaxNeighbours> showing{};
-    std::size_t views = 0;
   };
+
+  void work_on(const LocalView& view) {
+    views_.push_back(view);
+    for (std::size_t i = 0; i < size_; ++i) {
+      ++of_colour_[view.wanted].showing[i][view.view.at[i]];
+      ++all_.showing[i][view.view.at[i]];
+    }
+  }
+
+  /// Adds views that the rule must not match, and does, to those that are worked on.
+  bool add_violated(const MergedRule& rule) {
+    if (views_.size() >= all_views_.size()) return false;
+    const std::vector<std::size_t> asked = asked_cells(rule.pattern);
+    std::size_t added = 0;
+    for (const LocalView& v : all_views_) {
+      if (v.wanted == rule.place || !shown(rule.pattern, asked, v.view)) continue;
+      work_on(v);
+      if (++added == kViolatedAtOnce) break;
+    }
+    return added > 0;
+  }
+
+  static bool shown(const Pattern& pattern, const std::vector<std::size_t>& asked,
+                    const View& view) {
+    for (const std::size_t i : asked) {
+      if (!pattern.allowed[i].contains(view.at[i])) return false;
+    }
+    return true;
+  }
 
   MergedRule exactly(std::size_t seed) const {
     MergedRule rule{{}, exact_[seed].place, exact_[seed].rank};
@@ -127,7 +165,8 @@ class Merger {
         n += (other->allowed[demand.at] & demand.states).none() ? 0 : 1;
       }
       if (n >= active.bad.size() + active.other.size()) return;  // tells nothing
-      const double value = gain(p0, n0, p, n);
+      // Of demands that tell the same, those on faces are the plainest to read.
+      const double value = gain(p0, n0, p, n) + (frame_.neighbours().is_face[demand.at] ? 1e-6 : 0);
       if (value > most) {
         most = value;
         best = demand;
@@ -171,36 +210,92 @@ class Merger {
     return active;
   }
 
+  /// Does the rule match no view where its brick does not belong, and overlap with no
+  /// pattern that places another?
   bool sound(const MergedRule& rule) const {
     for (const auto& [pattern, colour] : turns_) {
       if (colour != rule.place && overlap(pattern, rule.pattern, size_)) return false;
     }
-    std::array<std::size_t, kMaxNeighbours> asked;
-    std::size_t n = 0;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (!(rule.pattern.allowed[i] == StateSet::anything())) asked[n++] = i;
-    }
+    const std::vector<std::size_t> asked = asked_cells(rule.pattern);
     return std::none_of(views_.begin(), views_.end(), [&](const LocalView& v) {
-      if (v.wanted == rule.place) return false;
-      for (std::size_t k = 0; k < n; ++k) {
-        if (!rule.pattern.allowed[asked[k]].contains(v.view.at[asked[k]])) return false;
-      }
-      return true;
+      return v.wanted != rule.place && shown(rule.pattern, asked, v.view);
     });
+  }
+
+  std::vector<std::size_t> asked_cells(const Pattern& pattern) const {
+    std::vector<std::size_t> asked;
+    for (std::size_t i = 0; i < size_; ++i) {
+      if (!(pattern.allowed[i] == StateSet::anything())) asked.push_back(i);
+    }
+    return asked;
+  }
+
+  /// Which demands keep out what must be kept out: for each view and pattern the set of
+  /// those that do, sets that hold another left out.
+  std::vector<std::uint32_t> keepers(const MergedRule& rule,
+                                     const std::vector<std::size_t>& asked) const {
+    std::unordered_set<std::uint32_t> sets;
+    for (const LocalView& v : views_) {
+      if (v.wanted == rule.place) continue;
+      std::uint32_t set = 0;
+      for (std::size_t k = 0; k < asked.size(); ++k) {
+        if (!rule.pattern.allowed[asked[k]].contains(v.view.at[asked[k]])) set |= 1U << k;
+      }
+      sets.insert(set);
+    }
+    for (const auto& [pattern, colour] : turns_) {
+      if (colour == rule.place) continue;
+      std::uint32_t set = 0;
+      for (std::size_t k = 0; k < asked.size(); ++k) {
+        if ((rule.pattern.allowed[asked[k]] & pattern.allowed[asked[k]]).none()) set |= 1U << k;
+      }
+      sets.insert(set);
+    }
+    std::vector<std::uint32_t> sorted(sets.begin(), sets.end());
+    std::sort(sorted.begin(), sorted.end(), [](std::uint32_t a, std::uint32_t b) {
+      return std::pair(std::popcount(a), a) < std::pair(std::popcount(b), b);
+    });
+    std::vector<std::uint32_t> least;
+    for (const std::uint32_t set : sorted) {
+      if (std::none_of(least.begin(), least.end(),
+                       [&](std::uint32_t l) { return (l & ~set) == 0; })) {
+        least.push_back(set);
+      }
+    }
+    return least;
   }
 
   /// Takes demands away, or asks for any brick instead of one, where that does no harm.
   void relax(MergedRule& rule) const {
-    for (std::size_t i = size_; i-- > 0;) {
-      const StateSet before = rule.pattern.allowed[i];
-      if (before == StateSet::anything()) continue;
-      rule.pattern.allowed[i] = StateSet::anything();
-      if (sound(rule)) continue;
-      rule.pattern.allowed[i] = before;
-      if (!before.is_single() || !is_brick(before.first()) || colours_ == 1) continue;
-      rule.pattern.allowed[i] = StateSet::bricks(colours_);
-      if (!sound(rule)) rule.pattern.allowed[i] = before;
+    const std::vector<std::size_t> asked = asked_cells(rule.pattern);
+    const std::vector<std::uint32_t> sets = keepers(rule, asked);
+    std::uint32_t kept = (1U << asked.size()) - 1;
+    for (const std::size_t k : by_plainness(asked)) {
+      const std::uint32_t without = kept & ~(1U << k);
+      if (std::all_of(sets.begin(), sets.end(), [&](auto set) { return (set & without) != 0; })) {
+        kept = without;
+        rule.pattern.allowed[asked[k]] = StateSet::anything();
+      }
     }
+    for (std::size_t k = 0; k < asked.size() && colours_ > 1; ++k) {
+      const StateSet before = rule.pattern.allowed[asked[k]];
+      if (!before.is_single() || !is_brick(before.first())) continue;
+      rule.pattern.allowed[asked[k]] = StateSet::bricks(colours_);
+      if (!sound(rule)) rule.pattern.allowed[asked[k]] = before;
+    }
+  }
+
+  /// Places in `asked`, the cells that readers can do without first: corners, edges, faces.
+  std::vector<std::size_t> by_plainness(const std::vector<std::size_t>& asked) const {
+    const Neighbourhood& n = frame_.neighbours();
+    std::vector<std::size_t> places(asked.size());
+    std::iota(places.begin(), places.end(), std::size_t{0});
+    const auto weight = [&](std::size_t k) {
+      return n.is_face[asked[k]] ? 2 : n.is_edge[asked[k]] ? 1 : 0;
+    };
+    std::stable_sort(places.begin(), places.end(),
+                     [&](std::size_t a, std::size_t b) { return weight(a) < weight(b); });
+    return places;
   }
 
   bool covers(const MergedRule& rule, const ExactRule& exact) const {
@@ -248,7 +343,8 @@ class Merger {
   std::size_t size_;
   int colours_;
   const std::vector<ExactRule>& exact_;
-  const std::vector<LocalView>& views_;
+  const std::vector<LocalView>& all_views_;
+  std::vector<LocalView> views_;  ///< worked on: some of them, and those that were violated
   Deadline deadline_;
   Tally all_;
   std::array<Tally, 64> of_colour_;

@@ -150,14 +150,15 @@ void add_crowded(std::vector<OrderPlan>& plans) {
 
 std::vector<OrderPlan> order_plans() {
   std::vector<OrderPlan> plans;
-  for (const Steps steps : {Steps::corners, Steps::faces, Steps::edges}) {
-    plans.push_back({"", OrderFamily::breadth_first,
-                     [=](const Frame& frame) { return breadth_first(frame, steps); }});
-  }
   add_breadth_first(plans);
   add_crowded(plans);
   add_rasters(plans);
   add_ribbons(plans);
+  // Ties leave a cell many states to be recognised in: last.
+  for (const Steps steps : {Steps::corners, Steps::faces, Steps::edges}) {
+    plans.push_back({"", OrderFamily::breadth_first,
+                     [=](const Frame& frame) { return breadth_first(frame, steps); }});
+  }
   return plans;
 }
 

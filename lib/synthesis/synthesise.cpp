@@ -7,8 +7,10 @@
 #include <cassert>
 #include <map>
 #include <set>
+#include <tuple>
 
 #include "base/hash.h"
+#include "base/random.h"
 #include "synthesis/check_rules.h"
 #include "synthesis/emit.h"
 #include "synthesis/proof_files.h"
@@ -17,22 +19,38 @@
 namespace stig {
 namespace {
 
-/// Shares of the budget.
-constexpr double kLooking = 0.15, kColouring = 0.75;
-/// Seconds for one question to the solver, round by round, in shares of the budget.
-constexpr std::array<double, 3> kSlices = {0.015, 0.06, 0.25};
+/// When, in shares of the budget, each part of the search is to end. The rest is for
+/// merging.
+constexpr double kLooking = 0.15, kGathering = 0.5, kGatheringAgain = 0.75, kMergingMany = 0.85;
+constexpr std::array<double, 3> kDiscovering = {0.35, 0.6, 0.7};
+/// For one question to the solver, round by round …
+constexpr std::array<double, 3> kSlices = {0.02, 0.05, 0.15};
+/// … and at least so many times what it took to set the question; and for more of what
+/// was found, so many times what the quickest answer took.
+constexpr double kSliceOfMaking = 20, kSliceOfSuccess = 10;
+/// The number of colours asked for first, before any is known to do.
+constexpr int kFirstColours = 6;
+/// Looking for few rules, so many colours more than needed are tried.
+constexpr int kMoreColours = 4;
 /// Below this many orbits every order is tried.
 constexpr std::size_t kFewOrbits = 8, kMostOrders = 1000;
-constexpr std::size_t kMostSolutions = 64;
-constexpr int kRestarts = 8;
+constexpr std::size_t kManyOrbits = 1500;
+/// More rules than this hardly fit a file (kMaxRuleFileBytes).
+constexpr std::size_t kMostRules = 5000;
+constexpr std::size_t kMostSolutions = 1000;
+constexpr int kRestarts = 30;
+/// Solutions of one number of colours that are merged; more as long as it goes quickly.
+constexpr int kMergedOfEach = 3;
+constexpr double kMergingQuick = 0.03;
 
 /// An order of a frame that may do, and how many colours it needs at least.
 struct Candidate {
   std::size_t frame = 0;
   std::function<Order(const Frame&)> make;
   int at_least = 1;
-  std::size_t states = 0;
+  bool with_ties = false;
   int refuted = 0;  ///< so many colours do not do
+  int least() const { return std::max(at_least, refuted + 1); }
 };
 
 std::uint64_t hash_of(const Schedule& schedule) {
@@ -42,6 +60,47 @@ std::uint64_t hash_of(const Schedule& schedule) {
   return h;
 }
 
+/// What a solver may start from. Colours at random are mostly free of clashes at once,
+/// regular ones make for fewer different keys, hence fewer rules.
+enum class Hint : std::uint8_t { random, distance, depth, uniform };
+
+/// How deep orbits lie in the target: 0 where a neighbour is missing.
+std::vector<std::int32_t> depths(const Frame& frame) {
+  std::vector<std::int32_t> depth(frame.orbits.size(), -1);
+  std::vector<std::size_t> queue;
+  const std::uint32_t all = (1U << frame.neighbours().size) - 1;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    if (frame.sites[i].present == all) continue;
+    depth[i] = 0;
+    queue.push_back(i);
+  }
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    for (int i = 0; i < frame.neighbours().size; ++i) {
+      const std::int32_t beside = frame.sites[queue[next]].beside[static_cast<std::size_t>(i)];
+      if (beside < 0 || depth[static_cast<std::size_t>(beside)] >= 0) continue;
+      depth[static_cast<std::size_t>(beside)] = depth[queue[next]] + 1;
+      queue.push_back(static_cast<std::size_t>(beside));
+    }
+  }
+  return depth;
+}
+
+Colouring hint_of(const Frame& frame, Hint hint, int k) {
+  Colouring colours(frame.orbits.size(), 1);
+  Random random(1, 0, Purpose::order, 0, 0);
+  std::vector<std::int32_t> value(frame.orbits.size(), 0);
+  if (hint == Hint::distance) value = distances(frame, Steps::corners);
+  if (hint == Hint::depth) value = depths(frame);
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    int c = 0;
+    if (hint == Hint::random) c = static_cast<int>(random.below(static_cast<std::uint64_t>(k)));
+    if (hint == Hint::distance) c = value[i] % k;
+    if (hint == Hint::depth) c = std::min(value[i], k - 1);
+    colours[i] = static_cast<Colour>(1 + c);
+  }
+  return colours;
+}
+
 class Synthesiser {
  public:
   Synthesiser(const Target& target, const SynthesisOptions& options, const SynthesisHooks& hooks)
@@ -49,10 +108,10 @@ class Synthesiser {
         options_(options),
         hooks_(hooks),
         named_(static_cast<int>(target.bricks.size())),
-        whole_(Deadline::after(options.seconds, hooks.stop)) {}
+        began_(std::chrono::steady_clock::now()),
+        whole_(share(1)) {}
 
   Synthesis run(const std::vector<std::vector<Cell>>& starts) {
-    const auto began = std::chrono::steady_clock::now();
     for (const std::vector<Cell>& start : starts) {
       frames_.push_back(
           std::make_shared<Frame>(make_frame(target_, {start, options_.symmetry, options_.floor})));
@@ -61,7 +120,7 @@ class Synthesiser {
     colour();
     finish();
     result_.seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
     return std::move(result_);
   }
 
@@ -72,7 +131,7 @@ class Synthesiser {
 
   /// Which orders can be used at all, and the fewest colours each might do with.
   void look_at_orders() {
-    const Deadline looking = whole_.within(options_.seconds * kLooking);
+    const Deadline looking = share(kLooking);
     std::set<std::uint64_t> seen;
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       if (frames_[f]->orbits.size() > kFewOrbits + 1 || options_.family) continue;
@@ -108,7 +167,8 @@ class Synthesiser {
       }
       return;
     }
-    candidates_.push_back({f, make, search.at_least(), schedule->states.masks.size(), 0});
+    candidates_.push_back(
+        {f, make, search.at_least(), schedule->keys.size() > 2 * frames_[f]->orbits.size(), 0});
   }
 
   ScheduleLimits limits() const {
@@ -118,52 +178,121 @@ class Synthesiser {
   }
 
   void colour() {
-    const Deadline colouring = whole_.within(options_.seconds * kColouring);
-    for (const double slice : kSlices) {
-      for (Candidate& candidate : candidates_) {
-        if (colouring.passed()) return;
-        if (candidate.at_least > most_wanted()) break;
-        try_candidate(candidate, slice * options_.seconds, colouring);
+    discover(0);
+    gather(kGathering);
+    const int before = best_;
+    // Large targets: the time is better spent on few rules than on the last colour.
+    if (frames_.front()->orbits.size() > kManyOrbits && best_ != 0) return;
+    for (std::size_t round = 1; round < kSlices.size(); ++round) discover(round);
+    if (best_ != before) gather(kGatheringAgain);
+  }
+
+  Deadline share(double share) const {
+    return Deadline{began_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                                 std::chrono::duration<double>(options_.seconds * share)),
+                    hooks_.stop};
+  }
+
+  /// Goes through the orders for fewer colours than any before has done with.
+  void discover(std::size_t round) {
+    const Deadline deadline = share(kDiscovering[round]);
+    for (Candidate& candidate : candidates_) {
+      if (deadline.passed()) return;
+      const int most = best_ == 0 ? options_.most_colours : best_ - 1;
+      if (candidate.least() > most) continue;
+      const auto began = std::chrono::steady_clock::now();
+      const Schedule schedule = schedule_of(candidate);
+      ColouringSearch search(schedule, named_);
+      const std::chrono::duration<double> making = std::chrono::steady_clock::now() - began;
+      const double slice =
+          std::max(kSlices[round] * options_.seconds, kSliceOfMaking * making.count());
+      halve(search, candidate, most, slice, deadline);
+    }
+  }
+
+  /// The fewest colours of an order, up to `most`: by halving, a slice of time for each
+  /// question. What is not answered in time counts as no, but is not remembered so.
+  void halve(ColouringSearch& search, Candidate& candidate, int most, double slice,
+             const Deadline& deadline) {
+    int low = candidate.least();
+    int high = std::min(most, std::max(low, kFirstColours));
+    // More and more until so many do, then halve.
+    while (high < most &&
+           ask(search, candidate, high, slice, deadline, Hint::random) != Answered::yes) {
+      if (given_up(search, candidate) || deadline.passed()) return;
+      low = high + 1;
+      high = std::min(most, 4 * high);
+    }
+    while (low <= high && !deadline.passed()) {
+      const int k = best_ == 0 || high == most ? high : low + (high - low) / 2;
+      if (ask(search, candidate, k, slice, deadline, Hint::random) == Answered::yes) {
+        high = k - 1;
+        most = kMaxColours;  // from now on in halves
+      } else {
+        if (given_up(search, candidate) || k == most) return;
+        low = k + 1;
       }
     }
   }
 
-  /// No more colours than this are of interest now.
-  int most_wanted() const {
-    if (best_ == 0) return options_.most_colours;
-    return options_.fewest == Fewest::rules ? std::min(options_.most_colours, best_ + 8)
-                                            : best_ - (solutions_.size() < 8 ? 0 : 1);
+  /// Other solutions with as many colours: the more regular, the fewer rules.
+  void gather(double until) {
+    const Deadline deadline = share(until);
+    const bool large = frames_.front()->orbits.size() > kManyOrbits;
+    const int more = options_.fewest == Fewest::rules || large ? kMoreColours : 0;
+    for (Candidate& candidate : candidates_) {
+      if (best_ == 0 || solutions_.size() >= kMostSolutions) return;
+      if (candidate.least() > best_ + more) continue;
+      const Schedule schedule = schedule_of(candidate);
+      ColouringSearch search(schedule, named_);
+      for (int k = std::max(best_, candidate.least());
+           k <= std::min(best_ + more, options_.most_colours); k += large ? 2 : 1) {
+        for (const Hint hint : {Hint::depth, Hint::uniform, Hint::distance}) {
+          if (deadline.passed()) return;
+          const double slice = kSliceOfSuccess * fastest_;
+          if (ask(search, candidate, k, slice, deadline, hint) != Answered::yes) break;
+        }
+      }
+    }
   }
 
-  void try_candidate(Candidate& candidate, double slice, const Deadline& deadline) {
-    if (solutions_.size() >= kMostSolutions) return;
+  Schedule schedule_of(const Candidate& candidate) const {
     const Frame& frame = *frames_[candidate.frame];
     BadOrder bad;
-    const std::optional<Schedule> schedule =
-        make_schedule(frame, candidate.make(frame), bad, limits());
+    std::optional<Schedule> schedule = make_schedule(frame, candidate.make(frame), bad, limits());
     assert(schedule);
-    ColouringSearch search(*schedule, named_);
-    Colouring colours;
-    for (int k = std::max(candidate.at_least, candidate.refuted + 1); k <= most_wanted(); ++k) {
-      if (deadline.passed()) return;
-      ColouringLimits limits{deadline.within(slice), {}};
-      limits.progress = [&](int n, int rounds) {
-        tell(0, fmt::format("{}: {} colours, round {}", schedule->order.name, n, rounds));
-      };
-      const Answered answered = search.colour(k, limits, colours);
-      if (answered == Answered::no) candidate.refuted = k;
-      if (answered == Answered::yes) {
-        keep(candidate, *schedule, colours, k);
-        return;
-      }
-      if (search.differences().hopeless()) {
-        candidate.at_least = kMaxColours + 1;
-        if (!hopeless_) {
-          hopeless_ = describe_look_alikes(*schedule, *search.differences().hopeless(), target_);
-        }
-        return;
-      }
+    return std::move(*schedule);
+  }
+
+  /// One question to the solver.
+  Answered ask(ColouringSearch& search, Candidate& candidate, int k, double slice,
+               const Deadline& deadline, Hint hint) {
+    const Schedule& schedule = search.differences().schedule();
+    ColouringLimits limits{deadline.within(slice), {}};
+    limits.progress = [&](int n, int rounds) {
+      tell(0, fmt::format("{}: {} colours, round {}", schedule.order.name, n, rounds));
+    };
+    const auto began = std::chrono::steady_clock::now();
+    Colouring colours = hint_of(*schedule.frame, hint, k);
+    const Answered answered = search.colour(k, limits, colours);
+    if (answered == Answered::no) candidate.refuted = std::max(candidate.refuted, k);
+    if (answered == Answered::yes) {
+      keep(candidate, schedule, colours, k);
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+      fastest_ = fastest_ == 0 ? took.count() : std::min(fastest_, took.count());
     }
+    return answered;
+  }
+
+  /// Has it turned out that no colours do for this order?
+  bool given_up(const ColouringSearch& search, Candidate& candidate) {
+    if (!search.differences().hopeless()) return false;
+    candidate.refuted = kMaxColours;
+    if (!hopeless_) {
+      hopeless_ = describe_look_alikes(search.differences().schedule(),
+                                       *search.differences().hopeless(), target_);
+    }
+    return true;
   }
 
   void keep(Candidate& candidate, const Schedule& schedule, const Colouring& colours, int k) {
@@ -172,30 +301,34 @@ class Synthesiser {
     solution.order = schedule.order;
     solution.colours = colours;
     solution.colour_count = k;
-    solution.fewer_refuted = candidate.refuted == k - 1 || candidate.at_least == k;
+    solution.fewer_refuted = candidate.least() == k;
     solution.exact_rules = exact_rules(schedule, colours).size();
     if (best_ == 0 || k < best_) best_ = k;
-    candidate.at_least = std::max(candidate.at_least, k);
     solutions_.push_back(std::move(solution));
   }
 
-  /// Rules for the most promising solutions of each number of colours.
+  /// Rules for the most promising solutions of each number of colours; then, for the
+  /// one that is best, as few as can be had in the time that is left.
   void finish() {
     std::stable_sort(solutions_.begin(), solutions_.end(), [](const auto& a, const auto& b) {
-      return std::pair(a.colour_count, a.exact_rules) < std::pair(b.colour_count, b.exact_rules);
+      return std::tuple(a.exact_rules > kMostRules, a.colour_count, a.exact_rules) <
+             std::tuple(b.exact_rules > kMostRules, b.colour_count, b.exact_rules);
     });
+    const Deadline many = share(kMergingMany),
+                   quick = many.within(options_.seconds * kMergingQuick);
     std::map<int, int> merged;
     std::vector<Solution> done;
     for (Solution& solution : solutions_) {
-      if (!done.empty() && (whole_.passed() || merged[solution.colour_count] >= 3)) continue;
+      const bool enough = merged[solution.colour_count] >= kMergedOfEach && quick.passed();
+      if (!done.empty() && (many.passed() || enough)) continue;
       ++merged[solution.colour_count];
       tell(0.9, fmt::format("{} colours: merging {} exact rules", solution.colour_count,
                             solution.exact_rules));
-      make_rules(solution);
+      make_rules(solution, 1);
       done.push_back(std::move(solution));
     }
     choose(std::move(done));
-    if (result_.best) return;
+    if (result_.best) return make_rules(*result_.best, kRestarts);
     if (candidates_.empty() && hopeless_) {
       result_.impossible = std::move(hopeless_);
     } else {
@@ -203,7 +336,7 @@ class Synthesiser {
     }
   }
 
-  void make_rules(Solution& solution) {
+  void make_rules(Solution& solution, int restarts) {
     BadOrder bad;
     const std::optional<Schedule> schedule =
         make_schedule(*solution.frame, solution.order, bad, limits());
@@ -211,8 +344,8 @@ class Synthesiser {
     const auto exact = exact_rules(*schedule, solution.colours);
     if (options_.merge) {
       const auto views = local_views(*schedule, solution.colours);
-      solution.rules = merge_rules(*solution.frame, solution.colour_count, exact, views, kRestarts,
-                                   whole_.within(options_.seconds * 0.1));
+      solution.rules =
+          merge_rules(*solution.frame, solution.colour_count, exact, views, restarts, whole_);
     } else {
       solution.rules = as_patterns(*solution.frame, exact);
     }
@@ -226,6 +359,8 @@ class Synthesiser {
     const auto better = [&](const Solution& a, const Solution& b) {
       const std::pair ka(static_cast<std::size_t>(a.colour_count), a.rules.size());
       const std::pair kb(static_cast<std::size_t>(b.colour_count), b.rules.size());
+      const bool a_large = a.rules.size() > kMostRules, b_large = b.rules.size() > kMostRules;
+      if (a_large != b_large) return b_large;
       if (options_.fewest == Fewest::colours) return ka < kb;
       return std::pair(ka.second, ka.first) < std::pair(kb.second, kb.first);
     };
@@ -245,17 +380,15 @@ class Synthesiser {
 
   void explain_failure() {
     const bool all_refuted =
-        std::all_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) {
-          return c.at_least > options_.most_colours || c.refuted >= options_.most_colours;
-        });
+        std::all_of(candidates_.begin(), candidates_.end(),
+                    [&](const Candidate& c) { return c.least() > options_.most_colours; });
     if (!all_refuted) {
       result_.out_of_time = true;
     } else if (hopeless_) {
       result_.impossible = std::move(hopeless_);
     } else {
       int least = kMaxColours;
-      for (const Candidate& c : candidates_)
-        least = std::min(least, std::max(c.at_least, c.refuted + 1));
+      for (const Candidate& c : candidates_) least = std::min(least, c.least());
       result_.impossible = describe_few_colours(options_.most_colours, least, result_.orders_tried);
     }
   }
@@ -264,11 +397,13 @@ class Synthesiser {
   const SynthesisOptions& options_;
   const SynthesisHooks& hooks_;
   int named_;
+  std::chrono::steady_clock::time_point began_;
   Deadline whole_;
   std::vector<std::shared_ptr<const Frame>> frames_;
   std::vector<Candidate> candidates_;
   std::vector<Solution> solutions_;
-  int best_ = 0;
+  int best_ = 0;        ///< fewest colours so far; 0: none
+  double fastest_ = 0;  ///< seconds of the quickest solution; 0: none
   std::optional<Impossible> hopeless_;
   Synthesis result_;
 };

@@ -125,6 +125,7 @@ TEST_CASE("no row of the prototype's table is better in colours or rules") {
     SynthesisOptions options;
     options.symmetry = row.symmetry;
     options.start = {row.start};
+    options.seconds = 5;
     const Synthesis result = synthesise(row.target, options);
     REQUIRE(result.best);
     CHECK(result.best->colour_count <= row.colours);

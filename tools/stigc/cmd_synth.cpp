@@ -9,14 +9,17 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
+#include "certify/certificate.h"
 #include "commands.h"
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
 #include "rules/rule_printer.h"
+#include "rules/rule_reader.h"
 #include "structure_input.h"
 #include "synthesis/emit.h"
 #include "synthesis/synthesise.h"
+#include "verify/verify.h"
 
 namespace stig {
 namespace {
@@ -81,12 +84,20 @@ Json point_json(const Solution& s) {
           {"order", s.order.name}};
 }
 
-Json to_json(const SynthOptions& options, const Synthesis& result,
-             const std::vector<std::string>& written) {
+/// What came of it, besides the synthesis itself.
+struct Outcome {
+  VerifyResult proof;
+  std::vector<std::string> written;
+};
+
+Json to_json(const SynthOptions& options, const Synthesis& result, const Outcome& outcome) {
   Json json{{"target", options.target}};
   if (result.best) {
     const Solution& s = *result.best;
     json["verdict"] = "compiled";
+    json["proof"] = to_string(outcome.proof.verdict);
+    json["method"] = to_string(outcome.proof.method);
+    json["local_states"] = outcome.proof.local_states;
     json["bricks"] = s.frame->cells.size();
     json.update(point_json(s));
     json["start"] = Json::array();
@@ -106,11 +117,11 @@ Json to_json(const SynthOptions& options, const Synthesis& result,
   }
   json["orders_tried"] = result.orders_tried;
   json["seconds"] = result.seconds;
-  if (!written.empty()) json["written"] = written;
+  if (!outcome.written.empty()) json["written"] = outcome.written;
   return json;
 }
 
-std::string summary(const Synthesis& result) {
+std::string summary(const Synthesis& result, const VerifyResult& proof) {
   const Solution& s = *result.best;
   std::string out = line("bricks", fmt::format("{}", s.frame->cells.size()));
   out +=
@@ -120,6 +131,10 @@ std::string summary(const Synthesis& result) {
                                                       : ", perhaps not the fewest for this order"));
   out += line("rules", fmt::format("{}, merged from {} exact ones", s.rules.size(), s.exact_rules));
   out += line("order", fmt::format("{} (of {} tried)", s.order.name, result.orders_tried));
+  out += line("proof", proof.verdict == ProofVerdict::proved
+                           ? fmt::format("every order of events builds it ({} local states)",
+                                         proof.local_states)
+                           : fmt::format("stigc verify says {}", to_string(proof.verdict)));
   for (const Solution& other : result.others) {
     out += line("or", fmt::format("{} colours and {} rules: {}", other.colour_count,
                                   other.rules.size(), other.order.name));
@@ -173,23 +188,51 @@ int write_proof(const SynthOptions& options, const Target& target, const Solutio
   return kOk;
 }
 
+/// Writes one file and remembers it; returns an exit code.
+int write_one(const std::string& path, const std::string& bytes, const App& app,
+              std::vector<std::string>& written) {
+  FileError error;
+  if (!write_file(path, bytes, error)) {
+    app.complain(error.message);
+    return kRunFailed;
+  }
+  written.push_back(path);
+  return kOk;
+}
+
+/// Rules, certificate and proof, proved once more by the verifier; returns an exit code.
 int write_results(const SynthOptions& options, const Target& target, const Synthesis& result,
-                  App& app, std::vector<std::string>& written) {
+                  App& app, Outcome& outcome) {
   const Solution& s = *result.best;
   const RuleSet rules = make_rule_set(*s.frame, s.colours, s.colour_count, target.bricks, s.rules,
                                       wording(options, s));
+  VerifyOptions verifying;
+  verifying.stop = &stop_requested();
+  outcome.proof = verify(rules, verifying);
   const std::string text = print_rule_set(rules);
+  if (text.size() > kMaxRuleFileBytes) {
+    app.say(
+        fmt::format("the rule set takes {} bytes, more than rule files may have; --fewest "
+                    "rules or a symmetry makes it smaller",
+                    text.size()));
+  }
+  int code = kOk;
   if (options.output) {
-    FileError error;
-    if (!write_file(*options.output, text, error)) {
-      app.complain(error.message);
-      return kRunFailed;
-    }
-    written.push_back(*options.output);
+    code = write_one(*options.output, text, app, outcome.written);
   } else if (!options.json) {
     app.print(text);
   }
-  return options.proof ? write_proof(options, target, s, app, written) : kOk;
+  if (code == kOk && options.certificate) {
+    if (outcome.proof.certificate) {
+      code = write_one(*options.certificate, print_certificate(*outcome.proof.certificate), app,
+                       outcome.written);
+    } else {
+      app.complain("there is no certificate: " + outcome.proof.open);
+      code = kRunFailed;
+    }
+  }
+  if (code == kOk && options.proof) code = write_proof(options, target, s, app, outcome.written);
+  return code;
 }
 
 SynthesisOptions synthesis_options(const SynthOptions& options) {
@@ -222,19 +265,19 @@ int run(const SynthOptions& options, App& app) {
   hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
   const Synthesis result = synthesise(target, synthesis_options(options), hooks);
   progress.clear();
-  std::vector<std::string> written;
+  Outcome outcome;
   int code = kRunFailed;
   if (result.best) {
-    code = write_results(options, target, result, app, written);
-    if (options.output && !options.json) app.print(summary(result));
-    if (!options.output && !options.json) app.say(summary(result));
+    code = write_results(options, target, result, app, outcome);
+    if (options.output && !options.json) app.print(summary(result, outcome.proof));
+    if (!options.output && !options.json) app.say(summary(result, outcome.proof));
   } else if (result.impossible) {
     code = kFailed;
     if (!options.json) app.print(reason(*result.impossible, app.color_out()));
   } else if (!options.json) {
     app.complain("no rule set was found within the budget; --budget gives it more time");
   }
-  if (options.json) app.print(dump(to_json(options, result, written)));
+  if (options.json) app.print(dump(to_json(options, result, outcome)));
   return code;
 }
 

@@ -362,6 +362,9 @@ void add_synth(CLI::App& app, SynthOptions& o) {
   add_synth_search(sub, o);
   sub->add_option("-o,--output", o.output, "the rule set (default: standard output)")
       ->type_name("FILE");
+  sub->add_option("--certificate", o.certificate,
+                  "why every order of events builds it, for stigc certify")
+      ->type_name("FILE");
   sub->add_option("--proof", o.proof,
                   "folder for the proof that one colour fewer does not do under this order")
       ->type_name("FOLDER");

@@ -139,6 +139,7 @@ struct SynthOptions {
   bool exact = false;  ///< no merging
   double seconds = 20;
   std::optional<std::string> output;
+  std::optional<std::string> certificate;
   std::optional<std::string> proof;
   bool json = false;
 };
