@@ -83,6 +83,21 @@ void ActingRules::candidates(const Outlook& site, int stage, std::vector<Candida
   }
 }
 
+NeighbourSet ActingRules::asked_about(const Outlook& site,
+                                      const std::vector<Candidate>& candidates) const {
+  NeighbourSet asked = 0;
+  for (const Candidate& candidate : candidates) {
+    asked |= candidate.there | candidate.not_there;
+    for (const CountCondition& count : rules_.rules[candidate.rule].counts) {
+      for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size); ++i) {
+        if (count.of.contains(kEmpty) == count.of.contains(site.shows[i])) continue;
+        if (!count.faces_only || neighbours_.is_face[i]) asked |= NeighbourSet{1} << i;
+      }
+    }
+  }
+  return asked & site.open;
+}
+
 bool ActingRules::counts_hold(const Rule& rule, const Outlook& site, NeighbourSet there) const {
   return std::all_of(rule.counts.begin(), rule.counts.end(), [&](const CountCondition& count) {
     int number = 0;

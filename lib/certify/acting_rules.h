@@ -48,6 +48,8 @@ class ActingRules {
   explicit ActingRules(const RuleSet& rules);
   /// By rising rule. `out` is cleared.
   void candidates(const Outlook& site, int stage, std::vector<Candidate>& out) const;
+  /// The open neighbours that make a difference to some candidate.
+  NeighbourSet asked_about(const Outlook& site, const std::vector<Candidate>& candidates) const;
   /// What rules do at the site when of its open neighbours just these are there. Beside
   /// no brick at all there is no event, whatever a rule says.
   Action act(const Outlook& site, const std::vector<Candidate>& candidates, NeighbourSet there,

@@ -11,7 +11,10 @@
 //   limit     a stage with a number of deposits has no more than that
 //
 // "Ever" means: for every set of neighbours of the site, bricks of this stage, that the
-// claims of the certificate do not rule out: the site's local states.
+// claims of the certificate do not rule out: the site's local states. Neighbours that no
+// rule asks about are left out of these sets. Where there are very many, and rules are
+// patterns alone, one look at each rule does: the least set in which it matches is what it
+// asks for and what comes before that.
 #pragma once
 
 #include <string>
@@ -87,6 +90,7 @@ class StageCheck {
   bool check_group_brick(const Site& site);
   bool check_context_brick(const Site& site, const Member& own);
   bool check_local_states(const Site& site);
+  bool check_least_states(const Site& site);
   bool check_run(const Site& site);
   static NeighbourSet seen_in_run(const Site& site);
   // Local states: the sets of open neighbours that can be there while the site is empty.
@@ -97,6 +101,10 @@ class StageCheck {
   std::vector<NeighbourSet> projections(const Site& site, std::uint32_t window,
                                         bool group_alone) const;
   bool add_closed_sets(const Site& site);
+  /// Fills in below_; returns the neighbours that come only after the site's own brick.
+  NeighbourSet order_locals(const Site& site);
+  /// With all that must be there before these.
+  NeighbourSet closed(const Site& site, NeighbourSet there) const;
   /// Where the site sees this brick; empty: nowhere.
   static NeighbourSet bricks_at(const Site& site, std::uint32_t position);
 
@@ -118,7 +126,9 @@ class StageCheck {
   std::vector<std::vector<Member>> members_;         ///< windows it is in; a group's alone
   std::vector<std::vector<bool>> leads_on_;          ///< [window][filling]: its group can grow
   bool spent_ = false;                ///< the stage ends with its last brick, whatever rules say
-  std::vector<NeighbourSet> states_;  ///< the present site's local states
+  std::vector<NeighbourSet> states_;  ///< the present site's local states, of what matters
+  NeighbourSet matters_ = 0;          ///< its neighbours that rules ask about
+  std::vector<NeighbourSet> below_;   ///< by local: all that must be there before it
   std::uint64_t sites_ = 0, local_states_ = 0;
   std::string refusal_;
 };

@@ -11,7 +11,7 @@
 namespace stig {
 namespace {
 
-constexpr std::size_t kMostLocalStates = std::size_t{1} << 20;
+constexpr std::size_t kMostLocalStates = std::size_t{1} << 16;
 
 template <class Seen>
 NeighbourSet projection(const Filling& filling, const Seen& seen) {
@@ -94,7 +94,9 @@ void StageCheck::look(std::uint32_t cell, Site& site) const {
 bool StageCheck::check_site(const Site& site) {
   if (site.colour == 0 && site.candidates.empty()) return true;
   if (in_group(site.position)) return check_group_brick(site);
-  if (!list_local_states(site) || !check_local_states(site)) return false;
+  if (list_local_states(site) ? !check_local_states(site) : !check_least_states(site)) {
+    return false;
+  }
   if (site.position == kNone) return true;
   const std::vector<Member>& windows = members_[site.position];
   return std::all_of(windows.begin(), windows.end(),
@@ -120,13 +122,16 @@ bool StageCheck::check_run(const Site& site) {
 bool StageCheck::check_local_states(const Site& site) {
   const bool brick = site.position != kNone;
   if (brick && !check_run(site)) return false;
-  const NeighbourSet run = brick ? seen_in_run(site) : 0;
+  const NeighbourSet run = brick ? seen_in_run(site) & matters_ : 0;
+  // What no rule asks about may be there and make the site one beside a brick.
+  Outlook outlook = site.outlook;
+  outlook.beside_brick = outlook.beside_brick || (outlook.open & ~matters_) != 0;
   const NeighbourSet before = brick ? stage_.order[site.position].before : 0;
   local_states_ += states_.size();
   for (const NeighbourSet there : states_) {
-    const Action action = acting_.act(site.outlook, site.candidates, there, site.colour);
+    const Action action = acting_.act(outlook, site.candidates, there, site.colour);
     if (action.other) return refuse_rule(site, action.rule);
-    if (action.acts && (before & ~there) != 0) {
+    if (action.acts && (before & ~closed(site, there)) != 0) {
       return refuse(
           fmt::format("the rule {} can place the brick at {} when a brick that should "
                       "be there before it is not",
@@ -140,6 +145,37 @@ bool StageCheck::check_local_states(const Site& site) {
     }
   }
   return true;
+}
+
+/// For a site of whose local states there are too many to list.
+bool StageCheck::check_least_states(const Site& site) {
+  const bool brick = site.position != kNone;
+  const bool groups = std::any_of(site.locals.begin(), site.locals.end(),
+                                  [&](const Local& local) { return in_group(local.position); });
+  const bool counts =
+      std::any_of(site.candidates.begin(), site.candidates.end(),
+                  [&](const Candidate& c) { return !rules_.rules[c.rule].counts.empty(); });
+  if (groups || counts || rules_.conflicts == Conflicts::first) return refuse_too_many(site);
+  if (brick && !check_run(site)) return false;
+  const NeighbourSet never = order_locals(site);
+  const NeighbourSet run = brick ? seen_in_run(site) : 0;
+  const NeighbourSet before = brick ? stage_.order[site.position].before : 0;
+  bool stays = !brick;
+  for (const Candidate& candidate : site.candidates) {
+    ++local_states_;
+    const NeighbourSet least = closed(site, candidate.there);
+    if ((least & (candidate.not_there | never)) != 0) continue;
+    if (rules_.rules[candidate.rule].place != site.colour) return refuse_rule(site, candidate.rule);
+    if ((before & ~least) != 0) {
+      return refuse(
+          fmt::format("the rule {} can place the brick at {} when a brick that should "
+                      "be there before it is not",
+                      in_quotes(rules_.rules[candidate.rule].name), cell_text(site.at)));
+    }
+    // It matches in the run's state, and nothing that it forbids can come.
+    stays = stays || ((candidate.there & ~run) == 0 && (candidate.not_there & ~never) == 0);
+  }
+  return stays || refuse_too_many(site);
 }
 
 bool StageCheck::check_group_brick(const Site& site) {
@@ -189,7 +225,14 @@ bool StageCheck::check_context_brick(const Site& site, const Member& own) {
 
 bool StageCheck::list_local_states(const Site& site) {
   const std::uint32_t window = window_around(site);
+  const NeighbourSet never = order_locals(site);
+  const NeighbourSet asked = acting_.asked_about(site.outlook, site.candidates) & ~never;
+  matters_ = 0;
+  for (const Local& local : site.locals) {
+    if ((local.at & asked) != 0) matters_ |= local.at;
+  }
   if (window == kNone) return add_closed_sets(site);
+  matters_ = site.outlook.open;
   states_ = projections(site, window, false);
   return true;
 }
@@ -237,8 +280,32 @@ std::vector<NeighbourSet> StageCheck::projections(const Site& site, std::uint32_
   return sets;
 }
 
-/// Sets that claims do not rule out: of each group something that a filling shows, and
-/// a brick only with those that come before it and not if the site's own does.
+/// By rising position, so what comes before a brick has had its turn.
+NeighbourSet StageCheck::order_locals(const Site& site) {
+  NeighbourSet never = 0;
+  below_.assign(site.locals.size(), 0);
+  for (std::size_t k = 0; k < site.locals.size(); ++k) {
+    const Local& local = site.locals[k];
+    for (const std::uint32_t earlier : earlier_[local.position]) {
+      if (earlier == site.position) never |= local.at;
+      below_[k] |= bricks_at(site, earlier);
+    }
+    below_[k] = closed(site, below_[k]);
+    if ((below_[k] & never) != 0) never |= local.at;
+  }
+  return never;
+}
+
+NeighbourSet StageCheck::closed(const Site& site, NeighbourSet there) const {
+  NeighbourSet all = there;
+  for (std::size_t k = 0; k < site.locals.size(); ++k) {
+    if ((site.locals[k].at & there) != 0) all |= below_[k];
+  }
+  return all;
+}
+
+/// False when there are too many. Sets that claims do not rule out: of each group something that a
+/// filling shows, and a brick only with those that come before it and not if the site's own does.
 bool StageCheck::add_closed_sets(const Site& site) {
   states_.assign(1, 0);
   std::vector<std::uint32_t> windows;
@@ -247,30 +314,25 @@ bool StageCheck::add_closed_sets(const Site& site) {
   }
   keep_each_once(windows);
   for (const std::uint32_t window : windows) {
-    const std::vector<NeighbourSet> parts = projections(site, window, true);
-    if (states_.size() * parts.size() > kMostLocalStates) return refuse_too_many(site);
+    std::vector<NeighbourSet> parts = projections(site, window, true);
+    for (NeighbourSet& part : parts) part &= matters_;
+    keep_each_once(parts);
+    if (states_.size() * parts.size() > kMostLocalStates) return false;
     std::vector<NeighbourSet> joined;
     for (const NeighbourSet there : states_) {
       for (const NeighbourSet part : parts) joined.push_back(there | part);
     }
     states_ = std::move(joined);
   }
-  // By rising position, so what comes before a brick has had its turn.
-  NeighbourSet never = 0;
-  for (const Local& local : site.locals) {
-    if (in_group(local.position)) continue;
-    NeighbourSet before = 0;
-    for (const std::uint32_t earlier : earlier_[local.position]) {
-      if (earlier == site.position) never |= local.at;
-      before |= bricks_at(site, earlier);
-    }
-    if ((before & never) != 0) never |= local.at;
-    if ((never & local.at) != 0) continue;
+  for (std::size_t k = 0; k < site.locals.size(); ++k) {
+    const Local& local = site.locals[k];
+    if (in_group(local.position) || (local.at & matters_) == 0) continue;
+    const NeighbourSet before = below_[k] & matters_;
     const std::size_t without = states_.size();
     for (std::size_t i = 0; i < without; ++i) {
       if ((before & ~states_[i]) == 0) states_.push_back(states_[i] | local.at);
     }
-    if (states_.size() > kMostLocalStates) return refuse_too_many(site);
+    if (states_.size() > kMostLocalStates) return false;
   }
   return true;
 }

@@ -112,8 +112,10 @@ ReplayReport rerun(const Trace& trace, const RuleSet& rules, const SwarmHooks& o
 bool open_at(World& world, const Deposit& event) {
   std::vector<Match> matches;
   do {
-    if (world.placeable(event.site) && world.at(event.site) == kEmpty) {
+    if (world.is_site(event.site)) {
       world.rules().matches(world.view(event.site), event.site.z, world.stage(), matches);
+      const bool first_acts = world.rules().conflicts() == Conflicts::first;
+      if (first_acts && matches.size() > 1) matches.resize(1);
       const bool found = std::find(matches.begin(), matches.end(), event.match) != matches.end() &&
                          world.rules().place(event.match.rule) == event.colour;
       if (found && !world.stage_spent()) return true;

@@ -44,6 +44,13 @@ View World::view(Cell site) const {
   return view;
 }
 
+bool World::is_site(Cell site) const {
+  if (!placeable(site) || at(site) != kEmpty) return false;
+  const View seen = view(site);
+  return std::any_of(seen.at.begin(), seen.at.begin() + static_cast<std::ptrdiff_t>(size_),
+                     is_brick);
+}
+
 bool World::wraps_near(Cell cell) const {
   if (!box_ || !box_->periodic) return false;
   const Offset from_low = cell - box_->low;

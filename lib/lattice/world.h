@@ -30,6 +30,8 @@ class World {
   Cell wrap(Cell site) const { return box_ ? box_->wrap(site) : site; }
   State at(Cell cell) const;
   View view(Cell site) const;
+  /// Can there be an event: empty, placeable, beside a brick?
+  bool is_site(Cell site) const;
 
   /// Places a brick and calls site(neighbour, view) for every empty, placeable neighbour
   /// to which the new brick can make a difference. Counts the deposit towards the stage's limit.

@@ -186,6 +186,12 @@ RuleTable::RuleTable(const RuleSet& rules)
              !actions_[entry.source.rule].counts.empty();
     });
   }
+  // Rules act beside bricks: for one that asks for none, any brick makes the difference.
+  const bool asks_for_none = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
+    return std::all_of(entry.pattern.allowed.begin(), entry.pattern.allowed.begin() + size_,
+                       [](StateSet s) { return s.contains(kEmpty) || s.contains(kFloor); });
+  });
+  if (asks_for_none) sees_.fill(true);
   for (const auto& [stage, limit] : rules.stages) {
     if (stage >= 1 && stage <= stage_count_) stage_limits_[static_cast<std::size_t>(stage)] = limit;
   }

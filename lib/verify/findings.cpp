@@ -5,8 +5,8 @@
 #include <chrono>
 #include <set>
 
-#include "lattice/cell_map.h"
 #include "lattice/firing_graph.h"
+#include "lattice/world.h"
 #include "verify/reachability.h"
 #include "verify/repair.h"
 #include "verify/rule_use.h"
@@ -63,26 +63,35 @@ void find_redundant(const RuleSet& rules, const VerifyOptions& options, const Ve
   }
 }
 
-Parallelism parallelism_of(const Certificate& certificate, const RuleSet& rules,
-                           const std::optional<Box>& box) {
-  const Neighbourhood& n = neighbourhood(rules.lattice);
+/// All open sites at once, as far as they do not close each other; then again.
+Parallelism parallelism_of(const RuleSet& rules, const std::optional<Box>& box) {
   Parallelism out;
-  for (const CertifiedStage& stage : certificate.stages) {
-    CellMap<std::uint32_t> round(0);  // 1-based within the stage
-    std::vector<std::uint64_t> rounds;
-    for (const CertifiedBrick& brick : stage.order) {
-      std::uint32_t last = 0;
-      for (int i = 0; i < n.size; ++i) {
-        if ((brick.before >> i & 1U) == 0) continue;
-        const Cell cell = brick.at + n.offsets[static_cast<std::size_t>(i)];
-        last = std::max(last, round.at(box ? box->wrap(cell) : cell));
+  const RuleTable table(rules);
+  World world(table, rules.start, box);
+  do {
+    std::vector<Cell> open = world.enabled_sites();
+    while (!open.empty() && !world.stage_spent()) {
+      std::uint64_t placed = 0;
+      std::vector<Cell> next;
+      for (const Cell site : open) {
+        if (world.stage_spent() || world.at(site) != kEmpty) continue;
+        const View view = world.view(site);
+        std::vector<Match> matches;
+        table.matches(view, site.z, world.stage(), matches);
+        if (matches.empty()) continue;
+        world.deposit(site, table.place(matches.front().rule),
+                      [&](Cell beside, const View&) { next.push_back(beside); });
+        ++placed;
       }
-      round[brick.at] = last + 1;
-      if (rounds.size() <= last) rounds.push_back(0);
-      ++rounds[last];
+      out.rounds.push_back(placed);
+      std::sort(next.begin(), next.end());
+      next.erase(std::unique(next.begin(), next.end()), next.end());
+      std::erase_if(next, [&](Cell site) {
+        return world.at(site) != kEmpty || !table.enabled(world.view(site), site.z, world.stage());
+      });
+      open = std::move(next);
     }
-    out.rounds.insert(out.rounds.end(), rounds.begin(), rounds.end());
-  }
+  } while (world.next_stage());
   return out;
 }
 
@@ -119,7 +128,7 @@ Findings find_more(const RuleSet& rules, const VerifyOptions& options, const Ver
     const RuleUse use = use_of_rules(rules, options, result);
     findings.dead = use.dead;
     findings.blocking = use.blocking;
-    findings.parallelism = parallelism_of(*result.certificate, rules, options.box);
+    findings.parallelism = parallelism_of(rules, options.box);
     find_walled_in(rules, options, result, findings);
     find_redundant(rules, options, result, clock, findings);
   }

@@ -11,10 +11,10 @@
 
 namespace stig {
 
-/// How much of the work can be done at once, from the order that a proof found: each brick
-/// waits for the ones that are always before it.
+/// How much of the work can be done at once: in each round a brick is placed in every site
+/// that is open when it begins and still when its turn comes.
 struct Parallelism {
-  std::vector<std::uint64_t> rounds;  ///< bricks that can be placed in each round
+  std::vector<std::uint64_t> rounds;  ///< bricks of each round
   std::uint64_t widest() const;
   double mean() const;
 };

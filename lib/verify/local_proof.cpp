@@ -106,6 +106,8 @@ class SiteChecker {
       return std::any_of(site_.rules.begin(), site_.rules.end(),
                          [&](const LocalRule& rule) { return right(rule) && rule.matches(state); });
     };
+    // The checker lists these states together with all others; it has to be able to.
+    if (count_states() >= kMostLocalStates) return fail(LocalFailure::Kind::too_many, 0);
     visit(matters & ~order_.after & ~run_, [&](Mask more) {
       if (!open(run_ | more)) fail(LocalFailure::Kind::stuck, (run_ | more) & seen_);
       return !result_.failure;
@@ -124,7 +126,8 @@ class SiteChecker {
       return true;
     };
     visit(seen_ & ~order_.after, [&](Mask state) {
-      if (fits(state)) judge(state);
+      // Bricks that do not matter to the rules may be there all the same.
+      if (fits(state)) judge(state, true);
       return !result_.failure;
     });
   }
@@ -132,13 +135,13 @@ class SiteChecker {
   void check_by_window(const Window& window) {
     const auto number = static_cast<std::uint32_t>(&window - invariant_.windows.data());
     std::vector<Mask> states = projections(number, site_.bricks);
-    for (const Mask state : states) judge(state);
+    for (const Mask state : states) judge(state, site_.beside);
   }
 
   /// What a state that may occur allows.
-  void judge(Mask state) {
+  void judge(Mask state, bool beside) {
     ++result_.states;
-    const std::uint64_t placed = colours_placed(model_, site_, state);
+    const std::uint64_t placed = colours_placed(model_, site_, state, beside);
     const std::uint64_t wanted = site_.colour == 0 ? 0 : std::uint64_t{1} << site_.colour;
     if ((placed & ~wanted) != 0) return fail(LocalFailure::Kind::wrong, state);
     if (placed != 0) result_.before &= order_.closed(state);

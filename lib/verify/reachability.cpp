@@ -177,7 +177,7 @@ class Reachability {
     const StageRun run = run_stage(world, config, budget);
     order.insert(order.end(), run.deposits.begin(), run.deposits.end());
     for (std::size_t i = 0; i < order.size(); ++i) order[i].step = i + 1;
-    if (world.at(site) != kEmpty || !table.enabled(world.view(site), site.z, world.stage())) {
+    if (!world.is_site(site) || !table.enabled(world.view(site), site.z, world.stage())) {
       return false;
     }
     if (outside(world.structure(), region_)[region_.index(site)]) return false;

@@ -109,7 +109,7 @@ class Explainer {
   }
 
   bool allows(const World& world, const Deposit& deposit) const {
-    if (!world.placeable(deposit.site) || world.at(deposit.site) != kEmpty) return false;
+    if (!world.is_site(deposit.site)) return false;
     std::vector<Match> matches;
     table_.matches(world.view(deposit.site), deposit.site.z, world.stage(), matches);
     if (rules_.conflicts == Conflicts::first && matches.size() > 1) matches.resize(1);

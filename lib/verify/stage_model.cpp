@@ -140,9 +140,9 @@ LocalRule StageModel::local_rule(const Entry& entry, const Site& site, const Vie
   return rule;
 }
 
-std::uint64_t colours_placed(const StageModel& model, const Site& site, Mask state) {
+std::uint64_t colours_placed(const StageModel& model, const Site& site, Mask state, bool beside) {
   std::uint64_t colours = 0;
-  if (!site.beside && state == 0) return 0;  // rules act beside bricks alone
+  if (!beside && state == 0) return 0;
   for (const LocalRule& rule : site.rules) {
     if (!rule.matches(state)) continue;
     colours |= std::uint64_t{1} << rule.colour;

@@ -114,6 +114,7 @@ class StageModel {
 
 /// Colours that may be placed at a site in a local state, as a set of colours: under
 /// `conflicts: first` that of the first match, else those of all matches. Bit 0 is unused.
-std::uint64_t colours_placed(const StageModel& model, const Site& site, Mask state);
+/// Rules act beside bricks alone; `beside`: there is one, whatever the state says.
+std::uint64_t colours_placed(const StageModel& model, const Site& site, Mask state, bool beside);
 
 }  // namespace stig

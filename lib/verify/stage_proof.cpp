@@ -125,7 +125,7 @@ class StageProver {
 
   /// Deposits a brick if a rule that acts allows it.
   bool deposit(World& world, Cell site, std::uint64_t colours, std::vector<Deposit>& done) {
-    if (!world.placeable(site) || world.at(site) != kEmpty || world.stage_spent()) return false;
+    if (!world.is_site(site) || world.stage_spent()) return false;
     std::vector<Match> matches;
     world.rules().matches(world.view(site), site.z, world.stage(), matches);
     if (model_.first_acts() && matches.size() > 1) matches.resize(1);

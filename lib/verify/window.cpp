@@ -109,7 +109,8 @@ class Exploration {
       bool comes = std::all_of(cell.before.begin(), cell.before.end(),
                                [&](std::size_t at) { return window_.has(filling, at); });
       if (comes && cell.exact) {
-        const std::uint64_t placed = colours_placed(model_, cell.site, state(cell, filling));
+        const std::uint64_t placed =
+            colours_placed(model_, cell.site, state(cell, filling), cell.site.beside);
         if ((placed & ~(std::uint64_t{1} << cell.site.colour)) != 0 && in_group) {
           return WindowFailure{WindowFailure::Kind::wrong, filling, cell.site.number};
         }

@@ -339,6 +339,9 @@ TEST_CASE("too many local states are refused, not waited for") {
   // Nothing is known of the 25 bricks around the middle of a cube that stays empty there.
   RuleSet rules = small_set(east_of("1", "2"), "box: {size: [3, 3, 3], origin: [0, 0, 0]}\n");
   rules.rules[0].pattern = Pattern{};
+  CountCondition count;
+  count.of = StateSet::of(2);
+  rules.rules[0].counts.push_back(count);
   CertifiedStage stage;
   const Neighbourhood& n = neighbourhood(Lattice::cubic);
   for (const Offset offset : n.offsets) {
@@ -348,7 +351,7 @@ TEST_CASE("too many local states are refused, not waited for") {
   std::sort(stage.order.begin(), stage.order.end(),
             [](const CertifiedBrick& a, const CertifiedBrick& b) { return a.at < b.at; });
   CHECK(refusal(rules, {stage}) ==
-        "stage 1: the site (1, 1, 1) has more than 1048576 local states");
+        "stage 1: the site (1, 1, 1) has more than 65536 local states");
 }
 
 }  // namespace

@@ -17,8 +17,8 @@ TEST_CASE("help of the program and of every command") {
   const Workplace place;
   hold(place, "help", "stigc --help");
   for (const char* command :
-       {"check", "fmt", "explore", "explain", "test", "certify", "graph", "replay", "schema",
-        "measure", "draw", "synth", "completions", "doctor"}) {
+       {"check", "fmt", "explore", "explain", "test", "verify", "certify", "graph", "replay",
+        "schema", "measure", "draw", "synth", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
   }
 }
@@ -60,6 +60,22 @@ TEST_CASE("test says how each expectation stands and by what method") {
   hold(place, "test-wrong", "stigc test sets/wrong_expectation.yaml");
   hold(place, "test-budget", "stigc test --states 2 --samples 3 sets/line.yaml");
   hold(place, "test-json", "stigc test --json sets/line.yaml sets/wrong_expectation.yaml");
+}
+
+TEST_CASE("verify proves, refutes, or shows growth without end") {
+  const Workplace place;
+  hold(place, "verify-proved",
+       "stigc verify sets/line.yaml --certificate line.cert --witness line");
+  hold(place, "verify-refuted", "stigc verify sets/corner.yaml --witness corner");
+  hold(place, "verify-endless", "stigc verify sets/sheet.yaml --witness sheet");
+  hold(place, "verify-unknown", "stigc verify sets/sheet.yaml --box 9,9,1 --budget 0.000001");
+  hold(place, "verify-json",
+       "stigc verify sets/line.yaml --json | sed 's/\"seconds\": [0-9.e-]*/\"seconds\": S/'");
+  hold(place, "verify-refuted-json",
+       "stigc verify sets/corner.yaml --json | sed 's/\"seconds\": [0-9.e-]*/\"seconds\": S/'");
+  hold(place, "verify-replay",
+       "stigc verify -q sets/corner.yaml --witness c > /dev/null; stigc replay c-first.stigt; "
+       "stigc replay c-second.stigt");
 }
 
 TEST_CASE("certify accepts, or says what does not hold") {

@@ -54,8 +54,13 @@ class Maker {
     do {
       must = static_cast<std::size_t>(number(0, n.size - 1));
     } while (!n.is_face[must] && !one_in(4));
+    if (one_in(20)) return finish(stages, rule);  // it acts beside whatever there is
     rule.pattern.allowed[must] =
         one_in(3) ? StateSet::bricks(2) : StateSet::of(static_cast<State>(number(1, 2)));
+    return finish(stages, rule);
+  }
+
+  Rule finish(int stages, Rule rule) {
     if (one_in(6)) rule.height_min = number(0, 1);
     if (one_in(6)) rule.height_max = number(0, 2);
     if (one_in(6)) {

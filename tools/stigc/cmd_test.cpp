@@ -9,6 +9,7 @@
 #include "lattice/expectation.h"
 #include "progress.h"
 #include "report.h"
+#include "verify/verify.h"
 
 namespace stig {
 namespace {
@@ -88,6 +89,39 @@ std::string summary(std::size_t passed, std::size_t of, std::size_t without) {
   return text + "\n";
 }
 
+/// What samples and searches have left open, a proof may settle.
+void settle_by_proof(const RuleSet& rules, ExpectationReport& report) {
+  const auto open = [](const ExpectationItem& item) {
+    return item.standing == Standing::not_contradicted || item.standing == Standing::undecided;
+  };
+  if (std::none_of(report.items.begin(), report.items.end(), open) || !report.problem.empty()) {
+    return;
+  }
+  VerifyOptions options;
+  options.box = file_box(rules);
+  options.stop = &stop_requested();
+  const VerifyResult result = verify(rules, options);
+  const bool proved = result.verdict == ProofVerdict::proved;
+  const bool endless = result.verdict == ProofVerdict::endless;
+  for (ExpectationItem& item : report.items) {
+    if (!open(item) || (!proved && !endless)) continue;
+    if (item.key == "verdict") {
+      const Verdict expected = *rules.expect->verdict;
+      const Verdict found = proved ? Verdict::coordinated : Verdict::endless;
+      item.standing = expected == found ? Standing::held : Standing::failed;
+      item.found = to_string(found);
+    } else if (!proved) {
+      continue;  // every sampled order is as expected: some may end so
+    } else if (item.key == "bricks") {
+      const bool same = fmt::to_string(result.structure->size()) == item.expected;
+      item.standing = same ? Standing::held : Standing::failed;
+    } else if (item.standing == Standing::not_contradicted) {
+      item.standing = Standing::held;  // of the only end there is
+    }
+    item.method = "a proof";
+  }
+}
+
 }  // namespace
 
 int run(const TestOptions& options, App& app) {
@@ -111,6 +145,7 @@ int run(const TestOptions& options, App& app) {
     const std::optional<RuleSet> rules = app.read_rules(file);
     ExpectationReport report;
     if (rules) report = hold_to_expectation(*rules, limits, hooks);
+    if (rules && !report.interrupted) settle_by_proof(*rules, report);
     const int code = rules ? exit_code(report) : kFailed;
     progress.clear();
     if (rules && expects_nothing(report)) {

@@ -163,7 +163,7 @@ std::string findings_text(const VerifyReport& report) {
                             counted(static_cast<std::uint64_t>(f.level_count), "level", "levels")));
   }
   if (f.parallelism && !f.parallelism->rounds.empty()) {
-    out += line("parallel", fmt::format("{} at least, up to {} at once, {:.1f} on average",
+    out += line("parallel", fmt::format("{}, up to {} at once, {:.1f} on average",
                                         counted(f.parallelism->rounds.size(), "round", "rounds"),
                                         counted(f.parallelism->widest(), "brick", "bricks"),
                                         f.parallelism->mean()));
