@@ -13,6 +13,7 @@
 #include "base/random.h"
 #include "synthesis/check_rules.h"
 #include "synthesis/emit.h"
+#include "synthesis/order_search.h"
 #include "synthesis/proof_files.h"
 #include "synthesis/reasons.h"
 
@@ -32,6 +33,8 @@ constexpr double kSliceOfMaking = 20, kSliceOfSuccess = 10;
 constexpr int kFirstColours = 6;
 /// Looking for few rules, so many colours more than needed are tried.
 constexpr int kMoreColours = 4;
+/// Orders from which a search among orders begins.
+constexpr std::size_t kBeginnings = 24;
 /// Below this many orbits every order is tried.
 constexpr std::size_t kFewOrbits = 8, kMostOrders = 1000;
 constexpr std::size_t kManyOrbits = 1500;
@@ -151,6 +154,38 @@ class Synthesiser {
                      [](const auto& a, const auto& b) { return a.at_least < b.at_least; });
   }
 
+  /// Is every colour given, so that an order is right or wrong without a solver?
+  bool all_given() const {
+    return std::all_of(target_.colours.begin(), target_.colours.end(),
+                       [](StateSet colours) { return colours.is_single(); });
+  }
+
+  void search_for_orders(std::set<std::uint64_t>& seen) {
+    tell(0, "searching among orders");
+    for (std::size_t f = 0; f < frames_.size(); ++f) {
+      const double end = kLooking + (kDiscovering.back() - kLooking) * static_cast<double>(f + 1) /
+                                        static_cast<double>(frames_.size());
+      std::vector<Order> first;
+      for (const OrderPlan& plan : order_plans()) {
+        if (first.size() < kBeginnings) first.push_back(plan.make(*frames_[f]));
+      }
+      OrderSearch found = search_orders(*frames_[f], given_colours(f), first, share(end));
+      result_.orders_tried += found.tried;
+      if (found.order) {
+        look_at(
+            f, [order = *found.order](const Frame&) { return order; }, seen);
+      } else if (found.clash) {
+        hopeless_ = describe_look_alikes(*found.nearest, *found.clash, target_);
+      }
+    }
+  }
+
+  Colouring given_colours(std::size_t f) const {
+    Colouring colours;
+    for (const Orbit& orbit : frames_[f]->orbits) colours.push_back(orbit.colours.first());
+    return colours;
+  }
+
   void look_at(std::size_t f, const std::function<Order(const Frame&)>& make,
                std::set<std::uint64_t>& seen) {
     if (whole_.passed()) return;
@@ -161,6 +196,13 @@ class Synthesiser {
     ++result_.orders_tried;
     const ColouringSearch search(*schedule, named_);
     tell(0, fmt::format("{} orders looked at", result_.orders_tried));
+    if (all_given()) {
+      const auto clashes = find_clashes(*schedule, given_colours(f), 1, 1);
+      if (!clashes.empty()) {
+        if (!hopeless_) hopeless_ = describe_look_alikes(*schedule, clashes.front(), target_);
+        return;
+      }
+    }
     if (search.differences().hopeless()) {
       if (!hopeless_) {
         hopeless_ = describe_look_alikes(*schedule, *search.differences().hopeless(), target_);

@@ -136,6 +136,7 @@ struct SynthOptions {
   bool floor = false;
   Fewest fewest = Fewest::colours;
   std::optional<OrderFamily> family;
+  bool strict = false;  ///< no ties
   bool exact = false;  ///< no merging
   int scaffold = 0;    ///< cells that may be added
   double seconds = 20;
