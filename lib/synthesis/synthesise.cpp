@@ -22,7 +22,8 @@ namespace {
 
 /// When, in shares of the budget, each part of the search is to end. The rest is for
 /// merging.
-constexpr double kLooking = 0.15, kGathering = 0.5, kGatheringAgain = 0.75, kMergingMany = 0.85;
+constexpr double kLooking = 0.15, kLookingLarge = 0.05, kGathering = 0.5, kGatheringLarge = 0.6,
+                 kGatheringAgain = 0.75, kMergingMany = 0.85;
 constexpr std::array<double, 3> kDiscovering = {0.35, 0.6, 0.7};
 /// For one question to the solver, round by round …
 constexpr std::array<double, 3> kSlices = {0.02, 0.05, 0.15};
@@ -134,7 +135,7 @@ class Synthesiser {
 
   /// Which orders can be used at all, and the fewest colours each might do with.
   void look_at_orders() {
-    const Deadline looking = share(kLooking);
+    const Deadline looking = share(large() ? kLookingLarge : kLooking);
     std::set<std::uint64_t> seen;
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       if (frames_[f]->orbits.size() > kFewOrbits + 1 || options_.family) continue;
@@ -221,13 +222,15 @@ class Synthesiser {
 
   void colour() {
     discover(0);
-    gather(kGathering);
+    gather(large() ? kGatheringLarge : kGathering);
     const int before = best_;
-    // Large targets: the time is better spent on few rules than on the last colour.
-    if (frames_.front()->orbits.size() > kManyOrbits && best_ != 0) return;
+    if (large() && best_ != 0) return;
     for (std::size_t round = 1; round < kSlices.size(); ++round) discover(round);
     if (best_ != before) gather(kGatheringAgain);
   }
+
+  /// With large targets the time is better spent on few rules than on the last colour.
+  bool large() const { return frames_.front()->orbits.size() > kManyOrbits; }
 
   Deadline share(double share) const {
     return Deadline{began_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -237,17 +240,17 @@ class Synthesiser {
 
   /// Goes through the orders for fewer colours than any before has done with.
   void discover(std::size_t round) {
-    const Deadline deadline = share(kDiscovering[round]);
+    const Deadline deadline = share(large() && best_ == 0 ? kGathering : kDiscovering[round]);
     for (Candidate& candidate : candidates_) {
-      if (deadline.passed()) return;
+      if (deadline.passed() || (large() && best_ != 0)) return;
       const int most = best_ == 0 ? options_.most_colours : best_ - 1;
       if (candidate.least() > most) continue;
       const auto began = std::chrono::steady_clock::now();
       const Schedule schedule = schedule_of(candidate);
       ColouringSearch search(schedule, named_);
       const std::chrono::duration<double> making = std::chrono::steady_clock::now() - began;
-      const double slice =
-          std::max(kSlices[round] * options_.seconds, kSliceOfMaking * making.count());
+      const double slice = std::max(kSlices[large() ? 2 : round] * options_.seconds,
+                                    kSliceOfMaking * making.count());
       halve(search, candidate, most, slice, deadline);
     }
   }
@@ -270,6 +273,7 @@ class Synthesiser {
       if (ask(search, candidate, k, slice, deadline, Hint::random) == Answered::yes) {
         high = k - 1;
         most = kMaxColours;  // from now on in halves
+        if (large()) return;
       } else {
         if (given_up(search, candidate) || k == most) return;
         low = k + 1;
@@ -280,17 +284,17 @@ class Synthesiser {
   /// Other solutions with as many colours: the more regular, the fewer rules.
   void gather(double until) {
     const Deadline deadline = share(until);
-    const bool large = frames_.front()->orbits.size() > kManyOrbits;
-    const int more = options_.fewest == Fewest::rules || large ? kMoreColours : 0;
+    const int more = options_.fewest == Fewest::rules || large() ? kMoreColours : 0;
     for (Candidate& candidate : candidates_) {
       if (best_ == 0 || solutions_.size() >= kMostSolutions) return;
       if (candidate.least() > best_ + more) continue;
       const Schedule schedule = schedule_of(candidate);
       ColouringSearch search(schedule, named_);
-      for (int k = std::max(best_, candidate.least());
-           k <= std::min(best_ + more, options_.most_colours); k += large ? 2 : 1) {
-        for (const Hint hint : {Hint::depth, Hint::uniform, Hint::distance}) {
+      for (int k = std::max(best_ + (large() ? 2 : 0), candidate.least());
+           k <= std::min(best_ + more, options_.most_colours); k += large() ? 2 : 1) {
+        for (const Hint hint : {Hint::depth, Hint::distance, Hint::uniform}) {
           if (deadline.passed()) return;
+          if (large() && hint != Hint::depth) break;
           const double slice = kSliceOfSuccess * fastest_;
           if (ask(search, candidate, k, slice, deadline, hint) != Answered::yes) break;
         }
@@ -370,7 +374,10 @@ class Synthesiser {
       done.push_back(std::move(solution));
     }
     choose(std::move(done));
-    if (result_.best) return make_rules(*result_.best, kRestarts);
+    if (result_.best) {
+      if (!whole_.passed()) make_rules(*result_.best, kRestarts);
+      return;
+    }
     if (candidates_.empty() && hopeless_) {
       result_.impossible = std::move(hopeless_);
     } else {
@@ -386,8 +393,11 @@ class Synthesiser {
     const auto exact = exact_rules(*schedule, solution.colours);
     if (options_.merge) {
       const auto views = local_views(*schedule, solution.colours);
-      solution.rules =
+      std::vector<MergedRule> rules =
           merge_rules(*solution.frame, solution.colour_count, exact, views, restarts, whole_);
+      if (solution.rules.empty() || rules.size() < solution.rules.size()) {
+        solution.rules = std::move(rules);
+      }
     } else {
       solution.rules = as_patterns(*solution.frame, exact);
     }
