@@ -5,6 +5,7 @@
 #include <cadical.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 
 #include "synthesis/encoding.h"
 #include "synthesis/proof_files.h"
@@ -172,6 +173,62 @@ std::optional<Refutation> refute(const ColouringSearch& search, int named, int k
   std::free(bytes);
   if (result != kUnsatisfiable) return std::nullopt;
   return refutation;
+}
+
+namespace {
+
+/// Which of some clauses contradict each other, with k colours; nothing when they do not.
+std::optional<std::vector<std::size_t>> contradicting(const ColouringSearch& search, int named,
+                                                      int k, const std::vector<std::size_t>& of,
+                                                      const Deadline& deadline) {
+  const Differences& differences = search.differences();
+  CaDiCaL::Solver solver;
+  OutOfTime time(deadline);
+  solver.set("quiet", 1);
+  solver.connect_terminator(&time);
+  Encoding encoding(differences, named, k);
+  const int first = encoding.variables() + 1;
+  const auto sink = [&](std::span<const int> literals, ClauseKind kind) {
+    for (const int literal : literals) solver.add(literal);
+    if (kind.kind == ClauseKind::Kind::clash) solver.add(-(first + kind.index));
+    solver.add(0);
+  };
+  encoding.emit_domains(search.naming(), sink);
+  encoding.emit_clashes(0, sink);
+  for (const std::size_t i : of) solver.assume(first + static_cast<int>(i));
+  std::optional<std::vector<std::size_t>> core;
+  if (solver.solve() == kUnsatisfiable) {
+    core.emplace();
+    for (const std::size_t i : of) {
+      if (solver.failed(first + static_cast<int>(i))) core->push_back(i);
+    }
+  }
+  solver.disconnect_terminator();
+  return core;
+}
+
+}  // namespace
+
+std::vector<Clash> unsatisfiable_core(ColouringSearch& search, int named, int k,
+                                      const Deadline& deadline) {
+  Colouring colours;
+  if (search.colour(k, {deadline, {}}, colours) != Answered::no) return {};
+  std::vector<std::size_t> all(search.differences().clauses().size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  auto core = contradicting(search, named, k, all, deadline);
+  if (!core) return {};
+  for (std::size_t i = 0; i < core->size() && !deadline.passed();) {
+    std::vector<std::size_t> without = *core;
+    without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+    if (auto smaller = contradicting(search, named, k, without, deadline)) {
+      core = std::move(smaller);
+    } else {
+      ++i;
+    }
+  }
+  std::vector<Clash> clashes;
+  for (const std::size_t i : *core) clashes.push_back(search.differences().clauses()[i].reason);
+  return clashes;
 }
 
 }  // namespace stig

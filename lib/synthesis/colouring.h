@@ -62,4 +62,9 @@ struct Refutation {
 std::optional<Refutation> refute(const ColouringSearch& search, int named, int k,
                                  const Deadline& deadline);
 
+/// Clashes that k colours cannot all avoid, none of which can be spared; empty when k
+/// colours do or the time is over before that is known.
+std::vector<Clash> unsatisfiable_core(ColouringSearch& search, int named, int k,
+                                      const Deadline& deadline);
+
 }  // namespace stig

@@ -79,26 +79,123 @@ std::optional<Impossible> find_obstacle(const Target& target, const Placing& pla
   return std::nullopt;
 }
 
-Impossible describe_look_alikes(const Schedule& schedule, const Clash& clash, const Target&) {
+std::vector<Cell> one_of_each_part(const Target& target, const std::vector<Cell>& start) {
+  std::vector<Cell> starts = start.empty() ? std::vector<Cell>{target.cells.front()} : start;
+  while (true) {
+    const std::vector<bool> seen = reached(target, starts);
+    const auto next = std::find(seen.begin(), seen.end(), false);
+    if (next == seen.end()) return starts;
+    starts.push_back(target.cells[static_cast<std::size_t>(next - seen.begin())]);
+  }
+}
+
+namespace {
+
+/// What a site shows, slices as in a rule set's drawings: a given colour by its symbol,
+/// any other brick as #.
+std::string draw_site(const Frame& frame, const Site& site, std::uint32_t mask,
+                      const std::vector<Brick>& bricks) {
+  const Neighbourhood& n = frame.neighbours();
+  const auto symbol = [&](Offset o) -> std::string {
+    const int i = n.index_of(o);
+    if (i < 0) return o == Offset{} ? "*" : " ";
+    if ((mask >> i) & 1U) {
+      const auto orbit = static_cast<std::size_t>(site.beside[static_cast<std::size_t>(i)]);
+      const StateSet colours = frame.orbits[orbit].colours;
+      return colours.is_single() ? bricks[colours.first() - 1U].symbol : "#";
+    }
+    return site.on_floor && o.z < 0 ? "=" : ".";
+  };
+  std::string out;
+  for (int y = 1; y >= -1; --y) {
+    out += "   ";
+    for (int z = 1; z >= -1; --z) {
+      for (int x = -1; x <= 1; ++x) out += " " + symbol({x, y, z});
+      out += "  ";
+    }
+    out.erase(out.find_last_not_of(' ') + 1);
+    out += '\n';
+  }
+  return out;
+}
+
+bool in_a_row(const std::vector<Cell>& cells) {
+  if (cells.size() < 3) return false;
+  const Offset step = cells[1] - cells[0];
+  for (std::size_t i = 2; i < cells.size(); ++i) {
+    if (cells[i] - cells[i - 1] != step) return false;
+  }
+  return true;
+}
+
+std::string list(const std::vector<Cell>& cells) {
+  std::string out;
+  for (std::size_t i = 0; i < std::min<std::size_t>(cells.size(), 12); ++i) {
+    out += (i == 0 ? "" : ", ") + at(cells[i]);
+  }
+  return cells.size() > 12 ? out + ", …" : out;
+}
+
+std::string what_belongs(const Clash& clash, const Site& site) {
+  if (site.orbit < 0) return "where nothing belongs";
+  return clash.intended ? "which has another colour" : "before its turn";
+}
+
+std::string draw_pair(const Schedule& schedule, const Clash& clash,
+                      const std::vector<Brick>& bricks) {
+  const Frame& frame = *schedule.frame;
+  const Key& key = schedule.keys[static_cast<std::size_t>(clash.key)];
+  const Site& q = frame.sites[static_cast<std::size_t>(key.site)];
+  const Site& s = frame.sites[static_cast<std::size_t>(clash.site)];
+  return fmt::format("  {}, to be placed:\n{}  {}, {}:\n{}", at(q.at),
+                     draw_site(frame, q, key.mask, bricks), at(s.at), what_belongs(clash, s),
+                     draw_site(frame, s, clash.mask, bricks));
+}
+
+}  // namespace
+
+Impossible describe_look_alikes(const Schedule& schedule, const Clash& clash,
+                                const Target& target) {
   const Frame& frame = *schedule.frame;
   const std::int32_t from = schedule.keys[static_cast<std::size_t>(clash.key)].site;
   const Site& q = frame.sites[static_cast<std::size_t>(from)];
   const Site& s = frame.sites[static_cast<std::size_t>(clash.site)];
   return {Kind::look_alike,
           fmt::format("where {} is to be placed it looks like {}, {}", at(q.at), at(s.at),
-                      s.orbit < 0      ? "where nothing belongs"
-                      : clash.intended ? "which has another colour"
-                                       : "before its turn"),
-          "",
+                      what_belongs(clash, s)),
+          draw_pair(schedule, clash, target.bricks),
           {}};
 }
 
-Impossible describe_few_colours(int allowed, int needed, std::size_t orders) {
-  return {Kind::colours,
-          fmt::format("{} {} not do for any of the {} orders tried; at least {} are needed",
-                      allowed, allowed == 1 ? "colour does" : "colours do", orders, needed),
-          "",
-          {}};
+Impossible describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
+                                std::size_t orders, const Deadline& deadline) {
+  Impossible out{Kind::colours,
+                 fmt::format("{} {} not do for any of the {} orders tried; at least {} are needed",
+                             allowed, allowed == 1 ? "colour does" : "colours do", orders, needed),
+                 "",
+                 {}};
+  ColouringSearch search(schedule, named);
+  std::vector<Cell> differ;
+  for (const int orbit : search.naming()) {
+    differ.push_back(schedule.frame->orbits[static_cast<std::size_t>(orbit)].at);
+  }
+  std::sort(differ.begin(), differ.end());
+  if (static_cast<int>(differ.size()) > allowed) {
+    out.drawing =
+        fmt::format("  {}: {}\n",
+                    in_a_row(differ) ? "a straight run has to count, so all of these must differ"
+                                     : "all of these must differ in colour",
+                    list(differ));
+    return out;
+  }
+  const std::vector<Clash> core = unsatisfiable_core(search, named, allowed, deadline);
+  if (core.empty()) return out;
+  out.drawing =
+      fmt::format("  {} pairs of sites that look alike cannot all be told apart:\n", core.size());
+  for (std::size_t i = 0; i < std::min<std::size_t>(core.size(), 3); ++i) {
+    out.drawing += draw_pair(schedule, core[i], {});
+  }
+  return out;
 }
 
 }  // namespace stig

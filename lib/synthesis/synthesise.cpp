@@ -387,9 +387,13 @@ class Synthesiser {
     } else if (hopeless_) {
       result_.impossible = std::move(hopeless_);
     } else {
-      int least = kMaxColours;
-      for (const Candidate& c : candidates_) least = std::min(least, c.least());
-      result_.impossible = describe_few_colours(options_.most_colours, least, result_.orders_tried);
+      const auto easiest =
+          std::min_element(candidates_.begin(), candidates_.end(),
+                           [](const auto& a, const auto& b) { return a.least() < b.least(); });
+      const Schedule schedule = schedule_of(*easiest);
+      result_.impossible =
+          describe_few_colours(schedule, named_, options_.most_colours, easiest->least(),
+                               result_.orders_tried, whole_.within(options_.seconds * 0.1));
     }
   }
 

@@ -18,6 +18,8 @@
 #include "rules/rule_reader.h"
 #include "structure_input.h"
 #include "synthesis/emit.h"
+#include "synthesis/remedies.h"
+#include "synthesis/scaffold.h"
 #include "synthesis/synthesise.h"
 #include "verify/verify.h"
 
@@ -86,6 +88,7 @@ Json point_json(const Solution& s) {
 
 /// What came of it, besides the synthesis itself.
 struct Outcome {
+  std::vector<Cell> scaffold;
   VerifyResult proof;
   std::vector<std::string> written;
 };
@@ -100,6 +103,10 @@ Json to_json(const SynthOptions& options, const Synthesis& result, const Outcome
     json["local_states"] = outcome.proof.local_states;
     json["bricks"] = s.frame->cells.size();
     json.update(point_json(s));
+    if (!outcome.scaffold.empty()) {
+      json["scaffold"] = Json::array();
+      for (const Cell c : outcome.scaffold) json["scaffold"].push_back(to_json(c));
+    }
     json["start"] = Json::array();
     for (const Orbit& orbit : s.frame->orbits) {
       if (orbit.start) json["start"].push_back(to_json(orbit.at));
@@ -121,9 +128,14 @@ Json to_json(const SynthOptions& options, const Synthesis& result, const Outcome
   return json;
 }
 
-std::string summary(const Synthesis& result, const VerifyResult& proof) {
+std::string summary(const Synthesis& result, const Outcome& outcome) {
   const Solution& s = *result.best;
-  std::string out = line("bricks", fmt::format("{}", s.frame->cells.size()));
+  const VerifyResult& proof = outcome.proof;
+  std::string out = line(
+      "bricks", fmt::format("{}{}", s.frame->cells.size(),
+                            outcome.scaffold.empty()
+                                ? ""
+                                : fmt::format(", {} of them a scaffold", outcome.scaffold.size())));
   out +=
       line("colours", fmt::format("{}{}", s.colour_count,
                                   s.colour_count == 1 ? ""
@@ -144,7 +156,7 @@ std::string summary(const Synthesis& result, const VerifyResult& proof) {
 
 std::string reason(const Impossible& impossible, bool color) {
   std::string out = fmt::format("{}: {}\n", red("impossible", color), impossible.what);
-  if (!impossible.drawing.empty()) out += "\n" + impossible.drawing + "\n";
+  out += impossible.drawing;
   for (const std::string& remedy : impossible.remedies) out += "  remedy: " + remedy + "\n";
   return out;
 }
@@ -250,6 +262,32 @@ SynthesisOptions synthesis_options(const SynthOptions& options) {
 
 }  // namespace
 
+namespace {
+
+/// Tries to do with fewer colours by means of a scaffold.
+void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result,
+                  const SynthesisHooks& hooks, Outcome& outcome) {
+  SynthesisOptions searching = synthesis_options(options);
+  Synthesis plain;
+  if (!result.best) {
+    searching.most_colours = kMaxColours;
+    plain = synthesise(target, searching, hooks);
+    searching.most_colours = options.colours.value_or(kMaxColours);
+  }
+  const Synthesis& known = result.best ? result : plain;
+  if (!known.best || known.best->colour_count == 1) return;
+  const int below = std::min(known.best->colour_count, searching.most_colours + 1);
+  auto found = find_scaffold(
+      target, counting_cells(*known.best, static_cast<int>(target.bricks.size())),
+      static_cast<std::size_t>(options.scaffold), below, searching, options.seconds, hooks);
+  if (!found) return;
+  target = std::move(found->target);
+  result = std::move(found->result);
+  outcome.scaffold = std::move(found->cells);
+}
+
+}  // namespace
+
 int run(const SynthOptions& options, App& app) {
   const auto loaded = read_structure(options.target, options.lattice, app);
   if (!loaded) return kFailed;
@@ -257,20 +295,26 @@ int run(const SynthOptions& options, App& app) {
     app.complain("the target has no cells");
     return kFailed;
   }
-  const Target target = target_of(*loaded, options.use);
+  Target target = target_of(*loaded, options.use);
   stop_on_signals();
   Progress progress(app);
   SynthesisHooks hooks;
   hooks.stop = &stop_requested();
   hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
-  const Synthesis result = synthesise(target, synthesis_options(options), hooks);
-  progress.clear();
+  const SynthesisOptions searching = synthesis_options(options);
+  Synthesis result = synthesise(target, searching, hooks);
   Outcome outcome;
+  if (options.scaffold > 0) add_scaffold(options, target, result, hooks, outcome);
+  if (result.impossible) {
+    result.impossible->remedies =
+        find_remedies(target, searching, *result.impossible, options.seconds, hooks);
+  }
+  progress.clear();
   int code = kRunFailed;
   if (result.best) {
     code = write_results(options, target, result, app, outcome);
-    if (options.output && !options.json) app.print(summary(result, outcome.proof));
-    if (!options.output && !options.json) app.say(summary(result, outcome.proof));
+    if (options.output && !options.json) app.print(summary(result, outcome));
+    if (!options.output && !options.json) app.say(summary(result, outcome));
   } else if (result.impossible) {
     code = kFailed;
     if (!options.json) app.print(reason(*result.impossible, app.color_out()));

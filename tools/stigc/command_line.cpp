@@ -331,6 +331,8 @@ void add_synth_search(CLI::App* sub, SynthOptions& o) {
        {"ribbons", OrderFamily::ribbons},
        {"crowded", OrderFamily::crowded}},
       "orders of placement that are tried (default: all)");
+  integer(sub, "--scaffold", o.scaffold, 0, 1000000,
+          "so many cells may be added beside straight runs, which can then count in fewer colours");
   sub->add_flag("--exact", o.exact, "one rule for each neighbourhood, none merged");
   integer(sub, "--budget", o.seconds, 1, 1000000, "seconds for the search (default: 20)");
 }

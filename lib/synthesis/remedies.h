@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// What would help when a target cannot be compiled. Nothing is suggested that was not
+// tried: each remedy led to a rule set that passed every check.
+#pragma once
+
+#include "synthesis/synthesise.h"
+
+namespace stig {
+
+/// In words, as options of `stigc synth` where there is one; the best first. `seconds`:
+/// for all tries together.
+std::vector<std::string> find_remedies(const Target& target, const SynthesisOptions& options,
+                                       const Impossible& impossible, double seconds,
+                                       const SynthesisHooks& hooks);
+
+}  // namespace stig
