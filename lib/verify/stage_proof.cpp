@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "verify/far_order.h"
 #include "verify/local_proof.h"
 #include "verify/window.h"
 
@@ -20,6 +21,7 @@ constexpr std::size_t kDepositsOfRuns = 200'000;  ///< in all runs after the fir
 constexpr std::size_t kMostRuns = 32;
 constexpr std::size_t kMostAttempts = 24;  ///< at orders that a failed proof suggests
 constexpr int kMostWitnesses = 6;
+constexpr int kMostFarRounds = 3;         ///< of looking for far chains
 constexpr int kMostRounds = 12;           ///< of growing groups before they are all of the stage
 constexpr std::size_t kMostGroup = 4096;  ///< bricks
 
@@ -211,6 +213,7 @@ class StageProver {
       invariant_.windows.back().group = group;
     }
     failures_.clear();
+    int far_rounds = groups.empty() ? kMostFarRounds : 0;
     while (true) {
       const std::vector<Mask> held = invariant_.before;
       for (std::uint32_t w = 0; w < groups.size(); ++w) {
@@ -218,6 +221,12 @@ class StageProver {
       }
       LocalProof local = prove_locally(model_, first_, invariant_, budget_);
       if (!local.finished) return false;
+      if (drop_broken_chains(model_, invariant_)) continue;
+      if (far_rounds > 0 && add_far_chains(model_, local.failures, invariant_)) {
+        --far_rounds;
+        invariant_.before = held;
+        continue;
+      }
       proof_.local_states = local.local_states;
       if (!local.failures.empty()) {
         failures_ = std::move(local.failures);
@@ -428,6 +437,9 @@ class StageProver {
     stage.order.reserve(model_.bricks());
     for (std::uint32_t b = 0; b < model_.bricks(); ++b) {
       stage.order.push_back({model_.at(b), model_.run()[b].colour, invariant_.before[b]});
+    }
+    for (const auto& [brick, chains] : invariant_.far) {
+      stage.far.insert(stage.far.end(), chains.begin(), chains.end());
     }
     for (const Window& window : invariant_.windows) {
       proof_.local_states += window.count();

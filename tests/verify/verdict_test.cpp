@@ -3,6 +3,7 @@
 // elsewhere, by exhaustive programs.
 #include <doctest/doctest.h>
 
+#include "certify/check.h"
 #include "rules/rule_printer.h"
 #include "support/shipped.h"
 #include "support/small_sets.h"
@@ -128,6 +129,27 @@ TEST_CASE("a rule that only goes so high does not grow for ever") {
   const VerifyResult result = verdict(small_set(up));
   REQUIRE(result.verdict == ProofVerdict::proved);
   CHECK(result.structure->size() == 30001);
+}
+
+TEST_CASE("two rows ordered by the way around are proved with far chains") {
+  // A row to the east, around a corner, and back two rows further north. Between the rows
+  // waits a rule for a northern brick without a southern one.
+  const RuleSet rules = small_set(
+      R"(
+  - {name: east, place: 1, when: "? ? ? ? ? ? ? ? ?\n? ? ? 1 * ? ? ? ?\n? ? ? ? ? ? ? ? ?"}
+  - {name: turn, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? ? * 3 ? ? ?\n? ? ? ? 1 ? ? ? ?"}
+  - {name: up, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? ? * ? ? ? ?\n? ? ? ? 2 3 ? ? ?"}
+  - {name: back, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? . * 2 ? ? ?\n? ? ? ? . ? ? ? ?"}
+  - {name: trap, place: 3, when: "? ? ? ? 2 ? ? ? ?\n? ? ? ? * ? ? ? ?\n? ? ? ? . ? ? ? ?"}
+)",
+      "conflicts: random\nstart: [{at: [0, 0, 0], brick: 1}, {at: [10, 1, 0], brick: 3}]\n"
+      "box: {size: [11, 3, 1], origin: [0, 0, 0]}\n");
+  const VerifyResult result = verdict(rules);
+  REQUIRE(result.verdict == ProofVerdict::proved);
+  CHECK_FALSE(result.certificate->stages[0].far.empty());
+  CHECK(result.certificate->stages[0].windows.empty());
+  CHECK_MESSAGE(check_certificate(rules, *result.certificate).accepted,
+                check_certificate(rules, *result.certificate).refusal);
 }
 
 TEST_CASE("without a budget nothing is claimed") {
