@@ -10,11 +10,10 @@
 #include <tuple>
 
 #include "base/hash.h"
-#include "base/random.h"
 #include "synthesis/check_rules.h"
 #include "synthesis/emit.h"
+#include "synthesis/hints.h"
 #include "synthesis/order_search.h"
-#include "synthesis/proof_files.h"
 #include "synthesis/reasons.h"
 
 namespace stig {
@@ -62,47 +61,6 @@ std::uint64_t hash_of(const Schedule& schedule) {
   for (const std::uint32_t mask : schedule.before) h = combine(h, mask);
   for (const std::uint32_t mask : schedule.beside) h = combine(h, mask);
   return h;
-}
-
-/// What a solver may start from. Colours at random are mostly free of clashes at once,
-/// regular ones make for fewer different keys, hence fewer rules.
-enum class Hint : std::uint8_t { random, distance, depth, uniform };
-
-/// How deep orbits lie in the target: 0 where a neighbour is missing.
-std::vector<std::int32_t> depths(const Frame& frame) {
-  std::vector<std::int32_t> depth(frame.orbits.size(), -1);
-  std::vector<std::size_t> queue;
-  const std::uint32_t all = (1U << frame.neighbours().size) - 1;
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (frame.sites[i].present == all) continue;
-    depth[i] = 0;
-    queue.push_back(i);
-  }
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    for (int i = 0; i < frame.neighbours().size; ++i) {
-      const std::int32_t beside = frame.sites[queue[next]].beside[static_cast<std::size_t>(i)];
-      if (beside < 0 || depth[static_cast<std::size_t>(beside)] >= 0) continue;
-      depth[static_cast<std::size_t>(beside)] = depth[queue[next]] + 1;
-      queue.push_back(static_cast<std::size_t>(beside));
-    }
-  }
-  return depth;
-}
-
-Colouring hint_of(const Frame& frame, Hint hint, int k) {
-  Colouring colours(frame.orbits.size(), 1);
-  Random random(1, 0, Purpose::order, 0, 0);
-  std::vector<std::int32_t> value(frame.orbits.size(), 0);
-  if (hint == Hint::distance) value = distances(frame, Steps::corners);
-  if (hint == Hint::depth) value = depths(frame);
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    int c = 0;
-    if (hint == Hint::random) c = static_cast<int>(random.below(static_cast<std::uint64_t>(k)));
-    if (hint == Hint::distance) c = value[i] % k;
-    if (hint == Hint::depth) c = std::min(value[i], k - 1);
-    colours[i] = static_cast<Colour>(1 + c);
-  }
-  return colours;
 }
 
 class Synthesiser {
@@ -488,59 +446,6 @@ Synthesis synthesise(const Target& target, const SynthesisOptions& options,
     return result;
   }
   return Synthesiser(target, options, hooks).run(starts);
-}
-
-std::vector<std::vector<Cell>> likely_starts(const Target& target, Symmetry symmetry, bool) {
-  Cell low = target.cells.front(), high = low;
-  for (const Cell c : target.cells) {
-    low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-    high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
-  }
-  std::vector<std::vector<Cell>> starts;
-  if (symmetry != Symmetry::none) {
-    // The cells on the axis, or nearest to it, level by level from the lowest.
-    for (std::int32_t z = low.z; z <= high.z && starts.empty(); ++z) {
-      std::vector<Cell> middle;
-      for (std::int32_t x = (low.x + high.x) >> 1; x <= (low.x + high.x + 1) >> 1; ++x) {
-        for (std::int32_t y = (low.y + high.y) >> 1; y <= (low.y + high.y + 1) >> 1; ++y) {
-          if (index_in(target.cells, {x, y, z}) >= 0) middle.push_back({x, y, z});
-        }
-      }
-      if (!middle.empty()) starts.push_back(middle);
-    }
-    if (starts.empty()) starts.push_back({target.cells.front()});
-    return starts;
-  }
-  const auto by = [&](const auto& key) {
-    return *std::min_element(target.cells.begin(), target.cells.end(),
-                             [&](Cell a, Cell b) { return key(a) < key(b); });
-  };
-  const auto add = [&](Cell c) {
-    const std::vector<Cell> start{c};
-    if (std::find(starts.begin(), starts.end(), start) == starts.end()) starts.push_back(start);
-  };
-  add(by([](Cell c) { return std::array{c.z, c.y, c.x}; }));
-  const auto from_middle = [&](Cell c) {
-    return std::abs(2 * c.x - low.x - high.x) + std::abs(2 * c.y - low.y - high.y);
-  };
-  add(by([&](Cell c) { return std::array{c.z, from_middle(c), c.y, c.x}; }));
-  return starts;
-}
-
-std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
-                                            const Deadline& deadline) {
-  const int k = solution.colour_count - 1;
-  if (k < 1) return std::nullopt;
-  BadOrder bad;
-  const std::optional<Schedule> schedule = make_schedule(*solution.frame, solution.order, bad);
-  assert(schedule);
-  ColouringSearch search(*schedule, named);
-  Colouring colours;
-  if (search.colour(k, {deadline, {}}, colours) != Answered::no) return std::nullopt;
-  std::optional<Refutation> refutation = refute(search, named, k, deadline);
-  if (!refutation) return std::nullopt;
-  return MinimalityProof{print_problem(*schedule, named, k), std::move(refutation->cnf),
-                         std::move(refutation->drat)};
 }
 
 }  // namespace stig
