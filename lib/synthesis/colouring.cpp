@@ -5,6 +5,7 @@
 #include <cadical.hpp>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <numeric>
 
 #include "synthesis/encoding.h"
@@ -19,32 +20,80 @@ constexpr std::size_t kClashesOfState = 4, kClashesOfRound = 200'000;
 /// Clauses on straight runs that are added at once.
 constexpr std::size_t kSingleBrickClauses = 300'000;
 
-class OutOfTime : public CaDiCaL::Terminator {
+/// Steps that a conflict and a decision are taken for, with so many literals in the clauses.
+constexpr std::uint64_t kStepsOfConflict = 15'000, kLiteralsToAStepOfConflict = 20,
+                        kStepsOfDecision = 300;
+constexpr std::uint64_t kStepsOfLiteral = 60, kStepsOfState = 30, kStepsOfClash = 1'000;
+
+/// A solver that does as much as is allowed, counted by conflicts and decisions, and
+/// that spends for what it did.
+class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
  public:
-  explicit OutOfTime(const Deadline& deadline) : deadline_(deadline) {}
-  bool terminate() override { return deadline_.passed(); }
+  Meter(CaDiCaL::Solver& solver, const Allowance& allowance)
+      : solver_(solver), allowance_(allowance) {
+    solver_.connect_terminator(this);
+    solver_.connect_learner(this);
+  }
+  ~Meter() override {
+    solver_.disconnect_learner();
+    solver_.disconnect_terminator();
+  }
+  Meter(const Meter&) = delete;
+  Meter& operator=(const Meter&) = delete;
+
+  void add(std::span<const int> literals) {
+    for (const int literal : literals) solver_.add(literal);
+    literals_ += literals.size() + 1;
+  }
+  void end_clause() { solver_.add(0); }
+
+  int solve() {
+    allowance_.spend((literals_ - charged_) * kStepsOfLiteral);
+    charged_ = literals_;
+    if (allowance_.passed()) return 0;
+    const std::uint64_t each = kStepsOfConflict + literals_ / kLiteralsToAStepOfConflict;
+    solver_.limit("conflicts", within_int(allowance_.left() / each));
+    solver_.limit("decisions", within_int(allowance_.left() / kStepsOfDecision));
+    learnt_ = 0;
+    const int result = solver_.solve();
+    allowance_.spend(learnt_ * each +
+                     static_cast<std::uint64_t>(solver_.vars()) * kStepsOfDecision);
+    return result;
+  }
+
+  bool terminate() override { return allowance_.out_of_time(); }
+  bool learning(int) override {
+    ++learnt_;
+    return false;
+  }
+  void learn(int) override {}
 
  private:
-  Deadline deadline_;
+  static int within_int(std::uint64_t n) {
+    return static_cast<int>(std::min<std::uint64_t>(n + 1, std::numeric_limits<int>::max()));
+  }
+
+  CaDiCaL::Solver& solver_;
+  Allowance allowance_;
+  std::uint64_t literals_ = 0, charged_ = 0, learnt_ = 0;
 };
 
 /// The solver with the clauses of one number of colours.
 class Solver {
  public:
   Solver(const Differences& differences, int named, int k, const std::vector<int>& naming,
-         const Deadline& deadline)
-      : encoding_(differences, named, k), differences_(differences), k_(k), time_(deadline) {
+         const Allowance& allowance)
+      : encoding_(differences, named, k),
+        differences_(differences),
+        k_(k),
+        meter_(solver_, allowance) {
     solver_.set("quiet", 1);
     // Both would drop the colours that decisions are to lean towards.
     solver_.set("lucky", 0);
     solver_.set("walk", 0);
-    solver_.connect_terminator(&time_);
     encoding_.emit_domains(naming, sink());
     update();
   }
-  ~Solver() { solver_.disconnect_terminator(); }
-  Solver(const Solver&) = delete;
-  Solver& operator=(const Solver&) = delete;
 
   /// Adds the clauses that came since.
   void update() {
@@ -60,7 +109,7 @@ class Solver {
       }
     }
   }
-  int solve() { return solver_.solve(); }
+  int solve() { return meter_.solve(); }
   Colouring colours() {
     Colouring colours(differences_.schedule().frame->orbits.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
@@ -74,16 +123,16 @@ class Solver {
  private:
   Encoding::Sink sink() {
     return [this](std::span<const int> literals, ClauseKind) {
-      for (const int literal : literals) solver_.add(literal);
-      solver_.add(0);
+      meter_.add(literals);
+      meter_.end_clause();
     };
   }
 
   Encoding encoding_;
   const Differences& differences_;
   int k_;
-  OutOfTime time_;
   CaDiCaL::Solver solver_;
+  Meter meter_;
   std::size_t added_ = 0;
 };
 
@@ -105,6 +154,11 @@ void ColouringSearch::update_naming() {
   }
 }
 
+std::uint64_t ColouringSearch::cost() const {
+  return differences_.schedule().states.masks.size() * kStepsOfState +
+         differences_.clauses().size() * kStepsOfClash;
+}
+
 int ColouringSearch::at_least() const {
   return std::max({1, named_, static_cast<int>(naming_.size())});
 }
@@ -115,18 +169,20 @@ Answered ColouringSearch::colour(int k, const ColouringLimits& limits, Colouring
     if (differences_.hopeless() || at_least() > k) return Answered::no;
     if (limits.progress) limits.progress(k, rounds_);
     if (!solver) {
-      solver.emplace(differences_, named_, k, naming_, limits.deadline);
+      solver.emplace(differences_, named_, k, naming_, limits.allowance);
       if (!colours.empty()) solver->lean_towards(colours);
     }
     const int result = solver->solve();
     if (result == kUnsatisfiable) return Answered::no;
-    if (result != kSatisfiable) return Answered::out_of_time;
+    if (result != kSatisfiable) return Answered::given_up;
     colours = solver->colours();
     ++rounds_;
     const std::vector<Clash> clashes =
         find_clashes(differences_.schedule(), colours, kClashesOfState, kClashesOfRound);
     if (clashes.empty()) return Answered::yes;
     for (const Clash& clash : clashes) differences_.add(clash);
+    limits.allowance.spend(differences_.schedule().states.masks.size() * kStepsOfState +
+                           clashes.size() * kStepsOfClash);
     if (differences_.clauses().size() > 2 * named_at_) {
       const std::size_t before = naming_.size();
       update_naming();
@@ -141,7 +197,7 @@ Answered ColouringSearch::colour(int k, const ColouringLimits& limits, Colouring
 }
 
 std::optional<Refutation> refute(const ColouringSearch& search, int named, int k,
-                                 const Deadline& deadline) {
+                                 const Allowance& allowance) {
   Refutation refutation;
   refutation.cnf = print_cnf(search.differences(), named, k, search.naming());
   char* bytes = nullptr;
@@ -151,22 +207,20 @@ std::optional<Refutation> refute(const ColouringSearch& search, int named, int k
   int result = 0;
   {
     CaDiCaL::Solver solver;
-    OutOfTime time(deadline);
+    Meter meter(solver, allowance);
     solver.set("quiet", 1);
     solver.set("binary", 0);
     solver.trace_proof(memory, "memory");
-    solver.connect_terminator(&time);
     Encoding encoding(search.differences(), named, k);
     const auto sink = [&](std::span<const int> literals, ClauseKind) {
-      for (const int literal : literals) solver.add(literal);
-      solver.add(0);
+      meter.add(literals);
+      meter.end_clause();
     };
     encoding.emit_domains(search.naming(), sink);
     encoding.emit_clashes(0, sink);
-    result = solver.solve();
+    result = meter.solve();
     solver.flush_proof_trace();
     solver.close_proof_trace();
-    solver.disconnect_terminator();
   }
   std::fclose(memory);
   refutation.drat.assign(bytes, size);
@@ -180,47 +234,45 @@ namespace {
 /// Which of some clauses contradict each other, with k colours; nothing when they do not.
 std::optional<std::vector<std::size_t>> contradicting(const ColouringSearch& search, int named,
                                                       int k, const std::vector<std::size_t>& of,
-                                                      const Deadline& deadline) {
+                                                      const Allowance& allowance) {
   const Differences& differences = search.differences();
   CaDiCaL::Solver solver;
-  OutOfTime time(deadline);
+  Meter meter(solver, allowance);
   solver.set("quiet", 1);
-  solver.connect_terminator(&time);
   Encoding encoding(differences, named, k);
   const int first = encoding.variables() + 1;
   const auto sink = [&](std::span<const int> literals, ClauseKind kind) {
-    for (const int literal : literals) solver.add(literal);
+    meter.add(literals);
     if (kind.kind == ClauseKind::Kind::clash) solver.add(-(first + kind.index));
-    solver.add(0);
+    meter.end_clause();
   };
   encoding.emit_domains(search.naming(), sink);
   encoding.emit_clashes(0, sink);
   for (const std::size_t i : of) solver.assume(first + static_cast<int>(i));
   std::optional<std::vector<std::size_t>> core;
-  if (solver.solve() == kUnsatisfiable) {
+  if (meter.solve() == kUnsatisfiable) {
     core.emplace();
     for (const std::size_t i : of) {
       if (solver.failed(first + static_cast<int>(i))) core->push_back(i);
     }
   }
-  solver.disconnect_terminator();
   return core;
 }
 
 }  // namespace
 
 std::vector<Clash> unsatisfiable_core(ColouringSearch& search, int named, int k,
-                                      const Deadline& deadline) {
+                                      const Allowance& allowance) {
   Colouring colours;
-  if (search.colour(k, {deadline, {}}, colours) != Answered::no) return {};
+  if (search.colour(k, {allowance, {}}, colours) != Answered::no) return {};
   std::vector<std::size_t> all(search.differences().clauses().size());
   std::iota(all.begin(), all.end(), std::size_t{0});
-  auto core = contradicting(search, named, k, all, deadline);
+  auto core = contradicting(search, named, k, all, allowance);
   if (!core) return {};
-  for (std::size_t i = 0; i < core->size() && !deadline.passed();) {
+  for (std::size_t i = 0; i < core->size() && !allowance.passed();) {
     std::vector<std::size_t> without = *core;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
-    if (auto smaller = contradicting(search, named, k, without, deadline)) {
+    if (auto smaller = contradicting(search, named, k, without, allowance)) {
       core = std::move(smaller);
     } else {
       ++i;

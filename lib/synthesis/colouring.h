@@ -14,15 +14,16 @@
 #include <functional>
 #include <string>
 
-#include "synthesis/deadline.h"
 #include "synthesis/differences.h"
+#include "synthesis/effort.h"
 
 namespace stig {
 
-enum class Answered : std::uint8_t { yes, no, out_of_time };
+/// given_up: what was allowed did not suffice.
+enum class Answered : std::uint8_t { yes, no, given_up };
 
 struct ColouringLimits {
-  Deadline deadline;
+  Allowance allowance;
   std::function<void(int colours, int rounds)> progress;  ///< before every round; may be empty
 };
 
@@ -36,6 +37,8 @@ class ColouringSearch {
   /// holds anything, is looked for first.
   Answered colour(int k, const ColouringLimits& limits, Colouring& colours);
 
+  /// Steps that it took to make this.
+  std::uint64_t cost() const;
   /// No fewer than this will do, as far as is known without a solver.
   int at_least() const;
   const Differences& differences() const { return differences_; }
@@ -58,13 +61,13 @@ struct Refutation {
   std::string cnf;   ///< DIMACS, with comments (proof_files.h)
   std::string drat;  ///< text form
 };
-/// Nothing when the time is over before the solver is done.
+/// Nothing when the allowance is spent before the solver is done.
 std::optional<Refutation> refute(const ColouringSearch& search, int named, int k,
-                                 const Deadline& deadline);
+                                 const Allowance& allowance);
 
 /// Clashes that k colours cannot all avoid, none of which can be spared; empty when k
-/// colours do or the time is over before that is known.
+/// colours do or the allowance is spent before that is known.
 std::vector<Clash> unsatisfiable_core(ColouringSearch& search, int named, int k,
-                                      const Deadline& deadline);
+                                      const Allowance& allowance);
 
 }  // namespace stig

@@ -21,11 +21,6 @@ struct Deadline {
     return (stop != nullptr && stop->load(std::memory_order_relaxed)) ||
            std::chrono::steady_clock::now() >= end;
   }
-  /// The earlier of this and so many seconds from now.
-  Deadline within(double seconds) const {
-    const Deadline other = after(seconds, stop);
-    return other.end < end ? other : *this;
-  }
 };
 
 }  // namespace stig

@@ -8,6 +8,9 @@
 namespace stig {
 namespace {
 
+/// Steps of placing a cell in an order, and of working out and looking up a state or a key.
+constexpr std::uint64_t kStepsOfCell = 2'500, kStepsOfState = 50, kStepsOfKey = 100;
+
 using Masks = std::array<std::uint32_t, kMaxNeighbours>;
 
 /// For each neighbour of a site: which others are neighbours of it.
@@ -116,6 +119,12 @@ void add_keys(std::size_t orbit, Schedule& schedule) {
 
 }  // namespace
 
+std::uint64_t cost_of(const Schedule& schedule) {
+  return schedule.frame->cells.size() * kStepsOfCell +
+         schedule.states.masks.size() * kStepsOfState +
+         schedule.keys.size() * schedule.frame->group.size() * kStepsOfKey;
+}
+
 std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder& problem,
                                       const ScheduleLimits& limits) {
   Schedule schedule;
@@ -125,6 +134,7 @@ std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder&
     add_before_and_beside(frame, orbit, schedule);
     problem.at = frame.orbits[orbit].at;
     if (frame.orbits[orbit].start) continue;
+    problem.cost = orbit * kStepsOfCell;
     if (schedule.before[orbit] == 0) {
       problem.kind = BadOrder::Kind::nothing_before;
       return std::nullopt;
@@ -140,7 +150,7 @@ std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder&
     schedule.states.first.push_back(schedule.states.masks.size());
     const bool is_start =
         site.orbit >= 0 && frame.orbits[static_cast<std::size_t>(site.orbit)].start;
-    problem = {BadOrder::Kind::too_many, site.at};
+    problem = {BadOrder::Kind::too_many, site.at, cost_of(schedule)};
     if (!is_start && !enumerator.add(site, limits.states, schedule.states.masks)) {
       return std::nullopt;
     }

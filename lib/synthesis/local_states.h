@@ -53,6 +53,9 @@ struct Schedule {
   }
 };
 
+/// Steps that it takes to make a schedule, or to look for its clashes once.
+std::uint64_t cost_of(const Schedule& schedule);
+
 struct ScheduleLimits {
   std::size_t keys_of_site = 4096;
   std::size_t states = std::size_t{1} << 25;
@@ -62,6 +65,7 @@ struct ScheduleLimits {
 struct BadOrder {
   enum class Kind : std::uint8_t { nothing_before, too_many } kind = Kind::nothing_before;
   Cell at;
+  std::uint64_t cost = 0;  ///< steps it took to find out
 };
 
 /// Nothing, with `problem` set, when a cell has nothing before it or there are too

@@ -24,6 +24,8 @@ struct Demand {
 /// Of very many views this number is worked on at first.
 constexpr std::size_t kWorkingViews = 20'000;
 constexpr std::size_t kViolatedAtOnce = 500;
+/// Steps for looking at one view or pattern: at all its cells, at one, at those asked for.
+constexpr std::uint64_t kStepsOfTally = 10, kStepsOfGlance = 2, kStepsOfAsking = 3;
 
 struct Positive {
   const View* view;
@@ -47,13 +49,13 @@ bool overlap(const Pattern& a, const Pattern& b, std::size_t size) {
 class Merger {
  public:
   Merger(const Frame& frame, int colours, const std::vector<ExactRule>& exact,
-         const std::vector<LocalView>& views, const Deadline& deadline)
+         const std::vector<LocalView>& views, const Allowance& allowance)
       : frame_(frame),
         size_(static_cast<std::size_t>(frame.neighbours().size)),
         colours_(colours),
         exact_(exact),
         all_views_(views),
-        deadline_(deadline) {
+        allowance_(allowance) {
     const std::size_t step = std::max<std::size_t>(1, views.size() / kWorkingViews);
     for (std::size_t i = 0; i < views.size(); i += step) work_on(views[i]);
   }
@@ -65,7 +67,7 @@ class Merger {
     for (const std::size_t seed : order) {
       if (covered_[seed]) continue;
       MergedRule rule = exactly(seed);
-      if (!deadline_.passed()) {
+      if (!allowance_.passed()) {
         do {
           rule = grow(seed);
         } while (add_violated(rule));
@@ -93,6 +95,7 @@ class Merger {
   bool add_violated(const MergedRule& rule) {
     if (views_.size() >= all_views_.size()) return false;
     const std::vector<std::size_t> asked = asked_cells(rule.pattern);
+    allowance_.spend(all_views_.size() * kStepsOfGlance);
     std::size_t added = 0;
     for (const LocalView& v : all_views_) {
       if (v.wanted == rule.place || !shown(rule.pattern, asked, v.view)) continue;
@@ -181,6 +184,8 @@ class Merger {
     Active active = all_active(rule.place);
     bool untouched = true;
     while (!active.bad.empty() || !active.other.empty()) {
+      allowance_.spend((active.good.size() + active.bad.size()) * kStepsOfTally +
+                       active.other.size() * kStepsOfGlance * size_);
       const Demand demand = best_demand(view, rule.pattern, active, untouched, rule.place);
       untouched = false;
       rule.pattern.allowed[demand.at] = demand.states;
@@ -201,6 +206,7 @@ class Merger {
       if (covered_[r] || exact_[r].place != place) continue;
       for (const View& image : exact_[r].images) active.good.push_back({&image, r});
     }
+    allowance_.spend((views_.size() + turns_.size()) * kStepsOfGlance);
     for (const LocalView& v : views_) {
       if (v.wanted != place) active.bad.push_back(&v.view);
     }
@@ -213,6 +219,7 @@ class Merger {
   /// Does the rule match no view where its brick does not belong, and overlap with no
   /// pattern that places another?
   bool sound(const MergedRule& rule) const {
+    allowance_.spend((views_.size() + turns_.size()) * kStepsOfGlance);
     for (const auto& [pattern, colour] : turns_) {
       if (colour != rule.place && overlap(pattern, rule.pattern, size_)) return false;
     }
@@ -234,6 +241,7 @@ class Merger {
   /// those that do, sets that hold another left out.
   std::vector<std::uint32_t> keepers(const MergedRule& rule,
                                      const std::vector<std::size_t>& asked) const {
+    allowance_.spend((views_.size() + turns_.size()) * kStepsOfAsking * asked.size());
     std::unordered_set<std::uint32_t> sets;
     for (const LocalView& v : views_) {
       if (v.wanted == rule.place) continue;
@@ -305,6 +313,7 @@ class Merger {
   }
 
   void add(MergedRule rule) {
+    allowance_.spend(exact_.size() * frame_.group.size() * kStepsOfAsking);
     for (std::size_t r = 0; r < exact_.size(); ++r) {
       if (!covers(rule, exact_[r])) continue;
       covered_[r] = true;
@@ -317,6 +326,7 @@ class Merger {
   }
 
   void leave_out_the_needless() {
+    allowance_.spend(rules_.size() * exact_.size() * frame_.group.size() * kStepsOfAsking);
     std::vector<int> times(exact_.size(), 0);
     std::vector<std::vector<std::size_t>> covered_by(rules_.size());
     for (std::size_t k = 0; k < rules_.size(); ++k) {
@@ -345,7 +355,7 @@ class Merger {
   const std::vector<ExactRule>& exact_;
   const std::vector<LocalView>& all_views_;
   std::vector<LocalView> views_;  ///< worked on: some of them, and those that were violated
-  Deadline deadline_;
+  Allowance allowance_;
   Tally all_;
   std::array<Tally, 64> of_colour_;
   std::vector<bool> covered_;
@@ -375,12 +385,12 @@ std::vector<MergedRule> as_patterns(const Frame& frame, const std::vector<ExactR
 std::vector<MergedRule> merge_rules(const Frame& frame, int colours,
                                     const std::vector<ExactRule>& exact,
                                     const std::vector<LocalView>& views, int restarts,
-                                    const Deadline& deadline) {
-  Merger merger(frame, colours, exact, views, deadline);
+                                    const Allowance& allowance) {
+  Merger merger(frame, colours, exact, views, allowance);
   std::vector<std::size_t> order(exact.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<MergedRule> best = merger.cover(order);
-  for (int again = 1; again < restarts && !deadline.passed(); ++again) {
+  for (int again = 1; again < restarts && !allowance.passed(); ++again) {
     Random random(1, static_cast<std::uint32_t>(again), Purpose::order, 0, 0);
     for (std::size_t i = order.size(); i > 1; --i) {
       std::swap(order[i - 1], order[random.below(i)]);

@@ -14,7 +14,7 @@
 
 #include <vector>
 
-#include "synthesis/deadline.h"
+#include "synthesis/effort.h"
 #include "synthesis/local_views.h"
 
 namespace stig {
@@ -26,11 +26,11 @@ struct MergedRule {
 };
 
 /// `restarts`: so many covers are made, each from the exact rules in another order, and
-/// the smallest is kept. When the time is over what is left stays exact.
+/// the smallest is kept. When the allowance is spent what is left stays exact.
 std::vector<MergedRule> merge_rules(const Frame& frame, int colours,
                                     const std::vector<ExactRule>& exact,
                                     const std::vector<LocalView>& views, int restarts,
-                                    const Deadline& deadline);
+                                    const Allowance& allowance);
 
 /// Without merging.
 std::vector<MergedRule> as_patterns(const Frame& frame, const std::vector<ExactRule>& exact);

@@ -7,16 +7,17 @@
 namespace stig {
 
 std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
-                                            const Deadline& deadline) {
+                                            const Allowance& allowance) {
   const int k = solution.colour_count - 1;
   if (k < 1) return std::nullopt;
   BadOrder bad;
   const std::optional<Schedule> schedule = make_schedule(*solution.frame, solution.order, bad);
   assert(schedule);
   ColouringSearch search(*schedule, named);
+  allowance.spend(search.cost());
   Colouring colours;
-  if (search.colour(k, {deadline, {}}, colours) != Answered::no) return std::nullopt;
-  std::optional<Refutation> refutation = refute(search, named, k, deadline);
+  if (search.colour(k, {allowance, {}}, colours) != Answered::no) return std::nullopt;
+  std::optional<Refutation> refutation = refute(search, named, k, allowance);
   if (!refutation) return std::nullopt;
   return MinimalityProof{print_problem(*schedule, named, k), std::move(refutation->cnf),
                          std::move(refutation->drat)};

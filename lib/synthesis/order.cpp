@@ -107,50 +107,94 @@ namespace {
 /// All orders of some orbits, each with one before it.
 class Lister {
  public:
-  Lister(const Frame& frame, std::size_t most) : frame_(frame), most_(most) {
+  Lister(const Frame& frame, std::size_t most, Ties ties)
+      : frame_(frame), most_(most), ties_(ties), rank_(frame.orbits.size(), -1) {
     for (std::size_t i = 0; i < frame.orbits.size(); ++i) {
-      placed_.push_back(frame.orbits[i].start);
-      left_ += frame.orbits[i].start ? 0 : 1;
+      if (frame.orbits[i].start) rank_[i] = 0;
     }
   }
   std::vector<Order> list() {
-    extend();
+    extend(1);
     if (orders_.size() > most_) orders_.clear();
     return std::move(orders_);
   }
 
  private:
-  bool has_placed_beside(std::size_t orbit) const {
+  bool has_beside(std::size_t orbit, const auto& wanted) const {
     bool found = false;
-    for_each_beside(frame_, orbit, [&](std::size_t other) { found |= placed_[other]; });
+    for_each_beside(frame_, orbit, [&](std::size_t other) { found |= wanted(other); });
     return found;
   }
-  void extend() {
-    if (chosen_.size() == left_) {
-      orders_.push_back(listed(frame_, fmt::format("order {}", orders_.size() + 1), chosen_));
+
+  /// Orbits that may come next.
+  std::vector<std::size_t> frontier() const {
+    std::vector<std::size_t> out;
+    for (std::size_t i = 0; i < rank_.size(); ++i) {
+      if (rank_[i] < 0 && has_beside(i, [&](std::size_t other) { return rank_[other] >= 0; })) {
+        out.push_back(i);
+      }
+    }
+    return out;
+  }
+
+  /// Those of a few orbits that have a bit in `chosen`, when they hang together.
+  std::vector<std::size_t> connected(const std::vector<std::size_t>& of, std::size_t chosen) const {
+    std::vector<std::size_t> level, reached;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      if ((chosen >> i) & 1U) level.push_back(of[i]);
+    }
+    reached.push_back(level.front());
+    for (std::size_t next = 0; next < reached.size(); ++next) {
+      for_each_beside(frame_, reached[next], [&](std::size_t other) {
+        const auto among = [&](const auto& list) {
+          return std::find(list.begin(), list.end(), other) != list.end();
+        };
+        if (among(level) && !among(reached)) reached.push_back(other);
+      });
+    }
+    if (reached.size() < level.size()) level.clear();
+    return level;
+  }
+
+  void place(const std::vector<std::size_t>& level, std::int32_t rank) {
+    for (const std::size_t orbit : level) rank_[orbit] = rank;
+    extend(rank + 1);
+    for (const std::size_t orbit : level) rank_[orbit] = -1;
+  }
+
+  void extend(std::int32_t rank) {
+    const std::vector<std::size_t> next = frontier();
+    if (next.empty()) {
+      orders_.push_back({fmt::format("order {}", orders_.size() + 1), rank_});
       return;
     }
-    for (std::size_t i = 0; i < placed_.size() && orders_.size() <= most_; ++i) {
-      if (placed_[i] || !has_placed_beside(i)) continue;
-      placed_[i] = true;
-      chosen_.push_back(static_cast<int>(i));
-      extend();
-      chosen_.pop_back();
-      placed_[i] = false;
+    if (ties_ == Ties::none) {
+      for (std::size_t i = 0; i < next.size() && orders_.size() <= most_; ++i) {
+        place({next[i]}, rank);
+      }
+      return;
+    }
+    const std::size_t all = std::size_t{1} << std::min(next.size(), kMostTied);
+    for (std::size_t chosen = 1; chosen < all && orders_.size() <= most_; ++chosen) {
+      const std::vector<std::size_t> level = connected(next, chosen);
+      if (!level.empty()) place(level, rank);
     }
   }
 
+  /// A frontier of more orbits has more orders than anybody lists.
+  static constexpr std::size_t kMostTied = 20;
+
   const Frame& frame_;
-  std::size_t most_, left_ = 0;
-  std::vector<bool> placed_;
-  std::vector<int> chosen_;
+  std::size_t most_;
+  Ties ties_;
+  std::vector<std::int32_t> rank_;  ///< -1: not placed yet
   std::vector<Order> orders_;
 };
 
 }  // namespace
 
-std::vector<Order> all_orders(const Frame& frame, std::size_t most) {
-  return Lister(frame, most).list();
+std::vector<Order> all_orders(const Frame& frame, std::size_t most, Ties ties) {
+  return Lister(frame, most, ties).list();
 }
 
 }  // namespace stig

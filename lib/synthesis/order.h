@@ -57,8 +57,12 @@ struct OrderPlan {
 /// The most promising first.
 std::vector<OrderPlan> order_plans();
 
+/// May neighbours have equal rank?
+enum class Ties : std::uint8_t { none, allowed };
+
 /// Every order of the orbits in which each has one before it, as long as there are no
-/// more than `most`; otherwise none.
-std::vector<Order> all_orders(const Frame& frame, std::size_t most);
+/// more than `most`; otherwise none. With ties: those among orbits that hang together,
+/// for ties of others are no different from one after the other.
+std::vector<Order> all_orders(const Frame& frame, std::size_t most, Ties ties = Ties::none);
 
 }  // namespace stig

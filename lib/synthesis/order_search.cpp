@@ -19,8 +19,8 @@ struct Judged {
 
 class Searcher {
  public:
-  Searcher(const Frame& frame, const Colouring& colours, const Deadline& deadline)
-      : frame_(frame), colours_(colours), deadline_(deadline) {}
+  Searcher(const Frame& frame, const Colouring& colours, const Allowance& allowance)
+      : frame_(frame), colours_(colours), allowance_(allowance) {}
 
   /// True when an order without a clash was found.
   bool climb(const Order& first, std::uint32_t number) {
@@ -28,7 +28,7 @@ class Searcher {
     places_.assign(first.rank.begin(), first.rank.end());
     for (std::int32_t& place : places_) place *= kSpread;
     Judged now = judge();
-    for (int idle = 0; idle < kPatience && !deadline_.passed(); ++idle) {
+    for (int idle = 0; idle < kPatience && !allowance_.passed(); ++idle) {
       if (!now.schedule) return false;
       if (now.clashes.empty()) return true;
       const std::vector<std::int32_t> before = places_;
@@ -57,6 +57,7 @@ class Searcher {
     });
     BadOrder bad;
     Judged judged{make_schedule(frame_, order, bad), {}};
+    allowance_.spend(judged.schedule ? 2 * cost_of(*judged.schedule) : places_.size());
     if (!judged.schedule) return judged;
     judged.clashes = find_clashes(*judged.schedule, colours_, 4, kMostClashes);
     if (judged.clashes.empty()) {
@@ -87,7 +88,7 @@ class Searcher {
 
   const Frame& frame_;
   const Colouring& colours_;
-  Deadline deadline_;
+  Allowance allowance_;
   std::vector<std::int32_t> places_;
   std::size_t fewest_ = kMostClashes + 1;
 };
@@ -95,9 +96,9 @@ class Searcher {
 }  // namespace
 
 OrderSearch search_orders(const Frame& frame, const Colouring& colours,
-                          const std::vector<Order>& first, const Deadline& deadline) {
-  Searcher searcher(frame, colours, deadline);
-  for (std::uint32_t number = 1; !deadline.passed() && number <= 16 * first.size(); ++number) {
+                          const std::vector<Order>& first, const Allowance& allowance) {
+  Searcher searcher(frame, colours, allowance);
+  for (std::uint32_t number = 1; !allowance.passed() && number <= 16 * first.size(); ++number) {
     if (searcher.climb(first[number % first.size()], number)) break;
   }
   return std::move(searcher.result);

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "synthesis/clashes.h"
-#include "synthesis/deadline.h"
+#include "synthesis/effort.h"
 
 namespace stig {
 
@@ -22,6 +22,6 @@ struct OrderSearch {
 
 /// Begins from each of `first` in turn, with random numbers of its own.
 OrderSearch search_orders(const Frame& frame, const Colouring& colours,
-                          const std::vector<Order>& first, const Deadline& deadline);
+                          const std::vector<Order>& first, const Allowance& allowance);
 
 }  // namespace stig

@@ -10,7 +10,7 @@
 namespace stig {
 namespace {
 
-using Kind = Impossible::Kind;
+using Kind = Obstacle::Kind;
 
 std::string at(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
@@ -32,40 +32,44 @@ std::vector<bool> reached(const Target& target, const std::vector<Cell>& start) 
   return seen;
 }
 
-std::optional<Impossible> start_problem(const Target& target, const Placing& placing) {
+std::optional<Obstacle> start_problem(const Target& target, const Placing& placing) {
   for (const Cell c : placing.start) {
     if (index_in(target.cells, c) < 0) {
-      return Impossible{
-          Kind::bad_start, fmt::format("the start {} is not a cell of the target", at(c)), "", {}};
+      return Obstacle{Kind::bad_start,
+                      true,
+                      fmt::format("the start {} is not a cell of the target", at(c)),
+                      "",
+                      {}};
     }
   }
   if (placing.floor && target.cells.end() != std::find_if(target.cells.begin(), target.cells.end(),
                                                           [](Cell c) { return c.z < 0; })) {
-    return Impossible{Kind::bad_start, "the target reaches below the floor (z = 0)", "", {}};
+    return Obstacle{Kind::bad_start, true, "the target reaches below the floor (z = 0)", "", {}};
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Impossible> find_obstacle(const Target& target, const Placing& placing) {
+std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placing) {
   if (auto problem = start_problem(target, placing)) return problem;
   const std::vector<bool> seen = reached(target, placing.start);
   const auto cut_off = static_cast<std::size_t>(std::count(seen.begin(), seen.end(), false));
   if (cut_off > 0) {
     const auto first =
         static_cast<std::size_t>(std::find(seen.begin(), seen.end(), false) - seen.begin());
-    return Impossible{
-        Kind::not_connected,
-        fmt::format("{} of {} cells, {} the first, are not connected to the start: no "
-                    "rule can see from one part to the other",
-                    cut_off, target.cells.size(), at(target.cells[first])),
-        "",
-        {}};
+    return Obstacle{Kind::not_connected,
+                    true,
+                    fmt::format("{} of {} cells, {} the first, are not connected to the start: no "
+                                "rule can see from one part to the other",
+                                cut_off, target.cells.size(), at(target.cells[first])),
+                    "",
+                    {}};
   }
   if (const auto asymmetry = find_asymmetry(target, placing)) {
-    return Impossible{
+    return Obstacle{
         Kind::asymmetric,
+        true,
         asymmetry->colours_differ
             ? fmt::format("the target is not symmetric about the start: {} and its image {} ({}) "
                           "have different colours",
@@ -154,27 +158,29 @@ std::string draw_pair(const Schedule& schedule, const Clash& clash,
 
 }  // namespace
 
-Impossible describe_look_alikes(const Schedule& schedule, const Clash& clash,
-                                const Target& target) {
+Obstacle describe_look_alikes(const Schedule& schedule, const Clash& clash, const Target& target) {
   const Frame& frame = *schedule.frame;
   const std::int32_t from = schedule.keys[static_cast<std::size_t>(clash.key)].site;
   const Site& q = frame.sites[static_cast<std::size_t>(from)];
   const Site& s = frame.sites[static_cast<std::size_t>(clash.site)];
   return {Kind::look_alike,
+          false,
           fmt::format("where {} is to be placed it looks like {}, {}", at(q.at), at(s.at),
                       what_belongs(clash, s)),
           draw_pair(schedule, clash, target.bricks),
           {}};
 }
 
-Impossible describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
-                                std::size_t orders, const Deadline& deadline) {
-  Impossible out{Kind::colours,
-                 fmt::format("{} {} not do for any of the {} orders tried; at least {} are needed",
-                             allowed, allowed == 1 ? "colour does" : "colours do", orders, needed),
-                 "",
-                 {}};
+Obstacle describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
+                              const Allowance& allowance) {
+  Obstacle out{Kind::colours,
+               false,
+               fmt::format("{} {} not do; at least {} are needed", allowed,
+                           allowed == 1 ? "colour does" : "colours do", needed),
+               "",
+               {}};
   ColouringSearch search(schedule, named);
+  allowance.spend(search.cost());
   std::vector<Cell> differ;
   for (const int orbit : search.naming()) {
     differ.push_back(schedule.frame->orbits[static_cast<std::size_t>(orbit)].at);
@@ -188,7 +194,7 @@ Impossible describe_few_colours(const Schedule& schedule, int named, int allowed
                     list(differ));
     return out;
   }
-  const std::vector<Clash> core = unsatisfiable_core(search, named, allowed, deadline);
+  const std::vector<Clash> core = unsatisfiable_core(search, named, allowed, allowance);
   if (core.empty()) return out;
   out.drawing =
       fmt::format("  {} pairs of sites that look alike cannot all be told apart:\n", core.size());

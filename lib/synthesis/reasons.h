@@ -10,17 +10,17 @@ namespace stig {
 
 /// What stands in the way before any order is looked at: the start, a part that is not
 /// connected to it, a symmetry that the target lacks.
-std::optional<Impossible> find_obstacle(const Target& target, const Placing& placing);
+std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placing);
 
 /// The given start and one cell of every part of the target that is not connected to it.
 std::vector<Cell> one_of_each_part(const Target& target, const std::vector<Cell>& start);
 
 /// Two sites that look alike whatever colours are chosen, side by side.
-Impossible describe_look_alikes(const Schedule& schedule, const Clash& clash, const Target& target);
+Obstacle describe_look_alikes(const Schedule& schedule, const Clash& clash, const Target& target);
 
 /// More colours are needed than allowed: the cells that must all differ, or the sites
 /// that the solver's refutation rests on, for the order that needs the fewest.
-Impossible describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
-                                std::size_t orders, const Deadline& deadline);
+Obstacle describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
+                              const Allowance& allowance);
 
 }  // namespace stig

@@ -4,20 +4,24 @@
 namespace stig {
 namespace {
 
+/// What one order may cost.
+constexpr auto kStepsOfOrder = static_cast<std::uint64_t>(kStepsOfEffort / 20);
+
 /// Asks for a colouring of a schedule in which some orbits must keep their colours.
 bool can_keep(Schedule schedule, const std::vector<StateSet>& allowed, int named,
-              const Deadline& deadline, Colouring& colours) {
+              const Allowance& allowance, Colouring& colours) {
   Frame frame = *schedule.frame;
   for (std::size_t i = 0; i < allowed.size(); ++i) frame.orbits[i].colours = allowed[i];
   schedule.frame = &frame;
   ColouringSearch search(schedule, named);
-  return search.colour(named, {deadline, {}}, colours) == Answered::yes;
+  allowance.spend(search.cost());
+  return search.colour(named, {allowance, {}}, colours) == Answered::yes;
 }
 
 /// The colours that make the fewest changes, as far as taking back one after the other
 /// goes; nothing when no colours do.
 std::optional<Colouring> least_changed(const Schedule& schedule, int named,
-                                       const Deadline& deadline) {
+                                       const Allowance& allowance) {
   const std::vector<Orbit>& orbits = schedule.frame->orbits;
   std::vector<StateSet> allowed(orbits.size(), StateSet::bricks(named));
   Colouring given;
@@ -26,7 +30,7 @@ std::optional<Colouring> least_changed(const Schedule& schedule, int named,
     given.push_back(single ? orbit.colours.first() : Colour{1});
   }
   Colouring colours = given;
-  if (!can_keep(schedule, allowed, named, deadline, colours)) return std::nullopt;
+  if (!can_keep(schedule, allowed, named, allowance, colours)) return std::nullopt;
   for (std::size_t i = 0; i < orbits.size(); ++i) {
     if (colours[i] == given[i]) allowed[i] = orbits[i].colours & StateSet::bricks(named);
   }
@@ -35,7 +39,7 @@ std::optional<Colouring> least_changed(const Schedule& schedule, int named,
     std::vector<StateSet> tighter = allowed;
     tighter[i] = orbits[i].colours;
     Colouring again = colours;
-    if (!can_keep(schedule, tighter, named, deadline, again)) continue;
+    if (!can_keep(schedule, tighter, named, allowance, again)) continue;
     allowed = std::move(tighter);
     colours = std::move(again);
   }
@@ -55,7 +59,7 @@ std::vector<std::pair<Cell, Colour>> changes_of(const Frame& frame, const Target
 }  // namespace
 
 std::optional<Recoloured> find_recolouring(const Target& target, const Placing& placing,
-                                           const Deadline& deadline) {
+                                           const Allowance& allowance) {
   const int named = static_cast<int>(target.bricks.size());
   if (named == 0 || find_asymmetry(target, placing)) return std::nullopt;
   const Frame frame = make_frame(target, placing);
@@ -66,11 +70,12 @@ std::optional<Recoloured> find_recolouring(const Target& target, const Placing& 
   }
   std::optional<Recoloured> best;
   for (const Order& order : orders) {
-    if (deadline.passed()) break;
+    if (allowance.passed()) break;
     BadOrder bad;
     const auto schedule = make_schedule(frame, order, bad, {256, std::size_t{1} << 22});
     if (!schedule) continue;
-    const auto colours = least_changed(*schedule, named, deadline.within(1));
+    allowance.spend(cost_of(*schedule));
+    const auto colours = least_changed(*schedule, named, allowance.within(kStepsOfOrder));
     if (!colours) continue;
     auto changes = changes_of(frame, target, *colours);
     if (changes.empty() || (best && changes.size() >= best->changes.size())) continue;

@@ -15,6 +15,6 @@ struct Recoloured {
 /// colours alone. A set of changes is minimal for its order; another order may do with
 /// fewer.
 std::optional<Recoloured> find_recolouring(const Target& target, const Placing& placing,
-                                           const Deadline& deadline);
+                                           const Allowance& allowance);
 
 }  // namespace stig

@@ -12,16 +12,15 @@
 namespace stig {
 namespace {
 
-using Kind = Impossible::Kind;
+using Kind = Obstacle::Kind;
 
 class RemedyFinder {
  public:
-  RemedyFinder(const Target& target, const SynthesisOptions& options, double seconds,
-               const SynthesisHooks& hooks)
-      : target_(target), options_(options), hooks_(hooks), each_(seconds / 6) {}
+  RemedyFinder(const Target& target, const SynthesisOptions& options, const SynthesisHooks& hooks)
+      : target_(target), options_(options), hooks_(hooks), each_(options.effort / kTries) {}
 
-  std::vector<std::string> find(const Impossible& impossible) {
-    switch (impossible.kind) {
+  std::vector<std::string> find(const Obstacle& obstacle) {
+    switch (obstacle.kind) {
       case Kind::bad_start:
         other_start();
         break;
@@ -46,7 +45,7 @@ class RemedyFinder {
 
  private:
   std::optional<Solution> tried(const Target& target, SynthesisOptions options) {
-    options.seconds = each_;
+    options.effort = each_;
     return synthesise(target, options, hooks_).best;
   }
 
@@ -125,7 +124,9 @@ class RemedyFinder {
                               ? likely_starts(target_, options_.symmetry, options_.floor).front()
                               : options_.start,
                           options_.symmetry, options_.floor};
-    const auto found = find_recolouring(target_, placing, Deadline::after(each_, hooks_.stop));
+    Effort effort(hooks_.deadline);
+    const auto found = find_recolouring(
+        target_, placing, {&effort, static_cast<std::uint64_t>(each_ * kStepsOfEffort)});
     if (!found || found->changes.size() > kMostChanges) return;
     const auto solution = tried(found->target, options_);
     if (!solution) return;
@@ -150,6 +151,8 @@ class RemedyFinder {
     add(fmt::format("--scaffold {}", found->cells.size()), *found->result.best);
   }
 
+  /// One try may take this part of the effort.
+  static constexpr double kTries = 6;
   static constexpr std::size_t kMostStarts = 16, kMostChanges = 12;
   const Target& target_;
   const SynthesisOptions& options_;
@@ -161,9 +164,8 @@ class RemedyFinder {
 }  // namespace
 
 std::vector<std::string> find_remedies(const Target& target, const SynthesisOptions& options,
-                                       const Impossible& impossible, double seconds,
-                                       const SynthesisHooks& hooks) {
-  return RemedyFinder(target, options, seconds, hooks).find(impossible);
+                                       const Obstacle& obstacle, const SynthesisHooks& hooks) {
+  return RemedyFinder(target, options, hooks).find(obstacle);
 }
 
 }  // namespace stig

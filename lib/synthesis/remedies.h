@@ -7,10 +7,9 @@
 
 namespace stig {
 
-/// In words, as options of `stigc synth` where there is one; the best first. `seconds`:
-/// for all tries together.
+/// In words, as options of `stigc synth` where there is one; the best first. All tries
+/// together take about as much effort as the options allow for one search.
 std::vector<std::string> find_remedies(const Target& target, const SynthesisOptions& options,
-                                       const Impossible& impossible, double seconds,
-                                       const SynthesisHooks& hooks);
+                                       const Obstacle& obstacle, const SynthesisHooks& hooks);
 
 }  // namespace stig

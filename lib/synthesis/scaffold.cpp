@@ -88,7 +88,7 @@ std::vector<Cell> counting_cells(const Solution& solution, int named) {
 
 std::optional<Scaffold> find_scaffold(const Target& target, const std::vector<Cell>& run,
                                       std::size_t most, int colours,
-                                      const SynthesisOptions& options, double seconds,
+                                      const SynthesisOptions& options, double effort,
                                       const SynthesisHooks& hooks) {
   std::vector<std::vector<Cell>> tries;
   for (const std::vector<Offset>& rows : rows_beside(neighbourhood(target.lattice))) {
@@ -100,9 +100,9 @@ std::optional<Scaffold> find_scaffold(const Target& target, const std::vector<Ce
   }
   std::optional<Scaffold> best;
   SynthesisOptions trying = options;
-  trying.seconds = seconds / static_cast<double>(std::max<std::size_t>(1, tries.size()));
+  trying.effort = effort / static_cast<double>(std::max<std::size_t>(1, tries.size()));
   for (const std::vector<Cell>& cells : tries) {
-    if (hooks.stop != nullptr && hooks.stop->load()) break;
+    if (hooks.deadline.passed()) break;
     trying.most_colours = best ? best->result.best->colour_count : colours - 1;
     if (trying.most_colours < 1) break;
     Scaffold scaffold{cells, with(target, cells), {}};

@@ -20,10 +20,10 @@ std::vector<Cell> counting_cells(const Solution& solution, int named);
 
 /// The scaffold of at most `most` cells with which the fewest colours do, fewer than
 /// `colours`; nothing when none helps. `run`: the cells that have to count. Each try takes a share
-/// of `seconds`.
+/// of `effort`.
 std::optional<Scaffold> find_scaffold(const Target& target, const std::vector<Cell>& run,
                                       std::size_t most, int colours,
-                                      const SynthesisOptions& options, double seconds,
+                                      const SynthesisOptions& options, double effort,
                                       const SynthesisHooks& hooks);
 
 }  // namespace stig

@@ -9,7 +9,6 @@
 // "Fewest" is always said of the orders that were tried: a proof is of one order.
 #pragma once
 
-#include <atomic>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -32,12 +31,12 @@ struct SynthesisOptions {
   std::optional<OrderFamily> family;  ///< of orders; left out: all
   bool strict_only = false;           ///< no ties
   bool merge = true;                  ///< otherwise one exact rule a neighbourhood
-  double seconds = 20;                ///< for the search; the check at the end comes on top
+  double effort = 1;                  ///< how much is tried (effort.h)
 };
 
 struct SynthesisHooks {
   std::function<void(double fraction, const std::string& what)> progress;
-  const std::atomic<bool>* stop = nullptr;
+  Deadline deadline;  ///< ends the search early; what is found until then is kept
 };
 
 /// A colouring of a target under an order, and its rules.
@@ -51,8 +50,8 @@ struct Solution {
   std::vector<MergedRule> rules;
 };
 
-/// Why there is no rule set.
-struct Impossible {
+/// Why there is no rule set, or why none was found.
+struct Obstacle {
   enum class Kind : std::uint8_t {
     bad_start,      ///< a start that is not of the target, or below the floor
     not_connected,  ///< a part that no neighbour leads to
@@ -61,16 +60,18 @@ struct Impossible {
     colours,        ///< more colours are needed than may be used
   };
   Kind kind = Kind::colours;
-  std::string what;                   ///< one line
-  std::string drawing;                ///< lines that show it; may be empty
+  bool proved = false;  ///< true of every order and colouring; otherwise of those tried
+  std::string what;     ///< one line
+  std::string drawing;  ///< lines that show it; may be empty
   std::vector<std::string> remedies;  ///< each tried, and found to work
 };
 
 struct Synthesis {
   std::optional<Solution> best;
   std::vector<Solution> others;  ///< not worse in both colours and rules, by colours
-  std::optional<Impossible> impossible;
-  bool out_of_time = false;  ///< neither: the budget ended first
+  std::optional<Obstacle> obstacle;
+  bool unanswered = false;  ///< neither: what was allowed was used up first
+  bool cut_short = false;   ///< the deadline ended the search: another may find better
   std::size_t orders_tried = 0;
   double seconds = 0;
 };
@@ -82,11 +83,11 @@ Synthesis synthesise(const Target& target, const SynthesisOptions& options,
 std::vector<std::vector<Cell>> likely_starts(const Target& target, Symmetry symmetry, bool floor);
 
 /// For a solution: that one colour fewer does not do under its order. Nothing when the
-/// time is over, or when it has one colour.
+/// allowance is spent, or when it has one colour.
 struct MinimalityProof {
   std::string problem, cnf, drat;  ///< files, see proof_files.h
 };
 std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
-                                            const Deadline& deadline);
+                                            const Allowance& allowance);
 
 }  // namespace stig

@@ -70,8 +70,8 @@ TEST_CASE("T7: what start and rules share, the target must have") {
   options.symmetry = Symmetry::rotations;
   options.start = {{0, 0, 0}};
   const Synthesis result = synthesise(staircase(ColourUse::free), options);
-  REQUIRE(result.impossible);
-  CHECK(result.impossible->kind == Impossible::Kind::asymmetric);
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->kind == Obstacle::Kind::asymmetric);
   CHECK_FALSE(result.best);
 }
 
@@ -125,7 +125,7 @@ TEST_CASE("no row of the prototype's table is better in colours or rules") {
     SynthesisOptions options;
     options.symmetry = row.symmetry;
     options.start = {row.start};
-    options.seconds = 5;
+    options.effort = 0.25;
     const Synthesis result = synthesise(row.target, options);
     REQUIRE(result.best);
     CHECK(result.best->colour_count <= row.colours);

@@ -14,8 +14,8 @@ namespace {
 
 std::vector<std::string> remedies_for(const Target& target, const SynthesisOptions& options) {
   const Synthesis result = synthesise(target, options);
-  REQUIRE(result.impossible);
-  return find_remedies(target, options, *result.impossible, 10, {});
+  REQUIRE(result.obstacle);
+  return find_remedies(target, options, *result.obstacle, {});
 }
 
 bool offers(const std::vector<std::string>& remedies, std::string_view what) {
@@ -69,7 +69,7 @@ TEST_CASE("a run of 20 needs 11 colours at best, and a few with a second row") {
   REQUIRE(plain.best);
   CHECK(plain.best->colour_count == 11);
   SynthesisOptions options;
-  const auto found = find_scaffold(target, counting_cells(*plain.best, 0), 20, 11, options, 10, {});
+  const auto found = find_scaffold(target, counting_cells(*plain.best, 0), 20, 11, options, 1, {});
   REQUIRE(found);
   CHECK(found->cells.size() == 20);
   CHECK(found->result.best->colour_count <= 4);

@@ -92,7 +92,7 @@ TEST_CASE("rule sets for random targets build them in every order of events") {
     SynthesisOptions options;
     options.floor = seed % 2 == 0;
     options.merge = seed % 4 != 1;
-    options.seconds = 2;
+    options.effort = 0.1;
     options.fewest = seed % 5 == 0 ? Fewest::rules : Fewest::colours;
     const Synthesis result = synthesise(target, options);
     if (!result.best) continue;
@@ -110,7 +110,7 @@ TEST_CASE("symmetric targets, too, also about the middle of four cells") {
     for (const Symmetry symmetry : {Symmetry::rotations, Symmetry::rotations_mirrors}) {
       SynthesisOptions options;
       options.symmetry = symmetry;
-      options.seconds = 2;
+      options.effort = 0.1;
       const Target target = box({side, side, 2});
       const Synthesis result = synthesise(target, options);
       REQUIRE(result.best);
@@ -160,7 +160,7 @@ TEST_CASE("for given colours an order is found that no family has") {
     target.bricks = numbered_bricks(k);
     SynthesisOptions options;
     options.start = {target.cells.front()};
-    options.seconds = 5;
+    options.effort = 0.25;
     const Synthesis result = synthesise(target, options);
     if (!result.best) continue;
     ++found;
@@ -177,24 +177,24 @@ TEST_CASE("for given colours an order is found that no family has") {
 TEST_CASE("impossible targets say which reason stands in the way") {
   const Target apart = carved({3, 1, 1}, [](Cell c) { return c.x != 1; });
   Synthesis result = synthesise(apart, {});
-  REQUIRE(result.impossible);
-  CHECK(result.impossible->kind == Impossible::Kind::not_connected);
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->kind == Obstacle::Kind::not_connected);
 
   SynthesisOptions options;
   options.start = {{5, 5, 5}};
   result = synthesise(box({2, 1, 1}), options);
-  REQUIRE(result.impossible);
-  CHECK(result.impossible->kind == Impossible::Kind::bad_start);
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->kind == Obstacle::Kind::bad_start);
 
   options.start = {{0, 0, 0}};
   options.most_colours = 6;
   result = synthesise(box({7, 1, 1}), options);
-  REQUIRE(result.impossible);
-  CHECK(result.impossible->kind == Impossible::Kind::colours);
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->kind == Obstacle::Kind::colours);
 
   result = synthesise(drawn("1 1 1 1", ColourUse::given), {});
-  REQUIRE(result.impossible);
-  CHECK(result.impossible->kind == Impossible::Kind::look_alike);
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->kind == Obstacle::Kind::look_alike);
 }
 
 TEST_CASE("a fault is found in rules that were tampered with") {

@@ -30,17 +30,17 @@ namespace {
 /// In larger structures it is not asked whether agents can walk to every site in time.
 constexpr std::size_t kMostWalkedTo = 20'000;
 
-std::string_view words(Impossible::Kind kind) {
+std::string_view words(Obstacle::Kind kind) {
   switch (kind) {
-    case Impossible::Kind::bad_start:
+    case Obstacle::Kind::bad_start:
       return "bad-start";
-    case Impossible::Kind::not_connected:
+    case Obstacle::Kind::not_connected:
       return "not-connected";
-    case Impossible::Kind::asymmetric:
+    case Obstacle::Kind::asymmetric:
       return "asymmetric";
-    case Impossible::Kind::look_alike:
+    case Obstacle::Kind::look_alike:
       return "look-alike";
-    case Impossible::Kind::colours:
+    case Obstacle::Kind::colours:
       break;
   }
   return "colours";
@@ -71,15 +71,23 @@ std::string options_in_words(const SynthOptions& o) {
   for (const Cell c : o.start) out += fmt::format(" --start {},{},{}", c.x, c.y, c.z);
   if (o.floor) out += " --floor";
   if (o.fewest == Fewest::rules) out += " --fewest rules";
+  if (o.effort != 1) out += fmt::format(" --effort {}", o.effort);
   return out;
 }
 
-Wording wording(const SynthOptions& options, const Solution& solution) {
+/// Why the result of a search that was cut short is not the one that the effort gives.
+std::string_view ended_early() {
+  return stop_requested() ? "a signal ended the search: another run may find better"
+                          : "the time allowed ended the search: another run may find better";
+}
+
+Wording wording(const SynthOptions& options, const Solution& solution, bool cut_short) {
   const std::string file = file_name(options.target);
   return {set_name(options.target),
           fmt::format("{}, {} bricks", file, solution.frame->cells.size()),
-          fmt::format("compiled by stigc synth from {}{}; {}", file, options_in_words(options),
-                      solution.order.name)};
+          fmt::format("compiled by stigc synth from {}{}; {}{}", file, options_in_words(options),
+                      solution.order.name,
+                      cut_short ? fmt::format("; {}", ended_early()) : std::string())};
 }
 
 Json point_json(const Solution& s) {
@@ -122,15 +130,17 @@ Json to_json(const SynthOptions& options, const Synthesis& result, const Outcome
     }
     json["others"] = Json::array();
     for (const Solution& other : result.others) json["others"].push_back(point_json(other));
-  } else if (result.impossible) {
-    json["verdict"] = "impossible";
-    json["reason"] = words(result.impossible->kind);
-    json["what"] = result.impossible->what;
-    if (!result.impossible->drawing.empty()) json["drawing"] = result.impossible->drawing;
-    json["remedies"] = result.impossible->remedies;
+  } else if (result.obstacle) {
+    json["verdict"] = result.obstacle->proved ? "impossible" : "not-found";
+    json["reason"] = words(result.obstacle->kind);
+    json["what"] = result.obstacle->what;
+    if (!result.obstacle->drawing.empty()) json["drawing"] = result.obstacle->drawing;
+    json["remedies"] = result.obstacle->remedies;
   } else {
-    json["verdict"] = "out-of-time";
+    json["verdict"] = result.cut_short ? "out-of-time" : "not-found";
   }
+  json["impossible"] = result.obstacle && result.obstacle->proved;
+  json["cut_short"] = result.cut_short;
   json["orders_tried"] = result.orders_tried;
   json["seconds"] = result.seconds;
   if (!outcome.written.empty()) json["written"] = outcome.written;
@@ -164,13 +174,28 @@ std::string summary(const Synthesis& result, const Outcome& outcome) {
     out += line("or", fmt::format("{} colours and {} rules: {}", other.colour_count,
                                   other.rules.size(), other.order.name));
   }
+  if (result.cut_short) out += line("note", std::string(ended_early()));
   return out;
 }
 
-std::string reason(const Impossible& impossible, bool color) {
-  std::string out = fmt::format("{}: {}\n", red("impossible", color), impossible.what);
-  out += impossible.drawing;
-  for (const std::string& remedy : impossible.remedies) out += "  remedy: " + remedy + "\n";
+std::string orders_in_words(std::size_t tried) {
+  return tried == 1 ? "the one order tried does not work"
+                    : fmt::format("none of the {} orders tried works", tried);
+}
+
+std::string reason(const Synthesis& result, bool color) {
+  const Obstacle& obstacle = *result.obstacle;
+  std::string out;
+  if (obstacle.proved) {
+    out = fmt::format("{}: {}\n", red("impossible", color), obstacle.what);
+  } else if (result.orders_tried == 0) {
+    out = fmt::format("{}: {}\n", red("not found", color), obstacle.what);
+  } else {
+    out = fmt::format("{}: {}\n  in the most telling one {}\n", red("not found", color),
+                      orders_in_words(result.orders_tried), obstacle.what);
+  }
+  out += obstacle.drawing;
+  for (const std::string& remedy : obstacle.remedies) out += "  remedy: " + remedy + "\n";
   return out;
 }
 
@@ -194,18 +219,23 @@ int write_proof(const SynthOptions& options, const Target& target, const Solutio
     app.say("one colour: there are no fewer to be refuted");
     return kOk;
   }
-  const auto proof = prove_fewest(solution, static_cast<int>(target.bricks.size()),
-                                  Deadline::after(options.seconds, &stop_requested()));
+  Effort effort(Deadline::after(options.seconds, &stop_requested()));
+  const auto proof =
+      prove_fewest(solution, static_cast<int>(target.bricks.size()),
+                   {&effort, static_cast<std::uint64_t>(options.effort * kStepsOfEffort)});
   if (!proof) {
-    app.complain("no proof that fewer colours do not do was found within the budget");
+    app.complain("no proof that fewer colours do not do was found with this effort");
     return kRunFailed;
   }
+  const std::size_t before = written.size();
   const std::vector<std::pair<std::string, const std::string*>> files = {
       {"fewer.json", &proof->problem}, {"fewer.cnf", &proof->cnf}, {"fewer.drat", &proof->drat}};
   for (const auto& [name, bytes] : files) {
     std::string error;
     if (!write_into(*options.proof, name, *bytes, error)) {
       app.complain(error);
+      // Two of the three files prove nothing.
+      for (; written.size() > before; written.pop_back()) std::remove(written.back().c_str());
       return kRunFailed;
     }
     written.push_back(*options.proof + "/" + name);
@@ -230,7 +260,7 @@ int write_results(const SynthOptions& options, const Target& target, const Synth
                   App& app, Outcome& outcome) {
   const Solution& s = *result.best;
   const RuleSet rules = make_rule_set(*s.frame, s.colours, s.colour_count, target.bricks, s.rules,
-                                      wording(options, s));
+                                      wording(options, s, result.cut_short));
   VerifyOptions verifying;
   verifying.stop = &stop_requested();
   outcome.proof = verify(rules, verifying);
@@ -273,13 +303,24 @@ SynthesisOptions synthesis_options(const SynthOptions& options) {
   out.family = options.family;
   out.strict_only = options.strict;
   out.merge = !options.exact;
-  out.seconds = options.seconds;
+  out.effort = options.effort;
   return out;
 }
 
 }  // namespace
 
 namespace {
+
+/// Looked at before the search, so that a slip does not cost it.
+bool outputs_are_writable(const SynthOptions& options, const App& app) {
+  for (const auto& path : {options.output, options.certificate}) {
+    const std::string problem = path ? folder_problem(*path) : "";
+    if (problem.empty()) continue;
+    app.complain(printable(problem));
+    return false;
+  }
+  return true;
+}
 
 /// Tries to do with fewer colours by means of a scaffold.
 void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result,
@@ -296,7 +337,7 @@ void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result
   const int below = std::min(known.best->colour_count, searching.most_colours + 1);
   auto found = find_scaffold(
       target, counting_cells(*known.best, static_cast<int>(target.bricks.size())),
-      static_cast<std::size_t>(options.scaffold), below, searching, options.seconds, hooks);
+      static_cast<std::size_t>(options.scaffold), below, searching, options.effort, hooks);
   if (!found) return;
   target = std::move(found->target);
   result = std::move(found->result);
@@ -313,18 +354,19 @@ int run(const SynthOptions& options, App& app) {
     return kFailed;
   }
   Target target = target_of(*loaded, options.use);
+  if (!outputs_are_writable(options, app)) return kRunFailed;
   stop_on_signals();
   Progress progress(app);
   SynthesisHooks hooks;
-  hooks.stop = &stop_requested();
+  hooks.deadline = Deadline::after(options.seconds, &stop_requested());
   hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
   const SynthesisOptions searching = synthesis_options(options);
   Synthesis result = synthesise(target, searching, hooks);
   Outcome outcome;
   if (options.scaffold > 0) add_scaffold(options, target, result, hooks, outcome);
-  if (result.impossible) {
-    result.impossible->remedies =
-        find_remedies(target, searching, *result.impossible, options.seconds, hooks);
+  if (result.obstacle) {
+    result.obstacle->remedies = find_remedies(target, searching, *result.obstacle, hooks);
+    result.cut_short = result.cut_short || hooks.deadline.passed();
   }
   progress.clear();
   int code = kRunFailed;
@@ -332,11 +374,15 @@ int run(const SynthOptions& options, App& app) {
     code = write_results(options, target, result, app, outcome);
     if (options.output && !options.json) app.print(summary(result, outcome));
     if (!options.output && !options.json) app.say(summary(result, outcome));
-  } else if (result.impossible) {
-    code = kFailed;
-    if (!options.json) app.print(reason(*result.impossible, app.color_out()));
+  } else if (result.obstacle) {
+    code = result.obstacle->proved ? kFailed : kRunFailed;
+    if (!options.json) app.print(reason(result, app.color_out()));
+    if (result.cut_short) app.say(ended_early());
   } else if (!options.json) {
-    app.complain("no rule set was found within the budget; --budget gives it more time");
+    app.complain(result.cut_short
+                     ? fmt::format("not found: {}", ended_early())
+                     : fmt::format("not found: {} with this effort; --effort allows more",
+                                   orders_in_words(result.orders_tried)));
   }
   if (options.json) app.print(dump(to_json(options, result, outcome)));
   return code;

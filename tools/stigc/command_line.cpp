@@ -341,7 +341,11 @@ void add_synth_search(CLI::App* sub, SynthOptions& o) {
   integer(sub, "--scaffold", o.scaffold, 0, 1000000,
           "so many cells may be added beside straight runs, which can then count in fewer colours");
   sub->add_flag("--exact", o.exact, "one rule for each neighbourhood, none merged");
-  integer(sub, "--budget", o.seconds, 1, 1000000, "seconds for the search (default: 20)");
+  integer(sub, "--effort", o.effort, 1, 1000000,
+          "how much is tried, in units of some 20 seconds at most on a machine of 2020; the same "
+          "effort gives the same result (default: 1)");
+  integer(sub, "--budget", o.seconds, 1, 1000000,
+          "seconds after which the search ends with what it has, and says so (default: 300)");
 }
 
 void add_synth(CLI::App& app, SynthOptions& o) {

@@ -137,10 +137,11 @@ struct SynthOptions {
   bool floor = false;
   Fewest fewest = Fewest::colours;
   std::optional<OrderFamily> family;
-  bool strict = false;  ///< no ties
-  bool exact = false;   ///< no merging
-  int scaffold = 0;     ///< cells that may be added
-  double seconds = 20;
+  bool strict = false;   ///< no ties
+  bool exact = false;    ///< no merging
+  int scaffold = 0;      ///< cells that may be added
+  int effort = 1;        ///< how much is tried
+  double seconds = 300;  ///< after which the search ends early
   std::optional<std::string> output;
   std::optional<std::string> certificate;
   std::optional<std::string> proof;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// What is found depends on the effort allowed, not on how busy the machine is.
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <thread>
+
+#include "rules/rule_printer.h"
+#include "synthesis/emit.h"
+#include "synthesis/shapes.h"
+#include "synthesis/synthesise.h"
+
+namespace stig {
+namespace {
+
+std::string text_of(const Synthesis& result) {
+  if (!result.best) return result.obstacle ? result.obstacle->what : "";
+  const Solution& s = *result.best;
+  return print_rule_set(
+      make_rule_set(*s.frame, s.colours, s.colour_count, {}, s.rules, {"made", s.order.name, ""}));
+}
+
+std::string made(const Target& target, double effort) {
+  SynthesisOptions options;
+  options.effort = effort;
+  const Synthesis result = synthesise(target, options);
+  CHECK_FALSE(result.cut_short);
+  return text_of(result);
+}
+
+TEST_CASE("the same effort gives the same rules, whatever runs beside it") {
+  // So little that the search is cut off in the midst of orders, solver calls and merging.
+  for (const double effort : {1e-6, 1e-3, 0.02}) {
+    CAPTURE(effort);
+    const Target target = hollow_box(4);
+    const std::string alone = made(target, effort);
+    std::atomic<bool> stop = false;
+    std::vector<std::thread> busy;
+    for (int i = 0; i < 4; ++i) {
+      busy.emplace_back([&stop] {
+        while (!stop) std::this_thread::yield();
+      });
+    }
+    const std::string together = made(target, effort);
+    stop = true;
+    for (std::thread& thread : busy) thread.join();
+    CHECK(alone == together);
+  }
+}
+
+TEST_CASE("a deadline that is over ends the search, and the result says so") {
+  std::atomic<bool> stop = true;
+  SynthesisHooks hooks;
+  hooks.deadline.stop = &stop;
+  const Synthesis result = synthesise(box({4, 4, 4}), {}, hooks);
+  CHECK(result.cut_short);
+  CHECK_FALSE(result.obstacle);
+}
+
+TEST_CASE("impossible is said of every order alone") {
+  SynthesisOptions options;
+  options.start = {{0, 0, 0}};
+  options.most_colours = 6;
+  Synthesis result = synthesise(box({7, 1, 1}), options);  // one order there is
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->proved);
+  options.most_colours = 12;
+  result = synthesise(box({13, 1, 1}), options);  // too long for all orders to be listed
+  REQUIRE(result.obstacle);
+  CHECK_FALSE(result.obstacle->proved);
+  result = synthesise(drawn("1 1 1 1", ColourUse::given), {});  // from every start
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->proved);
+}
+
+TEST_CASE("orders with ties are listed, each that differs in what comes before what") {
+  const Frame plate = make_frame(box({2, 2, 1}), {{{0, 0, 0}}});
+  // Three cells that are all neighbours of each other and of the start: weak orders of three.
+  CHECK(all_orders(plate, 100).size() == 6);
+  CHECK(all_orders(plate, 100, Ties::allowed).size() == 13);
+  CHECK(all_orders(plate, 12, Ties::allowed).empty());
+}
+
+}  // namespace
+}  // namespace stig
