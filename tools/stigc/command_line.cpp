@@ -337,6 +337,7 @@ void add_synth_search(CLI::App* sub, SynthOptions& o) {
        {"ribbons", OrderFamily::ribbons},
        {"crowded", OrderFamily::crowded}},
       "orders of placement that are tried (default: all)");
+  sub->add_flag("--strict", o.strict, "no ties in the order, but for what the symmetry maps");
   integer(sub, "--scaffold", o.scaffold, 0, 1000000,
           "so many cells may be added beside straight runs, which can then count in fewer colours");
   sub->add_flag("--exact", o.exact, "one rule for each neighbourhood, none merged");

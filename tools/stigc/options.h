@@ -137,8 +137,9 @@ struct SynthOptions {
   bool floor = false;
   Fewest fewest = Fewest::colours;
   std::optional<OrderFamily> family;
-  bool exact = false;  ///< no merging
-  int scaffold = 0;    ///< cells that may be added
+  bool strict = false;  ///< no ties
+  bool exact = false;   ///< no merging
+  int scaffold = 0;     ///< cells that may be added
   double seconds = 20;
   std::optional<std::string> output;
   std::optional<std::string> certificate;
