@@ -51,7 +51,7 @@ class StageProver {
     if (hasty && !stuck_.empty() && proof_.kind == StageProof::Kind::unknown) {
       return std::move(proof_);
     }
-    grow(groups, 0);
+    if (!refuted() && !gave_up_ && !budget_.spent()) grow(groups, 0);
     for (int round = 1; !gave_up_ && !refuted() && !budget_.spent(); ++round) {
       if (attempt(groups)) return std::move(proof_);
       if (refuted() || gave_up_) return std::move(proof_);
@@ -396,6 +396,7 @@ class StageProver {
     }
     if (bricks.size() > kMostGroup) {
       gave_up_ = true;
+      if (failures_.empty()) return;  // the time is over
       proof_.open =
           fmt::format("{} sites are not settled by the order of their neighbours, the first at {}",
                       failures_.size(), in_words(model_.at(failures_.front().site)));
