@@ -156,6 +156,58 @@ TEST_CASE("without a budget nothing is claimed") {
   CHECK(verdict(steps_of_4n(6), 0).verdict == ProofVerdict::unknown);
 }
 
+TEST_CASE("a rule that takes over higher up ends what looked endless") {
+  const std::string up =
+      "  - {name: cap, place: 2, height: {min: 9000}, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? ? * ? ? 1 ?\\n? ? ? ? ? ? ? ? ?\"}\n"
+      "  - {name: up, place: 1, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? ? * ? ? 1 ?\\n? ? ? ? ? ? ? ? ?\"}\n";
+  const VerifyResult result = verdict(small_set(up, "conflicts: first\n"));
+  REQUIRE(result.verdict == ProofVerdict::proved);
+  CHECK(result.structure->size() == 9001);
+}
+
+TEST_CASE("what is unlikely is tried too: an order that ends beside one that does not") {
+  const std::string race =
+      "  - {name: go, place: 1, weight: 1000000, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? 1 * ? ? ? ?\\n? ? ? ? ? ? ? ? ?\"}\n"
+      "  - {name: stop, place: 2, weight: 0.000001, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? 1 * ? ? ? ?\\n? ? ? ? ? ? ? ? ?\"}\n";
+  CHECK(verdict(small_set(race, "conflicts: random\n")).verdict == ProofVerdict::refuted);
+}
+
+TEST_CASE("growth by a count is proved, however many states there are") {
+  const std::string rule =
+      "  - {name: any, place: 1, count: [{of: [\"#\"], among: all, min: 1}], "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? ? * ? ? ? ?\\n? ? ? ? ? ? ? ? ?\"}\n";
+  const VerifyResult result =
+      verdict(small_set(rule, "box: {size: [4, 4, 3], origin: [0, 0, 0]}\n"));
+  REQUIRE(result.verdict == ProofVerdict::proved);
+  CHECK(result.structure->size() == 48);
+  CHECK(result.method == ProofMethod::certificate);
+}
+
+TEST_CASE("stages that end differently and stay so are refuted over all stages") {
+  // Stage 1 places one brick, on either side; stage 2 another on top of it.
+  const std::string rules = R"(
+  - {name: beside, stage: 1, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? 1 * ? ? ? ?\n? ? ? ? ? ? ? ? ?"}
+  - {name: on top, stage: 2, place: 3, when: "? ? ? ? ? ? ? ? ?\n? ? ? ? * ? ? 2 ?\n? ? ? ? ? ? ? ? ?"}
+)";
+  const VerifyResult result = verdict(small_set(rules, "symmetry: rotations\nstages: {1: 1}\n"));
+  REQUIRE(result.verdict == ProofVerdict::refuted);
+  CHECK(result.refutation->first_end.size() == result.refutation->second_end.size());
+}
+
+TEST_CASE("when the time is over nothing falls over, wherever that is") {
+  RuleSet rules = small_set(east_of("1", "1"), "box: {size: [20000, 1, 1], origin: [0, 0, 0]}\n");
+  for (const double seconds : {0.001, 0.005, 0.02, 0.05}) {
+    const VerifyResult result = verdict(rules, seconds);
+    const bool sound =
+        result.verdict == ProofVerdict::unknown || result.verdict == ProofVerdict::proved;
+    CHECK(sound);
+  }
+}
+
 TEST_CASE("an order that ends and one that does not: refuted") {
   // The cap stops the row, if it comes before the row has passed.
   const std::string cap = R"(

@@ -18,8 +18,8 @@
 namespace stig {
 namespace {
 
-constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 30;
-constexpr std::size_t kMostProofBytes = std::size_t{1} << 32;
+constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 28;
+constexpr std::size_t kMostProofBytes = std::size_t{1} << 30;
 
 std::optional<std::string> bytes_of(const std::string& path, std::size_t most, const App& app) {
   FileError error;
