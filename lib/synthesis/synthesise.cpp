@@ -48,12 +48,14 @@ class Synthesiser {
     const auto began = std::chrono::steady_clock::now();
     for (const std::vector<Cell>& start : starts) candidates_.add_start(start);
     candidates_.look_at_families(share(large() ? kLookingLarge : kLooking), whole_);
-    if (candidates_.list.empty() && candidates_.all_given() && !options_.family) {
+    if (candidates_.list.empty()) look_at_every_order();
+    const bool open = candidates_.list.empty() && !every_order_;
+    if (open && candidates_.all_given() && !options_.family) {
       candidates_.search(share(kDiscovering.back()));
     }
     colour();
     if (solutions_.empty()) {
-      every_order_ = candidates_.look_at_every_order(share(kMergingMany));
+      if (!every_order_) look_at_every_order();
       discover(kSlices.back(), share(kMergingMany));
     }
     finish();
@@ -65,6 +67,10 @@ class Synthesiser {
   }
 
  private:
+  void look_at_every_order() {
+    every_order_ = candidates_.look_at_every_order(share(kMergingMany));
+  }
+
   void tell(const std::string& what) {
     if (hooks_.progress) hooks_.progress(0, what);
   }

@@ -120,6 +120,9 @@ TEST_CASE("synth prints a rule set, a summary, or why there is none") {
   place.write("apart.txt", "1 . 1\n");
   hold(place, "synth-impossible",
        "stigc synth apart.txt; stigc synth apart.txt --json | grep -v seconds");
+  hold(place, "synth-not-found",
+       "stigc synth stairs.txt --colours 1 --order raster --start 0,0,0; "
+       "stigc synth stairs.txt --colours 1 --order raster --start 0,0,0 --json | grep -v seconds");
   hold(place, "synth-asymmetric", "stigc synth stairs.txt --symmetry rotations --start 0,0,0");
 }
 

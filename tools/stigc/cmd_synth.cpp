@@ -363,7 +363,10 @@ int run(const SynthOptions& options, App& app) {
   const SynthesisOptions searching = synthesis_options(options);
   Synthesis result = synthesise(target, searching, hooks);
   Outcome outcome;
-  if (options.scaffold > 0) add_scaffold(options, target, result, hooks, outcome);
+  if (options.scaffold > 0) {
+    add_scaffold(options, target, result, hooks, outcome);
+    result.cut_short = result.cut_short || hooks.deadline.passed();
+  }
   if (result.obstacle) {
     result.obstacle->remedies = find_remedies(target, searching, *result.obstacle, hooks);
     result.cut_short = result.cut_short || hooks.deadline.passed();
