@@ -53,21 +53,26 @@ double drift_mm(const AnyWorld& world, const WorldConfig& config) {
 }
 
 template <class AnyWorld>
-void awake(benchmark::State& state, WorldConfig (*make)()) {
+void stay_awake(benchmark::State& state, WorldConfig (*make)()) {
   WorldConfig config = make();
   config.sleep.enabled = false;
   AnyWorld world(config);
+  // The first step searches forces from nothing.
+  for (int i = 0; i < 5; ++i) static_cast<void>(world.step());
   for (auto _ : state) {
     if (!world.step().ok) state.SkipWithError("diverged");
   }
   state.counters["drift_mm"] = drift_mm(world, config);
 }
-BENCHMARK_CAPTURE(awake<World>, pyramid_15, pyramid)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(awake<World>, wall_20x5, low_wall)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(awake<World>, wall_10x10, high_wall)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(awake<World>, apart_500, apart)->Unit(benchmark::kMillisecond);
+void awake(benchmark::State& state, WorldConfig (*make)()) { stay_awake<World>(state, make); }
+BENCHMARK_CAPTURE(awake, pyramid_15, pyramid)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(awake, wall_20x5, low_wall)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(awake, wall_10x10, high_wall)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(awake, apart_500, apart)->Unit(benchmark::kMillisecond);
 #if STIG_WITH_DART
-void stock_awake(benchmark::State& state, WorldConfig (*make)()) { awake<StockWorld>(state, make); }
+void stock_awake(benchmark::State& state, WorldConfig (*make)()) {
+  stay_awake<StockWorld>(state, make);
+}
 BENCHMARK_CAPTURE(stock_awake, pyramid_15, pyramid)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(stock_awake, apart_500, apart)->Unit(benchmark::kMillisecond)->Iterations(20);
 #endif

@@ -67,10 +67,26 @@ std::vector<OwnerCell> owner_cells(const std::vector<MagnetOwner>& owners, doubl
   return cells;
 }
 
+/// Magnets of `owner` that may be within the cut-off of one about `centre`.
+void find_near(const std::vector<Magnet>& magnets, const MagnetOwner& owner, const Vec3& centre,
+               double reach, std::vector<std::uint32_t>& out) {
+  out.clear();
+  for (std::uint32_t i = owner.begin; i < owner.end; ++i) {
+    if (squared(magnets[i].p_W - centre) < reach * reach) out.push_back(i);
+  }
+}
+
+/// Lists of magnets, kept to save their making for each pair of owners.
+struct NearLists {
+  std::vector<std::uint32_t> a, b;
+};
+
 void add_pairs(const std::vector<Magnet>& magnets, const MagnetOwner& a, const MagnetOwner& b,
-               double cutoff, std::vector<MagnetPair>& out) {
-  for (std::uint32_t i = a.begin; i < a.end; ++i) {
-    for (std::uint32_t j = b.begin; j < b.end; ++j) {
+               double radius, double cutoff, NearLists& near, std::vector<MagnetPair>& out) {
+  find_near(magnets, a, b.centre, cutoff + radius, near.a);
+  find_near(magnets, b, a.centre, cutoff + radius, near.b);
+  for (const std::uint32_t i : near.a) {
+    for (const std::uint32_t j : near.b) {
       const Vec3 r = magnets[i].p_W - magnets[j].p_W;
       const double d2 = squared(r);
       if (!(d2 < cutoff * cutoff) || d2 == 0) continue;
@@ -113,6 +129,9 @@ std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
   const double reach = cutoff + 2 * radius;
   const std::vector<OwnerCell> cells = owner_cells(owners, reach);
   std::vector<MagnetPair> out;
+  NearLists near;
+  // Rounding must not leave out a magnet that lies at the radius itself.
+  const double ball = radius * (1 + 1e-9);
   for (const OwnerCell& cell : cells) {
     const MagnetOwner& a = owners[cell.owner];
     if (!a.awake) continue;
@@ -125,7 +144,9 @@ std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
              ++at) {
           const MagnetOwner& b = owners[at->owner];
           if (at->owner == cell.owner || (b.awake && at->owner < cell.owner)) continue;
-          if (squared(a.centre - b.centre) < reach * reach) add_pairs(magnets, a, b, cutoff, out);
+          if (squared(a.centre - b.centre) < reach * reach) {
+            add_pairs(magnets, a, b, ball, cutoff, near, out);
+          }
         }
       }
     }

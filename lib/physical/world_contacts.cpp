@@ -13,17 +13,21 @@ constexpr double kMostMargin = 50e-3;  ///< m: for fast bodies
 constexpr int kFirstSweeps = 50;       ///< times as many sweeps in the first step
 constexpr double kTouching = 50e-6;    ///< m: below, a contact has begun
 
-/// How far the surface may come in a step, on top of half the margin.
-double reach_of(const WorldState& world, std::uint32_t i) {
-  const Body& body = world.bodies[i];
-  if (!body.awake) return kMargin / 2;
-  const double speed = length(body.v) + length(body.w) * body.shape.radius();
-  return std::min(kMostMargin, kMargin / 2 + speed * world.config.step);
+/// How far turning may bring the surface in a step.
+double turning_reach(const WorldState& world, const Body& body) {
+  return length(body.w) * body.shape.radius() * world.config.step;
+}
+
+/// Gap below which two bodies may touch in this step.
+double margin_of(const WorldState& world, const Body& a, const Body& b) {
+  const double way = length(a.v - b.v) * world.config.step;
+  return std::min(kMostMargin, kMargin + way + turning_reach(world, a) + turning_reach(world, b));
 }
 
 Placed placed(const Body& body) { return {body.shape, body.p, body.r}; }
 
-Bounds bounds_of(const Body& body, double reach) {
+/// All that the body may reach in this step, and half the margin.
+Bounds bounds_of(const WorldState& world, const Body& body) {
   Vec3 h = body.shape.half;
   if (body.shape.kind == ShapeKind::box) {
     const Vec3 x = body.r.x * h.x, y = body.r.y * h.y, z = body.r.z * h.z;
@@ -31,9 +35,19 @@ Bounds bounds_of(const Body& body, double reach) {
          std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
          std::abs(x.z) + std::abs(y.z) + std::abs(z.z)};
   }
-  h += Vec3{reach, reach, reach};
-  return {body.p - h, body.p + h};
+  const double reach = kMargin / 2 + std::min(kMostMargin, turning_reach(world, body));
+  const auto way = [&world](double speed) {
+    return std::clamp(speed * world.config.step, -kMostMargin, kMostMargin);
+  };
+  const Vec3 step{way(body.v.x), way(body.v.y), way(body.v.z)};
+  const auto down = [reach](double x) { return std::min(x, 0.0) - reach; };
+  const auto up = [reach](double x) { return std::max(x, 0.0) + reach; };
+  return {body.p - h + Vec3{down(step.x), down(step.y), down(step.z)},
+          body.p + h + Vec3{up(step.x), up(step.y), up(step.z)}};
 }
+
+/// Stands for the floor, as far as motion goes.
+const Body kAtRest{};
 
 bool takes_part(const WorldState& world, std::uint32_t i) {
   return i != kFloorBody && world.bodies[i].awake && !world.bodies[i].left;
@@ -62,7 +76,7 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
 /// Contacts in which somebody takes part, in the order of (a, b).
 std::vector<Contact> find_contacts(WorldState& world) {
   for (const std::uint32_t i : world.awake) {
-    world.bounds[i] = bounds_of(world.bodies[i], reach_of(world, i));
+    world.bounds[i] = bounds_of(world, world.bodies[i]);
   }
   const auto pairs = candidate_pairs(cells_of(world.awake, world.bounds, world.cell),
                                      world.resting_cells, world.bounds);
@@ -70,13 +84,13 @@ std::vector<Contact> find_contacts(WorldState& world) {
   out.reserve(pairs.size() + world.awake.size());
   for (const auto& [a, b] : pairs) {
     if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
-    const double margin = reach_of(world, a) + reach_of(world, b);
+    const double margin = margin_of(world, world.bodies[a], world.bodies[b]);
     add_contact(world, a, b, touch(placed(world.bodies[a]), placed(world.bodies[b]), margin), out);
   }
   if (world.config.floor) {
     for (const std::uint32_t i : world.awake) {
       if (world.bodies[i].fixed) continue;
-      const double margin = reach_of(world, i) + kMargin / 2;
+      const double margin = margin_of(world, world.bodies[i], kAtRest);
       add_contact(world, i, kFloorBody, touch_floor(placed(world.bodies[i]), margin), out);
     }
   }
@@ -153,7 +167,7 @@ void refresh_lists(WorldState& world) {
     const Body& body = world.bodies[i];
     if (body.left) continue;
     (body.awake ? world.awake : world.resting).push_back(i);
-    if (!body.awake) world.bounds[i] = bounds_of(body, kMargin / 2);
+    if (!body.awake) world.bounds[i] = bounds_of(world, body);
   }
   world.resting_cells = cells_of(world.resting, world.bounds, world.cell);
 }
