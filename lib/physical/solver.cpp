@@ -118,6 +118,8 @@ void undo_overlaps(std::vector<PointRows>& rows, std::vector<SolverBody>& bodies
 }
 
 double relax_friction(PointRows& rows, SolverBody& a, SolverBody& b) {
+  // Most points of a pile that falls carry nothing.
+  if (rows.push == 0 && rows.slide_first == 0 && rows.slide_second == 0) return 0;
   double x = rows.slide_first - velocity(rows.first, a, b) * rows.first.mass;
   double y = rows.slide_second - velocity(rows.second, a, b) * rows.second.mass;
   const double most = rows.friction * rows.push, size = std::sqrt(x * x + y * y);
