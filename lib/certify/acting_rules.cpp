@@ -98,6 +98,23 @@ NeighbourSet ActingRules::asked_about(const Outlook& site,
   return asked & site.open;
 }
 
+bool ActingRules::counts_stay(const Outlook& site, const Candidate& candidate,
+                              NeighbourSet there) const {
+  const Rule& rule = rules_.rules[candidate.rule];
+  if (!counts_hold(rule, site, there)) return false;
+  return std::all_of(rule.counts.begin(), rule.counts.end(), [&](const CountCondition& count) {
+    int most = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size); ++i) {
+      if (count.faces_only && !neighbours_.is_face[i]) continue;
+      const bool counts = count.of.contains(site.shows[i]);
+      const bool open = (site.open >> i & 1U) != 0;
+      if (open && count.of.contains(kEmpty) && !counts) return false;  // what comes lowers it
+      most += counts || (open && count.of.contains(kEmpty)) ? 1 : 0;
+    }
+    return most <= count.max;
+  });
+}
+
 bool ActingRules::counts_hold(const Rule& rule, const Outlook& site, NeighbourSet there) const {
   return std::all_of(rule.counts.begin(), rule.counts.end(), [&](const CountCondition& count) {
     int number = 0;

@@ -50,6 +50,8 @@ class ActingRules {
   void candidates(const Outlook& site, int stage, std::vector<Candidate>& out) const;
   /// The open neighbours that make a difference to some candidate.
   NeighbourSet asked_about(const Outlook& site, const std::vector<Candidate>& candidates) const;
+  /// Do the counts of a rule hold when these are there, and whatever comes besides?
+  bool counts_stay(const Outlook& site, const Candidate& candidate, NeighbourSet there) const;
   /// What rules do at the site when of its open neighbours just these are there. Beside
   /// no brick at all there is no event, whatever a rule says.
   Action act(const Outlook& site, const std::vector<Candidate>& candidates, NeighbourSet there,

@@ -114,6 +114,7 @@ bool StageCheck::load_far() {
 
 bool StageCheck::load_windows() {
   for (std::uint32_t w = 0; w < stage_.windows.size(); ++w) {
+    if (stage_.windows[w].group.empty()) return refuse("a window has no group");
     if (!load_members(w, stage_.windows[w].group, 0, true)) return false;
   }
   for (std::uint32_t w = 0; w < stage_.windows.size(); ++w) {

@@ -147,15 +147,13 @@ bool StageCheck::check_local_states(const Site& site) {
   return true;
 }
 
-/// For a site of whose local states there are too many to list.
+/// For a site of whose local states there are too many to list. A rule is granted that it
+/// matches where its pattern does, whatever it counts.
 bool StageCheck::check_least_states(const Site& site) {
   const bool brick = site.position != kNone;
   const bool groups = std::any_of(site.locals.begin(), site.locals.end(),
                                   [&](const Local& local) { return in_group(local.position); });
-  const bool counts =
-      std::any_of(site.candidates.begin(), site.candidates.end(),
-                  [&](const Candidate& c) { return !rules_.rules[c.rule].counts.empty(); });
-  if (groups || counts || rules_.conflicts == Conflicts::first) return refuse_too_many(site);
+  if (groups) return refuse_too_many(site);
   if (brick && !check_run(site)) return false;
   const NeighbourSet never = order_locals(site);
   const NeighbourSet run = brick ? seen_in_run(site) : 0;
@@ -165,15 +163,20 @@ bool StageCheck::check_least_states(const Site& site) {
     ++local_states_;
     const NeighbourSet least = closed(site, candidate.there);
     if ((least & (candidate.not_there | never)) != 0) continue;
-    if (rules_.rules[candidate.rule].place != site.colour) return refuse_rule(site, candidate.rule);
+    if (rules_.rules[candidate.rule].place != site.colour) {
+      return rules_.rules[candidate.rule].counts.empty() && rules_.conflicts != Conflicts::first
+                 ? refuse_rule(site, candidate.rule)
+                 : refuse_too_many(site);
+    }
     if ((before & ~least) != 0) {
       return refuse(
           fmt::format("the rule {} can place the brick at {} when a brick that should "
                       "be there before it is not",
                       in_quotes(rules_.rules[candidate.rule].name), cell_text(site.at)));
     }
-    // It matches in the run's state, and nothing that it forbids can come.
-    stays = stays || ((candidate.there & ~run) == 0 && (candidate.not_there & ~never) == 0);
+    // It matches in the run's state, and what can come does not undo that.
+    stays = stays || ((candidate.there & ~run) == 0 && (candidate.not_there & ~never) == 0 &&
+                      acting_.counts_stay(site.outlook, candidate, run));
   }
   return stays || refuse_too_many(site);
 }

@@ -8,6 +8,10 @@ namespace stig {
 
 using Kind = ClauseKind::Kind;
 
+namespace {
+constexpr std::size_t kMostForPairs = 16;
+}  // namespace
+
 void Encoding::emit_domains(const std::vector<int>& naming, const Sink& sink) const {
   const std::vector<Orbit>& orbits = d_.schedule().frame->orbits;
   std::vector<int> literals;
@@ -22,6 +26,9 @@ void Encoding::emit_domains(const std::vector<int>& naming, const Sink& sink) co
       }
     }
     sink(literals, {Kind::colour_of, orbit});
+    // Without these an orbit may have several colours, each of which will do: they help
+    // the solver, but not where there are very many.
+    if (literals.size() > kMostForPairs) continue;
     for (std::size_t a = 0; a < literals.size(); ++a) {
       for (std::size_t b = a + 1; b < literals.size(); ++b) {
         sink(std::array{-literals[a], -literals[b]}, {Kind::one_colour, orbit});

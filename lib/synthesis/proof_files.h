@@ -10,7 +10,7 @@
 // pairs of orbits that are equal. Comments:
 //
 //   c colour O           orbit O has a colour
-//   c one O              … and no other
+//   c one O              … and no other (left out where many are allowed)
 //   c domain O           a colour the target does not allow there
 //   c naming I O         colours are named in the order in which a list of orbits takes
 //                        new ones: O, the I-th from 1 on, has one of the first I beyond

@@ -10,10 +10,10 @@
 #include <tuple>
 
 #include "base/hash.h"
-#include "base/random.h"
 #include "synthesis/check_rules.h"
 #include "synthesis/emit.h"
-#include "synthesis/proof_files.h"
+#include "synthesis/hints.h"
+#include "synthesis/order_search.h"
 #include "synthesis/reasons.h"
 
 namespace stig {
@@ -21,7 +21,8 @@ namespace {
 
 /// When, in shares of the budget, each part of the search is to end. The rest is for
 /// merging.
-constexpr double kLooking = 0.15, kGathering = 0.5, kGatheringAgain = 0.75, kMergingMany = 0.85;
+constexpr double kLooking = 0.15, kLookingLarge = 0.05, kGathering = 0.5, kGatheringLarge = 0.6,
+                 kGatheringAgain = 0.75, kMergingMany = 0.85;
 constexpr std::array<double, 3> kDiscovering = {0.35, 0.6, 0.7};
 /// For one question to the solver, round by round …
 constexpr std::array<double, 3> kSlices = {0.02, 0.05, 0.15};
@@ -32,6 +33,8 @@ constexpr double kSliceOfMaking = 20, kSliceOfSuccess = 10;
 constexpr int kFirstColours = 6;
 /// Looking for few rules, so many colours more than needed are tried.
 constexpr int kMoreColours = 4;
+/// Orders from which a search among orders begins.
+constexpr std::size_t kBeginnings = 24;
 /// Below this many orbits every order is tried.
 constexpr std::size_t kFewOrbits = 8, kMostOrders = 1000;
 constexpr std::size_t kManyOrbits = 1500;
@@ -58,47 +61,6 @@ std::uint64_t hash_of(const Schedule& schedule) {
   for (const std::uint32_t mask : schedule.before) h = combine(h, mask);
   for (const std::uint32_t mask : schedule.beside) h = combine(h, mask);
   return h;
-}
-
-/// What a solver may start from. Colours at random are mostly free of clashes at once,
-/// regular ones make for fewer different keys, hence fewer rules.
-enum class Hint : std::uint8_t { random, distance, depth, uniform };
-
-/// How deep orbits lie in the target: 0 where a neighbour is missing.
-std::vector<std::int32_t> depths(const Frame& frame) {
-  std::vector<std::int32_t> depth(frame.orbits.size(), -1);
-  std::vector<std::size_t> queue;
-  const std::uint32_t all = (1U << frame.neighbours().size) - 1;
-  for (std::size_t i = 0; i < depth.size(); ++i) {
-    if (frame.sites[i].present == all) continue;
-    depth[i] = 0;
-    queue.push_back(i);
-  }
-  for (std::size_t next = 0; next < queue.size(); ++next) {
-    for (int i = 0; i < frame.neighbours().size; ++i) {
-      const std::int32_t beside = frame.sites[queue[next]].beside[static_cast<std::size_t>(i)];
-      if (beside < 0 || depth[static_cast<std::size_t>(beside)] >= 0) continue;
-      depth[static_cast<std::size_t>(beside)] = depth[queue[next]] + 1;
-      queue.push_back(static_cast<std::size_t>(beside));
-    }
-  }
-  return depth;
-}
-
-Colouring hint_of(const Frame& frame, Hint hint, int k) {
-  Colouring colours(frame.orbits.size(), 1);
-  Random random(1, 0, Purpose::order, 0, 0);
-  std::vector<std::int32_t> value(frame.orbits.size(), 0);
-  if (hint == Hint::distance) value = distances(frame, Steps::corners);
-  if (hint == Hint::depth) value = depths(frame);
-  for (std::size_t i = 0; i < colours.size(); ++i) {
-    int c = 0;
-    if (hint == Hint::random) c = static_cast<int>(random.below(static_cast<std::uint64_t>(k)));
-    if (hint == Hint::distance) c = value[i] % k;
-    if (hint == Hint::depth) c = std::min(value[i], k - 1);
-    colours[i] = static_cast<Colour>(1 + c);
-  }
-  return colours;
 }
 
 class Synthesiser {
@@ -131,7 +93,7 @@ class Synthesiser {
 
   /// Which orders can be used at all, and the fewest colours each might do with.
   void look_at_orders() {
-    const Deadline looking = share(kLooking);
+    const Deadline looking = share(large() ? kLookingLarge : kLooking);
     std::set<std::uint64_t> seen;
     for (std::size_t f = 0; f < frames_.size(); ++f) {
       if (frames_[f]->orbits.size() > kFewOrbits + 1 || options_.family) continue;
@@ -151,6 +113,38 @@ class Synthesiser {
                      [](const auto& a, const auto& b) { return a.at_least < b.at_least; });
   }
 
+  /// Is every colour given, so that an order is right or wrong without a solver?
+  bool all_given() const {
+    return std::all_of(target_.colours.begin(), target_.colours.end(),
+                       [](StateSet colours) { return colours.is_single(); });
+  }
+
+  void search_for_orders(std::set<std::uint64_t>& seen) {
+    tell(0, "searching among orders");
+    for (std::size_t f = 0; f < frames_.size(); ++f) {
+      const double end = kLooking + (kDiscovering.back() - kLooking) * static_cast<double>(f + 1) /
+                                        static_cast<double>(frames_.size());
+      std::vector<Order> first;
+      for (const OrderPlan& plan : order_plans()) {
+        if (first.size() < kBeginnings) first.push_back(plan.make(*frames_[f]));
+      }
+      OrderSearch found = search_orders(*frames_[f], given_colours(f), first, share(end));
+      result_.orders_tried += found.tried;
+      if (found.order) {
+        look_at(
+            f, [order = *found.order](const Frame&) { return order; }, seen);
+      } else if (found.clash) {
+        hopeless_ = describe_look_alikes(*found.nearest, *found.clash, target_);
+      }
+    }
+  }
+
+  Colouring given_colours(std::size_t f) const {
+    Colouring colours;
+    for (const Orbit& orbit : frames_[f]->orbits) colours.push_back(orbit.colours.first());
+    return colours;
+  }
+
   void look_at(std::size_t f, const std::function<Order(const Frame&)>& make,
                std::set<std::uint64_t>& seen) {
     if (whole_.passed()) return;
@@ -161,6 +155,13 @@ class Synthesiser {
     ++result_.orders_tried;
     const ColouringSearch search(*schedule, named_);
     tell(0, fmt::format("{} orders looked at", result_.orders_tried));
+    if (all_given()) {
+      const auto clashes = find_clashes(*schedule, given_colours(f), 1, 1);
+      if (!clashes.empty()) {
+        if (!hopeless_) hopeless_ = describe_look_alikes(*schedule, clashes.front(), target_);
+        return;
+      }
+    }
     if (search.differences().hopeless()) {
       if (!hopeless_) {
         hopeless_ = describe_look_alikes(*schedule, *search.differences().hopeless(), target_);
@@ -179,13 +180,15 @@ class Synthesiser {
 
   void colour() {
     discover(0);
-    gather(kGathering);
+    gather(large() ? kGatheringLarge : kGathering);
     const int before = best_;
-    // Large targets: the time is better spent on few rules than on the last colour.
-    if (frames_.front()->orbits.size() > kManyOrbits && best_ != 0) return;
+    if (large() && best_ != 0) return;
     for (std::size_t round = 1; round < kSlices.size(); ++round) discover(round);
     if (best_ != before) gather(kGatheringAgain);
   }
+
+  /// With large targets the time is better spent on few rules than on the last colour.
+  bool large() const { return frames_.front()->orbits.size() > kManyOrbits; }
 
   Deadline share(double share) const {
     return Deadline{began_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -195,17 +198,17 @@ class Synthesiser {
 
   /// Goes through the orders for fewer colours than any before has done with.
   void discover(std::size_t round) {
-    const Deadline deadline = share(kDiscovering[round]);
+    const Deadline deadline = share(large() && best_ == 0 ? kGathering : kDiscovering[round]);
     for (Candidate& candidate : candidates_) {
-      if (deadline.passed()) return;
+      if (deadline.passed() || (large() && best_ != 0)) return;
       const int most = best_ == 0 ? options_.most_colours : best_ - 1;
       if (candidate.least() > most) continue;
       const auto began = std::chrono::steady_clock::now();
       const Schedule schedule = schedule_of(candidate);
       ColouringSearch search(schedule, named_);
       const std::chrono::duration<double> making = std::chrono::steady_clock::now() - began;
-      const double slice =
-          std::max(kSlices[round] * options_.seconds, kSliceOfMaking * making.count());
+      const double slice = std::max(kSlices[large() ? 2 : round] * options_.seconds,
+                                    kSliceOfMaking * making.count());
       halve(search, candidate, most, slice, deadline);
     }
   }
@@ -228,6 +231,7 @@ class Synthesiser {
       if (ask(search, candidate, k, slice, deadline, Hint::random) == Answered::yes) {
         high = k - 1;
         most = kMaxColours;  // from now on in halves
+        if (large()) return;
       } else {
         if (given_up(search, candidate) || k == most) return;
         low = k + 1;
@@ -238,17 +242,17 @@ class Synthesiser {
   /// Other solutions with as many colours: the more regular, the fewer rules.
   void gather(double until) {
     const Deadline deadline = share(until);
-    const bool large = frames_.front()->orbits.size() > kManyOrbits;
-    const int more = options_.fewest == Fewest::rules || large ? kMoreColours : 0;
+    const int more = options_.fewest == Fewest::rules || large() ? kMoreColours : 0;
     for (Candidate& candidate : candidates_) {
       if (best_ == 0 || solutions_.size() >= kMostSolutions) return;
       if (candidate.least() > best_ + more) continue;
       const Schedule schedule = schedule_of(candidate);
       ColouringSearch search(schedule, named_);
-      for (int k = std::max(best_, candidate.least());
-           k <= std::min(best_ + more, options_.most_colours); k += large ? 2 : 1) {
-        for (const Hint hint : {Hint::depth, Hint::uniform, Hint::distance}) {
+      for (int k = std::max(best_ + (large() ? 2 : 0), candidate.least());
+           k <= std::min(best_ + more, options_.most_colours); k += large() ? 2 : 1) {
+        for (const Hint hint : {Hint::depth, Hint::distance, Hint::uniform}) {
           if (deadline.passed()) return;
+          if (large() && hint != Hint::depth) break;
           const double slice = kSliceOfSuccess * fastest_;
           if (ask(search, candidate, k, slice, deadline, hint) != Answered::yes) break;
         }
@@ -328,7 +332,10 @@ class Synthesiser {
       done.push_back(std::move(solution));
     }
     choose(std::move(done));
-    if (result_.best) return make_rules(*result_.best, kRestarts);
+    if (result_.best) {
+      if (!whole_.passed()) make_rules(*result_.best, kRestarts);
+      return;
+    }
     if (candidates_.empty() && hopeless_) {
       result_.impossible = std::move(hopeless_);
     } else {
@@ -344,8 +351,11 @@ class Synthesiser {
     const auto exact = exact_rules(*schedule, solution.colours);
     if (options_.merge) {
       const auto views = local_views(*schedule, solution.colours);
-      solution.rules =
+      std::vector<MergedRule> rules =
           merge_rules(*solution.frame, solution.colour_count, exact, views, restarts, whole_);
+      if (solution.rules.empty() || rules.size() < solution.rules.size()) {
+        solution.rules = std::move(rules);
+      }
     } else {
       solution.rules = as_patterns(*solution.frame, exact);
     }
@@ -436,59 +446,6 @@ Synthesis synthesise(const Target& target, const SynthesisOptions& options,
     return result;
   }
   return Synthesiser(target, options, hooks).run(starts);
-}
-
-std::vector<std::vector<Cell>> likely_starts(const Target& target, Symmetry symmetry, bool) {
-  Cell low = target.cells.front(), high = low;
-  for (const Cell c : target.cells) {
-    low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
-    high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
-  }
-  std::vector<std::vector<Cell>> starts;
-  if (symmetry != Symmetry::none) {
-    // The cells on the axis, or nearest to it, level by level from the lowest.
-    for (std::int32_t z = low.z; z <= high.z && starts.empty(); ++z) {
-      std::vector<Cell> middle;
-      for (std::int32_t x = (low.x + high.x) >> 1; x <= (low.x + high.x + 1) >> 1; ++x) {
-        for (std::int32_t y = (low.y + high.y) >> 1; y <= (low.y + high.y + 1) >> 1; ++y) {
-          if (index_in(target.cells, {x, y, z}) >= 0) middle.push_back({x, y, z});
-        }
-      }
-      if (!middle.empty()) starts.push_back(middle);
-    }
-    if (starts.empty()) starts.push_back({target.cells.front()});
-    return starts;
-  }
-  const auto by = [&](const auto& key) {
-    return *std::min_element(target.cells.begin(), target.cells.end(),
-                             [&](Cell a, Cell b) { return key(a) < key(b); });
-  };
-  const auto add = [&](Cell c) {
-    const std::vector<Cell> start{c};
-    if (std::find(starts.begin(), starts.end(), start) == starts.end()) starts.push_back(start);
-  };
-  add(by([](Cell c) { return std::array{c.z, c.y, c.x}; }));
-  const auto from_middle = [&](Cell c) {
-    return std::abs(2 * c.x - low.x - high.x) + std::abs(2 * c.y - low.y - high.y);
-  };
-  add(by([&](Cell c) { return std::array{c.z, from_middle(c), c.y, c.x}; }));
-  return starts;
-}
-
-std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
-                                            const Deadline& deadline) {
-  const int k = solution.colour_count - 1;
-  if (k < 1) return std::nullopt;
-  BadOrder bad;
-  const std::optional<Schedule> schedule = make_schedule(*solution.frame, solution.order, bad);
-  assert(schedule);
-  ColouringSearch search(*schedule, named);
-  Colouring colours;
-  if (search.colour(k, {deadline, {}}, colours) != Answered::no) return std::nullopt;
-  std::optional<Refutation> refutation = refute(search, named, k, deadline);
-  if (!refutation) return std::nullopt;
-  return MinimalityProof{print_problem(*schedule, named, k), std::move(refutation->cnf),
-                         std::move(refutation->drat)};
 }
 
 }  // namespace stig

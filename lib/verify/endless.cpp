@@ -24,6 +24,11 @@ bool heights_allow(const RuleSet& rules, const std::vector<Deposit>& run, std::s
                    Offset step) {
   if (step.z == 0) return true;
   if (rules.floor && step.z < 0) return false;
+  // Where the first rule that matches acts, one that begins to match higher up takes over.
+  const bool bounds = std::any_of(rules.rules.begin(), rules.rules.end(), [](const Rule& rule) {
+    return rule.height_min || rule.height_max;
+  });
+  if (rules.conflicts == Conflicts::first && bounds) return false;
   for (std::size_t i = from; i < run.size(); ++i) {
     const Rule& rule = rules.rules[run[i].match.rule];
     if (step.z > 0 && rule.height_max) return false;

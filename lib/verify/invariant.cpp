@@ -35,6 +35,21 @@ Sorted by_number(const StageModel& model, const Site& site, Mask mask) {
   return sorted;
 }
 
+/// Where around the site the bricks stand that far chains from a brick lead to.
+std::vector<int> far_from(const Invariant& invariant, const Site& site, std::uint32_t brick) {
+  std::vector<int> indices;
+  const auto found = invariant.far.find(brick);
+  if (found == invariant.far.end()) return indices;
+  for (const std::vector<std::uint32_t>& chain : found->second) {
+    if (chain.back() == site.number) indices.push_back(StageModel::kSelf);
+    for (Mask left = site.bricks; left != 0; left &= left - 1) {
+      const int i = lowest(left);
+      if (site.brick[static_cast<std::size_t>(i)] == chain.back()) indices.push_back(i);
+    }
+  }
+  return indices;
+}
+
 }  // namespace
 
 Mask LocalOrder::closed(Mask some) const {
@@ -50,7 +65,8 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
   for (std::size_t k = 0; k < sorted.size; ++k) {
     const int i = sorted.index[k];
     if (i == StageModel::kSelf) {
-      const Mask direct = invariant.before[site.number] & site.bricks;
+      Mask direct = invariant.before[site.number] & site.bricks;
+      for (const int there : far_from(invariant, site, site.number)) direct |= bit(there);
       below_self = order.closed(direct);
       continue;
     }
@@ -63,6 +79,11 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
       } else if (there >= 0 && (site.bricks & bit(there)) != 0) {
         below |= bit(there) | order.below[static_cast<std::size_t>(there)];
       }
+    }
+    for (const int there : far_from(invariant, site, brick)) {
+      below |= there == StageModel::kSelf
+                   ? kSelfBit | below_self
+                   : bit(there) | order.below[static_cast<std::size_t>(there)];
     }
     order.below[static_cast<std::size_t>(i)] = below & ~kSelfBit;
     if ((below & kSelfBit) != 0 || (below & order.after) != 0) order.after |= bit(i);

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <vector>
 
 #include "verify/stage_model.h"
@@ -45,13 +46,16 @@ struct Invariant {
   std::vector<Mask> before;             ///< by brick: neighbours always there first
   std::vector<std::uint32_t> group_of;  ///< by brick: the window in whose group it is
   std::vector<Window> windows;
+  /// Chains of `before` from a brick back to one a few cells away, by the first brick. Of
+  /// use where the two are around one site and the chain is not.
+  std::map<std::uint32_t, std::vector<std::vector<std::uint32_t>>> far;
   /// The stage is over after so many deposits, and the only window's group is all of them;
   /// 0: it ends when no rule acts.
   std::uint64_t over_at = 0;
 };
 
 /// The order of the bricks around a site, as far as chains of `before` between the site
-/// and its neighbours show it.
+/// and its neighbours, and far ones, show it.
 struct LocalOrder {
   std::array<Mask, kMaxNeighbours> below{};  ///< by neighbour: those always there before it
   Mask after = 0;                            ///< never there while the site is empty

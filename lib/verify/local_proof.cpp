@@ -40,7 +40,7 @@ class SiteChecker {
     find_windows();
     if (const Window* window = covering_window()) {
       check_by_window(*window);
-    } else if (windows_.empty() && only_patterns()) {
+    } else if (windows_.empty() && (only_patterns() || stays_open_by_itself())) {
       check_rules();
       if (is_brick && !result_.failure) check_stays_open();
     } else {
@@ -81,6 +81,20 @@ class SiteChecker {
     return !counts && !(mixed && model_.first_acts());
   }
 
+  /// Do all rules place the right brick, and does one go on matching from the run's state
+  /// on, whatever comes? Then it does not matter what the others count.
+  bool stays_open_by_itself() const {
+    return std::all_of(site_.rules.begin(), site_.rules.end(),
+                       [&](const LocalRule& rule) { return right(rule); }) &&
+           std::any_of(site_.rules.begin(), site_.rules.end(),
+                       [&](const LocalRule& rule) { return goes_on_matching(rule); });
+  }
+  bool goes_on_matching(const LocalRule& rule) const {
+    return right(rule) && (rule.need & ~run_) == 0 && (rule.forbid & ~order_.after) == 0 &&
+           std::all_of(rule.counts.begin(), rule.counts.end(),
+                       [&](const LocalCount& count) { return count.holds_from(run_); });
+  }
+
   /// The smallest state in which a rule matches is its needs and what is below them.
   void check_rules() {
     for (const LocalRule& rule : site_.rules) {
@@ -99,7 +113,7 @@ class SiteChecker {
     Mask matters = 0;
     for (const LocalRule& rule : site_.rules) {
       if (!right(rule)) continue;
-      if ((rule.need & ~run_) == 0 && (rule.forbid & ~order_.after) == 0) return;
+      if (goes_on_matching(rule)) return;
       matters |= rule.need | rule.forbid;
     }
     const auto open = [&](Mask state) {

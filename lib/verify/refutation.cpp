@@ -2,6 +2,7 @@
 #include "verify/refutation.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -34,6 +35,8 @@ StageRun run_to_the_end(World& world, const Plan& plan, std::uint64_t most, cons
   return all;
 }
 
+enum class Comparison : std::uint8_t { same, differs, open };
+
 class Explainer {
  public:
   Explainer(const RuleSet& rules, const RuleTable& table, const World& begin,
@@ -47,14 +50,16 @@ class Explainer {
     most_ = first.deposits.size() + kBeyond;
     end_ = first.structure;
     Ending second = go_on(other_.size(), most_);
-    if (same_end(second)) return std::nullopt;
+    if (compare(second) != Comparison::differs) return std::nullopt;
     // The first order's end is reached after `low` deposits of the other, not after `high`.
     std::size_t low = 0, high = other_.size();
     if (high == 0) return std::nullopt;
     while (high - low > 1) {
       const std::size_t middle = (low + high) / 2;
       Ending ending = go_on(middle, most_);
-      if (same_end(ending)) {
+      const Comparison comparison = compare(ending);
+      if (comparison == Comparison::open) return std::nullopt;
+      if (comparison == Comparison::same) {
         low = middle;
         first = std::move(ending);
       } else {
@@ -62,7 +67,6 @@ class Explainer {
         second = std::move(ending);
       }
     }
-    if (high == other_.size()) second = go_on(high, most_);
     return write(earlier, low, first, second);
   }
 
@@ -83,7 +87,14 @@ class Explainer {
     ending.ended = run.ended;
     return ending;
   }
-  bool same_end(const Ending& ending) const { return ending.ended && ending.structure == end_; }
+  /// An ending that was cut short differs if it has a brick that the first end has not.
+  Comparison compare(const Ending& ending) const {
+    if (ending.ended) return ending.structure == end_ ? Comparison::same : Comparison::differs;
+    bool strange = false;
+    ending.structure.for_each(
+        [&](Cell cell, Colour colour) { strange = strange || end_.at(cell) != colour; });
+    return strange ? Comparison::differs : Comparison::open;
+  }
 
   std::optional<DivergingOrders> write(const std::vector<Deposit>& earlier, std::size_t common,
                                        Ending& first, Ending& second) const {
@@ -147,6 +158,34 @@ class Explainer {
   Structure end_;
 };
 
+/// Two whole orders, as they are: they part where they first differ.
+DivergingOrders part(const World& start, Ending& first, Ending& second) {
+  DivergingOrders out;
+  World world = start;
+  while (first.deposits[out.common].site == second.deposits[out.common].site &&
+         first.deposits[out.common].colour == second.deposits[out.common].colour) {
+    const Deposit& deposit = first.deposits[out.common++];
+    world.deposit(deposit.site, deposit.colour, [](Cell, const View&) {});
+    assert(out.common < std::min(first.deposits.size(), second.deposits.size()));
+    while ((world.stage_spent() || world.enabled_sites().empty()) && world.next_stage()) {
+    }
+  }
+  out.rival = first.deposits[out.common];
+  out.view = world.view(second.deposits[out.common].site);
+  out.rival_view = world.view(out.rival.site);
+  out.first = std::move(first.deposits);
+  out.second = std::move(second.deposits);
+  for (std::vector<Deposit>* order : {&out.first, &out.second}) {
+    for (std::size_t i = 0; i < order->size(); ++i) (*order)[i].step = i + 1;
+  }
+  out.first_stage_end = out.first.size();
+  out.second_stage_end = out.second.size();
+  out.second_ended = true;
+  out.first_end = std::move(first.structure);
+  out.second_end = std::move(second.structure);
+  return out;
+}
+
 }  // namespace
 
 std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const RuleTable& table,
@@ -156,6 +195,31 @@ std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const Ru
                                                   const std::vector<Deposit>& other,
                                                   const Budget& budget) {
   return Explainer(rules, table, stage_begin, first, other, budget).explain(earlier);
+}
+
+std::optional<DivergingOrders> find_whole_orders(const World& start, const Budget& budget) {
+  constexpr std::uint32_t kRuns = 48;
+  std::optional<Ending> first;
+  for (std::uint32_t i = 0; i < kRuns && !budget.spent(); ++i) {
+    World world = start;
+    StageRunConfig config;
+    config.run = 0x30000 + i;
+    config.most = kBeyond;
+    Ending ending;
+    do {
+      StageRun stage = run_stage(world, config, budget);
+      ending.deposits.insert(ending.deposits.end(), stage.deposits.begin(), stage.deposits.end());
+      ending.ended = stage.ended;
+    } while (ending.ended && world.next_stage());
+    if (!ending.ended) continue;
+    ending.structure = world.take_structure();
+    if (!first) {
+      first = std::move(ending);
+    } else if (!(first->structure == ending.structure)) {
+      return part(start, *first, ending);
+    }
+  }
+  return std::nullopt;
 }
 
 }  // namespace stig

@@ -23,4 +23,8 @@ std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const Ru
                                                   const std::vector<Deposit>& other,
                                                   const Budget& budget);
 
+/// Two of a few random orders, from the beginning of the first stage to the end of the last,
+/// that end differently; none: all that were tried and ended agree.
+std::optional<DivergingOrders> find_whole_orders(const World& start, const Budget& budget);
+
 }  // namespace stig

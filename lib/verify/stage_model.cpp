@@ -14,6 +14,15 @@ bool LocalCount::holds(Mask state) const {
   return number >= min && number <= max;
 }
 
+bool LocalCount::holds_from(Mask state) const {
+  int most = always;
+  for (const Layer& layer : layers) {
+    if ((layer.if_empty & ~layer.if_filled) != 0) return false;
+    most += std::popcount(layer.if_filled);
+  }
+  return holds(state) && most <= max;
+}
+
 void LocalCount::add(Mask bit, bool filled, bool empty) {
   const auto free = [&](const Layer& layer) {
     return ((layer.if_filled | layer.if_empty) & bit) == 0;

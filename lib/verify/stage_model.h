@@ -37,6 +37,8 @@ struct LocalCount {
   int min = 0, max = 0;
 
   bool holds(Mask state) const;
+  /// Does it hold from a state on, whatever bricks come besides?
+  bool holds_from(Mask state) const;
   /// The brick with this bit counts once more in these cases.
   void add(Mask bit, bool filled, bool empty);
 };

@@ -50,17 +50,17 @@ class OpenSites {
   std::deque<Cell> waiting_;  ///< sites once open, some no more
 };
 
-/// The rule that places what the plan says, if one acts; else any that does.
-Match choose_planned(World& world, Cell site, const Plan& plan, Random& random) {
+/// The rule that places what the plan says, if there is one that acts; else any of those
+/// that do, whatever their weights: what is unlikely happens too.
+Match choose(World& world, Cell site, const Plan* plan, Random& random) {
   const RuleTable& rules = world.rules();
-  if (rules.conflicts() != Conflicts::first) {
-    std::vector<Match> matches;
-    rules.matches(world.view(site), site.z, world.stage(), matches);
-    for (const Match& match : matches) {
-      if (rules.place(match.rule) == plan.colour(site)) return match;
-    }
+  if (rules.conflicts() == Conflicts::first) return world.choose(site, random);
+  std::vector<Match> matches;
+  rules.matches(world.view(site), site.z, world.stage(), matches);
+  for (const Match& match : matches) {
+    if (plan && rules.place(match.rule) == plan->colour(site)) return match;
   }
-  return world.choose(site, random);
+  return matches[random.below(matches.size())];
 }
 
 }  // namespace
@@ -84,9 +84,7 @@ StageRun run_stage(World& world, const StageRunConfig& config, const Budget& bud
     if (run.deposits.size() >= config.most || (step % 1024 == 0 && budget.spent())) return run;
     Random random(kSeed, config.run, Purpose::event, 0, step);
     const Cell site = open.next(random);
-    const Match match = config.schedule == RunOrder::planned
-                            ? choose_planned(world, site, *config.plan, random)
-                            : world.choose(site, random);
+    const Match match = choose(world, site, config.plan, random);
     const Colour colour = world.rules().place(match.rule);
     open.set(site, false);
     world.deposit(site, colour, [&](Cell neighbour, const View& view) {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "certify/check.h"
 #include "rules/rule_printer.h"
 #include "verify/endless.h"
 #include "verify/refutation.h"
@@ -17,7 +18,8 @@ constexpr std::uint32_t kFirstRun = 0;  ///< its stream of random numbers
 constexpr std::uint64_t kProbe = 4000;  ///< deposits in search of a repetition
 constexpr std::uint64_t kMostDeposits = 20'000'000;
 /// Deposits after which growth that is known to be able to go on for ever is not waited for.
-constexpr std::uint64_t kPatience = 50'000;
+constexpr std::uint64_t kPatience = 20'000;
+constexpr std::uint32_t kTries = 16;  ///< to find an end of such a set
 
 class Verification {
  public:
@@ -45,12 +47,13 @@ class Verification {
       result_.stage = world_.stage();
       decide_stage();
     } while (result_.verdict == ProofVerdict::proved && world_.next_stage());
-    if (result_.verdict == ProofVerdict::proved) {
-      certificate_.bricks = world_.structure().size();
-      result_.certificate = std::move(certificate_);
-    }
+    if (result_.verdict == ProofVerdict::proved) hold_to_checker();
     if (result_.verdict == ProofVerdict::proved || have_structure_) {
       result_.structure = world_.take_structure();
+    }
+    result_.interrupted = options_.stop != nullptr && options_.stop->load();
+    if (result_.interrupted && result_.verdict == ProofVerdict::unknown) {
+      result_.open = "interrupted";
     }
     const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
     result_.seconds = spent.count();
@@ -58,6 +61,19 @@ class Verification {
   }
 
  private:
+  /// Nothing is called proved that the checker does not accept.
+  void hold_to_checker() {
+    say("checking the certificate");
+    certificate_.bricks = world_.structure().size();
+    const CheckReport report = check_certificate(rules_, certificate_, certificate_.box);
+    if (report.accepted) {
+      result_.certificate = std::move(certificate_);
+      return;
+    }
+    result_.verdict = ProofVerdict::unknown;
+    result_.open = "a proof was found that the checker does not accept: " + report.refusal;
+  }
+
   void say(const std::string& what) const {
     if (options_.progress) options_.progress(world_.stage(), what);
   }
@@ -74,7 +90,10 @@ class Verification {
     StageRunConfig config;
     config.run = kFirstRun;
     config.most = repetition ? kPatience : kMostDeposits;
-    const StageRun run = run_stage(world_, config, budget_);
+    StageRun run = run_stage(world_, config, budget_);
+    if (!run.ended && repetition && end_some_way(begin, run)) {
+      return refute(begin, run, probe.deposits);
+    }
     if (!run.ended) return leave_growing(run, probe, repetition);
     if (repetition) return refute(begin, run, probe.deposits);
     say(fmt::format("proving {} bricks", run.deposits.size()));
@@ -95,6 +114,20 @@ class Verification {
     StageRun run = run_stage(world, config, budget_);
     if (!run.ended) repetition = find_repetition(rules_, begin.structure().bricks(), run.deposits);
     return run;
+  }
+
+  /// Does some order end, of a set in which one goes on for ever?
+  bool end_some_way(const World& begin, StageRun& run) const {
+    for (std::uint32_t i = 1; i <= kTries && !budget_.spent(); ++i) {
+      World world = begin;
+      StageRunConfig config;
+      config.schedule = i == 1 ? RunOrder::oldest : RunOrder::random;
+      config.run = i;
+      config.most = kProbe;
+      run = run_stage(world, config, budget_);
+      if (run.ended) return true;
+    }
+    return false;
   }
 
   void keep(const std::vector<Deposit>& run) {
@@ -133,13 +166,17 @@ class Verification {
     result_.verdict = ProofVerdict::refuted;
     result_.refutation =
         explain_refutation(rules_, table_, begin, result_.run, run.deposits, other, budget_);
+    if (!result_.refutation && table_.stage_count() > 1) {
+      result_.refutation = find_whole_orders(World(table_, rules_.start, options_.box), budget_);
+    }
     if (result_.refutation) return;
     result_.verdict = ProofVerdict::unknown;
-    result_.open = budget_.spent() ? "the time allowed ended while two orders were compared"
-                                   : fmt::format(
-                                         "stage {} ends differently for different orders, but no "
-                                         "different end was found after the stages that follow",
-                                         begin.stage());
+    result_.open = budget_.spent()
+                       ? "the time allowed ended while two orders were compared"
+                       : fmt::format(
+                             "stage {} ends differently for different orders; what later "
+                             "stages make of each of these ends is not explored",
+                             begin.stage());
   }
 
   const RuleSet& rules_;

@@ -77,8 +77,9 @@ struct VerifyResult {
   std::optional<Certificate> certificate;  ///< proved
   std::optional<DivergingOrders> refutation;
   std::optional<EndlessGrowth> endless;
-  int stage = 1;     ///< where it was decided, or where the proof stopped
-  std::string open;  ///< unknown: what was explored, where it stopped, what would help
+  int stage = 1;             ///< where it was decided, or where the proof stopped
+  bool interrupted = false;  ///< by options.stop
+  std::string open;          ///< unknown: what was explored, where it stopped, what would help
 };
 
 /// The rule set must fit its box (see config_problem in swarm.h).

@@ -14,6 +14,7 @@
 
 #include "base/random.h"
 #include "lattice/event_orders.h"
+#include "lattice/rgb.h"
 #include "rules/rule_checks.h"
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
@@ -131,6 +132,46 @@ TEST_CASE("colours that the target gives are kept, wildcards are free") {
     const auto orbit = static_cast<std::size_t>(frame.orbit_of[i]);
     CHECK(target.colours[i].contains(result.best->colours[orbit]));
   }
+}
+
+TEST_CASE("for given colours an order is found that no family has") {
+  int found = 0;
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    Target target = random_target(Lattice::cubic, 14, seed);
+    const Frame frame = make_frame(target, {{target.cells.front()}});
+    Random random(seed, 0, Purpose::test, 1, 0);
+    const Order order = grown(frame, "random", [&](Cell) {
+      return std::vector<std::int32_t>{static_cast<std::int32_t>(random.below(1000))};
+    });
+    BadOrder bad;
+    const auto schedule = make_schedule(frame, order, bad);
+    REQUIRE(schedule);
+    ColouringSearch search(*schedule, 0);
+    Colouring colours;
+    if (search.differences().hopeless()) continue;
+    int k = search.at_least();
+    while (k < kMaxColours && search.colour(k, {}, colours) != Answered::yes) ++k;
+    if (k == kMaxColours) continue;
+    for (std::size_t i = 0; i < target.cells.size(); ++i) {
+      const auto orbit = static_cast<std::size_t>(frame.orbit_of[i]);
+      target.colours[i] = StateSet::of(colours[orbit]);
+    }
+    target.bricks = numbered_bricks(k);
+    SynthesisOptions options;
+    options.start = {target.cells.front()};
+    options.seconds = 5;
+    const Synthesis result = synthesise(target, options);
+    if (!result.best) continue;
+    ++found;
+    check_proved(rules_of(*result.best, target), target);
+    for (std::size_t i = 0; i < target.cells.size(); ++i) {
+      const auto orbit = static_cast<std::size_t>(result.best->frame->orbit_of[i]);
+      CHECK(target.colours[i].contains(result.best->colours[orbit]));
+    }
+  }
+  MESSAGE(found << " of 10 found");
+  CHECK(found >= 8);
 }
 
 TEST_CASE("impossible targets say which reason stands in the way") {

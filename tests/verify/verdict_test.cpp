@@ -3,6 +3,7 @@
 // elsewhere, by exhaustive programs.
 #include <doctest/doctest.h>
 
+#include "certify/check.h"
 #include "rules/rule_printer.h"
 #include "support/shipped.h"
 #include "support/small_sets.h"
@@ -130,8 +131,81 @@ TEST_CASE("a rule that only goes so high does not grow for ever") {
   CHECK(result.structure->size() == 30001);
 }
 
+TEST_CASE("two rows ordered by the way around are proved with far chains") {
+  // A row to the east, around a corner, and back two rows further north. Between the rows
+  // waits a rule for a northern brick without a southern one.
+  const RuleSet rules = small_set(
+      R"(
+  - {name: east, place: 1, when: "? ? ? ? ? ? ? ? ?\n? ? ? 1 * ? ? ? ?\n? ? ? ? ? ? ? ? ?"}
+  - {name: turn, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? ? * 3 ? ? ?\n? ? ? ? 1 ? ? ? ?"}
+  - {name: up, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? ? * ? ? ? ?\n? ? ? ? 2 3 ? ? ?"}
+  - {name: back, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? . * 2 ? ? ?\n? ? ? ? . ? ? ? ?"}
+  - {name: trap, place: 3, when: "? ? ? ? 2 ? ? ? ?\n? ? ? ? * ? ? ? ?\n? ? ? ? . ? ? ? ?"}
+)",
+      "conflicts: random\nstart: [{at: [0, 0, 0], brick: 1}, {at: [10, 1, 0], brick: 3}]\n"
+      "box: {size: [11, 3, 1], origin: [0, 0, 0]}\n");
+  const VerifyResult result = verdict(rules);
+  REQUIRE(result.verdict == ProofVerdict::proved);
+  CHECK_FALSE(result.certificate->stages[0].far.empty());
+  CHECK(result.certificate->stages[0].windows.empty());
+  CHECK_MESSAGE(check_certificate(rules, *result.certificate).accepted,
+                check_certificate(rules, *result.certificate).refusal);
+}
+
 TEST_CASE("without a budget nothing is claimed") {
   CHECK(verdict(steps_of_4n(6), 0).verdict == ProofVerdict::unknown);
+}
+
+TEST_CASE("a rule that takes over higher up ends what looked endless") {
+  const std::string up =
+      "  - {name: cap, place: 2, height: {min: 9000}, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? ? * ? ? 1 ?\\n? ? ? ? ? ? ? ? ?\"}\n"
+      "  - {name: up, place: 1, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? ? * ? ? 1 ?\\n? ? ? ? ? ? ? ? ?\"}\n";
+  const VerifyResult result = verdict(small_set(up, "conflicts: first\n"));
+  REQUIRE(result.verdict == ProofVerdict::proved);
+  CHECK(result.structure->size() == 9001);
+}
+
+TEST_CASE("what is unlikely is tried too: an order that ends beside one that does not") {
+  const std::string race =
+      "  - {name: go, place: 1, weight: 1000000, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? 1 * ? ? ? ?\\n? ? ? ? ? ? ? ? ?\"}\n"
+      "  - {name: stop, place: 2, weight: 0.000001, "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? 1 * ? ? ? ?\\n? ? ? ? ? ? ? ? ?\"}\n";
+  CHECK(verdict(small_set(race, "conflicts: random\n")).verdict == ProofVerdict::refuted);
+}
+
+TEST_CASE("growth by a count is proved, however many states there are") {
+  const std::string rule =
+      "  - {name: any, place: 1, count: [{of: [\"#\"], among: all, min: 1}], "
+      "when: \"? ? ? ? ? ? ? ? ?\\n? ? ? ? * ? ? ? ?\\n? ? ? ? ? ? ? ? ?\"}\n";
+  const VerifyResult result =
+      verdict(small_set(rule, "box: {size: [4, 4, 3], origin: [0, 0, 0]}\n"));
+  REQUIRE(result.verdict == ProofVerdict::proved);
+  CHECK(result.structure->size() == 48);
+  CHECK(result.method == ProofMethod::certificate);
+}
+
+TEST_CASE("stages that end differently and stay so are refuted over all stages") {
+  // Stage 1 places one brick, on either side; stage 2 another on top of it.
+  const std::string rules = R"(
+  - {name: beside, stage: 1, place: 2, when: "? ? ? ? ? ? ? ? ?\n? ? ? 1 * ? ? ? ?\n? ? ? ? ? ? ? ? ?"}
+  - {name: on top, stage: 2, place: 3, when: "? ? ? ? ? ? ? ? ?\n? ? ? ? * ? ? 2 ?\n? ? ? ? ? ? ? ? ?"}
+)";
+  const VerifyResult result = verdict(small_set(rules, "symmetry: rotations\nstages: {1: 1}\n"));
+  REQUIRE(result.verdict == ProofVerdict::refuted);
+  CHECK(result.refutation->first_end.size() == result.refutation->second_end.size());
+}
+
+TEST_CASE("when the time is over nothing falls over, wherever that is") {
+  RuleSet rules = small_set(east_of("1", "1"), "box: {size: [20000, 1, 1], origin: [0, 0, 0]}\n");
+  for (const double seconds : {0.001, 0.005, 0.02, 0.05}) {
+    const VerifyResult result = verdict(rules, seconds);
+    const bool sound =
+        result.verdict == ProofVerdict::unknown || result.verdict == ProofVerdict::proved;
+    CHECK(sound);
+  }
 }
 
 TEST_CASE("an order that ends and one that does not: refuted") {

@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "certify/check.h"
 #include "certify/drat.h"
+#include "certify/fewest.h"
 #include "commands.h"
 #include "lattice/box.h"
 #include "lattice/structure.h"
@@ -17,8 +18,8 @@
 namespace stig {
 namespace {
 
-constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 30;
-constexpr std::size_t kMostProofBytes = std::size_t{1} << 32;
+constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 28;
+constexpr std::size_t kMostProofBytes = std::size_t{1} << 30;
 
 std::optional<std::string> bytes_of(const std::string& path, std::size_t most, const App& app) {
   FileError error;
@@ -133,9 +134,54 @@ int certify_drat(const CertifyOptions& options, App& app) {
   return report.refuted ? kOk : kFailed;
 }
 
+/// A formula, that it says what it should, and that it has no solution.
+int certify_fewest(const CertifyOptions& options, App& app) {
+  const auto problem = bytes_of(options.file + "/fewer.json", kMostProofBytes, app);
+  const auto formula = bytes_of(options.file + "/fewer.cnf", kMostProofBytes, app);
+  const auto proof = bytes_of(options.file + "/fewer.drat", kMostProofBytes, app);
+  if (!problem || !formula || !proof) return kFailed;
+  const FewestReport claim = derive_formula(*problem, *formula);
+  DratReport drat;
+  if (claim.derived) drat = check_drat(*formula, *proof);
+  const std::string& refusal = claim.derived ? drat.refusal : claim.refusal;
+  if (options.json) {
+    Json json{{"folder", options.file}, {"accepted", drat.refuted}};
+    if (!drat.refuted) json["refusal"] = refusal;
+    json["bricks"] = claim.cells;
+    json["colours"] = claim.colours;
+    json["order"] = claim.order;
+    json["clashes"] = claim.clashes;
+    json["clauses"] = drat.clauses;
+    json["lemmas"] = drat.lemmas;
+    app.print(dump(json));
+  } else {
+    print_verdict(options.file, printable(refusal), app);
+    if (drat.refuted) {
+      app.print(
+          fmt::format("  {} {} not do for these {} bricks in the order '{}'\n"
+                      "  {} clauses, derived again, {} of them of sites that look alike; "
+                      "{} {}\n",
+                      claim.colours, claim.colours == 1 ? "colour does" : "colours do", claim.cells,
+                      printable(claim.order), drat.clauses, claim.clashes, drat.lemmas,
+                      drat.lemmas == 1 ? "lemma" : "lemmas"));
+    }
+  }
+  return drat.refuted ? kOk : kFailed;
+}
+
 }  // namespace
 
 int run(const CertifyOptions& options, App& app) {
+  if (options.fewest &&
+      (options.drat || options.box || options.periodic || !options.proof.empty())) {
+    app.complain("--fewest wants a folder and nothing else");
+    return kUsage;
+  }
+  if (options.fewest) return certify_fewest(options, app);
+  if (options.proof.empty()) {
+    app.complain("PROOF is required\ntry 'stigc certify --help'");
+    return kUsage;
+  }
   if (options.drat && (options.box || options.periodic)) {
     app.complain("--drat knows no box");
     return kUsage;

@@ -21,10 +21,14 @@
 #include "synthesis/remedies.h"
 #include "synthesis/scaffold.h"
 #include "synthesis/synthesise.h"
+#include "verify/reachability.h"
 #include "verify/verify.h"
 
 namespace stig {
 namespace {
+
+/// In larger structures it is not asked whether agents can walk to every site in time.
+constexpr std::size_t kMostWalkedTo = 20'000;
 
 std::string_view words(Impossible::Kind kind) {
   switch (kind) {
@@ -89,6 +93,7 @@ Json point_json(const Solution& s) {
 /// What came of it, besides the synthesis itself.
 struct Outcome {
   std::vector<Cell> scaffold;
+  Findings findings;  ///< whether bricks can be walled in
   VerifyResult proof;
   std::vector<std::string> written;
 };
@@ -106,6 +111,10 @@ Json to_json(const SynthOptions& options, const Synthesis& result, const Outcome
     if (!outcome.scaffold.empty()) {
       json["scaffold"] = Json::array();
       for (const Cell c : outcome.scaffold) json["scaffold"].push_back(to_json(c));
+    }
+    json["walled_in"] = Json::array();
+    for (const WalledIn& walled : outcome.findings.walled_in) {
+      json["walled_in"].push_back(to_json(walled.site));
     }
     json["start"] = Json::array();
     for (const Orbit& orbit : s.frame->orbits) {
@@ -147,6 +156,10 @@ std::string summary(const Synthesis& result, const Outcome& outcome) {
                            ? fmt::format("every order of events builds it ({} local states)",
                                          proof.local_states)
                            : fmt::format("stigc verify says {}", to_string(proof.verdict)));
+  for (const WalledIn& walled : outcome.findings.walled_in) {
+    out += line("walled in", to_text(walled.site) +
+                                 " can be cut off before it is placed; stigc verify shows how");
+  }
   for (const Solution& other : result.others) {
     out += line("or", fmt::format("{} colours and {} rules: {}", other.colour_count,
                                   other.rules.size(), other.order.name));
@@ -221,6 +234,9 @@ int write_results(const SynthOptions& options, const Target& target, const Synth
   VerifyOptions verifying;
   verifying.stop = &stop_requested();
   outcome.proof = verify(rules, verifying);
+  if (outcome.proof.verdict == ProofVerdict::proved && s.frame->cells.size() <= kMostWalkedTo) {
+    find_walled_in(rules, verifying, outcome.proof, outcome.findings);
+  }
   const std::string text = print_rule_set(rules);
   if (text.size() > kMaxRuleFileBytes) {
     app.say(
@@ -255,6 +271,7 @@ SynthesisOptions synthesis_options(const SynthOptions& options) {
   if (options.colours) out.most_colours = *options.colours;
   out.fewest = options.fewest;
   out.family = options.family;
+  out.strict_only = options.strict;
   out.merge = !options.exact;
   out.seconds = options.seconds;
   return out;

@@ -2,6 +2,7 @@
 // stigc verify: does every order of events end in the same structure?
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
@@ -53,15 +54,34 @@ int write_certificate(const std::string& path, const VerifyResult& result, const
   return kOk;
 }
 
+/// What is wrong with a name for results; empty: nothing.
+std::string name_problem(const std::string& path, const std::string& input) {
+  if (path.empty() || path == "-") return fmt::format("'{}' is no name for a file to write", path);
+  std::error_code error;
+  if (std::filesystem::equivalent(path, input, error)) {
+    return fmt::format("'{}' is the rule set itself", path);
+  }
+  return folder_problem(path);
+}
+
+std::string usage_problem(const VerifyFileOptions& options) {
+  for (const auto& path : {options.certificate, options.witness}) {
+    const std::string problem = path ? name_problem(*path, options.file) : "";
+    if (!problem.empty()) return problem;
+  }
+  return {};
+}
+
+int complain(const std::string& problem, const App& app) {
+  app.complain(printable(problem));
+  return kUsage;
+}
+
 }  // namespace
 
 int run(const VerifyFileOptions& options, App& app) {
-  for (const auto& path : {options.certificate, options.witness}) {
-    const std::string problem = path ? folder_problem(*path) : "";
-    if (problem.empty()) continue;
-    app.complain(printable(problem));
-    return kUsage;
-  }
+  std::string problem = usage_problem(options);
+  if (!problem.empty()) return complain(problem, app);
   const std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
   VerifyOptions settings;
@@ -69,11 +89,11 @@ int run(const VerifyFileOptions& options, App& app) {
   SwarmConfig config;
   config.motion = Motion::event;
   config.box = settings.box;
-  const std::string problem = config_problem(RuleTable(*rules), rules->start, config);
-  if (!problem.empty()) {
-    app.complain(printable(problem));
-    return kUsage;
+  if (options.periodic && !settings.box) {
+    return complain("unbounded space has no sides that could be periodic", app);
   }
+  problem = config_problem(RuleTable(*rules), rules->start, config);
+  if (!problem.empty()) return complain(problem, app);
   stop_on_signals();
   Progress progress(app);
   settings.seconds = options.budget;

@@ -262,10 +262,16 @@ void add_certify(CLI::App& app, CertifyOptions& o) {
   CLI::App* sub = command(app, "certify", "check a proof again, without trust in its maker",
                           "  stigc verify staircase.yaml --certificate staircase.cert\n"
                           "  stigc certify staircase.yaml staircase.cert\n"
+                          "  stigc synth cube.txt --proof proof -o cube.yaml && stigc certify "
+                          "--fewest proof\n"
                           "  stigc certify --drat fewer.cnf fewer.drat\n");
   file(sub, "FILE", o.file, "the rule set; with --drat, a formula (DIMACS CNF)");
-  file(sub, "PROOF", o.proof,
-       "its certificate; with --drat, a proof that the formula has no solution");
+  sub->add_option("PROOF", o.proof,
+                  "its certificate; with --drat, a proof that the formula has no solution")
+      ->type_name("PROOF");
+  sub->add_flag("--fewest", o.fewest,
+                "FILE is the folder that synth --proof wrote: is it true that fewer colours do not "
+                "do in this order?");
   sub->add_flag("--drat", o.drat, "a formula and its DRAT proof, text or binary");
   box(sub, o.box,
       "the world that is meant, a size laid around the start, or none for unbounded space "
@@ -331,6 +337,7 @@ void add_synth_search(CLI::App* sub, SynthOptions& o) {
        {"ribbons", OrderFamily::ribbons},
        {"crowded", OrderFamily::crowded}},
       "orders of placement that are tried (default: all)");
+  sub->add_flag("--strict", o.strict, "no ties in the order, but for what the symmetry maps");
   integer(sub, "--scaffold", o.scaffold, 0, 1000000,
           "so many cells may be added beside straight runs, which can then count in fewer colours");
   sub->add_flag("--exact", o.exact, "one rule for each neighbourhood, none merged");

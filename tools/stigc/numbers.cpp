@@ -65,7 +65,8 @@ std::string parse_seed(std::string_view text, std::uint64_t& out) {
 std::string parse_seconds(std::string_view text, double& out) {
   constexpr double kTenYears = 3.2e8;
   if (!parse_decimal(text, out)) return fmt::format("'{}' is no number of seconds", text);
-  if (!(out > 0 && out <= kTenYears)) return fmt::format("{} is not within 0 and ten years", text);
+  if (!(out > 0)) return "more than 0 seconds are needed";
+  if (out > kTenYears) return fmt::format("{} seconds are more than ten years", text);
   return {};
 }
 

@@ -85,8 +85,9 @@ struct VerifyFileOptions {
 
 /// A certificate for a rule set, or a proof for a formula.
 struct CertifyOptions {
-  std::string file;   ///< rule set, or formula
-  std::string proof;  ///< certificate, or proof
+  std::string file;     ///< rule set, or formula
+  std::string proof;    ///< certificate, or proof
+  bool fewest = false;  ///< `file` is a folder with the proof that fewer colours do not do
   bool drat = false;
   std::optional<BoxOption> box;  ///< in place of the file's
   bool periodic = false;
@@ -136,8 +137,9 @@ struct SynthOptions {
   bool floor = false;
   Fewest fewest = Fewest::colours;
   std::optional<OrderFamily> family;
-  bool exact = false;  ///< no merging
-  int scaffold = 0;    ///< cells that may be added
+  bool strict = false;  ///< no ties
+  bool exact = false;   ///< no merging
+  int scaffold = 0;     ///< cells that may be added
   double seconds = 20;
   std::optional<std::string> output;
   std::optional<std::string> certificate;

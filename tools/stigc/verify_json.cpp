@@ -109,6 +109,7 @@ Json to_json(const VerifyReport& report) {
   json["method"] = result.verdict == ProofVerdict::proved ? Json(to_string(result.method)) : Json();
   json["seconds"] = result.seconds;
   json["stage"] = result.stage;
+  json["interrupted"] = result.interrupted;
   if (!result.open.empty()) json["explored"] = result.open;
   if (result.refutation) json["refutation"] = refutation_json(report);
   if (result.endless) {

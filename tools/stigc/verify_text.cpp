@@ -93,6 +93,9 @@ std::string refuted_text(const VerifyReport& report, bool color) {
   out += line("world", box_in_words(report.box));
   out += line("one end", end_in_words(found.first_end, true));
   out += line("another", end_in_words(found.second_end, found.second_ended));
+  if (structure_hash(found.first_end) == structure_hash(found.second_end)) {
+    out += line("", "the same shape, but in another place");
+  }
   out +=
       fmt::format("\nAfter {} these two are at odds", counted(found.common, "deposit", "deposits"));
   if (report.rules.stage_count() > 1) out += fmt::format(" (stage {})", report.result.stage);
@@ -125,8 +128,10 @@ std::string unknown_text(const VerifyReport& report, bool color) {
   if (report.rules.stage_count() > 1) {
     out += line("stage", fmt::format("{} of {}", report.result.stage, report.rules.stage_count()));
   }
+  if (report.result.interrupted) return out;
   std::string help = "more time (--budget) or memory (--states)";
   if (!report.box) help += ", or a box to grow in (--box)";
+  if (report.rules.stage_count() > 1) help = "the rules of one stage in a file of their own";
   return out + line("may help", help);
 }
 

@@ -90,7 +90,7 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
   for (std::size_t i = 0; i < report.findings.walled_in.size(); ++i) {
     witness.trace(fmt::format("-walled-in-{}.stigt", i + 1), report.findings.walled_in[i].order);
   }
-  if (report.findings.repair) {
+  if (report.findings.repair && report.findings.repair->whole) {
     witness.write("-repaired.yaml", print_rule_set(report.findings.repair->repaired));
   }
   return witness.code();

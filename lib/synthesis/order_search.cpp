@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: MIT
+#include "synthesis/order_search.h"
+
+#include <algorithm>
+
+#include "base/random.h"
+
+namespace stig {
+namespace {
+
+/// Changes without gain after which the next beginning is tried.
+constexpr int kPatience = 400;
+constexpr std::size_t kMostClashes = 5000;
+
+struct Judged {
+  std::optional<Schedule> schedule;
+  std::vector<Clash> clashes;
+};
+
+class Searcher {
+ public:
+  Searcher(const Frame& frame, const Colouring& colours, const Deadline& deadline)
+      : frame_(frame), colours_(colours), deadline_(deadline) {}
+
+  /// True when an order without a clash was found.
+  bool climb(const Order& first, std::uint32_t number) {
+    Random random(number, 0, Purpose::order, 0, 0);
+    places_.assign(first.rank.begin(), first.rank.end());
+    for (std::int32_t& place : places_) place *= kSpread;
+    Judged now = judge();
+    for (int idle = 0; idle < kPatience && !deadline_.passed(); ++idle) {
+      if (!now.schedule) return false;
+      if (now.clashes.empty()) return true;
+      const std::vector<std::int32_t> before = places_;
+      move_one(now, random);
+      Judged next = judge();
+      if (!next.schedule || next.clashes.size() > now.clashes.size()) {
+        places_ = before;
+        continue;
+      }
+      if (next.clashes.size() < now.clashes.size()) idle = 0;
+      now = std::move(next);
+    }
+    return now.schedule && now.clashes.empty();
+  }
+
+  OrderSearch result;
+
+ private:
+  static constexpr std::int32_t kSpread = 4;
+
+  Judged judge() {
+    ++result.tried;
+    const Order order = grown(frame_, "search among orders", [&](Cell c) {
+      const auto cell = static_cast<std::size_t>(index_in(frame_.cells, c));
+      return std::vector<std::int32_t>{places_[static_cast<std::size_t>(frame_.orbit_of[cell])]};
+    });
+    BadOrder bad;
+    Judged judged{make_schedule(frame_, order, bad), {}};
+    if (!judged.schedule) return judged;
+    judged.clashes = find_clashes(*judged.schedule, colours_, 4, kMostClashes);
+    if (judged.clashes.empty()) {
+      result.order = order;
+    } else if (judged.clashes.size() < fewest_) {
+      fewest_ = judged.clashes.size();
+      result.nearest = judged.schedule;
+      result.clash = judged.clashes.front();
+    }
+    return judged;
+  }
+
+  /// Moves a cell of a clash, or one beside it, to somewhere else.
+  void move_one(const Judged& now, Random& random) {
+    const Clash& clash = now.clashes[random.below(now.clashes.size())];
+    const std::int32_t from = now.schedule->keys[static_cast<std::size_t>(clash.key)].site;
+    std::int32_t site = random.below(2) == 0 ? from : clash.site;
+    std::int32_t orbit = frame_.sites[static_cast<std::size_t>(site)].orbit;
+    if (orbit < 0 || random.below(3) == 0) {
+      const Site& around = frame_.sites[static_cast<std::size_t>(site)];
+      const auto i = random.below(static_cast<std::uint64_t>(frame_.neighbours().size));
+      if (around.beside[i] >= 0) orbit = around.beside[i];
+    }
+    if (orbit < 0) orbit = from;
+    const std::uint64_t places = places_.size() * kSpread;
+    places_[static_cast<std::size_t>(orbit)] = static_cast<std::int32_t>(random.below(places));
+  }
+
+  const Frame& frame_;
+  const Colouring& colours_;
+  Deadline deadline_;
+  std::vector<std::int32_t> places_;
+  std::size_t fewest_ = kMostClashes + 1;
+};
+
+}  // namespace
+
+OrderSearch search_orders(const Frame& frame, const Colouring& colours,
+                          const std::vector<Order>& first, const Deadline& deadline) {
+  Searcher searcher(frame, colours, deadline);
+  for (std::uint32_t number = 1; !deadline.passed() && number <= 16 * first.size(); ++number) {
+    if (searcher.climb(first[number % first.size()], number)) break;
+  }
+  return std::move(searcher.result);
+}
+
+}  // namespace stig
