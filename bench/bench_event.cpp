@@ -2,19 +2,12 @@
 // Event motion: deposits per second in a 20³ box, and the growth of an endless rule
 // set to ten million bricks with the memory it takes.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include "lattice/swarm.h"
 #include "shipped.h"
 
 namespace stig::bench {
 namespace {
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 void deposits(benchmark::State& state, const char* name, int side) {
   const RuleSet rules = shipped(name);

@@ -3,7 +3,6 @@
 // patterns; the fit says whether the time is linear in the number of bricks. And the checker
 // on the same certificates.
 #include <benchmark/benchmark.h>
-#include <sys/resource.h>
 
 #include <cmath>
 
@@ -13,12 +12,6 @@
 
 namespace stig::bench {
 namespace {
-
-double peak_megabytes() {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return static_cast<double>(usage.ru_maxrss) / 1024;
-}
 
 /// A brick beside any brick on three of its faces, within a cube of about `bricks` cells.
 RuleSet filled_box(std::int64_t bricks) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "shipped.h"
 
+#include <sys/resource.h>
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -16,6 +18,12 @@ RuleSet shipped(const std::string& name) {
     std::exit(1);
   }
   return *std::move(rules);
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
 }
 
 }  // namespace stig::bench

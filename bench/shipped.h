@@ -11,4 +11,7 @@ namespace stig::bench {
 /// rulesets/NAME.yaml; ends the program with its diagnostics if it cannot be read.
 RuleSet shipped(const std::string& name);
 
+/// The most memory that the program has had so far.
+double peak_megabytes();
+
 }  // namespace stig::bench

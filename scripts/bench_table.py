@@ -14,12 +14,21 @@ import sys
 OWN = {"name", "family_index", "per_family_instance_index", "run_name", "run_type",
        "repetitions", "repetition_index", "threads", "iterations", "real_time", "cpu_time",
        "time_unit", "aggregate_name", "aggregate_unit", "label", "error_occurred",
-       "error_message"}
+       "error_message", "big_o", "cpu_coefficient", "real_coefficient", "rms"}
 
 
 def figure(value):
     """Four digits, with a power of ten where it helps: 5.123e+08, 12.35."""
     return f"{value:.4g}" if isinstance(value, (int, float)) else str(value)
+
+
+def time_of(run):
+    """A time, or what Google Benchmark fits to the times of all sizes."""
+    if "big_o" in run:
+        return f"{figure(run['real_coefficient'])} {run['time_unit']} · {run['big_o']}"
+    if "rms" in run:
+        return f"{100 * run['rms']:.0f} % off the fit"
+    return f"{figure(run['real_time'])} {run['time_unit']}"
 
 
 def main():
@@ -34,8 +43,7 @@ def main():
         if run.get("error_occurred"):
             cells = [run["name"], f"failed: {run['error_message']}"] + [""] * len(counters)
         else:
-            time = f"{figure(run['real_time'])} {run['time_unit']}"
-            cells = [run["name"], time] + [figure(run.get(name, "")) for name in counters]
+            cells = [run["name"], time_of(run)] + [figure(run.get(name, "")) for name in counters]
         print("| " + " | ".join(cells + [run.get(name, "") for name in labels]) + " |")
 
 

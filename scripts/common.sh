@@ -19,3 +19,15 @@ configure_and_build() {
   cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; die "cmake --preset $preset failed"; }
   cmake --build "build/$preset" --parallel "$(nproc)" ${1:+--target "$@"}
 }
+
+# program_for_pictures: sets `stigc` to $STIGC, or to the program built here; pngquant is
+# there afterwards.
+program_for_pictures() {
+  stigc=${STIGC:-}
+  if [[ -z $stigc ]]; then
+    scripts/install.sh build docs
+    configure_and_build quick stigc
+    stigc=build/quick/stigc
+  fi
+  command -v pngquant >/dev/null || die "needs pngquant: scripts/install.sh docs"
+}

@@ -42,6 +42,15 @@ done
 say "Holding every set to what its author expects of it: stigc test rulesets/*.yaml"
 "$stigc" test rulesets/*.yaml
 
+say "Proving that every order of work builds the pyramid, and checking the proof by other code"
+"$stigc" verify rulesets/stepped-pyramid.yaml --certificate out/stepped-pyramid.cert
+"$stigc" certify rulesets/stepped-pyramid.yaml out/stepped-pyramid.cert
+
+say "Compiling a drawing into rules: stigc synth docs/walkthrough/fountain.txt"
+"$stigc" synth docs/walkthrough/fountain.txt --symmetry rotations --start 3,3,0 --floor \
+  -o out/fountain.yaml
+"$stigc" explore out/fountain.yaml --motion event -o out/fountain.png
+
 say "Done. Pictures to look at, and models for any glTF viewer:"
 for entry in "${shown[@]}"; do
   printf '  %s\n' "$PWD/out/${entry%% *}.png"

@@ -8,14 +8,7 @@
 # STIGC=PATH uses a program that is built already.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-stigc=${STIGC:-}
-if [[ -z $stigc ]]; then
-  scripts/install.sh build docs
-  configure_and_build quick stigc
-  stigc=build/quick/stigc
-fi
-
-command -v pngquant >/dev/null || die "needs pngquant: scripts/install.sh docs"
+program_for_pictures
 most_bytes=100000 # of a picture: the gallery is part of every clone
 page=docs/gallery.md
 mkdir -p docs/gallery

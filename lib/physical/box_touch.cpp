@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cassert>
+
+#include "physical/touch_points.h"
+
+namespace stig {
+
+namespace {
+
+/// An axis wins over the faces' best only by more than this, m.
+constexpr double kFacePreference = 1e-4;
+
+/// Where the boxes are farthest apart, or overlap least.
+struct Axis {
+  Vec3 n;  ///< unit, from b to a
+  double gap = -1e30;
+  int kind = 0;  ///< 0…2: face of a, 3…5: face of b, 6…14: edges
+};
+
+double half_of(const Placed& box, int i) {
+  return i == 0 ? box.shape.half.x : i == 1 ? box.shape.half.y : box.shape.half.z;
+}
+
+/// Half the box's extent along a unit vector.
+double extent(const Placed& box, const Vec3& n) {
+  return std::abs(dot(n, box.r.x)) * box.shape.half.x +
+         std::abs(dot(n, box.r.y)) * box.shape.half.y +
+         std::abs(dot(n, box.r.z)) * box.shape.half.z;
+}
+
+/// Takes the axis when it parts the boxes by `preference` more than the best so far.
+void consider(Axis& best, const Placed& a, const Placed& b, Vec3 n, int kind, double preference) {
+  const double along = dot(n, a.p - b.p);
+  if (along < 0) n = -n;
+  const double gap = std::abs(along) - extent(a, n) - extent(b, n);
+  if (gap > best.gap + preference) best = {n, gap, kind};
+}
+
+/// The best axis, or one with a gap of at least `margin` as soon as it is found.
+Axis separating_axis(const Placed& a, const Placed& b, double margin) {
+  Axis best;
+  for (int i = 0; i < 3 && best.gap < margin; ++i) {
+    consider(best, a, b, a.r.column(i), i, i == 0 ? 0 : 1e-9);
+  }
+  for (int i = 0; i < 3 && best.gap < margin; ++i) {
+    consider(best, a, b, b.r.column(i), 3 + i, kFacePreference / 10);
+  }
+  Axis edges;
+  for (int i = 0; i < 9 && best.gap < margin; ++i) {
+    const Vec3 n = cross(a.r.column(i / 3), b.r.column(i % 3));
+    if (squared(n) < 1e-6) continue;  // parallel edges: a face says the same
+    consider(edges, a, b, normalised(n), 6 + i, 0);
+    if (edges.gap > best.gap + kFacePreference) best = edges;
+  }
+  return best;
+}
+
+/// The quadrilateral of a box's face whose outward normal lies most against n.
+std::array<Vec3, 4> face_against(const Placed& box, const Vec3& n) {
+  int axis = 0;
+  for (int i = 1; i < 3; ++i) {
+    if (std::abs(dot(n, box.r.column(i))) > std::abs(dot(n, box.r.column(axis))) + 1e-9) axis = i;
+  }
+  const double side = dot(n, box.r.column(axis)) > 0 ? -1 : 1;
+  const Vec3 centre = box.p + box.r.column(axis) * (side * half_of(box, axis));
+  const int iu = (axis + 1) % 3, iv = (axis + 2) % 3;
+  const Vec3 u = box.r.column(iu) * half_of(box, iu), v = box.r.column(iv) * half_of(box, iv);
+  return {centre + u + v, centre - u + v, centre - u - v, centre + u - v};
+}
+
+/// A convex polygon; clipping a quadrilateral by four planes leaves at most eight corners.
+struct Polygon {
+  std::array<Vec3, 10> p;
+  std::size_t count = 0;
+};
+
+/// The part of the polygon where n·p <= limit.
+Polygon clipped(const Polygon& in, const Vec3& n, double limit) {
+  Polygon out;
+  for (std::size_t i = 0; i < in.count; ++i) {
+    const Vec3& p = in.p[i];
+    const Vec3& q = in.p[(i + 1) % in.count];
+    const double dp = dot(n, p) - limit, dq = dot(n, q) - limit;
+    if (dp <= 0) out.p[out.count++] = p;
+    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) {
+      out.p[out.count++] = p + (q - p) * (dp / (dp - dq));
+    }
+    assert(out.count <= out.p.size());
+  }
+  return out;
+}
+
+/// Clips the face of `other` that looks at `reference`'s face number `axis`, whose outward
+/// normal is `outward`. Gaps are along it.
+PointList face_points(const Placed& reference, int axis, const Vec3& outward, const Placed& other,
+                      double margin) {
+  const std::array<Vec3, 4> face = face_against(other, outward);
+  Polygon polygon;
+  polygon.count = 4;
+  std::copy(face.begin(), face.end(), polygon.p.begin());
+  for (int k = 1; k < 3; ++k) {
+    const int i = (axis + k) % 3;
+    const Vec3 side = reference.r.column(i);
+    const double at = dot(side, reference.p), half = half_of(reference, i);
+    polygon = clipped(polygon, side, at + half);
+    polygon = clipped(polygon, -side, half - at);
+  }
+  const double level = dot(outward, reference.p) + half_of(reference, axis);
+  PointList out;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const double gap = dot(outward, polygon.p[i]) - level;
+    if (gap < margin) out.add(polygon.p[i] - outward * (gap / 2), gap);
+  }
+  return out;
+}
+
+/// The middle of the box's edge along `axis` that lies farthest along n.
+Vec3 edge_middle(const Placed& box, int axis, const Vec3& n) {
+  Vec3 p = box.p;
+  for (int k = 1; k < 3; ++k) {
+    const int i = (axis + k) % 3;
+    const Vec3 column = box.r.column(i);
+    p += column * (dot(n, column) > 0 ? half_of(box, i) : -half_of(box, i));
+  }
+  return p;
+}
+
+/// Midway between the two edges where they are nearest.
+Vec3 edges_meet(const Placed& a, const Placed& b, const Axis& axis) {
+  const int ia = (axis.kind - 6) / 3, ib = (axis.kind - 6) % 3;
+  const Vec3 pa = edge_middle(a, ia, -axis.n), pb = edge_middle(b, ib, axis.n);
+  const Vec3 ua = a.r.column(ia), ub = b.r.column(ib);
+  const double uu = dot(ua, ub);
+  const Vec3 d = pb - pa;
+  const double det = 1 - uu * uu;  // not small: parallel edges were left out
+  const double sa = (dot(ua, d) - uu * dot(ub, d)) / det;
+  const double sb = (uu * dot(ua, d) - dot(ub, d)) / det;
+  return (pa + ua * sa + pb + ub * sb) * 0.5;
+}
+
+}  // namespace
+
+Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
+  const Axis axis = separating_axis(a, b, margin);
+  if (axis.gap >= margin) return {};
+  if (axis.kind < 3) return reduced(axis.n, face_points(a, axis.kind, -axis.n, b, margin));
+  if (axis.kind < 6) return reduced(axis.n, face_points(b, axis.kind - 3, axis.n, a, margin));
+  Touch out;
+  out.normal = axis.n;
+  out.points[0] = {edges_meet(a, b, axis), axis.gap};
+  out.count = 1;
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "physical/magnetism.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+
+namespace stig {
+
+namespace {
+
+/// A pair as one of its magnets sees it.
+struct Neighbour {
+  std::uint32_t other;
+  Vec3 r;        ///< from the other to this one, unit
+  double scale;  ///< field of the other's unit direction at this distance
+};
+
+/// Neighbours of each magnet: those of magnet i are [start[i], start[i + 1]).
+struct Neighbours {
+  std::vector<std::uint32_t> start;
+  std::vector<Neighbour> list;
+};
+
+Neighbours neighbours_of(const std::vector<Magnet>& magnets, const std::vector<MagnetPair>& pairs) {
+  Neighbours out{std::vector<std::uint32_t>(magnets.size() + 1), {}};
+  for (const MagnetPair& pair : pairs) {
+    ++out.start[pair.i + 1];
+    ++out.start[pair.j + 1];
+  }
+  for (std::size_t i = 0; i < magnets.size(); ++i) out.start[i + 1] += out.start[i];
+  out.list.resize(2 * pairs.size());
+  std::vector<std::uint32_t> next(out.start.begin(), out.start.end() - 1);
+  for (const MagnetPair& pair : pairs) {
+    const double d = length(pair.r);
+    const double k = kDipoleConstant / (d * d * d);
+    const Vec3 n = pair.r * (1 / d);
+    out.list[next[pair.i]++] = {pair.j, n, k * magnets[pair.j].moment};
+    out.list[next[pair.j]++] = {pair.i, n, k * magnets[pair.i].moment};
+  }
+  return out;
+}
+
+/// One step of the way from `u` to the unit vector `goal`.
+Vec3 turned(Vec3 u, const Vec3& goal, double part) {
+  if (dot(u, goal) < -0.9999) u = normalised(u + perpendicular(u) * 1e-2);
+  return normalised(u + (goal - u) * part);
+}
+
+struct OwnerCell {
+  std::int64_t x, y, z;
+  std::uint32_t owner;
+
+  friend auto operator<=>(const OwnerCell&, const OwnerCell&) = default;
+};
+
+std::vector<OwnerCell> owner_cells(const std::vector<MagnetOwner>& owners, double size) {
+  std::vector<OwnerCell> cells;
+  cells.reserve(owners.size());
+  const auto cell = [size](double x) { return static_cast<std::int64_t>(std::floor(x / size)); };
+  for (std::uint32_t i = 0; i < owners.size(); ++i) {
+    if (owners[i].begin == owners[i].end) continue;
+    const Vec3& p = owners[i].centre;
+    cells.push_back({cell(p.x), cell(p.y), cell(p.z), i});
+  }
+  std::sort(cells.begin(), cells.end());
+  return cells;
+}
+
+/// Magnets of `owner` that may be within the cut-off of one about `centre`.
+void find_near(const std::vector<Magnet>& magnets, const MagnetOwner& owner, const Vec3& centre,
+               double reach, std::vector<std::uint32_t>& out) {
+  out.clear();
+  for (std::uint32_t i = owner.begin; i < owner.end; ++i) {
+    if (squared(magnets[i].p_W - centre) < reach * reach) out.push_back(i);
+  }
+}
+
+/// Lists of magnets, kept to save their making for each pair of owners.
+struct NearLists {
+  std::vector<std::uint32_t> a, b;
+};
+
+void add_pairs(const std::vector<Magnet>& magnets, const MagnetOwner& a, const MagnetOwner& b,
+               double radius, double cutoff, NearLists& near, std::vector<MagnetPair>& out) {
+  find_near(magnets, a, b.centre, cutoff + radius, near.a);
+  find_near(magnets, b, a.centre, cutoff + radius, near.b);
+  for (const std::uint32_t i : near.a) {
+    for (const std::uint32_t j : near.b) {
+      const Vec3 r = magnets[i].p_W - magnets[j].p_W;
+      const double d2 = squared(r);
+      if (!(d2 < cutoff * cutoff) || d2 == 0) continue;
+      out.push_back(i < j ? MagnetPair{i, j, r} : MagnetPair{j, i, -r});
+    }
+  }
+}
+
+}  // namespace
+
+DipoleWrench dipole_wrench(const Vec3& m0, const Vec3& m1, const Vec3& r) {
+  const double d2 = squared(r);
+  assert(d2 > 0);
+  const double d = std::sqrt(d2);
+  const Vec3 n = r * (1 / d);
+  const double a = dot(m0, n), b = dot(m1, n);
+  const Vec3 force =
+      (n * (3 * dot(m0, m1) - 15 * a * b) + (m0 * b + m1 * a) * 3) * (kDipoleConstant / (d2 * d2));
+  const double k = kDipoleConstant / (d2 * d);
+  const Vec3 across = cross(m0, m1);
+  return {force, (cross(m0, n) * (3 * b) - across) * k, (cross(m1, n) * (3 * a) + across) * k};
+}
+
+Vec3 dipole_field(const Vec3& m1, const Vec3& r) {
+  const double d = length(r);
+  assert(d > 0);
+  const Vec3 n = r * (1 / d);
+  return (n * (3 * dot(m1, n)) - m1) * (kDipoleConstant / (d * d * d));
+}
+
+double dipole_energy(const Vec3& m0, const Vec3& m1, const Vec3& r) {
+  return -dot(m0, dipole_field(m1, r));
+}
+
+std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
+                                     const std::vector<MagnetOwner>& owners, double radius,
+                                     double cutoff) {
+  const auto is_awake = [](const MagnetOwner& owner) { return owner.awake; };
+  if (std::none_of(owners.begin(), owners.end(), is_awake)) return {};
+  const double reach = cutoff + 2 * radius;
+  const std::vector<OwnerCell> cells = owner_cells(owners, reach);
+  std::vector<MagnetPair> out;
+  NearLists near;
+  // Rounding must not leave out a magnet that lies at the radius itself.
+  const double ball = radius * (1 + 1e-9);
+  for (const OwnerCell& cell : cells) {
+    const MagnetOwner& a = owners[cell.owner];
+    if (!a.awake) continue;
+    // Rows of three cells along z stand together in the sorted list.
+    for (std::int64_t dx = -1; dx <= 1; ++dx) {
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        const OwnerCell first{cell.x + dx, cell.y + dy, cell.z - 1, 0};
+        auto at = std::lower_bound(cells.begin(), cells.end(), first);
+        for (; at != cells.end() && at->x == first.x && at->y == first.y && at->z <= cell.z + 1;
+             ++at) {
+          const MagnetOwner& b = owners[at->owner];
+          if (at->owner == cell.owner || (b.awake && at->owner < cell.owner)) continue;
+          if (squared(a.centre - b.centre) < reach * reach) {
+            add_pairs(magnets, a, b, ball, cutoff, near, out);
+          }
+        }
+      }
+    }
+  }
+  std::sort(out.begin(), out.end(), [](const MagnetPair& a, const MagnetPair& b) {
+    return a.i != b.i ? a.i < b.i : a.j < b.j;
+  });
+  return out;
+}
+
+void relax_magnets(std::vector<Magnet>& magnets, const std::vector<MagnetPair>& pairs,
+                   const std::vector<MagnetOwner>& owners, double dt,
+                   const Relaxation& relaxation) {
+  const Neighbours neighbours = neighbours_of(magnets, pairs);
+  const double part = 1 - std::exp(-dt / (relaxation.time * relaxation.sweeps));
+  for (int sweep = 0; sweep < relaxation.sweeps; ++sweep) {
+    for (std::uint32_t i = 0; i < magnets.size(); ++i) {
+      Magnet& magnet = magnets[i];
+      if (!magnet.free || !owners[magnet.owner].awake) continue;
+      Vec3 field;
+      for (std::uint32_t k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) {
+        const Neighbour& near = neighbours.list[k];
+        const Vec3& u = magnets[near.other].direction;
+        field += (near.r * (3 * dot(u, near.r)) - u) * near.scale;
+      }
+      const double strength = length(field);
+      if (strength == 0 || magnet.moment == 0) continue;
+      const double sign = magnet.moment > 0 ? 1 : -1;
+      magnet.direction = turned(magnet.direction, field * (sign / strength), part);
+    }
+  }
+}
+
+}  // namespace stig

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "physical/world.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "base/hash.h"
+#include "physical/world_state.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kMostSpeed = 1e3;  ///< m/s, and rad/s times ten: beyond, it has diverged
+
+Body make_body(const BodyDef& def) {
+  Body body;
+  body.shape = def.shape;
+  body.inertia = inertia_of(def);
+  body.mass = def.mass;
+  body.round = body.inertia.x == body.inertia.y && body.inertia.y == body.inertia.z;
+  body.fixed = def.fixed;
+  body.material = def.material;
+  body.p = def.X_WB.p;
+  body.q = normalised(def.X_WB.q);
+  body.r = matrix(body.q);
+  body.v = def.velocity;
+  body.w = def.spin;
+  body.awake = !def.fixed || !(body.v == Vec3{}) || !(body.w == Vec3{});
+  return body;
+}
+
+void add_magnets(WorldState& world, const BodyDef& def, std::uint32_t number) {
+  const Body& body = world.bodies[number];
+  MagnetOwner owner;
+  owner.begin = static_cast<std::uint32_t>(world.magnets.size());
+  owner.centre = body.p;
+  for (const MagnetDef& magnet : def.magnets) {
+    world.magnets.push_back({number, magnet.free, body.p + body.r * magnet.p_B,
+                             body.r * magnet.direction, magnet.moment});
+    world.magnet_places.push_back(magnet.p_B);
+    world.magnet_radius = std::max(world.magnet_radius, length(magnet.p_B));
+  }
+  owner.end = static_cast<std::uint32_t>(world.magnets.size());
+  world.owners.push_back(owner);
+}
+
+/// Cells a little larger than the median body.
+double cell_size(const std::vector<BodyDef>& bodies) {
+  if (bodies.empty()) return 1;
+  std::vector<double> radii;
+  for (const BodyDef& def : bodies) radii.push_back(def.shape.radius());
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  std::nth_element(radii.begin(), middle, radii.end());
+  return 1.6 * *middle;
+}
+
+/// Free flight: the angular momentum stays as it is, to the last bit of rounding; the spin
+/// at the middle of the step turns the body (second order).
+void turn(Body& body, double dt) {
+  Vec3 spin = body.w;
+  if (!body.round) {
+    const Vec3 momentum = body.r * scaled(body.inertia, body.r.transposed(body.w));
+    const Vec3 inverse{1 / body.inertia.x, 1 / body.inertia.y, 1 / body.inertia.z};
+    const auto spin_at = [&](const Quat& q) {
+      const Mat3 r = matrix(q);
+      return r * scaled(inverse, r.transposed(momentum));
+    };
+    spin = spin_at(rotation(body.w * (dt / 2)) * body.q);
+    body.q = normalised(rotation(spin * dt) * body.q);
+    body.w = spin_at(body.q);
+  } else {
+    body.q = normalised(rotation(spin * dt) * body.q);
+  }
+  body.r = matrix(body.q);
+}
+
+void move(const WorldState& world, Body& body) {
+  const double dt = world.config.step;
+  body.p += (body.v + body.shift_v) * dt;
+  // Between contacts force is constant over the step, and its parabola known.
+  if (body.free && !body.fixed) body.p -= body.force * (dt * dt / (2 * body.mass));
+  turn(body, dt);
+  if (body.shift_w == Vec3{}) return;
+  body.q = normalised(rotation(body.shift_w * dt) * body.q);
+  body.r = matrix(body.q);
+}
+
+/// The first body awake whose force or velocity is beyond measure; its number, or the size.
+std::uint32_t diverged(const WorldState& world) {
+  for (const std::uint32_t i : world.awake) {
+    const Body& body = world.bodies[i];
+    // Written so that NaN fails.
+    const bool sound = squared(body.v) < kMostSpeed * kMostSpeed &&
+                       squared(body.w) < 100 * kMostSpeed * kMostSpeed && is_finite(body.p) &&
+                       is_finite(body.force) && is_finite(body.torque);
+    if (!sound) return i;
+  }
+  return static_cast<std::uint32_t>(world.bodies.size());
+}
+
+void note_leavers(WorldState& world) {
+  const double most = world.config.arena;
+  for (const std::uint32_t i : world.awake) {
+    Body& body = world.bodies[i];
+    const double far = std::max({std::abs(body.p.x), std::abs(body.p.y), std::abs(body.p.z)});
+    if (far <= most) continue;
+    body.left = true;
+    body.awake = false;
+    body.v = body.w = {};
+    world.owners[i].end = world.owners[i].begin;
+    world.changed = true;
+    world.events.push_back({EventKind::left_arena, BodyId{i}, kFloor});
+  }
+}
+
+/// Velocities of the step, with contacts. Stops before them when forces are beyond measure.
+void update_velocities(WorldState& world) {
+  gather_forces(world);
+  refresh_lists(world);
+  for (const std::uint32_t i : world.awake) integrate_velocity(world, world.bodies[i]);
+  if (diverged(world) < world.bodies.size()) return;
+  update_contacts(world);
+  solve_world(world);
+}
+
+void finish_step(WorldState& world) {
+  for (const std::uint32_t i : world.awake) move(world, world.bodies[i]);
+  report_contacts(world);
+  put_to_sleep(world);
+  for (const std::uint32_t i : world.awake) {
+    world.bodies[i].user_force = world.bodies[i].user_torque = {};
+  }
+  note_leavers(world);
+}
+
+/// Wakes a body between steps; the next step reports it.
+void wake_early(WorldState& world, BodyId id) {
+  std::swap(world.events, world.early);
+  wake(world, static_cast<std::uint32_t>(id));
+  std::swap(world.events, world.early);
+}
+
+}  // namespace
+
+WorldState make_world_state(const WorldConfig& config) {
+  assert(problems_of(config).empty());
+  WorldState world;
+  world.config = config;
+  world.cell = cell_size(config.bodies);
+  for (const BodyDef& def : config.bodies) {
+    world.bodies.push_back(make_body(def));
+    add_magnets(world, def, static_cast<std::uint32_t>(world.bodies.size() - 1));
+  }
+  return world;
+}
+
+BodyState state_of(const WorldState& world, std::uint32_t number) {
+  const Body& body = world.bodies.at(number);
+  return {{body.p, body.q}, body.v, body.w, body.awake, body.left};
+}
+
+World::World(const WorldConfig& config)
+    : state_(std::make_unique<WorldState>(make_world_state(config))) {}
+World::World(World&&) noexcept = default;
+World& World::operator=(World&&) noexcept = default;
+World::~World() = default;
+
+StepResult World::step() {
+  WorldState& world = *state_;
+  world.events = std::move(world.early);
+  world.early.clear();
+  refresh_lists(world);
+  if (!world.awake.empty()) {
+    update_velocities(world);
+    const std::uint32_t bad = diverged(world);
+    if (bad < world.bodies.size()) return {false, BodyId{bad}};
+    finish_step(world);
+  }
+  ++world.tick;
+  return {};
+}
+
+std::uint64_t World::tick() const { return state_->tick; }
+double World::time() const { return static_cast<double>(state_->tick) * state_->config.step; }
+std::size_t World::size() const { return state_->bodies.size(); }
+
+std::size_t World::awake_count() const {
+  return static_cast<std::size_t>(std::count_if(state_->bodies.begin(), state_->bodies.end(),
+                                                [](const Body& body) { return body.awake; }));
+}
+
+BodyState World::state(BodyId id) const {
+  return state_of(*state_, static_cast<std::uint32_t>(id));
+}
+
+Vec3 World::magnet_direction(BodyId id, std::size_t magnet) const {
+  const MagnetOwner& owner = state_->owners.at(static_cast<std::size_t>(id));
+  assert(magnet < owner.end - owner.begin);
+  return state_->magnets[owner.begin + magnet].direction;
+}
+
+const std::vector<WorldEvent>& World::events() const { return state_->events; }
+
+double World::energy() const {
+  double energy = magnet_energy(*state_);
+  for (const Body& body : state_->bodies) {
+    if (body.fixed || body.left) continue;
+    const Vec3 spin = body.r.transposed(body.w);
+    energy += body.mass * (squared(body.v) / 2 + state_->config.gravity * body.p.z);
+    energy += dot(spin, scaled(body.inertia, spin)) / 2;
+  }
+  return energy;
+}
+
+void World::push(BodyId id, const Vec3& force, const Vec3& torque) {
+  Body& body = state_->bodies.at(static_cast<std::size_t>(id));
+  if (body.fixed || body.left) return;
+  body.user_force += force;
+  body.user_torque += torque;
+  wake_early(*state_, id);
+}
+
+void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
+  Body& body = state_->bodies.at(static_cast<std::size_t>(id));
+  if (body.left) return;
+  body.v = velocity;
+  body.w = spin;
+  if (body.fixed) {
+    body.awake = !(velocity == Vec3{}) || !(spin == Vec3{});
+    state_->changed = true;
+  } else {
+    wake_early(*state_, id);
+  }
+}
+
+std::string World::checkpoint() const { return write_checkpoint(*state_); }
+bool World::resume(std::string_view bytes) { return read_checkpoint(*state_, bytes); }
+std::uint64_t World::hash() const { return hash_text(checkpoint()); }
+
+}  // namespace stig

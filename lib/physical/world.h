@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// A deterministic world of free rigid bodies with magnets.
+//
+//     WorldConfig config;
+//     config.bodies.push_back(block_body(block, {{0, 0, 0.0275}, {}}));
+//     if (!problems_of(config).empty()) …       // say so
+//     World world(config);
+//     while (world.time() < 1 && world.step().ok) …  // read world.state(id), world.events()
+//
+// A step: forces (gravity, magnets, the user's) → velocities → contacts → who wakes →
+// solver → positions → who sleeps. Same configuration and calls, same bytes: nothing
+// depends on threads, addresses or time. Different worlds may step in different threads.
+//
+// Not here: joints, cylinders and meshes, bodies added while it runs.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physical/world_config.h"
+
+namespace stig {
+
+/// The body's place in WorldConfig::bodies.
+enum class BodyId : std::uint32_t {};
+/// The other body of a contact with the floor.
+inline constexpr BodyId kFloor{0xffffffff};
+
+struct BodyState {
+  Pose X_WB;
+  Vec3 velocity, spin;
+  bool awake = true;
+  bool left = false;  ///< the arena; no longer simulated
+};
+
+enum class EventKind : std::uint8_t { contact_began, slept, woke, left_arena };
+
+struct WorldEvent {
+  EventKind kind = EventKind::contact_began;
+  BodyId body{};
+  BodyId other = kFloor;  ///< of a contact that began; otherwise without meaning
+
+  friend bool operator==(const WorldEvent&, const WorldEvent&) = default;
+};
+
+/// Not ok: forces or speeds grew beyond measure; `body` is the first such. All poses are
+/// still those before the step, but the world cannot go on.
+struct StepResult {
+  bool ok = true;
+  BodyId body{};
+};
+
+struct WorldState;
+
+class World {
+ public:
+  /// Asserts that problems_of(config) is empty.
+  explicit World(const WorldConfig& config);
+  World(World&&) noexcept;
+  World& operator=(World&&) noexcept;
+  ~World();
+
+  StepResult step();
+
+  std::uint64_t tick() const;
+  double time() const;  ///< s
+  std::size_t size() const;
+  std::size_t awake_count() const;
+  BodyState state(BodyId id) const;
+  /// Direction of a body's magnet, world frame.
+  Vec3 magnet_direction(BodyId id, std::size_t magnet) const;
+  /// Of the last step, in a fixed order: wakings, contacts by body, sleepers, leavers.
+  const std::vector<WorldEvent>& events() const;
+  /// Kinetic, of gravity and of magnets, J. For tests and measures: costs a step.
+  double energy() const;
+
+  /// Acts during the next step alone, at the centre of mass; wakes the body.
+  void push(BodyId id, const Vec3& force, const Vec3& torque);
+  /// Of a fixed body: it moves so from now on, whatever is in its way. Wakes the body.
+  void set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin);
+
+  /// All that a step depends on besides the configuration, in this machine's byte order.
+  std::string checkpoint() const;
+  /// False, and nothing changed, when the bytes are no checkpoint of this configuration.
+  bool resume(std::string_view checkpoint);
+  /// Of the checkpoint's bytes.
+  std::uint64_t hash() const;
+
+ private:
+  std::unique_ptr<WorldState> state_;
+};
+
+}  // namespace stig

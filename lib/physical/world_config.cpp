@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+#include "physical/world_config.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "physical/broad_phase.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kMostStep = 0.02;  ///< s: stacks collapse above
+constexpr std::size_t kMostBodies = 20'000;
+constexpr double kMostSizeRatio = 200;  ///< of the largest body to the smallest
+constexpr double kMostOverlap = 1e-3;
+constexpr double kMostSpeed = 100;  ///< m/s
+
+bool positive(double x) { return std::isfinite(x) && x > 0; }
+bool not_negative(double x) { return std::isfinite(x) && x >= 0; }
+bool inside(const Vec3& p, double arena) {
+  return std::abs(p.x) <= arena && std::abs(p.y) <= arena && std::abs(p.z) <= arena;
+}
+bool is_unit(const Vec3& u) { return std::abs(squared(u) - 1) < 1e-6; }
+bool is_unit(const Quat& q) {
+  return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
+}
+/// Written so that NaN is refused too.
+bool moments_possible(const Vec3& i) {
+  const double most = std::max({i.x, i.y, i.z});
+  return i == Vec3{} || (positive(i.x) && positive(i.y) && positive(i.z) &&
+                         2 * most <= (i.x + i.y + i.z) * (1 + 1e-9));
+}
+
+/// What is wrong with one body; empty: nothing.
+std::string problem_of(const BodyDef& def, const WorldConfig& config) {
+  const Vec3& h = def.shape.half;
+  if (!positive(h.x) || !positive(h.y) || !positive(h.z)) return "has no extent";
+  if (def.shape.radius() > 10) return "is larger than 10 m";
+  if (!positive(def.mass)) return "has a mass that is not positive";
+  if (!moments_possible(def.inertia)) return "has moments of inertia that no body has";
+  if (!is_finite(def.X_WB.p) || !is_unit(def.X_WB.q)) return "has a pose that is none";
+  if (!inside(def.X_WB.p, config.arena)) return "is outside of the arena";
+  if (!(squared(def.velocity) <= kMostSpeed * kMostSpeed)) return "is too fast";
+  if (!(squared(def.spin) <= 1e6)) return "spins too fast";
+  for (const MagnetDef& magnet : def.magnets) {
+    if (!is_finite(magnet.p_B) || !std::isfinite(magnet.moment) || !is_unit(magnet.direction)) {
+      return "has a magnet that is none";
+    }
+    if (length(magnet.p_B) > def.shape.radius()) return "has a magnet outside of it";
+  }
+  return {};
+}
+
+void check_settings(const WorldConfig& config, std::vector<std::string>& out) {
+  const auto need = [&out](bool good, const char* text) {
+    if (!good) out.emplace_back(text);
+  };
+  need(positive(config.step) && config.step <= kMostStep,
+       "the step must be above 0, at most 20 ms");
+  need(not_negative(config.gravity) && config.gravity <= 1000, "gravity must be from 0 to 1000");
+  need(positive(config.arena) && config.arena <= 1000, "the arena must be from 0 to 1000 m");
+  need(not_negative(config.friction), "friction must not be negative");
+  for (const FrictionPair& pair : config.frictions) {
+    need(not_negative(pair.coefficient), "friction must not be negative");
+  }
+  need(positive(config.magnet_cutoff) && config.magnet_cutoff <= 10,
+       "the magnets' cut-off must be from 0 to 10 m");
+  need(positive(config.magnet_contact) && config.magnet_contact <= config.magnet_cutoff,
+       "magnets touch at a distance above 0, at most their cut-off");
+  need(positive(config.relaxation.time) && config.relaxation.sweeps >= 1 &&
+           config.relaxation.sweeps <= 1000,
+       "the magnets' relaxation needs a time above 0 and 1 to 1000 sweeps");
+  need(config.sweeps >= 1 && config.sweeps <= 10'000, "sweeps must be from 1 to 10000");
+  need(config.bodies.size() <= kMostBodies, "there may be at most 20000 bodies");
+}
+
+void check_sizes(const WorldConfig& config, std::vector<std::string>& out) {
+  if (config.bodies.empty()) return;
+  const auto by_size = [](const BodyDef& a, const BodyDef& b) {
+    return a.shape.radius() < b.shape.radius();
+  };
+  const auto [least, most] =
+      std::minmax_element(config.bodies.begin(), config.bodies.end(), by_size);
+  if (most->shape.radius() > kMostSizeRatio * least->shape.radius()) {
+    out.emplace_back("the largest body is more than 200 times the smallest");
+  }
+}
+
+double deepest(const Touch& touch) {
+  double least = 0;
+  for (int i = 0; i < touch.count; ++i) {
+    least = std::min(least, touch.points[static_cast<std::size_t>(i)].gap);
+  }
+  return -least;
+}
+
+void check_overlaps(const WorldConfig& config, std::vector<std::string>& out) {
+  std::vector<std::uint32_t> numbers;
+  std::vector<Bounds> bounds;
+  double largest = 0;
+  for (const BodyDef& def : config.bodies) {
+    const double r = def.shape.radius();
+    largest = std::max(largest, r);
+    numbers.push_back(static_cast<std::uint32_t>(bounds.size()));
+    bounds.push_back({def.X_WB.p - Vec3{r, r, r}, def.X_WB.p + Vec3{r, r, r}});
+  }
+  const auto placed = [&](std::uint32_t i) {
+    const BodyDef& def = config.bodies[i];
+    return Placed{def.shape, def.X_WB.p, matrix(def.X_WB.q)};
+  };
+  for (const auto& [a, b] : candidate_pairs(cells_of(numbers, bounds, 2 * largest), {}, bounds)) {
+    if (config.bodies[a].fixed && config.bodies[b].fixed) continue;
+    if (deepest(touch(placed(a), placed(b), 0)) > kMostOverlap) {
+      out.push_back(fmt::format("bodies {} and {} overlap", a, b));
+    }
+  }
+  for (const std::uint32_t i : numbers) {
+    if (!config.floor || config.bodies[i].fixed) continue;
+    if (deepest(touch_floor(placed(i), 0)) > kMostOverlap) {
+      out.push_back(fmt::format("body {} is in the floor", i));
+    }
+  }
+}
+
+}  // namespace
+
+Vec3 inertia_of(const BodyDef& def) {
+  if (!(def.inertia == Vec3{})) return def.inertia;
+  const Vec3& h = def.shape.half;
+  if (def.shape.kind == ShapeKind::sphere) return Vec3{1, 1, 1} * (0.4 * def.mass * h.x * h.x);
+  const double m = def.mass / 3;
+  return {m * (h.y * h.y + h.z * h.z), m * (h.x * h.x + h.z * h.z), m * (h.x * h.x + h.y * h.y)};
+}
+
+BodyDef solid_body(const Shape& shape, double mass, const Vec3& place) {
+  BodyDef def;
+  def.shape = shape;
+  def.mass = mass;
+  def.X_WB.p = place;
+  return def;
+}
+
+BodyDef block_body(const BlockModel& block, const Pose& X_WB) {
+  BodyDef def;
+  def.shape = Shape::box({block.side, block.side, block.side});
+  def.mass = block.mass();
+  def.inertia = Vec3{1, 1, 1} * block.inertia();
+  def.X_WB = X_WB;
+  for (const Vec3& place : block.magnet_places()) {
+    def.magnets.push_back({place, block.magnet_moment(), true, {0, 0, 1}});
+  }
+  return def;
+}
+
+std::vector<std::string> problems_of(const WorldConfig& config) {
+  std::vector<std::string> out;
+  check_settings(config, out);
+  if (!out.empty()) return out;
+  for (std::size_t i = 0; i < config.bodies.size(); ++i) {
+    const std::string problem = problem_of(config.bodies[i], config);
+    if (!problem.empty()) out.push_back(fmt::format("body {} {}", i, problem));
+  }
+  check_sizes(config, out);
+  if (out.empty()) check_overlaps(config, out);
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// What a World is made from: plain data, checked by one function.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "physical/block.h"
+#include "physical/contact.h"
+#include "physical/magnetism.h"
+#include "physical/vec.h"
+
+namespace stig {
+
+/// Number of a kind of surface; pairs of them have a friction coefficient.
+using Material = std::uint8_t;
+inline constexpr Material kBlockMaterial = 0, kFloorMaterial = 1;
+
+struct MagnetDef {
+  Vec3 p_B;                 ///< place in the body's frame
+  double moment = 0.2;      ///< A·m²
+  bool free = true;         ///< turns towards the field; otherwise fixed in the body
+  Vec3 direction{0, 0, 1};  ///< unit, body frame; of a free one: at the start
+};
+
+struct BodyDef {
+  Shape shape;
+  double mass = 1;      ///< kg
+  Vec3 inertia;         ///< principal moments about the body's axes, kg·m²; all 0: solid
+  Pose X_WB;            ///< of the centre of mass, which is the shape's centre
+  Vec3 velocity, spin;  ///< m/s and rad/s, world frame
+  Material material = kBlockMaterial;
+  bool fixed = false;  ///< moved by nothing but its own velocity
+  std::vector<MagnetDef> magnets;
+};
+
+/// A solid at rest.
+BodyDef solid_body(const Shape& shape, double mass, const Vec3& place = {});
+/// The block of a data file as a body.
+BodyDef block_body(const BlockModel& block, const Pose& X_WB);
+/// A solid's moments when the definition leaves them open.
+Vec3 inertia_of(const BodyDef& def);
+
+struct FrictionPair {
+  Material a = 0, b = 0;
+  double coefficient = 0.5;
+};
+
+struct SleepRules {
+  bool enabled = true;
+  double time = 0.25;          ///< s, that a whole island must be at rest
+  double speed = 0.002;        ///< m/s, below which a body is
+  double spin = 0.05;          ///< rad/s
+  double waking_speed = 0.01;  ///< m/s, of a body that touches a sleeper and wakes it
+  double waking_spin = 0.3;    ///< rad/s
+  double waking_force = 0.15;  ///< N, of the magnets of a body that moves
+};
+
+struct WorldConfig {
+  double step = 0.005;  ///< s
+  double gravity = 9.8;
+  bool floor = true;      ///< z = 0, of kFloorMaterial
+  double arena = 100;     ///< m: bodies farther from the origin along x, y or z have left
+  double friction = 0.5;  ///< of pairs that are not listed
+  std::vector<FrictionPair> frictions;
+  double magnet_cutoff = 0.04;
+  double magnet_contact = 0.006;  ///< m: magnets nearer than this pull as at this distance
+  Relaxation relaxation;
+  int sweeps = 20;  ///< of the contact solver; structures above five blocks need 60
+  SleepRules sleep;
+  std::vector<BodyDef> bodies;
+};
+
+/// What makes the configuration unusable, each a sentence that names the body by its
+/// number; empty: nothing. Spawns may overlap by at most 1 mm.
+std::vector<std::string> problems_of(const WorldConfig& config);
+
+}  // namespace stig

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <tuple>
+
+#include "physical/world_state.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kMargin = 0.2e-3;     ///< m: contacts are seen from here on
+constexpr double kMostMargin = 50e-3;  ///< m: for fast bodies
+constexpr int kFirstSweeps = 50;       ///< times as many sweeps in the first step
+constexpr double kTouching = 50e-6;    ///< m: below, a contact has begun
+
+/// How far turning may bring the surface in a step.
+double turning_reach(const WorldState& world, const Body& body) {
+  return length(body.w) * body.shape.radius() * world.config.step;
+}
+
+/// Gap below which two bodies may touch in this step.
+double margin_of(const WorldState& world, const Body& a, const Body& b) {
+  const double way = length(a.v - b.v) * world.config.step;
+  return std::min(kMostMargin, kMargin + way + turning_reach(world, a) + turning_reach(world, b));
+}
+
+Placed placed(const Body& body) { return {body.shape, body.p, body.r}; }
+
+/// All that the body may reach in this step, and half the margin.
+Bounds bounds_of(const WorldState& world, const Body& body) {
+  Vec3 h = body.shape.half;
+  if (body.shape.kind == ShapeKind::box) {
+    const Vec3 x = body.r.x * h.x, y = body.r.y * h.y, z = body.r.z * h.z;
+    h = {std::abs(x.x) + std::abs(y.x) + std::abs(z.x),
+         std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
+         std::abs(x.z) + std::abs(y.z) + std::abs(z.z)};
+  }
+  const double reach = kMargin / 2 + std::min(kMostMargin, turning_reach(world, body));
+  const auto way = [&world](double speed) {
+    return std::clamp(speed * world.config.step, -kMostMargin, kMostMargin);
+  };
+  const Vec3 step{way(body.v.x), way(body.v.y), way(body.v.z)};
+  const auto down = [reach](double x) { return std::min(x, 0.0) - reach; };
+  const auto up = [reach](double x) { return std::max(x, 0.0) + reach; };
+  return {body.p - h + Vec3{down(step.x), down(step.y), down(step.z)},
+          body.p + h + Vec3{up(step.x), up(step.y), up(step.z)}};
+}
+
+/// Stands for the floor, as far as motion goes.
+const Body kAtRest{};
+
+bool takes_part(const WorldState& world, std::uint32_t i) {
+  return i != kFloorBody && world.bodies[i].awake && !world.bodies[i].left;
+}
+
+void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, const Touch& touch,
+                 std::vector<Contact>& out) {
+  if (touch.count == 0) return;
+  const Body& body = world.bodies[a];
+  Contact contact;
+  contact.a = a;
+  contact.b = b;
+  contact.normal = touch.normal;
+  contact.count = touch.count;
+  const Material other = b == kFloorBody ? kFloorMaterial : world.bodies[b].material;
+  contact.friction = friction_of(world.config, body.material, other);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(touch.count); ++i) {
+    const TouchPoint& from = touch.points[i];
+    contact.points[i].p_W = from.p;
+    contact.points[i].p_A = body.r.transposed(from.p - body.p);
+    contact.points[i].gap = from.gap;
+  }
+  out.push_back(contact);
+}
+
+/// Contacts in which somebody takes part, in the order of (a, b).
+std::vector<Contact> find_contacts(WorldState& world) {
+  for (const std::uint32_t i : world.awake) {
+    world.bounds[i] = bounds_of(world, world.bodies[i]);
+  }
+  const auto pairs = candidate_pairs(cells_of(world.awake, world.bounds, world.cell),
+                                     world.resting_cells, world.bounds);
+  std::vector<Contact> out;
+  out.reserve(pairs.size() + world.awake.size());
+  for (const auto& [a, b] : pairs) {
+    if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
+    const double margin = margin_of(world, world.bodies[a], world.bodies[b]);
+    add_contact(world, a, b, touch(placed(world.bodies[a]), placed(world.bodies[b]), margin), out);
+  }
+  if (world.config.floor) {
+    for (const std::uint32_t i : world.awake) {
+      if (world.bodies[i].fixed) continue;
+      const double margin = margin_of(world, world.bodies[i], kAtRest);
+      add_contact(world, i, kFloorBody, touch_floor(placed(world.bodies[i]), margin), out);
+    }
+  }
+  return out;
+}
+
+auto key(const Contact& contact) { return std::pair(contact.a, contact.b); }
+
+/// Takes over impulses of the last contacts; those among sleepers stay as they were.
+std::vector<Contact> merged(const WorldState& world, std::vector<Contact> found) {
+  for (const Contact& old : world.contacts) {
+    if (!takes_part(world, old.a) && !takes_part(world, old.b)) found.push_back(old);
+  }
+  const auto by_key = [](const Contact& a, const Contact& b) { return key(a) < key(b); };
+  std::sort(found.begin(), found.end(), by_key);
+  auto last = world.contacts.begin();
+  for (Contact& contact : found) {
+    while (last != world.contacts.end() && by_key(*last, contact)) ++last;
+    if (last == world.contacts.end() || key(*last) != key(contact)) continue;
+    if (takes_part(world, contact.a) || takes_part(world, contact.b)) warm_start(contact, *last);
+  }
+  return found;
+}
+
+bool wakes_others(const Body& body, const SleepRules& rules) {
+  return body.awake && (body.fixed || squared(body.v) > rules.waking_speed * rules.waking_speed ||
+                        squared(body.w) > rules.waking_spin * rules.waking_spin);
+}
+
+bool sleeps(const WorldState& world, std::uint32_t i) {
+  return i != kFloorBody && !world.bodies[i].awake && !world.bodies[i].fixed &&
+         !world.bodies[i].left;
+}
+
+/// Sleepers that something fast touches, and those whose contact with a body that is awake
+/// has gone: it may have held them.
+std::vector<std::uint32_t> disturbed(const WorldState& world, const std::vector<Contact>& found) {
+  std::vector<std::uint32_t> out;
+  const auto consider = [&](std::uint32_t one, std::uint32_t other, bool gone) {
+    if (!sleeps(world, one) || other == kFloorBody || !world.bodies[other].awake) return;
+    if (gone || wakes_others(world.bodies[other], world.config.sleep)) out.push_back(one);
+  };
+  for (const Contact& contact : found) {
+    consider(contact.a, contact.b, false);
+    consider(contact.b, contact.a, false);
+  }
+  for (const Contact& old : world.contacts) {
+    const auto same = [&](const Contact& contact) { return key(contact) == key(old); };
+    if (!takes_part(world, old.a) && !takes_part(world, old.b)) continue;
+    if (!sleeps(world, old.a) && !sleeps(world, old.b)) continue;
+    if (std::any_of(found.begin(), found.end(), same)) continue;
+    consider(old.a, old.b, true);
+    consider(old.b, old.a, true);
+  }
+  return out;
+}
+
+}  // namespace
+
+double friction_of(const WorldConfig& config, Material a, Material b) {
+  for (const FrictionPair& pair : config.frictions) {
+    if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return pair.coefficient;
+  }
+  return config.friction;
+}
+
+void refresh_lists(WorldState& world) {
+  if (!world.changed) return;
+  world.changed = false;
+  world.awake.clear();
+  world.resting.clear();
+  world.bounds.resize(world.bodies.size());
+  for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
+    const Body& body = world.bodies[i];
+    if (body.left) continue;
+    (body.awake ? world.awake : world.resting).push_back(i);
+    if (!body.awake) world.bounds[i] = bounds_of(world, body);
+  }
+  world.resting_cells = cells_of(world.resting, world.bounds, world.cell);
+}
+
+void update_contacts(WorldState& world) {
+  std::vector<Contact> found = find_contacts(world);
+  for (auto woken = disturbed(world, found); !woken.empty(); woken = disturbed(world, found)) {
+    const std::vector<std::uint32_t> before = world.awake;
+    for (const std::uint32_t i : woken) wake(world, i);
+    refresh_lists(world);
+    for (const std::uint32_t i : world.awake) {
+      if (!std::binary_search(before.begin(), before.end(), i)) {
+        integrate_velocity(world, world.bodies[i]);
+      }
+    }
+    found = find_contacts(world);
+  }
+  world.contacts = merged(world, std::move(found));
+}
+
+void solve_world(WorldState& world) {
+  std::vector<SolverBody> bodies(1);  // the first: all that does not move
+  std::vector<std::uint32_t> slot(world.bodies.size(), 0);
+  for (const std::uint32_t i : world.awake) {
+    Body& body = world.bodies[i];
+    body.free = true;
+    slot[i] = static_cast<std::uint32_t>(bodies.size());
+    SolverBody in{body.p, body.v, body.w, {}, {}, 0, {{}, {}, {}}};
+    if (!body.fixed) {
+      in.inverse_mass = 1 / body.mass;
+      in.inverse_inertia = body.inverse_inertia();
+    }
+    bodies.push_back(in);
+  }
+  std::vector<Contact> active;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> slots;
+  for (const Contact& contact : world.contacts) {
+    if (!takes_part(world, contact.a) && !takes_part(world, contact.b)) continue;
+    active.push_back(contact);
+    slots.emplace_back(slot[contact.a], contact.b == kFloorBody ? 0 : slot[contact.b]);
+    world.bodies[contact.a].free = false;
+    if (contact.b != kFloorBody) world.bodies[contact.b].free = false;
+  }
+  // What is spawned at rest finds its forces at once, instead of sinking while they grow.
+  const int sweeps = world.config.sweeps * (world.tick == 0 ? kFirstSweeps : 1);
+  solve_contacts(bodies, active, slots, world.config.step, sweeps);
+  auto solved = active.begin();
+  for (Contact& contact : world.contacts) {
+    if (solved != active.end() && key(*solved) == key(contact)) contact = *solved++;
+  }
+  for (const std::uint32_t i : world.awake) {
+    world.bodies[i].v = bodies[slot[i]].v;
+    world.bodies[i].w = bodies[slot[i]].w;
+    world.bodies[i].shift_v = bodies[slot[i]].shift_v;
+    world.bodies[i].shift_w = bodies[slot[i]].shift_w;
+  }
+}
+
+void report_contacts(WorldState& world) {
+  for (Contact& contact : world.contacts) {
+    if (contact.touching) continue;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
+      contact.touching = contact.touching || contact.points[i].gap < kTouching;
+    }
+    if (!contact.touching) continue;
+    world.events.push_back({EventKind::contact_began, BodyId{contact.a}, BodyId{contact.b}});
+  }
+}
+
+}  // namespace stig

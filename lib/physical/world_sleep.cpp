@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <numeric>
+
+#include "physical/world_state.h"
+
+namespace stig {
+
+namespace {
+
+bool mobile(const WorldState& world, std::uint32_t i) {
+  return i != kFloorBody && !world.bodies[i].fixed && !world.bodies[i].left;
+}
+
+/// Union-find; the root of a set is its smallest member.
+class Islands {
+ public:
+  explicit Islands(std::size_t count) : parent_(count) {
+    std::iota(parent_.begin(), parent_.end(), 0U);
+  }
+  std::uint32_t root(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  void join(std::uint32_t a, std::uint32_t b) {
+    a = root(a);
+    b = root(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+};
+
+void fall_asleep(WorldState& world, std::uint32_t i) {
+  Body& body = world.bodies[i];
+  body.awake = false;
+  body.v = body.w = {};
+  world.changed = true;
+  world.events.push_back({EventKind::slept, BodyId{i}, kFloor});
+}
+
+}  // namespace
+
+void wake(WorldState& world, std::uint32_t body) {
+  const auto rouse = [&world](std::uint32_t i) {
+    Body& one = world.bodies[i];
+    if (one.awake) return false;
+    one.awake = true;
+    one.rest = 0;
+    world.changed = true;
+    world.events.push_back({EventKind::woke, BodyId{i}, kFloor});
+    return true;
+  };
+  std::vector<std::uint32_t> todo;
+  if (mobile(world, body) && rouse(body)) todo.push_back(body);
+  while (!todo.empty()) {
+    const std::uint32_t i = todo.back();
+    todo.pop_back();
+    for (const Contact& contact : world.contacts) {
+      if (contact.a != i && contact.b != i) continue;
+      const std::uint32_t other = contact.a == i ? contact.b : contact.a;
+      if (mobile(world, other) && rouse(other)) todo.push_back(other);
+    }
+  }
+}
+
+void put_to_sleep(WorldState& world) {
+  const SleepRules& rules = world.config.sleep;
+  if (!rules.enabled) return;
+  Islands islands(world.bodies.size());
+  for (const Contact& contact : world.contacts) {
+    if (mobile(world, contact.a) && mobile(world, contact.b)) islands.join(contact.a, contact.b);
+  }
+  std::vector<bool> restless(world.bodies.size(), false);
+  for (const std::uint32_t i : world.awake) {
+    Body& body = world.bodies[i];
+    const bool slow =
+        squared(body.v) < rules.speed * rules.speed && squared(body.w) < rules.spin * rules.spin;
+    const bool pushed = !(body.user_force == Vec3{}) || !(body.user_torque == Vec3{});
+    body.rest = slow && !body.free && !pushed ? body.rest + world.config.step : 0;
+    if (mobile(world, i) && body.rest < rules.time) restless[islands.root(i)] = true;
+  }
+  for (const std::uint32_t i : world.awake) {
+    if (mobile(world, i) && !restless[islands.root(i)]) fall_asleep(world, i);
+  }
+}
+
+}  // namespace stig

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// What a World is inside, for the files that make its step: world.cpp, world_forces.cpp,
+// world_contacts.cpp, world_sleep.cpp, checkpoint.cpp and stock_world.cpp.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physical/broad_phase.h"
+#include "physical/solver.h"
+#include "physical/world.h"
+
+namespace stig {
+
+struct Body {
+  Shape shape;
+  Vec3 inertia;
+  double mass = 0;
+  bool round = false;  ///< equal moments about all axes
+  bool fixed = false;
+  Material material = 0;
+
+  Vec3 p;
+  Quat q;
+  Mat3 r;  ///< of q
+  Vec3 v, w;
+  Vec3 shift_v, shift_w;         ///< of this step, out of overlaps
+  Vec3 force, torque;            ///< of this step
+  Vec3 user_force, user_torque;  ///< for the next
+  bool awake = true;             ///< of fixed ones: whether they move
+  bool left = false;
+  bool free = false;  ///< without contact in this step
+  double rest = 0;    ///< s, for which it has been slow
+
+  Mat3 inverse_inertia() const {
+    return rotated_diagonal(r, {1 / inertia.x, 1 / inertia.y, 1 / inertia.z});
+  }
+};
+
+struct WorldState {
+  WorldConfig config;
+  std::uint64_t tick = 0;
+  std::vector<Body> bodies;
+  std::vector<Magnet> magnets;
+  std::vector<Vec3> magnet_places;  ///< in their bodies' frames
+  std::vector<MagnetOwner> owners;  ///< one a body
+  double magnet_radius = 0;         ///< largest distance of a magnet from its body's centre
+  std::vector<Contact> contacts;    ///< sorted by (a, b), the floor last
+  std::vector<WorldEvent> events;
+  std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
+  double cell = 0.1;
+
+  // Made anew when someone wakes or sleeps.
+  bool changed = true;
+  std::vector<std::uint32_t> awake, resting;
+  std::vector<Bounds> bounds;
+  std::vector<CellEntry> resting_cells;
+};
+
+WorldState make_world_state(const WorldConfig& config);
+BodyState state_of(const WorldState& world, std::uint32_t body);
+
+/// Lists of who is awake, when that changed.
+void refresh_lists(WorldState& world);
+/// The body and all sleepers joined to it by contacts; writes events.
+void wake(WorldState& world, std::uint32_t body);
+
+/// Gravity, magnets and the user's forces of the bodies awake; wakes those that a moving
+/// magnet pulls at.
+void gather_forces(WorldState& world);
+void integrate_velocity(const WorldState& world, Body& body);
+/// Finds the contacts, keeps those among sleepers; wakes those that something fast touches.
+void update_contacts(WorldState& world);
+void solve_world(WorldState& world);
+void report_contacts(WorldState& world);
+void put_to_sleep(WorldState& world);
+
+double magnet_energy(const WorldState& world);
+double friction_of(const WorldConfig& config, Material a, Material b);
+
+std::string write_checkpoint(const WorldState& world);
+bool read_checkpoint(WorldState& world, std::string_view bytes);
+
+}  // namespace stig
