@@ -350,8 +350,7 @@ TEST_CASE("too many local states are refused, not waited for") {
   }
   std::sort(stage.order.begin(), stage.order.end(),
             [](const CertifiedBrick& a, const CertifiedBrick& b) { return a.at < b.at; });
-  CHECK(refusal(rules, {stage}) ==
-        "stage 1: the site (1, 1, 1) has more than 65536 local states");
+  CHECK(refusal(rules, {stage}) == "stage 1: the site (1, 1, 1) has more than 65536 local states");
 }
 
 }  // namespace
