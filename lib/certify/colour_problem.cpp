@@ -95,6 +95,14 @@ void check_orbits(const ColourProblem& out) {
   }
 }
 
+/// A cell with nothing before it would have to be placed beside no brick.
+void check_before(const ColourProblem& out) {
+  for (std::uint32_t c = 0; c < out.cells.size(); ++c) {
+    if (!out.in_start(c) && out.before(c) == 0)
+      wrong("a cell with nothing of lower rank beside it");
+  }
+}
+
 /// By rising rank, so that what is below a cell is known before it.
 void close_below(ColourProblem& out) {
   std::vector<std::uint32_t> by_rank(out.cells.size());
@@ -129,10 +137,11 @@ ColourProblem read(const json& value) {
   out.colours = value.at("colours").get<int>();
   out.named = value.at("named").get<int>();
   out.order = value.at("order").get<std::string>();
-  if (out.colours < 0 || out.colours > 62 || out.named < 0) wrong("a wrong number of colours");
+  if (out.colours < 1 || out.colours > 62 || out.named < 0) wrong("a wrong number of colours");
   for (const json& orbit : value.at("orbits")) read_orbit(orbit, out);
   out.group = orientations(out.lattice, out.symmetry, false);
   check_orbits(out);
+  check_before(out);
   close_below(out);
   return out;
 }

@@ -67,6 +67,8 @@ class Derivation {
         return fmt::format("clause {} is not on a line of its own", clauses_ + 1);
       }
       clause->pop_back();
+      // A formula's reader ends a clause at every 0: one more would make two of this.
+      if (contains(*clause, 0)) return fmt::format("clause {} has a 0 within", clauses_ + 1);
       ++clauses_;
       if (!holds(*clause)) {
         return fmt::format("clause {} does not follow from its reason '{}'", clauses_,
@@ -174,6 +176,7 @@ class Derivation {
     const auto site = p_.cell(*to);
     if ((site ? static_cast<std::int64_t>(p_.orbit_of[*site]) : -1) != a[5]) return false;
     if (site ? p_.in_start(*site) : p_.floor && to->z < 0) return false;
+    if (a[9] <= 0) return false;  // beside no brick no rule acts
     const auto state = static_cast<std::uint32_t>(a[9]);
     const Orientation& g = p_.group[static_cast<std::size_t>(a[4])];
     return is_key(*key_cell, turned_back(state, g)) && p_.reachable(*to, state) &&

@@ -72,6 +72,20 @@ TEST_CASE("a clause that claims more than its reason is refused") {
   CHECK(refused("c pair", "c A").find("'A") != std::string::npos);
 }
 
+TEST_CASE("a line is one clause, and rules act beside bricks") {
+  const MinimalityProof proof = line_of_five();
+  const FewestReport two = derive_formula(proof.problem, "p cnf 30 2\nc colour 0\n0 1 2 3 4 0\n");
+  CHECK(two.refusal.find("a 0 within") != std::string::npos);
+  const std::string nothing = "c A 2 2 0 0 0 -1 9 9 9 0\n0\n";
+  CHECK_FALSE(derive_formula(proof.problem, nothing).derived);
+  std::string level = proof.problem;
+  const std::size_t at = level.find("\"rank\": 2");
+  REQUIRE(at != std::string::npos);
+  level.replace(at, 9, "\"rank\": 1");
+  CHECK(derive_formula(level, proof.cnf).refusal.find("nothing of lower rank") !=
+        std::string::npos);
+}
+
 TEST_CASE("problems that are none are refused") {
   const MinimalityProof proof = line_of_five();
   for (const char* text : {"", "{}", "[1, 2", "{\"stigc_colouring\": 1}", "null"}) {
