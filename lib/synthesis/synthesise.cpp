@@ -253,6 +253,12 @@ std::vector<std::vector<Cell>> usable_starts(const Target& target, const Synthes
   if (options.start.empty()) starts = likely_starts(target, options.symmetry, options.floor);
   std::erase_if(starts, [&](const std::vector<Cell>& start) {
     std::optional<Obstacle> found = find_obstacle(target, {start, options.symmetry, options.floor});
+    if (!found && start.size() >= target.cells.size()) {
+      found.emplace();
+      found->kind = Obstacle::Kind::bad_start;
+      found->what = "the start is all of the target: there is nothing to build";
+      found->proved = true;
+    }
     const bool bad = found.has_value();
     if (bad && !problem) problem = std::move(found);
     return bad;

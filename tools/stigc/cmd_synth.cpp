@@ -10,6 +10,7 @@
 
 #include "base/file_io.h"
 #include "certify/certificate.h"
+#include "certify/fewest.h"
 #include "commands.h"
 #include "outputs.h"
 #include "progress.h"
@@ -103,6 +104,8 @@ struct Outcome {
   std::vector<Cell> scaffold;
   Findings findings;  ///< whether bricks can be walled in
   VerifyResult proof;
+  /// That one colour fewer does not do, as far as the checker derives every clause of it.
+  std::optional<MinimalityProof> fewest;
   std::vector<std::string> written;
 };
 
@@ -212,17 +215,29 @@ bool write_into(const std::string& folder, const std::string& name, const std::s
   return false;
 }
 
+/// Holds "the fewest for this order" to the checker: states that only seem possible, seen
+/// from one site, make clauses that it does not derive.
+void confirm_fewest(const SynthOptions& options, const Target& target, Solution& solution,
+                    Outcome& outcome) {
+  if (!solution.fewer_refuted || solution.colour_count == 1) return;
+  Effort effort(Deadline::after(options.seconds, &stop_requested()));
+  outcome.fewest =
+      prove_fewest(solution, static_cast<int>(target.bricks.size()),
+                   {&effort, static_cast<std::uint64_t>(options.effort * kStepsOfEffort)});
+  if (outcome.fewest && !derive_formula(outcome.fewest->problem, outcome.fewest->cnf).derived) {
+    outcome.fewest.reset();
+  }
+  solution.fewer_refuted = outcome.fewest.has_value();
+}
+
 /// The proof that one colour fewer does not do; returns an exit code.
-int write_proof(const SynthOptions& options, const Target& target, const Solution& solution,
-                const App& app, std::vector<std::string>& written) {
+int write_proof(const SynthOptions& options, const Solution& solution,
+                const std::optional<MinimalityProof>& proof, const App& app,
+                std::vector<std::string>& written) {
   if (solution.colour_count == 1) {
     app.say("one colour: there are no fewer to be refuted");
     return kOk;
   }
-  Effort effort(Deadline::after(options.seconds, &stop_requested()));
-  const auto proof =
-      prove_fewest(solution, static_cast<int>(target.bricks.size()),
-                   {&effort, static_cast<std::uint64_t>(options.effort * kStepsOfEffort)});
   if (!proof) {
     app.complain("no proof that fewer colours do not do was found with this effort");
     return kRunFailed;
@@ -256,8 +271,9 @@ int write_one(const std::string& path, const std::string& bytes, const App& app,
 }
 
 /// Rules, certificate and proof, proved once more by the verifier; returns an exit code.
-int write_results(const SynthOptions& options, const Target& target, const Synthesis& result,
-                  App& app, Outcome& outcome) {
+int write_results(const SynthOptions& options, const Target& target, Synthesis& result, App& app,
+                  Outcome& outcome) {
+  confirm_fewest(options, target, *result.best, outcome);
   const Solution& s = *result.best;
   const RuleSet rules = make_rule_set(*s.frame, s.colours, s.colour_count, target.bricks, s.rules,
                                       wording(options, s, result.cut_short));
@@ -269,10 +285,11 @@ int write_results(const SynthOptions& options, const Target& target, const Synth
   }
   const std::string text = print_rule_set(rules);
   if (text.size() > kMaxRuleFileBytes) {
-    app.say(
+    app.complain(
         fmt::format("the rule set takes {} bytes, more than rule files may have; --fewest "
                     "rules or a symmetry makes it smaller",
                     text.size()));
+    return kRunFailed;
   }
   int code = kOk;
   if (options.output) {
@@ -289,7 +306,9 @@ int write_results(const SynthOptions& options, const Target& target, const Synth
       code = kRunFailed;
     }
   }
-  if (code == kOk && options.proof) code = write_proof(options, target, s, app, outcome.written);
+  if (code == kOk && options.proof) {
+    code = write_proof(options, s, outcome.fewest, app, outcome.written);
+  }
   return code;
 }
 
