@@ -70,7 +70,7 @@ class StageProver {
     return number;
   }
 
-  /// One round: true when the stage is proved or refuted.
+  /// One round: true when the stage is proved. Otherwise another order may have been found.
   bool attempt(Groups& groups) {
     invariant_ = {};
     invariant_.before = agreed_;

@@ -12,6 +12,7 @@
 #include "commands.h"
 #include "lattice/box.h"
 #include "lattice/structure.h"
+#include "proof_box.h"
 #include "report.h"
 #include "rules/rule_printer.h"
 
@@ -89,13 +90,7 @@ int certify_rules(const CertifyOptions& options, App& app) {
     app.report(diagnostics);
     return kFailed;
   }
-  std::optional<BoxSpec> box = rules->box;
-  if (options.box) {
-    box.reset();
-    if (options.box->size) box = BoxSpec{*options.box->size, std::nullopt, options.periodic};
-  } else if (box && options.periodic) {
-    box->periodic = true;
-  }
+  const std::optional<BoxSpec> box = meant_box(*rules, options.box, options.periodic);
   const CheckReport report = check_certificate(*rules, *certificate, box);
   const std::uint64_t hash = structure_hash(Structure(rules->lattice, report.structure));
   if (options.json) {

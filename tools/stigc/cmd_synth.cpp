@@ -326,10 +326,6 @@ SynthesisOptions synthesis_options(const SynthOptions& options) {
   return out;
 }
 
-}  // namespace
-
-namespace {
-
 /// Looked at before the search, so that a slip does not cost it.
 bool outputs_are_writable(const SynthOptions& options, const App& app) {
   for (const auto& path : {options.output, options.certificate}) {

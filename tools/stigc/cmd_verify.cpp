@@ -9,6 +9,7 @@
 #include "commands.h"
 #include "outputs.h"
 #include "progress.h"
+#include "proof_box.h"
 #include "report.h"
 #include "verify_report.h"
 
@@ -17,14 +18,9 @@ namespace {
 
 /// The world to prove things of; none: unbounded space.
 std::optional<Box> chosen_box(const RuleSet& rules, const VerifyFileOptions& options) {
-  if (!options.box) {
-    std::optional<Box> box = file_box(rules);
-    if (box && options.periodic) box->periodic = true;
-    return box;
-  }
-  if (!options.box->size) return std::nullopt;
-  return lay_box(BoxSpec{*options.box->size, std::nullopt, options.periodic}, rules.start,
-                 rules.floor);
+  const std::optional<BoxSpec> spec = meant_box(rules, options.box, options.periodic);
+  if (!spec) return std::nullopt;
+  return lay_box(*spec, rules.start, rules.floor);
 }
 
 int exit_code(ProofVerdict verdict) {
