@@ -88,7 +88,7 @@ std::uint64_t hash_of(const WorldConfig& config) {
   out(config.magnet_cutoff), out(config.magnet_contact), out(config.relaxation.time),
       out(config.relaxation.sweeps);
   const SleepRules& sleep = config.sleep;
-  out(config.sweeps), out(sleep.enabled), out(sleep.time), out(sleep.speed), out(sleep.spin);
+  out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time), out(sleep.speed), out(sleep.spin);
   out(sleep.waking_speed), out(sleep.waking_spin), out(sleep.waking_force);
   for (const BodyDef& def : config.bodies) {
     out(def.shape.kind), out(def.shape.half), out(def.mass), out(def.inertia), out(def.X_WB.p);

@@ -57,7 +57,7 @@ double cell_size(const std::vector<BodyDef>& bodies) {
 
 /// Free flight: the angular momentum stays as it is, to the last bit of rounding; the spin
 /// at the middle of the step turns the body (second order).
-void turn(Body& body, double dt) {
+void turn_freely(Body& body, double dt) {
   Vec3 spin = body.w;
   if (!body.round) {
     const Vec3 momentum = body.r * scaled(body.inertia, body.r.transposed(body.w));
@@ -77,13 +77,17 @@ void turn(Body& body, double dt) {
 
 void move(const WorldState& world, Body& body) {
   const double dt = world.config.step;
-  body.p += (body.v + body.shift_v) * dt;
-  // Between contacts force is constant over the step, and its parabola known.
-  if (body.free && !body.fixed) body.p -= body.force * (dt * dt / (2 * body.mass));
-  turn(body, dt);
-  if (body.shift_w == Vec3{}) return;
-  body.q = normalised(rotation(body.shift_w * dt) * body.q);
+  if (body.free || body.fixed) {
+    // Between contacts force is constant over the step, and its parabola known.
+    body.p += (body.v - (body.fixed ? Vec3{} : body.kick_v * 0.5)) * dt;
+    turn_freely(body, dt);
+    return;
+  }
+  const Vec3 momentum = body.r * scaled(body.inertia, body.r.transposed(body.w));
+  body.p += body.way_v * dt;
+  body.q = normalised(rotation(body.way_w * dt) * body.q);
   body.r = matrix(body.q);
+  if (!body.round) body.w = body.inverse_inertia() * momentum;
 }
 
 /// The first body awake whose force or velocity is beyond measure; its number, or the size.

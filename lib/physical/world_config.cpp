@@ -72,6 +72,7 @@ void check_settings(const WorldConfig& config, std::vector<std::string>& out) {
   need(positive(config.relaxation.time) && config.relaxation.sweeps >= 1 &&
            config.relaxation.sweeps <= 1000,
        "the magnets' relaxation needs a time above 0 and 1 to 1000 sweeps");
+  need(config.small_steps >= 1 && config.small_steps <= 1000, "small steps must be from 1 to 1000");
   need(config.sweeps >= 1 && config.sweeps <= 10'000, "sweeps must be from 1 to 10000");
   need(config.bodies.size() <= kMostBodies, "there may be at most 20000 bodies");
 }

@@ -67,7 +67,8 @@ struct WorldConfig {
   double magnet_cutoff = 0.04;
   double magnet_contact = 0.006;  ///< m: magnets nearer than this pull as at this distance
   Relaxation relaxation;
-  int sweeps = 20;  ///< of the contact solver; structures above five blocks need 60
+  int small_steps = 16;  ///< of the contact solver, in each step
+  int sweeps = 1;        ///< in each of those
   SleepRules sleep;
   std::vector<BodyDef> bodies;
 };

@@ -148,6 +148,21 @@ std::vector<std::uint32_t> disturbed(const WorldState& world, const std::vector<
   return out;
 }
 
+SolverBody solver_body(const Body& body) {
+  SolverBody out;
+  out.p = body.p;
+  out.v = body.v;
+  out.w = body.w;
+  if (body.fixed) return out;
+  out.v -= body.kick_v;
+  out.w -= body.kick_w;
+  out.kick_v = body.kick_v;
+  out.kick_w = body.kick_w;
+  out.inverse_mass = 1 / body.mass;
+  out.inverse_inertia = body.inverse_inertia();
+  return out;
+}
+
 }  // namespace
 
 double friction_of(const WorldConfig& config, Material a, Material b) {
@@ -189,40 +204,40 @@ void update_contacts(WorldState& world) {
 }
 
 void solve_world(WorldState& world) {
-  std::vector<SolverBody> bodies(1);  // the first: all that does not move
+  SolverTask task;
+  task.bodies.resize(1);  // the first: all that does not move
   std::vector<std::uint32_t> slot(world.bodies.size(), 0);
-  for (const std::uint32_t i : world.awake) {
-    Body& body = world.bodies[i];
-    body.free = true;
-    slot[i] = static_cast<std::uint32_t>(bodies.size());
-    SolverBody in{body.p, body.v, body.w, {}, {}, 0, {{}, {}, {}}};
-    if (!body.fixed) {
-      in.inverse_mass = 1 / body.mass;
-      in.inverse_inertia = body.inverse_inertia();
-    }
-    bodies.push_back(in);
-  }
-  std::vector<Contact> active;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> slots;
   for (const Contact& contact : world.contacts) {
     if (!takes_part(world, contact.a) && !takes_part(world, contact.b)) continue;
-    active.push_back(contact);
-    slots.emplace_back(slot[contact.a], contact.b == kFloorBody ? 0 : slot[contact.b]);
-    world.bodies[contact.a].free = false;
-    if (contact.b != kFloorBody) world.bodies[contact.b].free = false;
+    const auto slot_of = [&](std::uint32_t i) {
+      if (i == kFloorBody || !world.bodies[i].awake) return 0U;
+      if (slot[i] == 0) {
+        slot[i] = static_cast<std::uint32_t>(task.bodies.size());
+        task.bodies.push_back(solver_body(world.bodies[i]));
+      }
+      return slot[i];
+    };
+    task.contacts.push_back(contact);
+    task.slots.emplace_back(slot_of(contact.a), slot_of(contact.b));
   }
+  task.dt = world.config.step;
+  task.small_steps = world.config.small_steps;
   // What is spawned at rest finds its forces at once, instead of sinking while they grow.
-  const int sweeps = world.config.sweeps * (world.tick == 0 ? kFirstSweeps : 1);
-  solve_contacts(bodies, active, slots, world.config.step, sweeps);
-  auto solved = active.begin();
+  task.sweeps = world.config.sweeps * (world.tick == 0 ? kFirstSweeps : 1);
+  solve(task);
+  auto solved = task.contacts.begin();
   for (Contact& contact : world.contacts) {
-    if (solved != active.end() && key(*solved) == key(contact)) contact = *solved++;
+    if (solved != task.contacts.end() && key(*solved) == key(contact)) contact = *solved++;
   }
   for (const std::uint32_t i : world.awake) {
-    world.bodies[i].v = bodies[slot[i]].v;
-    world.bodies[i].w = bodies[slot[i]].w;
-    world.bodies[i].shift_v = bodies[slot[i]].shift_v;
-    world.bodies[i].shift_w = bodies[slot[i]].shift_w;
+    Body& body = world.bodies[i];
+    body.free = slot[i] == 0;
+    if (body.free) continue;
+    const SolverBody& out = task.bodies[slot[i]];
+    body.v = out.v;
+    body.w = out.w;
+    body.way_v = out.way_v;
+    body.way_w = out.way_w;
   }
 }
 

@@ -88,8 +88,10 @@ void gather_forces(WorldState& world) {
 
 void integrate_velocity(const WorldState& world, Body& body) {
   if (body.fixed) return;
-  body.v += body.force * (world.config.step / body.mass);
-  body.w += body.inverse_inertia() * body.torque * world.config.step;
+  body.kick_v = body.force * (world.config.step / body.mass);
+  body.kick_w = body.inverse_inertia() * body.torque * world.config.step;
+  body.v += body.kick_v;
+  body.w += body.kick_w;
 }
 
 double magnet_energy(const WorldState& world) {

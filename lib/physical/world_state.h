@@ -26,7 +26,8 @@ struct Body {
   Quat q;
   Mat3 r;  ///< of q
   Vec3 v, w;
-  Vec3 shift_v, shift_w;         ///< of this step, out of overlaps
+  Vec3 kick_v, kick_w;           ///< what the forces of this step add
+  Vec3 way_v, way_w;             ///< of a body in contact: the step's way by its length
   Vec3 force, torque;            ///< of this step
   Vec3 user_force, user_torque;  ///< for the next
   bool awake = true;             ///< of fixed ones: whether they move
