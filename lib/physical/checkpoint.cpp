@@ -71,9 +71,18 @@ void visit_body(Each& each, BodyType& body) {
 template <class Each, class ContactType>
 void visit_contact(Each& each, ContactType& contact) {
   each(contact.a), each(contact.b), each(contact.normal), each(contact.count);
-  each(contact.friction), each(contact.touching);
+  each(contact.friction), each(contact.axle), each(contact.axle_friction), each(contact.touching);
   for (auto& point : contact.points) {
     each(point.p_W), each(point.p_A), each(point.gap), each(point.push), each(point.friction);
+  }
+}
+
+void write_joint(Writer& out, const JointDef& joint) {
+  out(joint.parent), out(joint.child), out(joint.X_PJ.p), out(joint.X_PJ.q), out(joint.X_CJ.p);
+  out(joint.X_CJ.q), out(joint.dofs.size());
+  for (const DofDef& dof : joint.dofs) {
+    out(dof.linear), out(dof.axis), out(dof.start), out(dof.lower), out(dof.upper);
+    out(dof.actuator), out(dof.effort), out(dof.speed), out(dof.damping);
   }
 }
 
@@ -88,16 +97,35 @@ std::uint64_t hash_of(const WorldConfig& config) {
   out(config.magnet_cutoff), out(config.magnet_contact), out(config.relaxation.time),
       out(config.relaxation.sweeps);
   const SleepRules& sleep = config.sleep;
-  out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time), out(sleep.speed), out(sleep.spin);
+  out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time),
+      out(sleep.speed), out(sleep.spin);
   out(sleep.waking_speed), out(sleep.waking_spin), out(sleep.waking_force);
   for (const BodyDef& def : config.bodies) {
     out(def.shape.kind), out(def.shape.half), out(def.mass), out(def.inertia), out(def.X_WB.p);
-    out(def.X_WB.q), out(def.material), out(def.fixed), out(def.magnets.size());
+    out(def.X_WB.q), out(def.material), out(def.fixed), out(def.axle), out(def.axle_friction);
+    out(def.magnets.size());
     for (const MagnetDef& magnet : def.magnets) {
       out(magnet.p_B), out(magnet.moment), out(magnet.free), out(magnet.direction);
     }
   }
+  for (const JointDef& joint : config.joints) write_joint(out, joint);
   return hash_text(out.take());
+}
+
+template <class Each, class ArticulationType>
+void visit_articulation(Each& each, ArticulationType& it) {
+  for (std::size_t i = 0; i < it.q.size(); ++i) {
+    each(it.q[i]), each(it.v[i]);
+    each(it.axes[i].target), each(it.axes[i].motor), each(it.axes[i].stop);
+  }
+}
+
+bool sound(const Articulation& it) {
+  for (std::size_t i = 0; i < it.q.size(); ++i) {
+    const AxisState& axis = it.axes[i];
+    if (!std::isfinite(it.q[i] + it.v[i] + axis.target + axis.motor + axis.stop)) return false;
+  }
+  return true;
 }
 
 bool sound(const Body& body) {
@@ -117,6 +145,7 @@ std::string write_checkpoint(const WorldState& world) {
   Writer out;
   out(kMagic), out(hash_of(world.config)), out(world.tick);
   for (const Body& body : world.bodies) visit_body(out, body);
+  for (const Articulation& it : world.articulations.all) visit_articulation(out, it);
   for (const Magnet& magnet : world.magnets) out(magnet.direction), out(magnet.p_W);
   out(static_cast<std::uint64_t>(world.contacts.size()));
   for (const Contact& contact : world.contacts) visit_contact(out, contact);
@@ -133,12 +162,16 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
     Body& body = next.bodies[i];
     visit_body(in, body);
     if (!sound(body)) return false;
-    if (!sound(body)) return false;
     body.r = matrix(body.q);
     MagnetOwner& owner = next.owners[i];
     owner.centre = body.p;
     const auto magnets = world.config.bodies[i].magnets.size();
     owner.end = owner.begin + (body.left ? 0 : static_cast<std::uint32_t>(magnets));
+  }
+  for (Articulation& it : next.articulations.all) {
+    visit_articulation(in, it);
+    if (!in.good() || !sound(it)) return false;
+    refresh(it);
   }
   for (Magnet& magnet : next.magnets) in(magnet.direction), in(magnet.p_W);
   in(count);

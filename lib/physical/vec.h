@@ -85,5 +85,11 @@ struct Pose {
   Vec3 p;
   Quat q;
 };
+constexpr Quat conjugate(const Quat& q) { return {q.w, -q.x, -q.y, -q.z}; }
+/// X_AB * X_BC is X_AC.
+constexpr Pose operator*(const Pose& a, const Pose& b) {
+  return {a.p + matrix(a.q) * b.p, a.q * b.q};
+}
+constexpr Pose inverse(const Pose& a) { return {-matrix(a.q).transposed(a.p), conjugate(a.q)}; }
 
 }  // namespace stig

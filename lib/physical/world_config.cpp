@@ -44,6 +44,10 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
   if (!inside(def.X_WB.p, config.arena)) return "is outside of the arena";
   if (!(squared(def.velocity) <= kMostSpeed * kMostSpeed)) return "is too fast";
   if (!(squared(def.spin) <= 1e6)) return "spins too fast";
+  if (!(def.axle == Vec3{}) && !is_unit(def.axle)) return "has an axle that is no unit vector";
+  if (!(def.axle_friction >= 0 && def.axle_friction <= 1)) {
+    return "has a friction along the axle that is not from 0 to 1";
+  }
   for (const MagnetDef& magnet : def.magnets) {
     if (!is_finite(magnet.p_B) || !std::isfinite(magnet.moment) || !is_unit(magnet.direction)) {
       return "has a magnet that is none";
@@ -111,8 +115,10 @@ void check_overlaps(const WorldConfig& config, std::vector<std::string>& out) {
     const BodyDef& def = config.bodies[i];
     return Placed{def.shape, def.X_WB.p, matrix(def.X_WB.q)};
   };
+  const std::vector<std::uint32_t> mechanism = mechanisms_of(config);
   for (const auto& [a, b] : candidate_pairs(cells_of(numbers, bounds, 2 * largest), {}, bounds)) {
     if (config.bodies[a].fixed && config.bodies[b].fixed) continue;
+    if (mechanism[a] == mechanism[b]) continue;
     if (deepest(touch(placed(a), placed(b), 0)) > kMostOverlap) {
       out.push_back(fmt::format("bodies {} and {} overlap", a, b));
     }
@@ -164,6 +170,7 @@ std::vector<std::string> problems_of(const WorldConfig& config) {
     if (!problem.empty()) out.push_back(fmt::format("body {} {}", i, problem));
   }
   check_sizes(config, out);
+  if (out.empty()) out = problems_of_joints(config);
   if (out.empty()) check_overlaps(config, out);
   return out;
 }

@@ -8,6 +8,7 @@
 
 #include "physical/block.h"
 #include "physical/contact.h"
+#include "physical/joint.h"
 #include "physical/magnetism.h"
 #include "physical/vec.h"
 
@@ -32,6 +33,9 @@ struct BodyDef {
   Vec3 velocity, spin;  ///< m/s and rad/s, world frame
   Material material = kBlockMaterial;
   bool fixed = false;  ///< moved by nothing but its own velocity
+  /// Of a wheel: unit, body frame, the direction in which it grips less. Zero: none.
+  Vec3 axle;
+  double axle_friction = 0.3;  ///< times the friction elsewhere, along the axle
   std::vector<MagnetDef> magnets;
 };
 
@@ -71,6 +75,7 @@ struct WorldConfig {
   int sweeps = 1;        ///< in each of those
   SleepRules sleep;
   std::vector<BodyDef> bodies;
+  std::vector<JointDef> joints;
 };
 
 /// What makes the configuration unusable, each a sentence that names the body by its

@@ -86,8 +86,15 @@ void gather_forces(WorldState& world) {
   apply_magnets(world, pairs);
 }
 
-void integrate_velocity(const WorldState& world, Body& body) {
+void integrate_velocity(WorldState& world, std::uint32_t number) {
+  Body& body = world.bodies[number];
   if (body.fixed) return;
+  if (Articulation* articulation = articulation_of(world, number)) {
+    if (articulation->links[0].body != number) return;
+    kick(*articulation, world.bodies, world.config.step);
+    set_body_velocities(*articulation, world.bodies);
+    return;
+  }
   body.kick_v = body.force * (world.config.step / body.mass);
   body.kick_w = body.inverse_inertia() * body.torque * world.config.step;
   body.v += body.kick_v;

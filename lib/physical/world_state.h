@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physical/articulation.h"
 #include "physical/broad_phase.h"
 #include "physical/solver.h"
 #include "physical/world.h"
@@ -32,8 +33,10 @@ struct Body {
   Vec3 user_force, user_torque;  ///< for the next
   bool awake = true;             ///< of fixed ones: whether they move
   bool left = false;
-  bool free = false;  ///< without contact in this step
-  double rest = 0;    ///< s, for which it has been slow
+  bool free = false;               ///< without contact in this step
+  double rest = 0;                 ///< s, for which it has been slow
+  std::int32_t articulation = -1;  ///< that it is a link of
+  std::uint32_t part = 0;          ///< of that
 
   Mat3 inverse_inertia() const {
     return rotated_diagonal(r, {1 / inertia.x, 1 / inertia.y, 1 / inertia.z});
@@ -48,7 +51,8 @@ struct WorldState {
   std::vector<Vec3> magnet_places;  ///< in their bodies' frames
   std::vector<MagnetOwner> owners;  ///< one a body
   double magnet_radius = 0;         ///< largest distance of a magnet from its body's centre
-  std::vector<Contact> contacts;    ///< sorted by (a, b), the floor last
+  Articulations articulations;
+  std::vector<Contact> contacts;  ///< sorted by (a, b), the floor last
   std::vector<WorldEvent> events;
   std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
   double cell = 0.1;
@@ -63,6 +67,10 @@ struct WorldState {
 WorldState make_world_state(const WorldConfig& config);
 BodyState state_of(const WorldState& world, std::uint32_t body);
 
+/// Its articulation, or null.
+Articulation* articulation_of(WorldState& world, std::uint32_t body);
+bool awake(const WorldState& world, const Articulation& articulation);
+
 /// Lists of who is awake, when that changed.
 void refresh_lists(WorldState& world);
 /// The body and all sleepers joined to it by contacts; writes events.
@@ -71,9 +79,15 @@ void wake(WorldState& world, std::uint32_t body);
 /// Gravity, magnets and the user's forces of the bodies awake; wakes those that a moving
 /// magnet pulls at.
 void gather_forces(WorldState& world);
-void integrate_velocity(const WorldState& world, Body& body);
+/// Of a link: its whole mechanism, when its first link is named.
+void integrate_velocity(WorldState& world, std::uint32_t body);
 /// Finds the contacts, keeps those among sleepers; wakes those that something fast touches.
 void update_contacts(WorldState& world);
+/// Whether the body is one, and awake.
+bool takes_part(const WorldState& world, std::uint32_t body);
+inline std::pair<std::uint32_t, std::uint32_t> key(const Contact& contact) {
+  return {contact.a, contact.b};
+}
 void solve_world(WorldState& world);
 void report_contacts(WorldState& world);
 void put_to_sleep(WorldState& world);
