@@ -191,7 +191,6 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
   for (std::size_t i = 0; i < n; ++i) middle[i] += it.kick[i] / 2;
   it.kick = response(it, force, middle, dt);
   for (std::size_t i = 0; i < n; ++i) it.v[i] += it.kick[i];
-  it.way = it.v;
   it.held = false;
   if (it.floating) it.kicked = momentum_of(it);
 }
@@ -202,7 +201,11 @@ void move(Articulation& it, double dt) {
     it.momentum.linear += now.linear - it.kicked.linear;
     it.momentum.angular += now.angular - it.kicked.angular;
   }
-  it.mechanism->integrate(it.q.data(), it.held ? it.way.data() : it.v.data(), dt);
+  if (!it.held) it.way = it.v;
+  if (!it.held && it.floating) {
+    for (std::size_t i = 0; i < it.size(); ++i) it.way[i] -= it.kick[i] / 2;
+  }
+  it.mechanism->integrate(it.q.data(), it.way.data(), dt);
   refresh(it);
   if (it.floating) put_right(it, it.momentum);
 }

@@ -4,11 +4,12 @@
 //
 //     M(q) dv/dt + c(q, v) + D v = Jᵀ F + τ
 //
-// with DART's kinematics and Coriolis forces c. Positions and velocities leap over each
-// other; c is taken at the middle of the velocities' step (second order), viscous friction D
-// at its end, so that it never overshoots. Of a mechanism that nothing holds in the world,
-// the momentum is put right after each step: it changes by the outer forces' impulse alone,
-// to rounding.
+// with DART's kinematics and Coriolis forces c. Of what hangs in the world, positions and
+// velocities leap over each other (pendulums keep their energy); of what flies, positions go
+// with the mean of the velocities (falling is exact). c is taken at the middle of the velocities'
+// step (second order), viscous friction D at its end, so that it never overshoots. Of a mechanism
+// that nothing holds in the world, the momentum is put right after each step: it changes by the
+// outer forces' impulse alone, to rounding.
 #pragma once
 
 #include <cstdint>

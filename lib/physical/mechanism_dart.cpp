@@ -55,6 +55,7 @@ class DartMechanism final : public Mechanism {
                     const Eigen::Isometry3d& before, const Eigen::Isometry3d& after);
 
   SkeletonPtr skeleton_;
+  bool floating_ = false;
   std::vector<BodyNode*> nodes_;  ///< of the parts
 };
 
@@ -98,7 +99,8 @@ BodyNode* DartMechanism::add_joint(BodyNode* parent, const Part& part, const std
   return node;
 }
 
-DartMechanism::DartMechanism(const std::vector<Part>& parts) : skeleton_(Skeleton::create()) {
+DartMechanism::DartMechanism(const std::vector<Part>& parts)
+    : skeleton_(Skeleton::create()), floating_(parts[0].floating) {
   skeleton_->setGravity(Eigen::Vector3d::Zero());  // among the forces
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Part& part = parts[i];
@@ -149,6 +151,14 @@ void DartMechanism::coriolis(const double* v, double* out) {
 
 void DartMechanism::integrate(double* q, const double* v, double dt) {
   set(q, v);
+  if (floating_) {
+    // DART moves along the body's axes at the step's beginning: take those at its middle.
+    const Vec3 way = matrix(rotation(Vec3{v[0], v[1], v[2]} * (dt / 2))) * Vec3{v[3], v[4], v[5]};
+    Joint* joint = skeleton_->getJoint(0);
+    joint->setVelocity(3, way.x);
+    joint->setVelocity(4, way.y);
+    joint->setVelocity(5, way.z);
+  }
   skeleton_->integratePositions(dt);
   const Eigen::VectorXd after = skeleton_->getPositions();
   std::copy_n(after.data(), dofs(), q);
