@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.h"
 #include "physical/block.h"
 #include "physical/contact.h"
 #include "physical/magnetism.h"
-#include "physical/vec.h"
 
 namespace stig {
 
