@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
-#include "physical/vec.h"
+#include "base/vec.h"
 
 namespace stig {
 

@@ -16,7 +16,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physical/vec.h"
+#include "base/vec.h"
 
 namespace stig {
 

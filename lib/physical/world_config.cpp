@@ -55,9 +55,9 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
   return {};
 }
 
-void check_settings(const WorldConfig& config, std::vector<std::string>& out) {
+void check_settings(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   const auto need = [&out](bool good, const char* text) {
-    if (!good) out.emplace_back(text);
+    if (!good) out.push_back({{}, text});
   };
   need(positive(config.step) && config.step <= kMostStep,
        "the step must be above 0, at most 20 ms");
@@ -82,7 +82,7 @@ void check_settings(const WorldConfig& config, std::vector<std::string>& out) {
   need(config.bodies.size() <= kMostBodies, "there may be at most 20000 bodies");
 }
 
-void check_sizes(const WorldConfig& config, std::vector<std::string>& out) {
+void check_sizes(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   if (config.bodies.empty()) return;
   const auto by_size = [](const BodyDef& a, const BodyDef& b) {
     return a.shape.radius() < b.shape.radius();
@@ -90,7 +90,7 @@ void check_sizes(const WorldConfig& config, std::vector<std::string>& out) {
   const auto [least, most] =
       std::minmax_element(config.bodies.begin(), config.bodies.end(), by_size);
   if (most->shape.radius() > kMostSizeRatio * least->shape.radius()) {
-    out.emplace_back("the largest body is more than 200 times the smallest");
+    out.push_back({{}, "the largest body is more than 200 times the smallest"});
   }
 }
 
@@ -102,7 +102,7 @@ double deepest(const Touch& touch) {
   return -least;
 }
 
-void check_overlaps(const WorldConfig& config, std::vector<std::string>& out) {
+void check_overlaps(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   std::vector<std::uint32_t> numbers;
   std::vector<Bounds> bounds;
   double largest = 0;
@@ -119,13 +119,13 @@ void check_overlaps(const WorldConfig& config, std::vector<std::string>& out) {
   for (const auto& [a, b] : candidate_pairs(cells_of(numbers, bounds, 2 * largest), {}, bounds)) {
     if (config.bodies[a].fixed && config.bodies[b].fixed) continue;
     if (deepest(touch(placed(a), placed(b), 0)) > kMostOverlap) {
-      out.push_back(fmt::format("bodies {} and {} overlap", a, b));
+      out.push_back({{a, b}, "overlap"});
     }
   }
   for (const std::uint32_t i : numbers) {
     if (!config.floor || config.bodies[i].fixed) continue;
     if (deepest(touch_floor(placed(i), 0)) > kMostOverlap) {
-      out.push_back(fmt::format("body {} is in the floor", i));
+      out.push_back({{i}, "is in the floor"});
     }
   }
 }
@@ -161,16 +161,28 @@ BodyDef block_body(const BlockModel& block, const Pose& X_WB) {
   return def;
 }
 
-std::vector<std::string> problems_of(const WorldConfig& config) {
-  std::vector<std::string> out;
+std::vector<ConfigProblem> find_problems(const WorldConfig& config) {
+  std::vector<ConfigProblem> out;
   check_settings(config, out);
   if (!out.empty()) return out;
   for (std::size_t i = 0; i < config.bodies.size(); ++i) {
-    const std::string problem = problem_of(config.bodies[i], config);
-    if (!problem.empty()) out.push_back(fmt::format("body {} {}", i, problem));
+    std::string problem = problem_of(config.bodies[i], config);
+    if (!problem.empty()) out.push_back({{static_cast<std::uint32_t>(i)}, std::move(problem)});
   }
   check_sizes(config, out);
   if (out.empty()) check_overlaps(config, out);
+  return out;
+}
+
+std::vector<std::string> problems_of(const WorldConfig& config) {
+  std::vector<std::string> out;
+  for (const auto& [bodies, what] : find_problems(config)) {
+    if (bodies.empty()) out.push_back(what);
+    if (bodies.size() == 1) out.push_back(fmt::format("body {} {}", bodies[0], what));
+    if (bodies.size() == 2) {
+      out.push_back(fmt::format("bodies {} and {} {}", bodies[0], bodies[1], what));
+    }
+  }
   return out;
 }
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.h"
 #include "physical/block.h"
 #include "physical/contact.h"
 #include "physical/magnetism.h"
-#include "physical/vec.h"
 
 namespace stig {
 
@@ -92,8 +92,15 @@ struct WorldConfig {
   std::vector<BodyDef> bodies;
 };
 
-/// What makes the configuration unusable, each a sentence that names the body by its
-/// number; empty: nothing. Spawns may overlap by at most 1 mm.
+/// What makes a configuration unusable: `what` is said of the bodies, "overlap" or "has no
+/// extent", or is a sentence about the settings when there are none.
+struct ConfigProblem {
+  std::vector<std::uint32_t> bodies;  ///< at most two
+  std::string what;
+};
+/// Empty: nothing is wrong. Spawns may overlap by at most 1 mm.
+std::vector<ConfigProblem> find_problems(const WorldConfig& config);
+/// The same, each a sentence that names the bodies by their numbers.
 std::vector<std::string> problems_of(const WorldConfig& config);
 
 }  // namespace stig
