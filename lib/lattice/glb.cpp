@@ -6,7 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 

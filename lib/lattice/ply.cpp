@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 

@@ -2,7 +2,7 @@
 #include <cassert>
 #include <limits>
 
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 #include "lattice/mesh_files.h"
 
 namespace stig {

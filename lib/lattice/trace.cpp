@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 #include "rules/rule_printer.h"
 
 namespace stig {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 #include "lattice/rgb.h"
 #include "lattice/vox.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 
 namespace stig {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "physical/vec.h"
+#include "base/vec.h"
 
 namespace stig {
 

@@ -10,7 +10,7 @@
 #include <array>
 #include <cstdint>
 
-#include "physical/vec.h"
+#include "base/vec.h"
 
 namespace stig {
 

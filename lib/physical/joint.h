@@ -15,7 +15,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/vec.h"
+#include "base/vec.h"
 
 namespace stig {
 

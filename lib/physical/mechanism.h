@@ -9,9 +9,9 @@
 #include <memory>
 #include <vector>
 
+#include "base/vec.h"
 #include "physical/joint.h"
 #include "physical/solver.h"
-#include "physical/vec.h"
 
 namespace stig {
 

@@ -11,7 +11,8 @@ namespace stig {
 
 namespace {
 
-constexpr double kMostStep = 0.02;  ///< s: stacks collapse above
+constexpr double kMostStep = 0.02;       ///< s: stacks collapse above
+constexpr double kMostSpinStep = 0.001;  ///< s: facing spheres spin up and never settle above
 constexpr std::size_t kMostBodies = 20'000;
 constexpr double kMostSizeRatio = 200;  ///< of the largest body to the smallest
 constexpr double kMostOverlap = 1e-3;
@@ -49,7 +50,8 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
     return "has a friction along the axle that is not from 0 to 1";
   }
   for (const MagnetDef& magnet : def.magnets) {
-    if (!is_finite(magnet.p_B) || !std::isfinite(magnet.moment) || !is_unit(magnet.direction)) {
+    if (!is_finite(magnet.p_B) || !std::isfinite(magnet.moment) || !is_unit(magnet.direction) ||
+        !std::isfinite(magnet.active) || !positive(magnet.inertia)) {
       return "has a magnet that is none";
     }
     if (length(magnet.p_B) > def.shape.radius()) return "has a magnet outside of it";
@@ -57,9 +59,9 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
   return {};
 }
 
-void check_settings(const WorldConfig& config, std::vector<std::string>& out) {
+void check_settings(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   const auto need = [&out](bool good, const char* text) {
-    if (!good) out.emplace_back(text);
+    if (!good) out.push_back({{}, text});
   };
   need(positive(config.step) && config.step <= kMostStep,
        "the step must be above 0, at most 20 ms");
@@ -77,11 +79,15 @@ void check_settings(const WorldConfig& config, std::vector<std::string>& out) {
            config.relaxation.sweeps <= 1000,
        "the magnets' relaxation needs a time above 0 and 1 to 1000 sweeps");
   need(config.small_steps >= 1 && config.small_steps <= 1000, "small steps must be from 1 to 1000");
+  need(config.magnets == MagnetModel::quasi_static || config.step <= kMostSpinStep,
+       "integrated magnets need a step of at most 1 ms");
+  need(not_negative(config.bearing_damping), "bearing damping must not be negative");
+  need(positive(config.snap.force), "the force of a snap must be above 0");
   need(config.sweeps >= 1 && config.sweeps <= 10'000, "sweeps must be from 1 to 10000");
   need(config.bodies.size() <= kMostBodies, "there may be at most 20000 bodies");
 }
 
-void check_sizes(const WorldConfig& config, std::vector<std::string>& out) {
+void check_sizes(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   if (config.bodies.empty()) return;
   const auto by_size = [](const BodyDef& a, const BodyDef& b) {
     return a.shape.radius() < b.shape.radius();
@@ -89,7 +95,7 @@ void check_sizes(const WorldConfig& config, std::vector<std::string>& out) {
   const auto [least, most] =
       std::minmax_element(config.bodies.begin(), config.bodies.end(), by_size);
   if (most->shape.radius() > kMostSizeRatio * least->shape.radius()) {
-    out.emplace_back("the largest body is more than 200 times the smallest");
+    out.push_back({{}, "the largest body is more than 200 times the smallest"});
   }
 }
 
@@ -101,7 +107,7 @@ double deepest(const Touch& touch) {
   return -least;
 }
 
-void check_overlaps(const WorldConfig& config, std::vector<std::string>& out) {
+void check_overlaps(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   std::vector<std::uint32_t> numbers;
   std::vector<Bounds> bounds;
   double largest = 0;
@@ -120,13 +126,13 @@ void check_overlaps(const WorldConfig& config, std::vector<std::string>& out) {
     if (config.bodies[a].fixed && config.bodies[b].fixed) continue;
     if (mechanism[a] == mechanism[b]) continue;
     if (deepest(touch(placed(a), placed(b), 0)) > kMostOverlap) {
-      out.push_back(fmt::format("bodies {} and {} overlap", a, b));
+      out.push_back({{a, b}, "overlap"});
     }
   }
   for (const std::uint32_t i : numbers) {
     if (!config.floor || config.bodies[i].fixed) continue;
     if (deepest(touch_floor(placed(i), 0)) > kMostOverlap) {
-      out.push_back(fmt::format("body {} is in the floor", i));
+      out.push_back({{i}, "is in the floor"});
     }
   }
 }
@@ -156,22 +162,38 @@ BodyDef block_body(const BlockModel& block, const Pose& X_WB) {
   def.inertia = Vec3{1, 1, 1} * block.inertia();
   def.X_WB = X_WB;
   for (const Vec3& place : block.magnet_places()) {
-    def.magnets.push_back({place, block.magnet_moment(), true, {0, 0, 1}});
+    def.magnets.push_back(
+        {place, block.magnet_moment(), true, {0, 0, 1}, 0, block.magnet_inertia()});
   }
   return def;
 }
 
-std::vector<std::string> problems_of(const WorldConfig& config) {
-  std::vector<std::string> out;
+std::vector<ConfigProblem> find_problems(const WorldConfig& config) {
+  std::vector<ConfigProblem> out;
   check_settings(config, out);
   if (!out.empty()) return out;
   for (std::size_t i = 0; i < config.bodies.size(); ++i) {
-    const std::string problem = problem_of(config.bodies[i], config);
-    if (!problem.empty()) out.push_back(fmt::format("body {} {}", i, problem));
+    std::string problem = problem_of(config.bodies[i], config);
+    if (!problem.empty()) out.push_back({{static_cast<std::uint32_t>(i)}, std::move(problem)});
   }
   check_sizes(config, out);
-  if (out.empty()) out = problems_of_joints(config);
+  if (!out.empty()) return out;
+  for (std::string& problem : problems_of_joints(config)) {
+    out.push_back({{}, std::move(problem)});
+  }
   if (out.empty()) check_overlaps(config, out);
+  return out;
+}
+
+std::vector<std::string> problems_of(const WorldConfig& config) {
+  std::vector<std::string> out;
+  for (const auto& [bodies, what] : find_problems(config)) {
+    if (bodies.empty()) out.push_back(what);
+    if (bodies.size() == 1) out.push_back(fmt::format("body {} {}", bodies[0], what));
+    if (bodies.size() == 2) {
+      out.push_back(fmt::format("bodies {} and {} {}", bodies[0], bodies[1], what));
+    }
+  }
   return out;
 }
 

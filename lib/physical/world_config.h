@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "base/vec.h"
 #include "physical/block.h"
 #include "physical/contact.h"
 #include "physical/joint.h"
 #include "physical/magnetism.h"
-#include "physical/vec.h"
 
 namespace stig {
 
@@ -18,11 +18,21 @@ namespace stig {
 using Material = std::uint8_t;
 inline constexpr Material kBlockMaterial = 0, kFloorMaterial = 1;
 
+/// A permanent magnet; with `active`, an electromagnet, and with both, a semi-permanent one:
+/// its moment is moment + current · active.
 struct MagnetDef {
   Vec3 p_B;                 ///< place in the body's frame
-  double moment = 0.2;      ///< A·m²
+  double moment = 0.2;      ///< A·m², without current
   bool free = true;         ///< turns towards the field; otherwise fixed in the body
   Vec3 direction{0, 0, 1};  ///< unit, body frame; of a free one: at the start
+  double active = 0;        ///< A·m² for a current of 1, in the unit of World::set_current
+  double inertia = 3.6e-9;  ///< kg m², of a free sphere about its centre
+};
+
+/// How free magnets turn, see magnetism.h.
+enum class MagnetModel : std::uint8_t {
+  quasi_static,
+  integrated  ///< the reference: steps of at most 1 ms, better 0.2 ms
 };
 
 struct BodyDef {
@@ -61,6 +71,13 @@ struct SleepRules {
   double waking_force = 0.15;  ///< N, of the magnets of a body that moves
 };
 
+/// When bodies count as snapped together: they touch, and their magnets press them upon
+/// each other with this force or more. They have let go when they part, or are pressed with
+/// less than half of it.
+struct SnapRule {
+  double force = 1;  ///< N; a block weighs 1.08 N, a face of its magnets holds 9.5 N
+};
+
 struct WorldConfig {
   double step = 0.005;  ///< s
   double gravity = 9.8;
@@ -70,7 +87,10 @@ struct WorldConfig {
   std::vector<FrictionPair> frictions;
   double magnet_cutoff = 0.04;
   double magnet_contact = 0.006;  ///< m: magnets nearer than this pull as at this distance
-  Relaxation relaxation;
+  MagnetModel magnets = MagnetModel::quasi_static;
+  Relaxation relaxation;       ///< of the quasi-static ones
+  double bearing_damping = 0;  ///< N·m·s, of the integrated ones, see Bearing
+  SnapRule snap;
   int small_steps = 16;  ///< of the contact solver, in each step
   int sweeps = 1;        ///< in each of those
   SleepRules sleep;
@@ -78,8 +98,15 @@ struct WorldConfig {
   std::vector<JointDef> joints;
 };
 
-/// What makes the configuration unusable, each a sentence that names the body by its
-/// number; empty: nothing. Spawns may overlap by at most 1 mm.
+/// What makes a configuration unusable: `what` is said of the bodies, "overlap" or "has no
+/// extent", or is a sentence about the settings when there are none.
+struct ConfigProblem {
+  std::vector<std::uint32_t> bodies;  ///< at most two
+  std::string what;
+};
+/// Empty: nothing is wrong. Spawns may overlap by at most 1 mm.
+std::vector<ConfigProblem> find_problems(const WorldConfig& config);
+/// The same, each a sentence that names the bodies by their numbers.
 std::vector<std::string> problems_of(const WorldConfig& config);
 
 }  // namespace stig

@@ -7,7 +7,7 @@
 #include <bit>
 #include <nlohmann/json.hpp>
 
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
 #include "support/any_structure.h"

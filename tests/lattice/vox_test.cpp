@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "lattice/bytes.h"
+#include "base/bytes.h"
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
 #include "lattice/vox_scene.h"

@@ -80,16 +80,25 @@ constexpr Mat3 matrix(const Quat& q) {
       {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)}};
 }
 
-/// Where a frame stands in another: first turned by q, then moved by p.
+constexpr Quat conjugate(const Quat& q) { return {q.w, -q.x, -q.y, -q.z}; }
+constexpr Vec3 rotate(const Quat& q, const Vec3& v) { return matrix(q) * v; }
+/// The smallest angle of the turn, 0 to pi radians.
+inline double angle_of(const Quat& q) {
+  return 2 * std::atan2(length(Vec3{q.x, q.y, q.z}), std::abs(q.w));
+}
+
+/// Where a frame stands in another: first turned by q, then moved by p. X_AC = X_AB * X_BC,
+/// p_A = X_AB * p_B.
 struct Pose {
   Vec3 p;
   Quat q;
+
+  friend constexpr bool operator==(const Pose&, const Pose&) = default;
 };
-constexpr Quat conjugate(const Quat& q) { return {q.w, -q.x, -q.y, -q.z}; }
-/// X_AB * X_BC is X_AC.
 constexpr Pose operator*(const Pose& a, const Pose& b) {
-  return {a.p + matrix(a.q) * b.p, a.q * b.q};
+  return {a.p + rotate(a.q, b.p), a.q * b.q};
 }
-constexpr Pose inverse(const Pose& a) { return {-matrix(a.q).transposed(a.p), conjugate(a.q)}; }
+constexpr Vec3 operator*(const Pose& x, const Vec3& p) { return x.p + rotate(x.q, p); }
+constexpr Pose inverse(const Pose& x) { return {-rotate(conjugate(x.q), x.p), conjugate(x.q)}; }
 
 }  // namespace stig
