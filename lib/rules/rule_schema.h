@@ -88,8 +88,4 @@ using BadNodes = std::unordered_set<const YamlNode*>;
 /// Reports every R1xx of a file.
 BadNodes check_shape(const YamlDocument& document, Diagnostics& diagnostics);
 
-/// A plain scalar as a number: decimal digits, sign, point, exponent. Nothing for
-/// anything else, quoted numbers, infinities and numbers too large for a double.
-std::optional<double> number_of(const YamlNode& node);
-
 }  // namespace stig
