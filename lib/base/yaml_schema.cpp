@@ -20,7 +20,7 @@ std::string definition_name(const YamlObject& object) {
 Json any_scalar() { return Json::array({"string", "number", "boolean"}); }
 
 Json number_json(const YamlKey& key) {
-  const bool whole = key.type == YamlType::integer;
+  const bool whole = key.type == YamlType::integer || key.type == YamlType::integers;
   Json out = {{"type", whole ? "integer" : "number"}};
   const auto bound = [whole](double x) {
     return whole ? Json(static_cast<std::int64_t>(x)) : Json(x);
@@ -55,6 +55,7 @@ Json value_json(const YamlKey& key) {
     case YamlType::choice:
       return {{"enum", key.words}};
     case YamlType::numbers:
+    case YamlType::integers:
       return list_json(key, number_json(key));
     case YamlType::object:
       // Draft 7 ignores what stands beside a $ref, so the reference is wrapped.

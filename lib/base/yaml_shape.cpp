@@ -41,8 +41,12 @@ std::string_view found(const YamlNode& node) {
   }
 }
 
+bool is_whole(const YamlKey& key) {
+  return key.type == YamlType::integer || key.type == YamlType::integers;
+}
+
 std::string wanted_number(const YamlKey& key) {
-  const char* noun = key.type == YamlType::integer ? "a whole number" : "a number";
+  const char* noun = is_whole(key) ? "a whole number" : "a number";
   return key.above_low ? fmt::format("{} above {}, at most {}", noun, key.low, key.high)
                        : fmt::format("{} from {} to {}", noun, key.low, key.high);
 }
@@ -109,6 +113,7 @@ class ShapeChecker {
       case YamlType::choice:
         return choice(node, key);
       case YamlType::numbers:
+      case YamlType::integers:
         return list(node, key, fmt::format("a list of {} numbers", key.least),
                     [&](const YamlNode& item) { return number(item, key); });
       case YamlType::object:
@@ -132,8 +137,7 @@ class ShapeChecker {
 
   bool number(const YamlNode& node, const YamlKey& key) {
     const std::optional<double> value = number_of(node);
-    const bool whole = key.type == YamlType::integer;
-    if (!value || (whole && std::floor(*value) != *value)) {
+    if (!value || (is_whole(key) && std::floor(*value) != *value)) {
       return wrong_type(node, wanted_number(key));
     }
     const bool low = key.above_low ? *value > key.low : *value >= key.low;

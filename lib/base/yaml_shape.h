@@ -15,15 +15,16 @@ namespace stig {
 
 /// What a key's value is.
 enum class YamlType : std::uint8_t {
-  text,     ///< any text
-  name,     ///< text of one line, not empty
-  number,   ///< low..high, or above low when `above_low`
-  integer,  ///< the same, whole
-  boolean,  ///< true or false
-  choice,   ///< one of `words`
-  numbers,  ///< list of `least` to `most` numbers low..high
-  object,   ///< mapping with the keys of `object`
-  objects,  ///< list of such mappings
+  text,      ///< any text
+  name,      ///< text of one line, not empty
+  number,    ///< low..high, or above low when `above_low`
+  integer,   ///< the same, whole
+  boolean,   ///< true or false
+  choice,    ///< one of `words`
+  numbers,   ///< list of `least` to `most` numbers low..high
+  integers,  ///< the same, whole
+  object,    ///< mapping with the keys of `object`
+  objects,   ///< list of such mappings
 };
 
 struct YamlObject;
