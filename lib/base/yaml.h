@@ -89,10 +89,6 @@ struct YamlLimits {
 std::optional<YamlDocument> parse_yaml(SourceRef source, const YamlLimits& limits,
                                        Diagnostics& diagnostics);
 
-/// A plain scalar as a number: decimal digits, sign, point, exponent. Nothing for
-/// anything else, quoted numbers, infinities and numbers too large for a double.
-std::optional<double> number_of(const YamlNode& node);
-
 /// A text as YAML: plain where every reader takes it for just that text, otherwise
 /// double-quoted on one line. Inside brackets fewer texts can be plain.
 std::string yaml_text(std::string_view text, bool inside_flow = false);

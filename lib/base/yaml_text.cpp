@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
-#include <cmath>
 
 #include "base/text.h"
 #include "base/yaml.h"
@@ -76,22 +74,6 @@ std::string escaped(std::string_view text, const CodePoint& point) {
 }
 
 }  // namespace
-
-std::optional<double> number_of(const YamlNode& node) {
-  if (node.kind != YamlKind::scalar || node.style != YamlStyle::plain) return std::nullopt;
-  std::string_view text = node.text;
-  if (!text.empty() && text[0] == '+') text.remove_prefix(1);
-  const std::size_t digit = !text.empty() && text[0] == '-' ? 1 : 0;
-  // from_chars would take "inf" and "nan" too.
-  if (text.size() <= digit ||
-      std::string_view("0123456789.").find(text[digit]) == std::string_view::npos) {
-    return std::nullopt;
-  }
-  double value = 0;
-  const auto result = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool all = result.ec == std::errc() && result.ptr == text.data() + text.size();
-  return all && std::isfinite(value) ? std::optional(value) : std::nullopt;
-}
 
 std::string yaml_text(std::string_view text, bool inside_flow) {
   if (is_plain(text, inside_flow)) return std::string(text);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstring>
 #include <type_traits>
 
@@ -9,7 +10,7 @@ namespace stig {
 
 namespace {
 
-constexpr std::uint64_t kMagic = 0x31303050'47495453;  // "STIGP001"
+constexpr std::uint64_t kMagic = 0x32303050'47495453;  // "STIGP002"
 
 /// Appends numbers to a text.
 class Writer {
@@ -64,8 +65,13 @@ class Taker {
 template <class Each, class BodyType>
 void visit_body(Each& each, BodyType& body) {
   each(body.p), each(body.q), each(body.v), each(body.w);
-  each(body.user_force), each(body.user_torque);
+  each(body.force), each(body.torque), each(body.user_force), each(body.user_torque);
   each(body.awake), each(body.left), each(body.rest);
+}
+
+template <class Each, class MagnetType>
+void visit_magnet(Each& each, MagnetType& magnet) {
+  each(magnet.direction), each(magnet.p_W), each(magnet.spin);
 }
 
 template <class Each, class ContactType>
@@ -86,7 +92,8 @@ std::uint64_t hash_of(const WorldConfig& config) {
     out(pair.a), out(pair.b), out(pair.coefficient);
   }
   out(config.magnet_cutoff), out(config.magnet_contact), out(config.relaxation.time),
-      out(config.relaxation.sweeps);
+      out(config.relaxation.sweeps), out(config.magnets), out(config.bearing_damping),
+      out(config.snap.force);
   const SleepRules& sleep = config.sleep;
   out(config.sweeps), out(sleep.enabled), out(sleep.time), out(sleep.speed), out(sleep.spin);
   out(sleep.waking_speed), out(sleep.waking_spin), out(sleep.waking_force);
@@ -95,6 +102,7 @@ std::uint64_t hash_of(const WorldConfig& config) {
     out(def.X_WB.q), out(def.material), out(def.fixed), out(def.magnets.size());
     for (const MagnetDef& magnet : def.magnets) {
       out(magnet.p_B), out(magnet.moment), out(magnet.free), out(magnet.direction);
+      out(magnet.active), out(magnet.inertia);
     }
   }
   return hash_text(out.take());
@@ -103,7 +111,28 @@ std::uint64_t hash_of(const WorldConfig& config) {
 bool sound(const Body& body) {
   const Quat& q = body.q;
   return is_finite(body.p) && is_finite(body.v) && is_finite(body.w) && std::isfinite(body.rest) &&
+         is_finite(body.force) && is_finite(body.torque) &&
          std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
+}
+
+bool sound(const Magnet& magnet) {
+  return is_finite(magnet.p_W) && is_finite(magnet.spin) &&
+         std::abs(squared(magnet.direction) - 1) < 1e-6;
+}
+
+bool read_magnets(WorldState& world, Taker& in) {
+  for (Magnet& magnet : world.magnets) {
+    visit_magnet(in, magnet);
+    if (!in.good() || !sound(magnet)) return false;
+  }
+  for (double& current : world.currents) in(current);
+  for (std::size_t k = 0; k < world.magnets.size(); ++k) {
+    Magnet& magnet = world.magnets[k];
+    const MagnetDef& def =
+        world.config.bodies[magnet.owner].magnets[k - world.owners[magnet.owner].begin];
+    magnet.moment = def.moment + world.currents[k] * def.active;
+  }
+  return true;
 }
 
 bool sound(const Contact& contact, std::size_t bodies) {
@@ -117,7 +146,10 @@ std::string write_checkpoint(const WorldState& world) {
   Writer out;
   out(kMagic), out(hash_of(world.config)), out(world.tick);
   for (const Body& body : world.bodies) visit_body(out, body);
-  for (const Magnet& magnet : world.magnets) out(magnet.direction), out(magnet.p_W);
+  for (const Magnet& magnet : world.magnets) visit_magnet(out, magnet);
+  for (const double current : world.currents) out(current);
+  out(static_cast<std::uint64_t>(world.snaps.size()));
+  for (const BodyPair& snap : world.snaps) out(snap.first), out(snap.second);
   out(static_cast<std::uint64_t>(world.contacts.size()));
   for (const Contact& contact : world.contacts) visit_contact(out, contact);
   return out.take();
@@ -133,14 +165,20 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
     Body& body = next.bodies[i];
     visit_body(in, body);
     if (!sound(body)) return false;
-    if (!sound(body)) return false;
     body.r = matrix(body.q);
     MagnetOwner& owner = next.owners[i];
     owner.centre = body.p;
     const auto magnets = world.config.bodies[i].magnets.size();
     owner.end = owner.begin + (body.left ? 0 : static_cast<std::uint32_t>(magnets));
   }
-  for (Magnet& magnet : next.magnets) in(magnet.direction), in(magnet.p_W);
+  if (!read_magnets(next, in)) return false;
+  in(count);
+  if (!in.good() || count > bytes.size()) return false;
+  next.snaps.assign(count, {});
+  for (BodyPair& snap : next.snaps) {
+    in(snap.first), in(snap.second);
+    if (std::max(snap.first, snap.second) >= next.bodies.size()) return false;
+  }
   in(count);
   if (!in.good() || count > bytes.size()) return false;
   next.contacts.assign(count, {});

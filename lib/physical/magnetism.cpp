@@ -89,10 +89,37 @@ void add_pairs(const std::vector<Magnet>& magnets, const MagnetOwner& a, const M
     for (const std::uint32_t j : near.b) {
       const Vec3 r = magnets[i].p_W - magnets[j].p_W;
       const double d2 = squared(r);
-      if (!(d2 < cutoff * cutoff) || d2 == 0) continue;
-      out.push_back(i < j ? MagnetPair{i, j, r} : MagnetPair{j, i, -r});
+      if (d2 < cutoff * cutoff && d2 > 0) out.push_back({i, j, r});
     }
   }
+}
+
+/// Owners nearer than `reach`, at least one of them awake, in rising order.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> couples_of(
+    const std::vector<MagnetOwner>& owners, double reach) {
+  const std::vector<OwnerCell> cells = owner_cells(owners, reach);
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> couples;
+  for (const OwnerCell& cell : cells) {
+    const MagnetOwner& a = owners[cell.owner];
+    if (!a.awake) continue;
+    // Rows of three cells along z stand together in the sorted list.
+    for (std::int64_t dx = -1; dx <= 1; ++dx) {
+      for (std::int64_t dy = -1; dy <= 1; ++dy) {
+        const OwnerCell first{cell.x + dx, cell.y + dy, cell.z - 1, 0};
+        auto at = std::lower_bound(cells.begin(), cells.end(), first);
+        for (; at != cells.end() && at->x == first.x && at->y == first.y && at->z <= cell.z + 1;
+             ++at) {
+          const MagnetOwner& b = owners[at->owner];
+          if (at->owner == cell.owner || (b.awake && at->owner < cell.owner)) continue;
+          if (squared(a.centre - b.centre) < reach * reach) {
+            couples.emplace_back(std::minmax(cell.owner, at->owner));
+          }
+        }
+      }
+    }
+  }
+  std::sort(couples.begin(), couples.end());
+  return couples;
 }
 
 }  // namespace
@@ -126,34 +153,13 @@ std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
                                      double cutoff) {
   const auto is_awake = [](const MagnetOwner& owner) { return owner.awake; };
   if (std::none_of(owners.begin(), owners.end(), is_awake)) return {};
-  const double reach = cutoff + 2 * radius;
-  const std::vector<OwnerCell> cells = owner_cells(owners, reach);
   std::vector<MagnetPair> out;
   NearLists near;
   // Rounding must not leave out a magnet that lies at the radius itself.
   const double ball = radius * (1 + 1e-9);
-  for (const OwnerCell& cell : cells) {
-    const MagnetOwner& a = owners[cell.owner];
-    if (!a.awake) continue;
-    // Rows of three cells along z stand together in the sorted list.
-    for (std::int64_t dx = -1; dx <= 1; ++dx) {
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const OwnerCell first{cell.x + dx, cell.y + dy, cell.z - 1, 0};
-        auto at = std::lower_bound(cells.begin(), cells.end(), first);
-        for (; at != cells.end() && at->x == first.x && at->y == first.y && at->z <= cell.z + 1;
-             ++at) {
-          const MagnetOwner& b = owners[at->owner];
-          if (at->owner == cell.owner || (b.awake && at->owner < cell.owner)) continue;
-          if (squared(a.centre - b.centre) < reach * reach) {
-            add_pairs(magnets, a, b, ball, cutoff, near, out);
-          }
-        }
-      }
-    }
+  for (const auto& [a, b] : couples_of(owners, cutoff + 2 * radius)) {
+    add_pairs(magnets, owners[a], owners[b], ball, cutoff, near, out);
   }
-  std::sort(out.begin(), out.end(), [](const MagnetPair& a, const MagnetPair& b) {
-    return a.i != b.i ? a.i < b.i : a.j < b.j;
-  });
   return out;
 }
 
@@ -178,6 +184,15 @@ void relax_magnets(std::vector<Magnet>& magnets, const std::vector<MagnetPair>& 
       magnet.direction = turned(magnet.direction, field * (sign / strength), part);
     }
   }
+}
+
+Vec3 spin_magnet(Magnet& magnet, const Vec3& torque, const Vec3& body_spin, const Bearing& bearing,
+                 double dt) {
+  const double damping = bearing.damping;
+  magnet.spin = (magnet.spin + (torque + body_spin * damping) * (dt / bearing.inertia)) *
+                (1 / (1 + damping * dt / bearing.inertia));
+  magnet.direction = normalised(matrix(rotation(magnet.spin * dt)) * magnet.direction);
+  return (magnet.spin - body_spin) * damping;
 }
 
 }  // namespace stig

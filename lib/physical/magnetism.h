@@ -7,9 +7,10 @@
 //
 // A sphere of 3 mm that faces another at contact swings with a period of some 3.5 ms.
 // Integrating that needs steps far below a millisecond, and the bearings' friction, which
-// nobody knows, decides how the swing ends. So free spheres are quasi-static here: their
-// directions relax towards the field (relax_magnets), forces act on the blocks, and the
-// spheres' torque is lost in their bearings.
+// nobody knows, decides how the swing ends. So free spheres are quasi-static by default:
+// their directions relax towards the field (relax_magnets), forces act on the blocks, and
+// the spheres' torque is lost in their bearings. The integrated swing (spin_magnets) is
+// there to hold this against.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +46,7 @@ struct Magnet {
   Vec3 p_W;             ///< m
   Vec3 direction;       ///< unit, world frame
   double moment = 0.2;  ///< A·m², negative: reversed
+  Vec3 spin{};          ///< rad/s, world frame; of a free one that is integrated
 };
 
 /// Two magnets of different owners within the cut-off, i < j.
@@ -53,14 +55,16 @@ struct MagnetPair {
   Vec3 r;  ///< from j to i, m
 };
 
-/// Magnets that one body owns: [begin, end) of the list, in a ball about `centre`.
+/// Magnets that one body owns: [begin, end) of the list, in a ball about `centre`. Owners
+/// stand in the order of their magnets.
 struct MagnetOwner {
   std::uint32_t begin = 0, end = 0;
   Vec3 centre;
   bool awake = true;
 };
 
-/// All pairs nearer than `cutoff` in which at least one owner is awake, in rising order.
+/// All pairs nearer than `cutoff` in which at least one owner is awake, in rising order of
+/// (owner of i, owner of j, i, j).
 /// Owners are found in a grid of cells of cut-off + 2 `radius`, the largest distance of a
 /// magnet from its owner's centre.
 std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
@@ -77,5 +81,21 @@ struct Relaxation {
 /// that points exactly against the field is nudged first.
 void relax_magnets(std::vector<Magnet>& magnets, const std::vector<MagnetPair>& pairs,
                    const std::vector<MagnetOwner>& owners, double dt, const Relaxation& relaxation);
+
+/// A sphere's ball joint.
+struct Bearing {
+  double inertia = 3.6e-9;  ///< kg m², of the sphere about its centre
+  double damping = 0;       ///< N·m·s: torque for a difference of spins of 1 rad/s
+};
+
+/// Turns one free magnet for a step under a torque (N·m), by symplectic Euler; friction is
+/// implicit, against a body with that spin. Returns the torque of friction on the body.
+///
+/// This is the nine-body block of the paper without its nine bodies, and exactly so: a ball
+/// joint in a sphere's centre of mass passes on forces alone, so the block moves as if the
+/// sphere were a point of its mass there; and a sphere's moments are equal, so it turns by
+/// I dw/dt = T, whatever its place does.
+Vec3 spin_magnet(Magnet& magnet, const Vec3& torque, const Vec3& body_spin, const Bearing& bearing,
+                 double dt);
 
 }  // namespace stig

@@ -121,8 +121,7 @@ class ChunkDecoder {
     const std::uint8_t kind = in_.u8();
     const std::uint64_t body = in_.varint(), other = in_.varint();
     const std::size_t bodies = frame_.bodies.size();
-    if (kind > static_cast<std::uint8_t>(EventKind::left_arena) || body >= bodies ||
-        other > bodies) {
+    if (kind > static_cast<std::uint8_t>(EventKind::let_go) || body >= bodies || other > bodies) {
       return false;
     }
     const BodyId partner = other == 0 ? kFloor : BodyId{static_cast<std::uint32_t>(other - 1)};

@@ -27,9 +27,6 @@
 
 namespace stig {
 
-/// Materials besides blocks and floor that a table of friction can name.
-inline constexpr Material kWheelMaterial = 2, kRobotMaterial = 3;
-
 /// How one entry of `blocks` becomes blocks.
 enum class SpawnKind : std::uint8_t { single, column, wall, pyramid, grid, scatter, poses };
 
@@ -68,6 +65,8 @@ struct Scene {
   bool stop_asleep = false;  ///< it ends as soon as nothing is awake
   WorldConfig settings;      ///< without bodies
   int sweeps = 0;            ///< of the contact solver; 0: by the height of what is built
+  /// By number; robots' bodies name theirs.
+  std::vector<std::string> materials{"block", "floor"};
   std::vector<BlockModel> models;
   std::vector<BlockSpawn> blocks;
   std::vector<SceneFile> files;  ///< the scene's own first

@@ -7,7 +7,7 @@ namespace stig {
 
 namespace {
 
-using enum YamlType;
+using enum FormKind;
 
 constexpr double kFar = 1000;  ///< m, the largest arena
 constexpr double kMostCount = 100'000;
@@ -17,41 +17,58 @@ constexpr double kMostSeconds = 1e7;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
-YamlKey real(std::string_view name, std::string_view doc, double low, double high) {
-  return {.name = name, .type = number, .doc = doc, .low = low, .high = high};
+FormKey real(std::string_view name, std::string_view doc, double low, double high) {
+  return {.name = name, .kind = number, .doc = doc, .low = low, .high = high};
 }
-YamlKey above_zero(std::string_view name, std::string_view doc, double high) {
-  return {.name = name, .type = number, .doc = doc, .high = high, .above_low = true};
+FormKey above_zero(std::string_view name, std::string_view doc, double high) {
+  return {.name = name, .kind = number, .doc = doc, .low = 0, .high = high, .above_low = true};
 }
-YamlKey whole(std::string_view name, std::string_view doc, double low, double high) {
-  return {.name = name, .type = integer, .doc = doc, .low = low, .high = high};
+FormKey whole(std::string_view name, std::string_view doc, double low, double high) {
+  return {.name = name, .kind = integer, .doc = doc, .low = low, .high = high};
 }
-YamlKey vector(std::string_view name, std::string_view doc, double low, double high) {
+FormKey vector(std::string_view name, std::string_view doc, double low, double high) {
   return {
-      .name = name, .type = numbers, .doc = doc, .low = low, .high = high, .least = 3, .most = 3};
+      .name = name, .kind = numbers, .doc = doc, .low = low, .high = high, .least = 3, .most = 3};
 }
-YamlKey flag(std::string_view name, std::string_view doc) {
-  return {.name = name, .type = boolean, .doc = doc};
+FormKey flag(std::string_view name, std::string_view doc) {
+  return {.name = name, .kind = boolean, .doc = doc};
 }
-YamlKey word(std::string_view name, std::string_view doc, std::vector<std::string_view> words) {
-  return {.name = name, .type = choice, .doc = doc, .words = std::move(words)};
+FormKey word(std::string_view name, std::string_view doc, std::vector<std::string_view> words) {
+  return {.name = name, .kind = choice, .doc = doc, .words = std::move(words)};
 }
 
-const YamlObject& friction_keys() {
-  static const YamlObject kKeys = [] {
-    YamlObject out{"table of friction", {real("default", "Of pairs that are not listed.", 0, 10)}};
-    for (const std::string_view pair :
-         {"block-block", "block-floor", "block-wheel", "block-robot", "floor-wheel", "floor-robot",
-          "wheel-wheel", "wheel-robot", "robot-robot"}) {
-      out.keys.push_back(real(pair, "Coulomb's coefficient.", 0, 10));
-    }
-    return out;
-  }();
+const Form& friction_pair_keys() {
+  static const Form kKeys{"pair of materials",
+                          {
+                              {.name = "of",
+                               .kind = names,
+                               .required = true,
+                               .doc = "Two materials: block, floor, or those of robots' bodies.",
+                               .least = 2,
+                               .most = 2},
+                              {.name = "is",
+                               .kind = number,
+                               .required = true,
+                               .doc = "Coulomb's coefficient.",
+                               .low = 0,
+                               .high = 10},
+                          }};
   return kKeys;
 }
 
-const YamlObject& magnet_keys() {
-  static const YamlObject kKeys{
+const Form& friction_keys() {
+  static const Form kKeys{"table of friction",
+                          {real("default", "Of pairs that are not listed (default: 0.5).", 0, 10),
+                           {.name = "pairs",
+                            .kind = forms,
+                            .doc = "Others than [block, block] 0.2 and [block, floor] 0.4.",
+                            .form = &friction_pair_keys(),
+                            .most = 1000}}};
+  return kKeys;
+}
+
+const Form& magnet_keys() {
+  static const Form kKeys{
       "magnets' settings",
       {
           flag("enabled", "false: no block has magnets."),
@@ -63,8 +80,8 @@ const YamlObject& magnet_keys() {
   return kKeys;
 }
 
-const YamlObject& sleep_keys() {
-  static const YamlObject kKeys{
+const Form& sleep_keys() {
+  static const Form kKeys{
       "sleep settings",
       {
           flag("enabled", "false: nothing ever sleeps."),
@@ -78,18 +95,18 @@ const YamlObject& sleep_keys() {
   return kKeys;
 }
 
-const YamlObject& stop_keys() {
-  static const YamlObject kKeys{"stop condition",
-                                {flag("asleep", "The run ends as soon as nothing is awake.")}};
+const Form& stop_keys() {
+  static const Form kKeys{"stop condition",
+                          {flag("asleep", "The run ends as soon as nothing is awake.")}};
   return kKeys;
 }
 
-const YamlObject& block_keys() {
-  static const YamlObject kKeys{
+const Form& block_keys() {
+  static const Form kKeys{
       "block entry",
       {
-          {.name = "name", .type = YamlType::name, .doc = "What reports call it."},
-          {.name = "file", .type = text, .doc = "Block file (default: stigmergic.yaml)."},
+          {.name = "name", .kind = FormKind::name, .doc = "What reports call it."},
+          {.name = "file", .kind = text, .doc = "Block file (default: stigmergic.yaml)."},
           vector("at",
                  "[x, y, z] in m: a block's centre, or the middle of what a structure "
                  "stands on.",
@@ -102,7 +119,7 @@ const YamlObject& block_keys() {
           vector("spin", "Degrees a second about the world's axes.", -5e4, 5e4),
           whole("column", "So many blocks, one upon the other.", 1, 1000),
           {.name = "wall",
-           .type = integers,
+           .kind = integers,
            .doc = "[length, height] in blocks, along x.",
            .low = 1,
            .high = 1000,
@@ -110,7 +127,7 @@ const YamlObject& block_keys() {
            .most = 2},
           whole("pyramid", "So many layers; 3 is the paper's, of 15 blocks.", 1, 30),
           {.name = "grid",
-           .type = integers,
+           .kind = integers,
            .doc = "[x, y, z]: loose blocks in rows and layers.",
            .low = 1,
            .high = 1000,
@@ -123,7 +140,7 @@ const YamlObject& block_keys() {
           vector("size", "[x, y, z] of that box in m; z 0: all stand on its bottom.", 0, kFar),
           word("turned", "How scattered blocks are turned.", {"none", "upright", "any"}),
           {.name = "poses",
-           .type = text,
+           .kind = text,
            .doc = "CSV file of x, y, z in m and rz, ry, rx in "
                   "degrees, a block a line."},
       }};
@@ -132,17 +149,16 @@ const YamlObject& block_keys() {
 
 }  // namespace
 
-const YamlObject& scene_keys() {
-  static const YamlObject kKeys{
+const Form& scene_keys() {
+  static const Form kKeys{
       "scene",
       {
           {.name = "stigc_scene",
-           .type = integer,
-           .doc = "Version of the format: 1.",
+           .kind = version,
            .required = true,
-           .low = 1,
+           .doc = "Version of the format: 1.",
            .high = 1},
-          {.name = "title", .type = YamlType::name, .doc = "One line for people."},
+          {.name = "title", .kind = FormKind::name, .doc = "One line for people."},
           whole("seed", "Of all random choices (default: 1).", 0, 9007199254740992.0),
           above_zero("duration", "s of simulated time (default: 10).", kMostSeconds),
           above_zero("step", "s (default: 0.005).", 0.02),
@@ -150,27 +166,27 @@ const YamlObject& scene_keys() {
           real("gravity", "m/s² (default: 9.8).", 0, 1000),
           flag("floor", "Is there a floor at z = 0? (default: true)"),
           {.name = "friction",
-           .type = object,
+           .kind = form,
            .doc = "Coefficients of pairs of materials.",
-           .object = &friction_keys()},
+           .form = &friction_keys()},
           whole("sweeps", "Of the contact solver (default: 20, of high structures 60).", 1, 10'000),
           {.name = "magnets",
-           .type = object,
+           .kind = form,
            .doc = "How magnets are computed.",
-           .object = &magnet_keys()},
+           .form = &magnet_keys()},
           {.name = "sleep",
-           .type = object,
+           .kind = form,
            .doc = "When bodies fall asleep and wake.",
-           .object = &sleep_keys()},
+           .form = &sleep_keys()},
           {.name = "stop",
-           .type = object,
+           .kind = form,
            .doc = "What ends a run before its duration.",
-           .object = &stop_keys()},
+           .form = &stop_keys()},
           {.name = "blocks",
-           .type = objects,
+           .kind = forms,
            .doc = "Blocks and structures of blocks.",
-           .most = 20'000,
-           .object = &block_keys()},
+           .form = &block_keys(),
+           .most = 20'000},
       }};
   return kKeys;
 }
@@ -178,7 +194,7 @@ const YamlObject& scene_keys() {
 #pragma GCC diagnostic pop
 
 std::string scene_schema() {
-  return yaml_schema(scene_keys(), "stigc scene, version 1",
+  return form_schema(scene_keys(), "stigc scene, version 1",
                      "What stands where when a physical simulation begins.");
 }
 

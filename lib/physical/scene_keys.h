@@ -2,10 +2,10 @@
 // The keys of scene files, for their reader and their schema.
 #pragma once
 
-#include "base/yaml_shape.h"
+#include "base/form.h"
 
 namespace stig {
 
-const YamlObject& scene_keys();
+const Form& scene_keys();
 
 }  // namespace stig

@@ -17,42 +17,44 @@ constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
 
-Vec3 vec3_or(const YamlNode& node, std::string_view key, const Vec3& otherwise = {}) {
-  const auto v = numbers_or(node, key, {otherwise.x, otherwise.y, otherwise.z});
-  return {v[0], v[1], v[2]};
+/// The number of a material; a name seen for the first time gets the next.
+Material material_of(const std::string& name, std::vector<std::string>& names) {
+  const auto known = std::find(names.begin(), names.end(), name);
+  const auto number = static_cast<Material>(known - names.begin());
+  if (known == names.end()) names.push_back(name);
+  return number;
 }
 
-/// Pairs of a table of friction, in the order of the materials' numbers.
-constexpr std::array<std::string_view, 4> kMaterialNames = {"block", "floor", "wheel", "robot"};
-
-void read_friction(const YamlNode& node, WorldConfig& config) {
-  config.friction = number_or(node, "default", config.friction);
-  for (Material a = 0; a < kMaterialNames.size(); ++a) {
-    for (Material b = a; b < kMaterialNames.size(); ++b) {
-      const YamlNode* value = node.find(fmt::format("{}-{}", kMaterialNames[a], kMaterialNames[b]));
-      if (value == nullptr) continue;
-      std::erase_if(config.frictions, [a, b](const auto& p) { return p.a == a && p.b == b; });
-      config.frictions.push_back({a, b, *number_of(*value)});
-    }
+void read_friction(const FormView& table, Scene& scene) {
+  WorldConfig& config = scene.settings;
+  config.friction = table.number("default", config.friction);
+  for (const FormView& pair : table.forms("pairs")) {
+    const auto of = pair.names("of");
+    if (scene.materials.size() > 250) return;  // of 256 there can be
+    const Material a = material_of(of[0], scene.materials), b = material_of(of[1], scene.materials);
+    std::erase_if(config.frictions, [a, b](const FrictionPair& p) {
+      return (p.a == a && p.b == b) || (p.a == b && p.b == a);
+    });
+    config.frictions.push_back({a, b, pair.number("is")});
   }
 }
 
-void read_magnets(const YamlNode& node, WorldConfig& config) {
-  config.magnet_cutoff = number_or(node, "cutoff", config.magnet_cutoff);
-  config.magnet_contact = number_or(node, "contact", config.magnet_contact);
-  config.relaxation.time = number_or(node, "relaxation_time", config.relaxation.time);
+void read_magnets(const FormView& node, WorldConfig& config) {
+  config.magnet_cutoff = node.number("cutoff", config.magnet_cutoff);
+  config.magnet_contact = node.number("contact", config.magnet_contact);
+  config.relaxation.time = node.number("relaxation_time", config.relaxation.time);
   config.relaxation.sweeps =
-      static_cast<int>(number_or(node, "relaxation_sweeps", config.relaxation.sweeps));
+      static_cast<int>(node.number("relaxation_sweeps", config.relaxation.sweeps));
 }
 
-void read_sleep(const YamlNode& node, SleepRules& sleep) {
-  sleep.enabled = flag_or(node, "enabled", sleep.enabled);
-  sleep.time = number_or(node, "time", sleep.time);
-  sleep.speed = number_or(node, "speed", sleep.speed);
-  sleep.spin = number_or(node, "spin", sleep.spin / kDegree) * kDegree;
-  sleep.waking_speed = number_or(node, "waking_speed", sleep.waking_speed);
-  sleep.waking_spin = number_or(node, "waking_spin", sleep.waking_spin / kDegree) * kDegree;
-  sleep.waking_force = number_or(node, "waking_force", sleep.waking_force);
+void read_sleep(const FormView& node, SleepRules& sleep) {
+  sleep.enabled = node.flag("enabled", sleep.enabled);
+  sleep.time = node.number("time", sleep.time);
+  sleep.speed = node.number("speed", sleep.speed);
+  if (node.has("spin")) sleep.spin = node.number("spin") * kDegree;
+  sleep.waking_speed = node.number("waking_speed", sleep.waking_speed);
+  if (node.has("waking_spin")) sleep.waking_spin = node.number("waking_spin") * kDegree;
+  sleep.waking_force = node.number("waking_force", sleep.waking_force);
 }
 
 /// An entry's kinds besides a single block, and the keys that only one kind has.
@@ -71,62 +73,58 @@ constexpr KindKey kOwnKeys[] = {{"pitch", SpawnKind::grid},
 
 class Reader {
  public:
-  Reader(const YamlDocument& document, const SceneLoader& load, Diagnostics& out)
-      : document_(document), load_(load), out_(out) {}
+  Reader(const YamlDocument& document, const BadNodes& bad, const SceneLoader& load,
+         Diagnostics& out)
+      : document_(document), bad_(bad), load_(load), out_(out) {}
 
   Scene read() {
-    const YamlNode& root = document_.root;
+    const FormView root(document_.root, bad_);
     scene_.files.push_back({document_.source->path(), document_.source->text()});
-    scene_.title = text_or(root, "title", "");
-    scene_.seed = static_cast<std::uint64_t>(number_or(root, "seed", 1));
-    scene_.duration = number_or(root, "duration", scene_.duration);
+    scene_.title = root.text("title");
+    scene_.seed = static_cast<std::uint64_t>(root.number("seed", 1));
+    scene_.duration = root.number("duration", scene_.duration);
+    scene_.stop_asleep = root.form("stop").flag("asleep");
     read_settings(root);
-    if (const YamlNode* stop = root.find("stop")) {
-      scene_.stop_asleep = flag_or(*stop, "asleep", false);
-    }
-    if (const YamlNode* magnets = root.find("magnets"))
-      magnets_ = flag_or(*magnets, "enabled", true);
-    if (const YamlNode* blocks = root.find("blocks")) {
-      for (const YamlNode& entry : blocks->items) read_entry(entry);
-    }
+    for (const FormView& entry : root.forms("blocks")) read_entry(entry);
     return std::move(scene_);
   }
 
  private:
-  void read_settings(const YamlNode& root) {
+  void read_settings(const FormView& root) {
     WorldConfig& config = scene_.settings;
-    config.step = number_or(root, "step", config.step);
-    config.arena = number_or(root, "arena", config.arena);
-    config.gravity = number_or(root, "gravity", config.gravity);
-    config.floor = flag_or(root, "floor", config.floor);
-    scene_.sweeps = static_cast<int>(number_or(root, "sweeps", 0));
+    config.step = root.number("step", config.step);
+    config.arena = root.number("arena", config.arena);
+    config.gravity = root.number("gravity", config.gravity);
+    config.floor = root.flag("floor", config.floor);
+    scene_.sweeps = static_cast<int>(root.number("sweeps"));
     config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2},
                         {kBlockMaterial, kFloorMaterial, 0.4}};
-    if (const YamlNode* node = root.find("friction")) read_friction(*node, config);
-    if (const YamlNode* node = root.find("magnets")) read_magnets(*node, config);
-    if (const YamlNode* node = root.find("sleep")) read_sleep(*node, config.sleep);
+    read_friction(root.form("friction"), scene_);
+    read_magnets(root.form("magnets"), config);
+    magnets_ = root.form("magnets").flag("enabled", true);
+    read_sleep(root.form("sleep"), config.sleep);
   }
 
-  void read_entry(const YamlNode& node) {
+  void read_entry(const FormView& node) {
     BlockSpawn spawn;
-    spawn.range = document_.head(node);
+    spawn.range = document_.head(node.node());
     spawn.kind = kind_of(node);
     check_use(node, spawn.kind);
     const auto model = model_of(node);
     if (!model) return;
     spawn.model = *model;
-    spawn.name = text_or(node, "name", "");
-    spawn.X_WE.p = vec3_or(node, "at");
-    spawn.X_WE.q = turned(vec3_or(node, "turn"));
-    spawn.colour = led_of(text_or(node, "color", "off")).value_or(Led::off);
-    spawn.fixed = flag_or(node, "fixed", false);
-    spawn.velocity = vec3_or(node, "velocity");
-    spawn.spin = vec3_or(node, "spin") * kDegree;
+    spawn.name = node.text("name");
+    spawn.X_WE.p = node.vector("at");
+    spawn.X_WE.q = turned(node.vector("turn"));
+    spawn.colour = led_of(node.text("color", "off")).value_or(Led::off);
+    spawn.fixed = node.flag("fixed", false);
+    spawn.velocity = node.vector("velocity");
+    spawn.spin = node.vector("spin") * kDegree;
     read_structure(node, spawn);
     scene_.blocks.push_back(std::move(spawn));
   }
 
-  SpawnKind kind_of(const YamlNode& node) {
+  SpawnKind kind_of(const FormView& node) {
     const KindKey* first = nullptr;
     for (const KindKey& key : kStructureKeys) {
       const YamlNode* value = node.find(key.key);
@@ -141,7 +139,7 @@ class Reader {
     return first == nullptr ? SpawnKind::single : first->kind;
   }
 
-  void check_use(const YamlNode& node, SpawnKind kind) {
+  void check_use(const FormView& node, SpawnKind kind) {
     for (const KindKey& key : kOwnKeys) {
       const YamlNode* value = node.find(key.key);
       if (value == nullptr || key.kind == kind) continue;
@@ -150,16 +148,14 @@ class Reader {
     }
   }
 
-  void read_structure(const YamlNode& node, BlockSpawn& spawn) {
-    const auto count = [&](std::string_view key) {
-      return static_cast<int>(number_or(node, key, 1));
-    };
+  void read_structure(const FormView& node, BlockSpawn& spawn) {
+    const auto count = [&](std::string_view key) { return static_cast<int>(node.number(key, 1)); };
     switch (spawn.kind) {
       case SpawnKind::column:
         spawn.count = {1, 1, count("column")};
         break;
       case SpawnKind::wall: {
-        const auto size = numbers_or(node, "wall", {1, 1});
+        const auto size = node.numbers("wall");
         spawn.count = {static_cast<int>(size[0]), 1, static_cast<int>(size[1])};
         break;
       }
@@ -180,23 +176,23 @@ class Reader {
     }
   }
 
-  static void read_grid(const YamlNode& node, BlockSpawn& spawn) {
-    const auto size = numbers_or(node, "grid", {1, 1, 1});
+  static void read_grid(const FormView& node, BlockSpawn& spawn) {
+    const auto size = node.numbers("grid");
     for (std::size_t i = 0; i < 3; ++i) spawn.count[i] = static_cast<int>(size[i]);
-    spawn.pitch = number_or(node, "pitch", 0);
-    spawn.jitter = number_or(node, "jitter", 0);
-    spawn.tumble = number_or(node, "tumble", 0) * kDegree;
+    spawn.pitch = node.number("pitch");
+    spawn.jitter = node.number("jitter");
+    spawn.tumble = node.number("tumble") * kDegree;
   }
 
-  void read_scatter(const YamlNode& node, BlockSpawn& spawn) {
-    spawn.count = {static_cast<int>(number_or(node, "scatter", 1)), 1, 1};
-    const std::string turned = text_or(node, "turned", "upright");
+  void read_scatter(const FormView& node, BlockSpawn& spawn) {
+    spawn.count = {static_cast<int>(node.number("scatter")), 1, 1};
+    const std::string turned = node.text("turned", "upright");
     spawn.turned = turned == "none"  ? ScatterTurn::none
                    : turned == "any" ? ScatterTurn::any
                                      : ScatterTurn::upright;
-    spawn.size = vec3_or(node, "size");
-    if (node.find("size") != nullptr) return;
-    out_.add(Code::R102, document_.head(node), "the key 'size' is missing beside 'scatter'");
+    spawn.size = node.vector("size");
+    if (node.has("size")) return;
+    out_.add(Code::R102, document_.head(node.node()), "the key 'size' is missing beside 'scatter'");
   }
 
   void read_poses(const YamlNode& node, BlockSpawn& spawn) {
@@ -206,14 +202,14 @@ class Reader {
   }
 
   /// The number of the entry's block among the models; each file is read once.
-  std::optional<std::size_t> model_of(const YamlNode& node) {
+  std::optional<std::size_t> model_of(const FormView& node) {
     const YamlNode* key = node.find("file");
     const std::string name = key == nullptr ? std::string(kDefaultBlock) : key->text;
     for (const auto& [known, model] : models_) {
       if (known == name) return model;
     }
     std::optional<std::size_t> model;
-    if (auto source = load(key == nullptr ? node : *key, name)) {
+    if (auto source = load(key == nullptr ? node.node() : *key, name)) {
       if (auto block = read_block(std::move(source), out_)) {
         if (!magnets_) block->magnet_offset = 0;
         model = scene_.models.size();
@@ -236,6 +232,7 @@ class Reader {
   }
 
   const YamlDocument& document_;
+  const BadNodes& bad_;
   const SceneLoader& load_;
   Diagnostics& out_;
   Scene scene_;
@@ -277,8 +274,9 @@ std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
   Diagnostics own;
   std::optional<Scene> scene;
   const auto document = parse_yaml(std::move(source), {kMaxSceneBytes, 8, 200'000}, own);
-  if (document && check_shape(*document, document->root, scene_keys(), own) && !own.has_errors()) {
-    scene = Reader(*document, load, own).read();
+  if (document) {
+    const BadNodes bad = check_form(*document, scene_keys(), own);
+    if (!own.has_errors()) scene = Reader(*document, bad, load, own).read();
   }
   diagnostics.append(own);
   return own.has_errors() ? std::nullopt : std::move(scene);

@@ -39,6 +39,7 @@ void add_magnets(WorldState& world, const BodyDef& def, std::uint32_t number) {
     world.magnets.push_back({number, magnet.free, body.p + body.r * magnet.p_B,
                              body.r * magnet.direction, magnet.moment});
     world.magnet_places.push_back(magnet.p_B);
+    world.currents.push_back(0);
     world.magnet_radius = std::max(world.magnet_radius, length(magnet.p_B));
   }
   owner.end = static_cast<std::uint32_t>(world.magnets.size());
@@ -127,6 +128,7 @@ void update_velocities(WorldState& world) {
 void finish_step(WorldState& world) {
   for (const std::uint32_t i : world.awake) move(world, world.bodies[i]);
   report_contacts(world);
+  report_snaps(world);
   put_to_sleep(world);
   for (const std::uint32_t i : world.awake) {
     world.bodies[i].user_force = world.bodies[i].user_torque = {};
@@ -232,6 +234,24 @@ void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
   } else {
     wake_early(*state_, id);
   }
+}
+
+void World::set_current(BodyId id, std::size_t magnet, double current) {
+  const auto number = static_cast<std::uint32_t>(id);
+  const MagnetDef& def = state_->config.bodies.at(number).magnets.at(magnet);
+  const std::size_t at = state_->owners[number].begin + magnet;
+  if (state_->currents[at] == current || state_->bodies[number].left) return;
+  state_->currents[at] = current;
+  state_->magnets[at].moment = def.moment + current * def.active;
+  wake_early(*state_, id);
+  std::swap(state_->events, state_->early);
+  wake_magnet_partners(*state_, number);
+  std::swap(state_->events, state_->early);
+}
+
+double World::current(BodyId id, std::size_t magnet) const {
+  const MagnetOwner& owner = state_->owners.at(static_cast<std::size_t>(id));
+  return state_->currents.at(owner.begin + magnet);
 }
 
 std::string World::checkpoint() const { return write_checkpoint(*state_); }

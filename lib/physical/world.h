@@ -36,12 +36,13 @@ struct BodyState {
   bool left = false;  ///< the arena; no longer simulated
 };
 
-enum class EventKind : std::uint8_t { contact_began, slept, woke, left_arena };
+/// Snaps and their ends: see SnapRule.
+enum class EventKind : std::uint8_t { contact_began, slept, woke, left_arena, snapped, let_go };
 
 struct WorldEvent {
   EventKind kind = EventKind::contact_began;
   BodyId body{};
-  BodyId other = kFloor;  ///< of a contact that began; otherwise without meaning
+  BodyId other = kFloor;  ///< of a contact or a snap; otherwise without meaning
 
   friend bool operator==(const WorldEvent&, const WorldEvent&) = default;
 };
@@ -72,15 +73,22 @@ class World {
   BodyState state(BodyId id) const;
   /// Direction of a body's magnet, world frame.
   Vec3 magnet_direction(BodyId id, std::size_t magnet) const;
-  /// Of the last step, in a fixed order: wakings, contacts by body, sleepers, leavers.
+  /// Of the last step, in a fixed order: wakings, contacts by body, snaps by
+  /// body, sleepers, leavers.
   const std::vector<WorldEvent>& events() const;
-  /// Kinetic, of gravity and of magnets, J. For tests and measures: costs a step.
+  /// Kinetic (with that of integrated spheres), of gravity and of magnets, J. For tests and
+  /// measures: costs a step.
   double energy() const;
 
   /// Acts during the next step alone, at the centre of mass; wakes the body.
   void push(BodyId id, const Vec3& force, const Vec3& torque);
   /// Of a fixed body: it moves so from now on, whatever is in its way. Wakes the body.
   void set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin);
+
+  /// Of a magnet with an active part, from now on; 0 at the start. Wakes the body and those
+  /// with magnets within the cut-off.
+  void set_current(BodyId id, std::size_t magnet, double current);
+  double current(BodyId id, std::size_t magnet) const;
 
   /// All that a step depends on besides the configuration, in this machine's byte order.
   std::string checkpoint() const;

@@ -11,7 +11,8 @@ namespace stig {
 
 namespace {
 
-constexpr double kMostStep = 0.02;  ///< s: stacks collapse above
+constexpr double kMostStep = 0.02;       ///< s: stacks collapse above
+constexpr double kMostSpinStep = 0.001;  ///< s: facing spheres spin up and never settle above
 constexpr std::size_t kMostBodies = 20'000;
 constexpr double kMostSizeRatio = 200;  ///< of the largest body to the smallest
 constexpr double kMostOverlap = 1e-3;
@@ -45,7 +46,8 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
   if (!(squared(def.velocity) <= kMostSpeed * kMostSpeed)) return "is too fast";
   if (!(squared(def.spin) <= 1e6)) return "spins too fast";
   for (const MagnetDef& magnet : def.magnets) {
-    if (!is_finite(magnet.p_B) || !std::isfinite(magnet.moment) || !is_unit(magnet.direction)) {
+    if (!is_finite(magnet.p_B) || !std::isfinite(magnet.moment) || !is_unit(magnet.direction) ||
+        !std::isfinite(magnet.active) || !positive(magnet.inertia)) {
       return "has a magnet that is none";
     }
     if (length(magnet.p_B) > def.shape.radius()) return "has a magnet outside of it";
@@ -72,6 +74,10 @@ void check_settings(const WorldConfig& config, std::vector<ConfigProblem>& out) 
   need(positive(config.relaxation.time) && config.relaxation.sweeps >= 1 &&
            config.relaxation.sweeps <= 1000,
        "the magnets' relaxation needs a time above 0 and 1 to 1000 sweeps");
+  need(config.magnets == MagnetModel::quasi_static || config.step <= kMostSpinStep,
+       "integrated magnets need a step of at most 1 ms");
+  need(not_negative(config.bearing_damping), "bearing damping must not be negative");
+  need(positive(config.snap.force), "the force of a snap must be above 0");
   need(config.sweeps >= 1 && config.sweeps <= 10'000, "sweeps must be from 1 to 10000");
   need(config.bodies.size() <= kMostBodies, "there may be at most 20000 bodies");
 }
@@ -149,7 +155,8 @@ BodyDef block_body(const BlockModel& block, const Pose& X_WB) {
   def.inertia = Vec3{1, 1, 1} * block.inertia();
   def.X_WB = X_WB;
   for (const Vec3& place : block.magnet_places()) {
-    def.magnets.push_back({place, block.magnet_moment(), true, {0, 0, 1}});
+    def.magnets.push_back(
+        {place, block.magnet_moment(), true, {0, 0, 1}, 0, block.magnet_inertia()});
   }
   return def;
 }

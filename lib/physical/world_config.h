@@ -17,11 +17,21 @@ namespace stig {
 using Material = std::uint8_t;
 inline constexpr Material kBlockMaterial = 0, kFloorMaterial = 1;
 
+/// A permanent magnet; with `active`, an electromagnet, and with both, a semi-permanent one:
+/// its moment is moment + current · active.
 struct MagnetDef {
   Vec3 p_B;                 ///< place in the body's frame
-  double moment = 0.2;      ///< A·m²
+  double moment = 0.2;      ///< A·m², without current
   bool free = true;         ///< turns towards the field; otherwise fixed in the body
   Vec3 direction{0, 0, 1};  ///< unit, body frame; of a free one: at the start
+  double active = 0;        ///< A·m² for a current of 1, in the unit of World::set_current
+  double inertia = 3.6e-9;  ///< kg m², of a free sphere about its centre
+};
+
+/// How free magnets turn, see magnetism.h.
+enum class MagnetModel : std::uint8_t {
+  quasi_static,
+  integrated  ///< the reference: steps of at most 1 ms, better 0.2 ms
 };
 
 struct BodyDef {
@@ -57,6 +67,13 @@ struct SleepRules {
   double waking_force = 0.15;  ///< N, of the magnets of a body that moves
 };
 
+/// When bodies count as snapped together: they touch, and their magnets press them upon
+/// each other with this force or more. They have let go when they part, or are pressed with
+/// less than half of it.
+struct SnapRule {
+  double force = 1;  ///< N; a block weighs 1.08 N, a face of its magnets holds 9.5 N
+};
+
 struct WorldConfig {
   double step = 0.005;  ///< s
   double gravity = 9.8;
@@ -66,7 +83,10 @@ struct WorldConfig {
   std::vector<FrictionPair> frictions;
   double magnet_cutoff = 0.04;
   double magnet_contact = 0.006;  ///< m: magnets nearer than this pull as at this distance
-  Relaxation relaxation;
+  MagnetModel magnets = MagnetModel::quasi_static;
+  Relaxation relaxation;       ///< of the quasi-static ones
+  double bearing_damping = 0;  ///< N·m·s, of the integrated ones, see Bearing
+  SnapRule snap;
   int sweeps = 20;  ///< of the contact solver; structures above five blocks need 60
   SleepRules sleep;
   std::vector<BodyDef> bodies;

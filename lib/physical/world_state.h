@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a World is inside, for the files that make its step: world.cpp, world_forces.cpp,
-// world_contacts.cpp, world_sleep.cpp, checkpoint.cpp and stock_world.cpp.
+// world_magnets.cpp, world_snaps.cpp, world_contacts.cpp, world_sleep.cpp, checkpoint.cpp and
+// stock_world.cpp.
 #pragma once
 
 #include <cstdint>
@@ -39,15 +40,27 @@ struct Body {
   }
 };
 
+/// Two bodies a < b, by number.
+using BodyPair = std::pair<std::uint32_t, std::uint32_t>;
+
+/// What the magnets of one body do to another.
+struct Pull {
+  BodyPair bodies;
+  Vec3 force;  ///< on the first, N
+};
+
 struct WorldState {
   WorldConfig config;
   std::uint64_t tick = 0;
   std::vector<Body> bodies;
   std::vector<Magnet> magnets;
   std::vector<Vec3> magnet_places;  ///< in their bodies' frames
+  std::vector<double> currents;     ///< one a magnet
   std::vector<MagnetOwner> owners;  ///< one a body
   double magnet_radius = 0;         ///< largest distance of a magnet from its body's centre
   std::vector<Contact> contacts;    ///< sorted by (a, b), the floor last
+  std::vector<Pull> pulls;          ///< of this step, sorted by (a, b)
+  std::vector<BodyPair> snaps;      ///< bodies snapped together, sorted
   std::vector<WorldEvent> events;
   std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
   double cell = 0.1;
@@ -68,15 +81,22 @@ void refresh_lists(WorldState& world);
 void wake(WorldState& world, std::uint32_t body);
 
 /// Gravity, magnets and the user's forces of the bodies awake; wakes those that a moving
-/// magnet pulls at.
+/// magnet pulls at. A sleeper keeps the forces under which it fell asleep: should it wake in
+/// the middle of a step, they are what it begins with.
 void gather_forces(WorldState& world);
+/// Turns the free magnets and adds what all of them do to bodies awake.
+void add_magnet_forces(WorldState& world);
+/// Those with magnets within the cut-off of the body's.
+void wake_magnet_partners(WorldState& world, std::uint32_t body);
 void integrate_velocity(const WorldState& world, Body& body);
 /// Finds the contacts, keeps those among sleepers; wakes those that something fast touches.
 void update_contacts(WorldState& world);
 void solve_world(WorldState& world);
 void report_contacts(WorldState& world);
+void report_snaps(WorldState& world);
 void put_to_sleep(WorldState& world);
 
+/// Of the fields and of integrated spheres that spin, J.
 double magnet_energy(const WorldState& world);
 double friction_of(const WorldConfig& config, Material a, Material b);
 

@@ -10,10 +10,9 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <vector>
 
-#include "base/yaml.h"
+#include "base/form.h"
 #include "rules/rule_set.h"
 
 namespace stig {
@@ -81,9 +80,6 @@ bool is_reserved_symbol(std::string_view symbol);
 
 /// JSON Schema draft 7 of the file format, with a newline at the end.
 std::string json_schema();
-
-/// Nodes with an error of their own or inside; the reader leaves them alone.
-using BadNodes = std::unordered_set<const YamlNode*>;
 
 /// Reports every R1xx of a file.
 BadNodes check_shape(const YamlDocument& document, Diagnostics& diagnostics);

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace stig;
 
@@ -154,20 +155,23 @@ TEST_CASE("the grid finds the pairs that trying all of them finds") {
       }
     }
     const auto pairs = magnet_pairs(magnets, owners, radius, cutoff);
-    std::size_t at = 0;
+    std::vector<std::array<std::uint32_t, 4>> expected;
     for (std::uint32_t i = 0; i < magnets.size(); ++i) {
       for (std::uint32_t j = i + 1; j < magnets.size(); ++j) {
         if (magnets[i].owner == magnets[j].owner) continue;
         if (!owners[magnets[i].owner].awake && !owners[magnets[j].owner].awake) continue;
         const Vec3 r = magnets[i].p_W - magnets[j].p_W;
         if (!(squared(r) < cutoff * cutoff) || squared(r) == 0) continue;
-        RC_ASSERT(at < pairs.size());
-        RC_ASSERT(pairs[at].i == i);
-        RC_ASSERT(pairs[at].j == j);
-        RC_ASSERT(near(pairs[at].r, r, 1e-15));
-        ++at;
+        expected.push_back({magnets[i].owner, magnets[j].owner, i, j});
       }
     }
-    RC_ASSERT(at == pairs.size());
+    std::sort(expected.begin(), expected.end());
+    RC_ASSERT(pairs.size() == expected.size());
+    for (std::size_t at = 0; at < pairs.size(); ++at) {
+      const auto& [i, j, r] = pairs[at];
+      RC_ASSERT(i == expected[at][2]);
+      RC_ASSERT(j == expected[at][3]);
+      RC_ASSERT(near(r, magnets[i].p_W - magnets[j].p_W, 1e-15));
+    }
   }));
 }

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cassert>
+#include <nlohmann/json.hpp>
+
+#include "base/form.h"
+
+namespace stig {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json range_json(const FormKey& key) {
+  const bool whole = key.kind == FormKind::integer || key.kind == FormKind::integers;
+  Json out = {{"type", whole ? "integer" : "number"}};
+  const char* low = key.above_low ? "exclusiveMinimum" : "minimum";
+  if (whole) {
+    out[low] = static_cast<std::int64_t>(key.low);
+    out["maximum"] = static_cast<std::int64_t>(key.high);
+  } else {
+    out[low] = key.low;
+    out["maximum"] = key.high;
+  }
+  return out;
+}
+
+std::string definition(const Form& form) {
+  std::string title(form.title);
+  std::replace(title.begin(), title.end(), ' ', '_');
+  return title;
+}
+
+Json list_json(const FormKey& key, Json items) {
+  Json out = {{"type", "array"}, {"items", std::move(items)}};
+  if (key.least > 0) out["minItems"] = key.least;
+  if (key.most != SIZE_MAX) out["maxItems"] = key.most;
+  return out;
+}
+
+/// Collects the forms that are referred to, once each.
+class Printer {
+ public:
+  Json form_json(const Form& form) {
+    Json out = {{"type", "object"}, {"additionalProperties", false}};
+    for (const FormKey& key : form.keys) {
+      Json documented = {{"description", key.doc}};
+      documented.update(value_json(key));
+      out["properties"][std::string(key.name)] = std::move(documented);
+      if (key.required) out["required"].push_back(key.name);
+    }
+    return out;
+  }
+  Json definitions() {
+    Json out = Json::object();
+    for (std::size_t i = 0; i < forms_.size(); ++i) {  // grows while it is walked
+      const Form& form = *forms_[i];
+      out[definition(form)] = form_json(form);
+    }
+    return out;
+  }
+
+ private:
+  Json reference(const Form& form) {
+    if (std::find(forms_.begin(), forms_.end(), &form) == forms_.end()) forms_.push_back(&form);
+    return {{"$ref", "#/definitions/" + definition(form)}};
+  }
+
+  Json value_json(const FormKey& key) {
+    const Json scalar = {{"type", {"string", "number", "boolean"}}};
+    switch (key.kind) {
+      case FormKind::text:
+      case FormKind::name:
+        return scalar;
+      case FormKind::colour:
+        return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
+      case FormKind::choice: {
+        Json words = Json::array();
+        for (const std::string_view word : key.words) words.push_back(word);
+        return {{"enum", words}};
+      }
+      case FormKind::boolean:
+        return {{"type", "boolean"}};
+      case FormKind::integer:
+      case FormKind::number:
+        return range_json(key);
+      case FormKind::version:
+        return {{"const", static_cast<std::int64_t>(key.high)}};
+      case FormKind::numbers:
+      case FormKind::integers:
+        return list_json(key, range_json(key));
+      case FormKind::names:
+        return list_json(key, scalar);
+      case FormKind::form:
+        // Draft 7 ignores what stands beside a $ref, so the reference is wrapped.
+        return {{"allOf", Json::array({reference(*key.form)})}};
+      case FormKind::forms:
+        return list_json(key, reference(*key.form));
+      case FormKind::anything:
+        break;
+    }
+    return Json::object();
+  }
+
+  std::vector<const Form*> forms_;
+};
+
+}  // namespace
+
+std::string form_schema(const Form& form, std::string_view title, std::string_view description) {
+  Printer printer;
+  Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"},
+              {"title", title},
+              {"description", description}};
+  out.update(printer.form_json(form));
+  Json definitions = printer.definitions();
+  if (!definitions.empty()) out["definitions"] = std::move(definitions);
+  return out.dump(2) + "\n";
+}
+
+}  // namespace stig

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cassert>
+
+#include "physical/world_state.h"
+
+namespace stig {
+
+namespace {
+
+bool moves(const Body& body, const SleepRules& rules) {
+  return body.awake &&
+         (squared(body.v) > rules.speed * rules.speed || squared(body.w) > rules.spin * rules.spin);
+}
+
+const MagnetDef& def_of(const WorldState& world, std::uint32_t magnet) {
+  const std::uint32_t owner = world.magnets[magnet].owner;
+  return world.config.bodies[owner].magnets[magnet - world.owners[owner].begin];
+}
+
+/// Magnets go with their bodies; those that are fixed in them turn with them.
+void place_magnets(WorldState& world) {
+  for (const std::uint32_t i : world.awake) {
+    const Body& body = world.bodies[i];
+    MagnetOwner& owner = world.owners[i];
+    owner.centre = body.p;
+    for (std::uint32_t k = owner.begin; k < owner.end; ++k) {
+      Magnet& magnet = world.magnets[k];
+      magnet.p_W = body.p + body.r * world.magnet_places[k];
+      if (!magnet.free) magnet.direction = body.r * def_of(world, k).direction;
+    }
+  }
+  for (std::size_t i = 0; i < world.bodies.size(); ++i) {
+    // Fixed bodies keep their place, yet their free magnets turn.
+    world.owners[i].awake = world.bodies[i].awake || world.bodies[i].fixed;
+  }
+}
+
+/// Magnets are solid: where blocks overlap for a moment, theirs do not pull without bound.
+void keep_apart(MagnetPair& pair, double least) {
+  const double d = length(pair.r);
+  if (d < least) pair.r *= least / d;
+}
+
+/// A free sphere's own torque never reaches its body.
+void pull(Body& body, const Magnet& magnet, const Vec3& force, const Vec3& torque) {
+  if (!body.awake) return;
+  body.force += force;
+  body.torque += cross(magnet.p_W - body.p, force);
+  if (!magnet.free) body.torque += torque;
+}
+
+/// Adds what the magnets do to bodies awake, and fills world.pulls; `torques` gets those
+/// that act on each magnet.
+void apply_pairs(WorldState& world, const std::vector<MagnetPair>& pairs,
+                 std::vector<Vec3>& torques) {
+  world.pulls.clear();
+  for (const MagnetPair& pair : pairs) {
+    const Magnet &m0 = world.magnets[pair.i], &m1 = world.magnets[pair.j];
+    const DipoleWrench wrench =
+        dipole_wrench(m0.direction * m0.moment, m1.direction * m1.moment, pair.r);
+    pull(world.bodies[m0.owner], m0, wrench.force, wrench.torque);
+    pull(world.bodies[m1.owner], m1, -wrench.force, wrench.torque_on_other);
+    torques[pair.i] += wrench.torque;
+    torques[pair.j] += wrench.torque_on_other;
+    // Pairs of the same two bodies stand together.
+    const BodyPair bodies{m0.owner, m1.owner};
+    if (world.pulls.empty() || world.pulls.back().bodies != bodies) {
+      world.pulls.push_back({bodies, {}});
+    }
+    world.pulls.back().force += wrench.force;
+  }
+}
+
+/// Wakes sleepers that a magnet in motion pulls at.
+void wake_pulled(WorldState& world) {
+  const SleepRules& rules = world.config.sleep;
+  std::vector<std::pair<std::uint32_t, Vec3>> felt;
+  for (const Pull& one : world.pulls) {
+    const auto& [a, b] = one.bodies;
+    const auto feels = [&](std::uint32_t i, std::uint32_t other) {
+      const Body& body = world.bodies[i];
+      return !body.awake && !body.fixed && moves(world.bodies[other], rules);
+    };
+    if (feels(a, b)) felt.emplace_back(a, one.force);
+    if (feels(b, a)) felt.emplace_back(b, -one.force);
+  }
+  const auto by_body = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::stable_sort(felt.begin(), felt.end(), by_body);
+  for (std::size_t k = 0; k < felt.size(); ++k) {
+    Vec3 sum = felt[k].second;
+    for (; k + 1 < felt.size() && felt[k + 1].first == felt[k].first; ++k) {
+      sum += felt[k + 1].second;
+    }
+    if (squared(sum) > rules.waking_force * rules.waking_force) wake(world, felt[k].first);
+  }
+}
+
+/// The reference: free spheres that are integrated, see spin_magnet.
+void spin_magnets(WorldState& world, const std::vector<Vec3>& torques) {
+  for (std::uint32_t k = 0; k < world.magnets.size(); ++k) {
+    Magnet& magnet = world.magnets[k];
+    if (!magnet.free || !world.owners[magnet.owner].awake) continue;
+    Body& body = world.bodies[magnet.owner];
+    const Bearing bearing{def_of(world, k).inertia, world.config.bearing_damping};
+    body.torque += spin_magnet(magnet, torques[k], body.w, bearing, world.config.step);
+  }
+}
+
+}  // namespace
+
+void add_magnet_forces(WorldState& world) {
+  const WorldConfig& config = world.config;
+  place_magnets(world);
+  std::vector<MagnetPair> pairs =
+      magnet_pairs(world.magnets, world.owners, world.magnet_radius, config.magnet_cutoff);
+  for (MagnetPair& pair : pairs) keep_apart(pair, config.magnet_contact);
+  const bool relaxed = config.magnets == MagnetModel::quasi_static;
+  if (relaxed) {
+    relax_magnets(world.magnets, pairs, world.owners, config.step, config.relaxation);
+  }
+  std::vector<Vec3> torques(world.magnets.size());
+  apply_pairs(world, pairs, torques);
+  if (!relaxed) spin_magnets(world, torques);
+  wake_pulled(world);
+}
+
+void wake_magnet_partners(WorldState& world, std::uint32_t body) {
+  const auto place = [&](std::uint32_t k) {
+    const Body& owner = world.bodies[world.magnets[k].owner];
+    return owner.p + owner.r * world.magnet_places[k];
+  };
+  const double cutoff = world.config.magnet_cutoff;
+  const MagnetOwner& own = world.owners[body];
+  for (std::uint32_t i = 0; i < world.owners.size(); ++i) {
+    const MagnetOwner& other = world.owners[i];
+    if (i == body || squared(world.bodies[i].p - world.bodies[body].p) >
+                         std::pow(cutoff + 2 * world.magnet_radius, 2)) {
+      continue;
+    }
+    bool near = false;
+    for (std::uint32_t k = own.begin; k < own.end && !near; ++k) {
+      for (std::uint32_t l = other.begin; l < other.end && !near; ++l) {
+        near = squared(place(k) - place(l)) < cutoff * cutoff;
+      }
+    }
+    if (near) wake(world, i);
+  }
+}
+
+double magnet_energy(const WorldState& world) {
+  std::vector<MagnetOwner> owners = world.owners;
+  for (MagnetOwner& owner : owners) owner.awake = true;
+  std::vector<Magnet> magnets = world.magnets;
+  double energy = 0;
+  for (std::uint32_t k = 0; k < magnets.size(); ++k) {
+    Magnet& magnet = magnets[k];
+    const Body& body = world.bodies[magnet.owner];
+    magnet.p_W = body.p + body.r * world.magnet_places[k];
+    if (!magnet.free) magnet.direction = body.r * def_of(world, k).direction;
+    owners[magnet.owner].centre = body.p;
+    energy += def_of(world, k).inertia * squared(magnet.spin) / 2;
+  }
+  for (const MagnetPair& pair :
+       magnet_pairs(magnets, owners, world.magnet_radius, world.config.magnet_cutoff)) {
+    const Magnet &m0 = magnets[pair.i], &m1 = magnets[pair.j];
+    energy += dipole_energy(m0.direction * m0.moment, m1.direction * m1.moment, pair.r);
+  }
+  return energy;
+}
+
+}  // namespace stig
