@@ -165,13 +165,16 @@ TraceBody body_from(const nlohmann::json& json) {
   body.name = json.at("name").get<std::string>();
   body.shape.kind = shape_from(json.at("shape").get<std::string>());
   const auto half = json.at("half").get<std::array<double, 3>>();
-  const auto colour = led_of(json.at("color").get<std::string>());
-  if (!colour) throw std::range_error("colour");
+  const auto led = led_of(json.at("led").get<std::string>());
+  const auto rgb = parse_color(json.at("color").get<std::string>());
+  if (!led || !rgb) throw std::range_error("colour");
   for (const double x : half) {
     if (!(x > 0 && x <= 1000)) throw std::range_error("half");
   }
   body.shape.half = {half[0], half[1], half[2]};
-  body.colour = *colour;
+  body.led = *led;
+  body.rgb = *rgb;
+  body.block = json.at("block").get<bool>();
   body.fixed = json.at("fixed").get<bool>();
   return body;
 }

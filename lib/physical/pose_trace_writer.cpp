@@ -19,7 +19,9 @@ Json body_json(const TraceBody& body) {
   return {{"name", body.name},
           {"shape", kShapeNames[static_cast<std::size_t>(body.shape.kind)]},
           {"half", {half.x, half.y, half.z}},
-          {"color", to_string(body.colour)},
+          {"block", body.block},
+          {"led", to_string(body.led)},
+          {"color", to_color(body.rgb)},
           {"fixed", body.fixed}};
 }
 

@@ -2,7 +2,7 @@
 // A scene: what stands where when a simulation begins, as a file says it.
 //
 //     Diagnostics diagnostics;
-//     const auto scene = read_scene_file("scenes/drop.yaml", folders, diagnostics);
+//     const auto scene = read_scene(source, disk_loader("scenes", {"blocks"}), diagnostics);
 //     const auto placed = place_scene(*scene, scene->seed, diagnostics);
 //     World world(placed->config);
 //
@@ -98,11 +98,6 @@ inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 /// The scene, or nothing when an error was reported.
 std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
                                 Diagnostics& diagnostics);
-/// Reads the file first; blocks are looked for in `folders` too.
-std::optional<Scene> read_scene_file(const std::string& path,
-                                     const std::vector<std::string>& folders,
-                                     Diagnostics& diagnostics);
-
 /// Every block in its place; what cannot be (blocks that overlap, too many of them, outside
 /// of the arena) is reported at the entries concerned.
 std::optional<PlacedScene> place_scene(const Scene& scene, std::uint64_t seed,

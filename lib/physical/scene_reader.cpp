@@ -282,19 +282,4 @@ std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
   return own.has_errors() ? std::nullopt : std::move(scene);
 }
 
-std::optional<Scene> read_scene_file(const std::string& path,
-                                     const std::vector<std::string>& folders,
-                                     Diagnostics& diagnostics) {
-  FileError error;
-  auto bytes = read_file(path, kMaxSceneBytes, error);
-  auto source = std::make_shared<const SourceFile>(path, bytes ? std::move(*bytes) : "");
-  if (bytes) {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    return read_scene(std::move(source), disk_loader(folder, folders), diagnostics);
-  }
-  diagnostics.add(error.too_large ? Code::R002 : Code::R001, {std::move(source), 0, 0},
-                  error.message);
-  return std::nullopt;
-}
-
 }  // namespace stig

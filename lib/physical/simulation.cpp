@@ -155,7 +155,13 @@ PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
   header.hash_every = ticks_in(kHashSeconds, header.step);
   for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
     const BodyDef& def = placed.config.bodies[i];
-    header.bodies.push_back({placed.bodies[i].name, def.shape, placed.bodies[i].colour, def.fixed});
+    TraceBody body;
+    body.name = placed.bodies[i].name;
+    body.shape = def.shape;
+    body.block = true;
+    body.led = placed.bodies[i].colour;
+    body.fixed = def.fixed;
+    header.bodies.push_back(std::move(body));
   }
   header.files = scene.files;
   return header;
