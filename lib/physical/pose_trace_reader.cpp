@@ -124,7 +124,7 @@ class ChunkDecoder {
     if (kind > static_cast<std::uint8_t>(EventKind::let_go) || body >= bodies || other > bodies) {
       return false;
     }
-    const BodyId partner = other == 0 ? kFloor : BodyId{static_cast<std::uint32_t>(other - 1)};
+    const BodyId partner = other == 0 ? kFloorId : BodyId{static_cast<std::uint32_t>(other - 1)};
     hand_over(
         sinks_.event,
         {tick_, {static_cast<EventKind>(kind), BodyId{static_cast<std::uint32_t>(body)}, partner}});

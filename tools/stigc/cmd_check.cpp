@@ -14,12 +14,12 @@ namespace {
 void check_file(const std::string& path, Diagnostics& diagnostics) {
   FileError error;
   auto text = read_file(path, kMaxSceneBytes, error);
+  auto source = std::make_shared<const SourceFile>(path, text ? std::move(*text) : "");
   if (!text) {
-    // With the words and limits that this reader has for it.
-    read_rule_set_file(path, diagnostics);
+    diagnostics.add(error.too_large ? Code::R002 : Code::R001, {std::move(source), 0, 0},
+                    error.message);
     return;
   }
-  auto source = std::make_shared<const SourceFile>(path, std::move(*text));
   switch (content_of(source->text())) {
     case FileContent::scene:
       if (const auto scene = read_scene(source, scene_loader(path), diagnostics)) {
