@@ -121,7 +121,7 @@ void leave(WorldState& world, std::uint32_t i) {
   body.v = body.w = {};
   world.owners[i].end = world.owners[i].begin;
   world.changed = true;
-  world.events.push_back({EventKind::left_arena, BodyId{i}, kFloor});
+  world.events.push_back({EventKind::left_arena, BodyId{i}, kFloorId});
 }
 
 /// Of a mechanism all bodies leave when one does.

@@ -38,7 +38,7 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   body.v = body.w = {};
   if (Articulation* it = articulation_of(world, i)) std::fill(it->v.begin(), it->v.end(), 0.0);
   world.changed = true;
-  world.events.push_back({EventKind::slept, BodyId{i}, kFloor});
+  world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ void wake(WorldState& world, std::uint32_t body) {
     one.awake = true;
     one.rest = 0;
     world.changed = true;
-    world.events.push_back({EventKind::woke, BodyId{i}, kFloor});
+    world.events.push_back({EventKind::woke, BodyId{i}, kFloorId});
     return true;
   };
   std::vector<std::uint32_t> todo;
