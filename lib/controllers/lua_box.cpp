@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kReserve = std::size_t{64} << 10;  ///< for the account of a failure
 constexpr std::size_t kBytesPerInstruction = 32;         ///< of objects made
+constexpr std::size_t kCollections = 32;                 ///< before as much as the limit was made
 constexpr std::size_t kMostMessage = 2000;
 
 /// What a protected call runs.
@@ -96,7 +97,7 @@ ControllerStatus LuaBox::run(Body body, void* argument) {
     job.body = body;
   }
   lua_settop(state_, 0);
-  if (made_ >= settings_.limits.memory / 8) collect();
+  if (made_ >= settings_.limits.memory / kCollections) collect();
   new_random();
   return {};
 }
@@ -188,7 +189,7 @@ void LuaBox::charge(lua_State* state, std::uint64_t instructions) {
   budget_ -= static_cast<std::int64_t>(std::min(instructions, kMost));
   if (budget_ >= 0 && !stopped()) {
     // Buffers of texts do not try again after a collection, so it had better come before.
-    if (made_ >= settings_.limits.memory / 8) collect();
+    if (made_ >= settings_.limits.memory / kCollections) collect();
     return;
   }
   stop(state, 1, Stop::instructions);
@@ -200,7 +201,7 @@ void LuaBox::count(lua_State* state, lua_Debug* frame) {
   LuaBox& box = of(state);
   if (!box.stopped()) box.budget_ -= kHookInterval;
   if (box.budget_ < 0 || box.stopped()) box.leave_hook(state, Stop::instructions);
-  if (box.made_ >= box.settings_.limits.memory / 8) box.collect();
+  if (box.made_ >= box.settings_.limits.memory / kCollections) box.collect();
   if (lua_getstack(state, box.settings_.limits.depth, frame) != 0) {
     box.leave_hook(state, Stop::depth);
   }
