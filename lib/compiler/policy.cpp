@@ -18,10 +18,12 @@ struct SetHash {
 class Explorer {
  public:
   Explorer(const TargetStates& target, const Abilities& robot,
-           const std::vector<ApproachSide>& sides, const PolicyLimits& limits, Policy& out)
+           const std::vector<ApproachSide>& sides, PlacementKinds kinds, const PolicyLimits& limits,
+           Policy& out)
       : target_(target),
         robot_(robot),
         sides_(sides),
+        kinds_(kinds),
         limits_(limits),
         out_(out),
         sight_(target, robot) {}
@@ -106,7 +108,7 @@ class Explorer {
     const bool beside_it = std::abs(cell.du) + std::abs(cell.dv) == 1 && cell.du >= 0;
     const bool next =
         beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
-    if (!next) return std::nullopt;
+    if (!next || (kinds_ == PlacementKinds::ahead && cell.dv != 0)) return std::nullopt;
     if (reach(target_, state, target_.cell(brick), at.side, robot_).obstacle != Obstacle::none) {
       return std::nullopt;
     }
@@ -118,6 +120,7 @@ class Explorer {
   const TargetStates& target_;
   const Abilities& robot_;
   const std::vector<ApproachSide>& sides_;
+  PlacementKinds kinds_;
   const PolicyLimits& limits_;
   Policy& out_;
   Sight sight_;
@@ -131,14 +134,8 @@ class Pruner {
   Pruner(const TargetStates& target, Policy& policy) : target_(target), out_(policy) {}
 
   void prune() {
-    out_.allowed.resize(out_.observations.size());
-    for (const Situation& situation : out_.situations) {
-      for (const auto& [placement, to] : situation.placements) {
-        out_.allowed[situation.observation].insert(placement);
-      }
-    }
     mark();
-    out_.out_of_reach = !hopeful_[0];
+    if (out_.withdrawn.empty()) out_.out_of_reach = !hopeful_[0];
     while (hopeful_[0] && (withdraw_dead_ends() || withdraw_ambiguous())) mark();
     out_.complete = hopeful_[0];
     if (!out_.complete) out_.stuck = fullest_stuck();
@@ -181,12 +178,6 @@ class Pruner {
     }
   }
 
-  void withdraw(const Withdrawal& withdrawal) {
-    if (out_.allowed[withdrawal.observation].erase(withdrawal.placement) > 0) {
-      out_.withdrawn.push_back(withdrawal);
-    }
-  }
-
   bool withdraw_dead_ends() {
     std::vector<Withdrawal> found;
     for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
@@ -197,7 +188,7 @@ class Pruner {
             {Withdrawal::Reason::dead_end, out_.situations[i].observation, placement, i, i});
       });
     }
-    for (const Withdrawal& one : found) withdraw(one);
+    for (const Withdrawal& one : found) withdraw(out_, one);
     return !found.empty();
   }
 
@@ -220,7 +211,7 @@ class Pruner {
             {Withdrawal::Reason::ambiguous, situation.observation, placement, here->second, i});
       }
     });
-    for (const Withdrawal& one : found) withdraw(one);
+    for (const Withdrawal& one : found) withdraw(out_, one);
     return !found.empty();
   }
 
@@ -260,12 +251,30 @@ PlacementKind kind_of(const Placement& placement) {
   return placement.at.dv == 0 ? PlacementKind::raise : PlacementKind::beside;
 }
 
-Policy make_policy(const TargetStates& target, const Abilities& robot,
-                   const std::vector<ApproachSide>& sides, const PolicyLimits& limits) {
+Policy explore(const TargetStates& target, const Abilities& robot,
+               const std::vector<ApproachSide>& sides, PlacementKinds kinds,
+               const PolicyLimits& limits) {
   Policy out;
-  Explorer(target, robot, sides, limits, out).explore();
-  if (!out.too_large) Pruner(target, out).prune();
+  Explorer(target, robot, sides, kinds, limits, out).explore();
+  if (out.too_large) return out;
+  out.allowed.resize(out.observations.size());
+  for (const Situation& situation : out.situations) {
+    for (const auto& [placement, to] : situation.placements) {
+      out.allowed[situation.observation].insert(placement);
+    }
+  }
   return out;
+}
+
+bool withdraw(Policy& policy, const Withdrawal& withdrawal) {
+  if (policy.allowed[withdrawal.observation].erase(withdrawal.placement) == 0) return false;
+  policy.withdrawn.push_back(withdrawal);
+  return true;
+}
+
+void prune(const TargetStates& target, Policy& policy) {
+  assert(!policy.too_large);
+  Pruner(target, policy).prune();
 }
 
 }  // namespace stig

@@ -59,6 +59,7 @@ struct Withdrawal {
   enum class Reason : std::uint8_t {
     dead_end,   ///< in situation `here` it leads where the structure cannot be completed
     ambiguous,  ///< possible in `here`, not in `there`, which shows the same
+    unasked,    ///< wanted in `here`, wrong in `there`, and no question tells them apart
   } reason = Reason::dead_end;
   std::uint32_t observation = 0;
   Placement placement;
@@ -86,7 +87,18 @@ struct PolicyLimits {
   std::size_t states = 100'000;
 };
 
-Policy make_policy(const TargetStates& target, const Abilities& robot,
-                   const std::vector<ApproachSide>& sides, const PolicyLimits& limits = {});
+/// Which placements next to a column are looked at.
+enum class PlacementKinds : std::uint8_t { ahead, all };  ///< ahead: raise and extend alone
+
+/// All structures that placements within reach lead to, with everything allowed.
+Policy explore(const TargetStates& target, const Abilities& robot,
+               const std::vector<ApproachSide>& sides, PlacementKinds kinds,
+               const PolicyLimits& limits = {});
+
+/// Takes away what must be; sets what the policy says of itself. Again after more was
+/// withdrawn.
+void prune(const TargetStates& target, Policy& policy);
+/// False when it was not allowed anyway.
+bool withdraw(Policy& policy, const Withdrawal& withdrawal);
 
 }  // namespace stig
