@@ -101,7 +101,7 @@ class Explorer {
                                                                const Situation& at,
                                                                std::uint32_t brick) {
     const SideCell site = seen_from(at.side, target_.cell(brick));
-    const WindowCell cell{site.u - at.u, site.v - at.v, site.z - target_.floor_level()};
+    WindowCell cell{site.u - at.u, site.v - at.v, site.z - target_.floor_level()};
     const auto filled = [&](int z) {
       return target_.filled(state, cell_from(at.side, {at.u, at.v, z}));
     };
@@ -112,6 +112,7 @@ class Explorer {
     if (reach(target_, state, target_.cell(brick), at.side, robot_).obstacle != Obstacle::none) {
       return std::nullopt;
     }
+    if (cell.du == 0 && cell.dv == 0) cell.z = 0;
     BrickSet after = state;
     after.add(brick);
     return std::pair(Placement{cell, target_.colour(brick)}, number(after));

@@ -36,7 +36,8 @@
 
 namespace stig {
 
-/// A brick next to a column: in front of it, on top of it, or beside it.
+/// A brick next to a column: in front of it, on top of it, or beside it. On top: at (0, 0, 0),
+/// whatever the level.
 struct Placement {
   WindowCell at;
   Colour colour = 0;

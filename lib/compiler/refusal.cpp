@@ -162,9 +162,7 @@ class Explainer {
   void report_alike(const Withdrawal& cause) {
     const Situation &here = policy_.situations[cause.here],
                     &there = policy_.situations[cause.there];
-    const Cell site =
-        cell_from(here.side, {here.u + cause.placement.at.du, here.v + cause.placement.at.dv,
-                              cause.placement.at.z + target_.floor_level()});
+    const Cell site = site_of(here, cause.placement);
     const std::uint32_t brick = target_.brick_at(site);
     const Rule& rule = rule_of(policy_.states[here.state], brick);
     const Code code = code_of(cause);
@@ -180,6 +178,15 @@ class Explainer {
     }
     show(fmt::format("seen from {}", to_string(here.side)), policy_.states[here.state]);
     show(fmt::format("seen from {}", to_string(there.side)), policy_.states[there.state]);
+  }
+
+  Cell site_of(const Situation& at, const Placement& placement) const {
+    SideCell site{at.u + placement.at.du, at.v + placement.at.dv,
+                  placement.at.z + target_.floor_level()};
+    if (kind_of(placement) == PlacementKind::raise) {
+      while (target_.filled(policy_.states[at.state], cell_from(at.side, site))) ++site.z;
+    }
+    return cell_from(at.side, site);
   }
 
   std::string sentence(Code code, const Rule& rule, const Withdrawal& cause) const {
