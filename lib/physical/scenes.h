@@ -11,9 +11,11 @@
 
 namespace stig {
 
-/// Friction of the materials here: block on block, block on floor.
+/// Friction of the materials here: block on block, block on floor. The paper has 0.5
+/// everywhere; with 0.15 between blocks, magnets align one that lands 4 mm and 5 degrees off
+/// within a millimetre and a degree, which they no longer do with 0.2.
 struct SceneFriction {
-  double blocks = 0.2, floor = 0.4;
+  double blocks = 0.15, floor = 0.4;
 };
 
 /// Default settings with these coefficients, and no bodies.

@@ -42,6 +42,11 @@ std::optional<ImagePoint> project(const CameraIntrinsics& camera, const Vec3& p_
   return ImagePoint{camera.fx * d.x + camera.cx, camera.fy * d.y + camera.cy};
 }
 
+ImageSlope image_slope(const CameraIntrinsics& camera, const Vec3& direction) {
+  const Distorted d = distort(camera, direction.x / direction.z, direction.y / direction.z);
+  return {camera.fx * d.xx, camera.fx * d.xy, camera.fy * d.yx, camera.fy * d.yy};
+}
+
 std::optional<Vec3> unproject(const CameraIntrinsics& camera, const ImagePoint& pixel) {
   const double to_x = (pixel.x - camera.cx) / camera.fx, to_y = (pixel.y - camera.cy) / camera.fy;
   double x = to_x, y = to_y;
@@ -49,8 +54,12 @@ std::optional<Vec3> unproject(const CameraIntrinsics& camera, const ImagePoint& 
   for (int round = 0; round < kMostRounds; ++round) {
     const Distorted d = distort(camera, x, y);
     const double ex = to_x - d.x, ey = to_y - d.y;
-    if (std::abs(ex) < kExact && std::abs(ey) < kExact) return Vec3{x, y, 1};
     const double det = d.xx * d.yy - d.xy * d.yx;
+    if (std::abs(ex) < kExact && std::abs(ey) < kExact) {
+      // Beyond a fold of the formula lie more solutions, which no lens shows.
+      if (!(det > 0 && d.xx + d.yy > 0)) return std::nullopt;
+      return Vec3{x, y, 1};
+    }
     if (!(std::abs(det) > 1e-12)) return std::nullopt;
     x += (ex * d.yy - ey * d.xy) / det;
     y += (ey * d.xx - ex * d.yx) / det;

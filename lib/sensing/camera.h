@@ -34,7 +34,14 @@ struct CameraIntrinsics {
 /// Where a point in the camera's frame appears, inside the image or not; nothing when it lies
 /// in or behind the plane of the lens.
 std::optional<ImagePoint> project(const CameraIntrinsics& camera, const Vec3& p_C);
-/// The direction (z = 1) that a pixel looks along; nothing where the distortion has no inverse.
+/// How the image moves with the direction (x, y, 1) that is looked along, pixels: du/dx, du/dy,
+/// dv/dx, dv/dy.
+struct ImageSlope {
+  double ux = 0, uy = 0, vx = 0, vy = 0;
+};
+ImageSlope image_slope(const CameraIntrinsics& camera, const Vec3& direction);
+/// The direction (z = 1) that a pixel looks along; nothing where the distortion has no inverse
+/// that continues the one at the principal point.
 std::optional<Vec3> unproject(const CameraIntrinsics& camera, const ImagePoint& pixel);
 
 }  // namespace stig

@@ -141,6 +141,41 @@ TEST_CASE("magnets that are fixed, asleep or without moment keep their direction
   CHECK(magnets[1].direction == before);
 }
 
+TEST_CASE("facing spheres at contact swing with a period of 3.46 ms, until bearings stop them") {
+  // Both tilted alike: 3 · 10⁻⁷ m²/d³ of torque for a radian.
+  const double stiffness = 3 * kDipoleConstant * 0.04 / 1e-6;
+  const Bearing smooth;
+  const double period = 2 * 3.14159265358979 * std::sqrt(smooth.inertia / stiffness);
+  CHECK(period == doctest::Approx(3.44e-3).epsilon(0.01));
+  const double small = 0.01, dt = period / 1000;
+  for (const double damping : {0.0, 2e-6}) {
+    const Bearing bearing{smooth.inertia, damping};
+    auto magnets = two_magnets(0.01, {1, small, 0}, {1, small, 0});
+    double highest = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const DipoleWrench wrench =
+          dipole_wrench(magnets[0].direction * 0.2, magnets[1].direction * 0.2, {-0.01, 0, 0});
+      spin_magnet(magnets[0], wrench.torque, {}, bearing, dt);
+      spin_magnet(magnets[1], wrench.torque_on_other, {}, bearing, dt);
+      if (i > 800) highest = std::max(highest, magnets[0].direction.y);
+      if (i == 499) CHECK(magnets[1].direction.y < -0.3 * small);
+    }
+    // Amplitudes decay by exp(-c t / 2I).
+    const double expected = small * std::exp(-damping * period / (2 * smooth.inertia));
+    CHECK(highest == doctest::Approx(expected).epsilon(0.05));
+  }
+}
+
+TEST_CASE("a bearing's friction turns the block as it slows the sphere") {
+  Magnet magnet{0, true, {}, {0, 0, 1}, 0.2, {5, 0, 0}};
+  const Bearing bearing{3.6e-9, 1e-6};
+  const double before = magnet.spin.x * bearing.inertia, dt = 1e-3;
+  const Vec3 torque = spin_magnet(magnet, {}, {1, 0, 0}, bearing, dt);
+  CHECK(magnet.spin.x > 1);
+  CHECK(magnet.spin.x < 5);
+  CHECK(torque.x * dt == doctest::Approx(before - magnet.spin.x * bearing.inertia));
+}
+
 TEST_CASE("the grid finds the pairs that trying all of them finds") {
   CHECK(rc::check("against all pairs", [] {
     const auto count = *rc::gen::inRange<std::uint32_t>(0, 40);

@@ -89,30 +89,3 @@ TEST_CASE("bodies that collide keep their momentum") {
   // Points of contact are taken at the beginning of a step: a little is lost.
   CHECK(length(angular) < 1e-3);
 }
-
-TEST_CASE("magnets' work is the energy the blocks gain") {
-  // Fixed directions, so that nothing is lost in bearings.
-  WorldConfig config;
-  config.floor = false;
-  config.gravity = 0;
-  config.step = 0.00005;
-  for (const double x : {-0.02, 0.02}) {
-    BodyDef def = solid_body(Shape::sphere(0.003), 0.01);
-    def.X_WB.p = {x, 0, 0};
-    def.magnets = {{{}, 0.2, false, {0.8, 0.6, 0}}};
-    config.bodies.push_back(def);
-  }
-  config.magnet_cutoff = 0.1;
-  World world(config);
-  const double start = world.energy();
-  double gained = 0;
-  while (length(state(world, 0).X_WB.p - state(world, 1).X_WB.p) > 0.012) {
-    REQUIRE(world.time() < 1);
-    REQUIRE(world.step().ok);
-    gained = 0.01 * squared(state(world, 0).velocity) +
-             0.4 * 0.01 * 9e-6 * squared(state(world, 0).spin);
-  }
-  CHECK(gained > 1e-5);
-  CHECK(std::abs(world.energy() - start) < 0.02 * gained);
-  CHECK(length(state(world, 0).velocity + state(world, 1).velocity) < 1e-12);
-}

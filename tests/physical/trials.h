@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+// Trials that tests hold to bounds and bench_physics prints: a scene that is run, and what
+// came of it. Those that are templates run on World and, for comparison, on StockWorld.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "physical/scenes.h"
+#include "physical/world.h"
+
+namespace stig {
+
+inline constexpr double kDegree = 3.14159265358979323846 / 180;
+
+BlockModel without_magnets(BlockModel block);
+/// With dipole moments of so many A·m².
+BlockModel with_moment(BlockModel block, double moment);
+
+/// Steps until then, or until the world gives up.
+template <class AnyWorld>
+void run_for(AnyWorld& world, const WorldConfig& config, double seconds) {
+  const auto steps = static_cast<int>(std::lround(seconds / config.step));
+  for (int i = 0; i < steps && world.step().ok; ++i) continue;
+}
+
+/// Where one body stands as another sees it.
+struct Misfit {
+  Vec3 p;          ///< m, in the frame of the first
+  double yaw = 0;  ///< rad, about its z
+};
+Misfit misfit(const Pose& X_WA, const Pose& X_WB);
+
+/// Largest distance of a body from where it was spawned, m.
+template <class AnyWorld>
+double largest_drift(const AnyWorld& world, const WorldConfig& config) {
+  double most = 0;
+  for (std::uint32_t i = 0; i < config.bodies.size(); ++i) {
+    most = std::max(most, length(world.state(BodyId{i}).X_WB.p - config.bodies[i].X_WB.p));
+  }
+  return most;
+}
+
+struct Click {
+  double time = -1;  ///< s until the gap was below 0.1 mm; -1: never
+  Misfit end;        ///< of the second block against the first, a second after the start
+};
+
+/// Of pair_scene and scenes like it.
+template <class AnyWorld>
+Click click(const WorldConfig& config, double side) {
+  AnyWorld world(config);
+  Click out;
+  const auto now = [&] { return misfit(world.state(BodyId{0}).X_WB, world.state(BodyId{1}).X_WB); };
+  const auto steps = static_cast<int>(std::lround(1 / config.step));
+  for (int i = 1; i <= steps && world.step().ok; ++i) {
+    if (out.time < 0 && now().p.x - side < 1e-4) out.time = i * config.step;
+  }
+  out.end = now();
+  return out;
+}
+
+/// pair_scene, the second block turned about z by `angle`, with spheres at rest in the field
+/// of their surroundings; `seed` decides which way they point, and shifts the second block
+/// sideways by up to 1 mm.
+WorldConfig settled_pair(const BlockModel& block, double gap, double friction, double angle,
+                         int seed);
+
+/// Largest differences of the quasi-static magnets at 5 ms from the integrated ones at 0.2 ms,
+/// over gaps of 6 to 10 mm, angles to 10 degrees and three seeds.
+struct ModelGap {
+  double time = 0;  ///< as a part of the reference's time to click
+  double way = 0;   ///< m, of the final pose
+  double yaw = 0;   ///< rad
+};
+ModelGap compare_magnet_models(const BlockModel& block, double friction);
+
+/// Way of a block that slides with 0.5 m/s until it stops, m.
+template <class AnyWorld>
+double sliding_stop(const BlockModel& block, double friction, double angle) {
+  WorldConfig config = scene_settings({friction, friction});
+  config.frictions.push_back({kFloorMaterial, kFloorMaterial, friction});
+  BodyDef def = block_body(without_magnets(block), {{0, 0, block.side / 2 - 1e-5}, {}});
+  def.velocity = Vec3{std::cos(angle), std::sin(angle), 0} * 0.5;
+  config.bodies = {def};
+  AnyWorld world(config);
+  run_for(world, config, 1);
+  const Vec3 way = world.state(BodyId{0}).X_WB.p - def.X_WB.p;
+  return std::hypot(way.x, way.y);
+}
+
+/// A block let fall from `height` onto a column of three, 4 mm and 5 degrees off: where it
+/// ends against the block below it.
+Misfit dropped_on_column(const BlockModel& block, double height, double friction);
+
+/// How far a driven rod has pushed the far side of a pyramid, m.
+double pushed_pyramid(const BlockModel& block, bool sleeping);
+
+/// Four pairs of magnets of two faces in contact, from the dipoles.
+struct FaceHold {
+  double pull = 0;    ///< N
+  double moment = 0;  ///< N·m, about an edge of the face: opens the joint there
+};
+FaceHold face_hold(const BlockModel& block);
+
+/// A load that grows until something gives.
+struct BreakLoad {
+  double computed = 0, measured = 0;  ///< N
+};
+/// A block under a fixed one, pulled down.
+BreakLoad hanging_load(const BlockModel& block);
+/// Two blocks in the air beside a fixed one, pulled down at the outer one's middle.
+BreakLoad cantilever_load(const BlockModel& block);
+/// Five in a row, the outer ones on narrow smooth supports, pulled down at the middle.
+BreakLoad bridge_load(const BlockModel& block);
+
+/// Four blocks pushed by 110 mm along the top of a row of eight that lies on the floor.
+/// Without magnets, which would draw the lower row along.
+struct Slide {
+  double moved = 0;  ///< m, of the block that leads
+  double rise = 0;   ///< m, most that one of them has risen
+  double pitch = 0;  ///< rad, most that one of them has been tilted
+  double drawn = 0;  ///< m, most that a block of the lower row has been moved
+};
+Slide row_along_row(const BlockModel& block);
+
+/// Structures asleep: 33 pyramids and columns, 1000 blocks.
+WorldConfig village(const BlockModel& block);
+/// The blocks of a file of scenes/drops.
+WorldConfig loose_blocks(const BlockModel& block, const std::string& csv);
+
+/// Error of magnets' work against the energy lost, as a part of it: two dipoles that fall
+/// towards each other.
+double magnet_work_error();
+
+}  // namespace stig
