@@ -11,7 +11,7 @@ namespace stig {
 
 struct TargetStates::Model {
   RuleTable table;
-  World before;
+  LatticeWorld before;
   StageModel stage;
   std::vector<Site> sites;  ///< by brick after the start's
 

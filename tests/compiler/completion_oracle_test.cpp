@@ -77,7 +77,7 @@ struct Walk {
     }
     const Cell cell = cell_from(side, site);
     REQUIRE(!at(bricks, cell));
-    const World world(table, {bricks.begin(), bricks.end()}, std::nullopt);
+    const LatticeWorld world(table, {bricks.begin(), bricks.end()}, std::nullopt);
     std::vector<Match> matches;
     table.matches(world.view(cell), cell.z, 1, matches);
     bool right = false;
@@ -113,7 +113,7 @@ bool completable(const RuleSet& rules, const TargetStates& target,
     if (!seen.insert(bricks).second) continue;
     BrickSet state(target.bricks());
     for (const PlacedBrick& brick : bricks) state.add(target.brick_at(brick.at));
-    const World world(table, {bricks.begin(), bricks.end()}, std::nullopt);
+    const LatticeWorld world(table, {bricks.begin(), bricks.end()}, std::nullopt);
     for (const Cell site : world.enabled_sites()) {
       const auto from = [&](ApproachSide side) {
         return reach(target, state, site, side, robot).obstacle == Obstacle::none;
