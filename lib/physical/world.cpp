@@ -306,6 +306,7 @@ void World::drive(JointId id, std::size_t dof, double target) {
 }
 
 void World::set_current(BodyId id, std::size_t magnet, double current) {
+  assert(std::isfinite(current));
   const auto number = static_cast<std::uint32_t>(id);
   const MagnetDef& def = state_->config.bodies.at(number).magnets.at(magnet);
   const std::size_t at = state_->owners[number].begin + magnet;

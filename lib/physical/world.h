@@ -101,7 +101,7 @@ class World {
   /// What the actuator shall do from now on: m/s or rad/s, m or rad, N or N·m, as its kind
   /// says; finite. A change wakes the mechanism.
   void drive(JointId id, std::size_t dof, double target);
-  /// Of a magnet with an active part, from now on; 0 at the start. Wakes the body and those
+  /// Of a magnet with an active part, from now on; finite, 0 at the start. Wakes the body and those
   /// with magnets within the cut-off.
   void set_current(BodyId id, std::size_t magnet, double current);
   double current(BodyId id, std::size_t magnet) const;
