@@ -80,6 +80,22 @@ constexpr Mat3 matrix(const Quat& q) {
       {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)}};
 }
 
+/// Of a rotation, by its largest component (Shepperd 1978).
+inline Quat quaternion_of(const Mat3& r) {
+  const double trace = r.x.x + r.y.y + r.z.z;
+  Quat q;
+  if (trace > 0) {
+    q = {1 + trace, r.y.z - r.z.y, r.z.x - r.x.z, r.x.y - r.y.x};
+  } else if (r.x.x >= r.y.y && r.x.x >= r.z.z) {
+    q = {r.y.z - r.z.y, 1 + r.x.x - r.y.y - r.z.z, r.x.y + r.y.x, r.z.x + r.x.z};
+  } else if (r.y.y >= r.z.z) {
+    q = {r.z.x - r.x.z, r.x.y + r.y.x, 1 + r.y.y - r.x.x - r.z.z, r.y.z + r.z.y};
+  } else {
+    q = {r.x.y - r.y.x, r.z.x + r.x.z, r.y.z + r.z.y, 1 + r.z.z - r.x.x - r.y.y};
+  }
+  return normalised(q);
+}
+
 constexpr Quat conjugate(const Quat& q) { return {q.w, -q.x, -q.y, -q.z}; }
 constexpr Vec3 rotate(const Quat& q, const Vec3& v) { return matrix(q) * v; }
 /// The smallest angle of the turn, 0 to pi radians.
