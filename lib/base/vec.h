@@ -80,6 +80,23 @@ constexpr Mat3 matrix(const Quat& q) {
       {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)}};
 }
 
+/// Of a rotation, by Shepperd's method: from the largest of its four squares.
+inline Quat quaternion(const Mat3& r) {
+  const double trace = r.x.x + r.y.y + r.z.z;
+  if (trace >= r.x.x && trace >= r.y.y && trace >= r.z.z) {
+    return normalised({1 + trace, r.y.z - r.z.y, r.z.x - r.x.z, r.x.y - r.y.x});
+  }
+  if (r.x.x >= r.y.y && r.x.x >= r.z.z) {
+    return normalised(
+        {r.y.z - r.z.y, 1 + 2 * r.x.x - trace, r.y.x + r.x.y, r.z.x + r.x.z});
+  }
+  if (r.y.y >= r.z.z) {
+    return normalised(
+        {r.z.x - r.x.z, r.y.x + r.x.y, 1 + 2 * r.y.y - trace, r.z.y + r.y.z});
+  }
+  return normalised({r.x.y - r.y.x, r.z.x + r.x.z, r.z.y + r.y.z, 1 + 2 * r.z.z - trace});
+}
+
 constexpr Quat conjugate(const Quat& q) { return {q.w, -q.x, -q.y, -q.z}; }
 constexpr Vec3 rotate(const Quat& q, const Vec3& v) { return matrix(q) * v; }
 /// The smallest angle of the turn, 0 to pi radians.
