@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What an installed tree holds: bin/stigc, the libraries and their headers,
-# share/stig/rulesets and blocks, share/stig/schema, and what find_package(stig) needs.
+# share/stig/rulesets, blocks and scenes, share/stig/schema, and what find_package(stig)
+# needs.
 include(CMakePackageConfigHelpers)
 
 set(STIG_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/stig)
@@ -25,7 +26,8 @@ install(FILES ${PROJECT_BINARY_DIR}/stigConfig.cmake
         DESTINATION ${STIG_INSTALL_CMAKEDIR})
 
 install(TARGETS stigc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/rulesets ${PROJECT_SOURCE_DIR}/blocks DESTINATION ${STIG_INSTALL_DATADIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/rulesets ${PROJECT_SOURCE_DIR}/blocks
+                  ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${STIG_INSTALL_DATADIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # The schema is what the program itself says it is.

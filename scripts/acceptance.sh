@@ -41,7 +41,10 @@ bench_part() {
     found=1
     say "$program" >&2
     printf '\n### %s\n\n' "$(basename "$program")"
-    if "$program" --benchmark_out=out/bench.json --benchmark_out_format=json >&2; then
+    if [[ $program == */bench_physics ]]; then
+      # Its table says which bounds were broken.
+      "$program" || failures=$((failures + 1))
+    elif "$program" --benchmark_out=out/bench.json --benchmark_out_format=json >&2; then
       python3 scripts/bench_table.py out/bench.json
     else
       printf '**failed**\n'

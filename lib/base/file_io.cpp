@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <system_error>
+#include <utility>
 
 #include "base/text.h"
 
@@ -123,15 +124,6 @@ std::filesystem::path follow_links(const std::string& path) {
   return target;
 }
 
-/// Writes, syncs and closes the temporary file, with the permissions of the file
-/// it is to replace if there is one; false with errno set.
-bool fill(int descriptor, std::string_view bytes, const struct stat* replaced) {
-  Descriptor fd(descriptor);
-  if (!write_all(fd.get(), bytes)) return false;
-  if (replaced != nullptr && ::fchmod(fd.get(), replaced->st_mode & 07777U) != 0) return false;
-  return ::fsync(fd.get()) == 0 && fd.close();
-}
-
 }  // namespace
 
 std::optional<std::string> read_file(const std::string& path, std::size_t most, FileError& error) {
@@ -163,21 +155,49 @@ bool write_file(const std::string& path, std::string_view bytes, FileError& erro
     fail(error, "write", "standard output");
     return false;
   }
-  const std::filesystem::path target = follow_links(path);
+  GrowingFile file;
+  return file.open(path, error) && file.append(bytes, error) && file.commit(error);
+}
+
+bool GrowingFile::open(const std::string& path, FileError& error) {
+  discard();
+  path_ = path;
+  target_ = follow_links(path).string();
   struct stat status {};
-  const bool replaces = ::stat(target.c_str(), &status) == 0;
+  const bool replaces = ::stat(target_.c_str(), &status) == 0;
   if (replaces && !check_regular(status, "write", path, error)) return false;
-  std::string temporary;
-  const int fd = open_temporary(target.string(), temporary);
-  if (fd < 0) return fail(error, "write", path), false;
-  if (!fill(fd, bytes, replaces ? &status : nullptr) ||
-      ::rename(temporary.c_str(), target.c_str()) != 0) {
-    fail(error, "write", path);
-    ::unlink(temporary.c_str());
+  fd_ = open_temporary(target_, temporary_);
+  const bool good = fd_ >= 0 && (!replaces || ::fchmod(fd_, status.st_mode & 07777U) == 0);
+  if (!good) {
+    fail(error, "write", path_);
+    discard();
+  }
+  return good;
+}
+
+bool GrowingFile::append(std::string_view bytes, FileError& error) {
+  if (write_all(fd_, bytes)) return true;
+  fail(error, "write", path_);
+  discard();
+  return false;
+}
+
+bool GrowingFile::commit(FileError& error) {
+  Descriptor fd(std::exchange(fd_, -1));
+  if (::fsync(fd.get()) != 0 || !fd.close() || ::rename(temporary_.c_str(), target_.c_str()) != 0) {
+    fail(error, "write", path_);
+    ::unlink(temporary_.c_str());
     return false;
   }
-  sync_directory(target.parent_path().empty() ? "." : target.parent_path());
+  const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
+  sync_directory(folder.empty() ? "." : folder);
   return true;
+}
+
+void GrowingFile::discard() {
+  if (fd_ < 0) return;
+  ::close(std::exchange(fd_, -1));
+  ::unlink(temporary_.c_str());
 }
 
 }  // namespace stig

@@ -25,4 +25,26 @@ std::optional<std::string> read_file(const std::string& path, std::size_t most, 
 /// directories, devices and pipes are refused. "-" is standard output.
 bool write_file(const std::string& path, std::string_view bytes, FileError& error);
 
+/// A file that grows piece by piece and appears under its name when it is whole: until
+/// then, and when it is never committed, there is only a temporary file beside it.
+class GrowingFile {
+ public:
+  GrowingFile() = default;
+  ~GrowingFile() { discard(); }
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  /// False with `error` set; directories, devices and pipes are refused.
+  bool open(const std::string& path, FileError& error);
+  bool is_open() const { return fd_ >= 0; }
+  bool append(std::string_view bytes, FileError& error);
+  /// Syncs, closes and renames.
+  bool commit(FileError& error);
+  void discard();
+
+ private:
+  std::string path_, target_, temporary_;
+  int fd_ = -1;
+};
+
 }  // namespace stig

@@ -50,8 +50,12 @@ std::string alternatives(const std::vector<std::string_view>& words) {
   return out;
 }
 
+bool is_whole(const FormKey& key) {
+  return key.kind == FormKind::integer || key.kind == FormKind::integers;
+}
+
 std::string wanted_number(const FormKey& key) {
-  const std::string what = key.kind == FormKind::integer ? "a whole number" : "a number";
+  const std::string what = is_whole(key) ? "a whole number" : "a number";
   if (key.above_low) return fmt::format("{} above {} and at most {}", what, key.low, key.high);
   return fmt::format("{} from {} to {}", what, key.low, key.high);
 }
@@ -146,6 +150,7 @@ class Checker {
       case FormKind::form:
         return check_form(node, *key.form);
       case FormKind::numbers:
+      case FormKind::integers:
       case FormKind::names:
       case FormKind::forms:
         return check_list(node, key);
@@ -211,7 +216,7 @@ class Checker {
 
   bool check_number(const YamlNode& node, const FormKey& key) {
     const std::optional<double> value = number_of(node);
-    if (!value || (key.kind == FormKind::integer && std::floor(*value) != *value)) {
+    if (!value || (is_whole(key) && std::floor(*value) != *value)) {
       return wrong(node, wanted_number(key));
     }
     if ((key.above_low ? *value > key.low : *value >= key.low) && *value <= key.high) return true;

@@ -31,19 +31,20 @@ namespace stig {
 
 /// What a key's value is.
 enum class FormKind : std::uint8_t {
-  text,     ///< any text, several lines too
-  name,     ///< text of one line, not empty
-  colour,   ///< "#rrggbb"
-  choice,   ///< one of `words`
-  boolean,  ///< true or false
-  integer,  ///< low..high
-  number,   ///< low..high, or above low when `above_low`
-  version,  ///< the number `high`, of the file format
-  numbers,  ///< list of `least` to `most` numbers low..high; three make a vector
-  names,    ///< list of names
-  form,     ///< mapping with the keys of `form`
-  forms,    ///< list of such mappings
-  anything  ///< the caller's business
+  text,      ///< any text, several lines too
+  name,      ///< text of one line, not empty
+  colour,    ///< "#rrggbb"
+  choice,    ///< one of `words`
+  boolean,   ///< true or false
+  integer,   ///< low..high
+  number,    ///< low..high, or above low when `above_low`
+  version,   ///< the number `high`, of the file format
+  numbers,   ///< list of `least` to `most` numbers low..high; three make a vector
+  integers,  ///< the same, whole
+  names,     ///< list of names
+  form,      ///< mapping with the keys of `form`
+  forms,     ///< list of such mappings
+  anything   ///< the caller's business
 };
 
 struct Form;

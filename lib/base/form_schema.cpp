@@ -12,7 +12,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json range_json(const FormKey& key) {
-  const bool whole = key.kind == FormKind::integer;
+  const bool whole = key.kind == FormKind::integer || key.kind == FormKind::integers;
   Json out = {{"type", whole ? "integer" : "number"}};
   const char* low = key.above_low ? "exclusiveMinimum" : "minimum";
   if (whole) {
@@ -87,6 +87,7 @@ class Printer {
       case FormKind::version:
         return {{"const", static_cast<std::int64_t>(key.high)}};
       case FormKind::numbers:
+      case FormKind::integers:
         return list_json(key, range_json(key));
       case FormKind::names:
         return list_json(key, scalar);

@@ -16,6 +16,12 @@ FormKey device_name() {
 FormKey on_body() { return required(words("body", FormKind::name, "The body it is fixed to.")); }
 FormKey at() { return vector("at", "Where, metres, body's frame (default: its origin).", kFar); }
 
+FormKey resolution() {
+  FormKey key = numbers("resolution", "Pixels, width and height.", 2, 2, 1, 16384);
+  key.kind = FormKind::integers;
+  return key;
+}
+
 const Form& lift_speed_form() {
   static const Form kForm{
       "speed of the lift",
@@ -81,7 +87,7 @@ const Form& camera_form() {
       {device_name(), on_body(), at(),
        required(vector("look", "The direction it looks in, body's frame.", kFar)),
        vector("up", "What is up in its image (default: z).", kFar),
-       required(numbers("resolution", "Pixels, width and height.", 2, 2, 1, 16384)),
+       required(resolution()),
        required(numbers("focal_length", "Pixels, of x and y.", 2, 2, 1e-3, 1e6)),
        required(numbers("principal_point", "Pixels, from the upper left.", 2, 2, -1e6, 1e6)),
        numbers("distortion", "As OpenCV has it: k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4]]].", 4, 12,

@@ -23,7 +23,7 @@ class RunLog {
   bool limit_reached(std::uint64_t work = 1);
   Terminated why() const { return why_; }
 
-  SwarmResult finish(World& world, Terminated terminated, std::uint64_t enabled_left,
+  SwarmResult finish(LatticeWorld& world, Terminated terminated, std::uint64_t enabled_left,
                      std::uint64_t out_of_reach);
 
  private:
@@ -34,8 +34,8 @@ class RunLog {
   std::uint64_t work_since_hooks_ = 0;
 };
 
-SwarmResult run_event(World world, const SwarmConfig& config, const SwarmHooks& hooks);
+SwarmResult run_event(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
 /// walk and teleport; the config has a box.
-SwarmResult run_agents(World world, const SwarmConfig& config, const SwarmHooks& hooks);
+SwarmResult run_agents(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
 
 }  // namespace stig

@@ -10,7 +10,7 @@ namespace {
 
 class EventRun {
  public:
-  EventRun(World world, const SwarmConfig& config, const SwarmHooks& hooks)
+  EventRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks)
       : world_(std::move(world)),
         config_(&config),
         log_(config, hooks, world_.rules().rule_count()),
@@ -65,7 +65,7 @@ class EventRun {
     settle();
   }
 
-  World world_;
+  LatticeWorld world_;
   const SwarmConfig* config_;
   RunLog log_;
   CellMarks open_;  ///< sites of the present stage
@@ -75,7 +75,7 @@ class EventRun {
 
 }  // namespace
 
-SwarmResult run_event(World world, const SwarmConfig& config, const SwarmHooks& hooks) {
+SwarmResult run_event(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks) {
   return EventRun(std::move(world), config, hooks).run();
 }
 

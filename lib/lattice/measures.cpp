@@ -59,7 +59,7 @@ void measure_contacts(const Structure& structure, const std::vector<PlacedBrick>
 /// what is then still dry is a cavity.
 class CavityFlood {
  public:
-  CavityFlood(const Structure& structure, Bounds bounds)
+  CavityFlood(const Structure& structure, CellBounds bounds)
       : low_(bounds.low - Offset{1, 1, 1}),
         size_(bounds.size() + Offset{2, 2, 2}),
         faces_(faces(structure.lattice())),
@@ -125,9 +125,9 @@ class CavityFlood {
 
 Cell image(const Orientation& g, Cell cell) { return Cell{} + g.apply(cell - Cell{}); }
 
-/// Bounds of the bricks' image under g.
-Bounds image_bounds(const std::vector<PlacedBrick>& bricks, const Orientation& g) {
-  Bounds bounds{image(g, bricks.front().at), image(g, bricks.front().at)};
+/// CellBounds of the bricks' image under g.
+CellBounds image_bounds(const std::vector<PlacedBrick>& bricks, const Orientation& g) {
+  CellBounds bounds{image(g, bricks.front().at), image(g, bricks.front().at)};
   auto& [low, high] = bounds;
   for (const PlacedBrick& b : bricks) {
     const Cell at = image(g, b.at);
@@ -152,7 +152,7 @@ int symmetry_order(const Structure& structure, const std::vector<PlacedBrick>& b
   int order = 1;
   for (std::size_t g = 1; g < group.size(); ++g) {
     // Sizes and hashes part the unequal ones cheaply; equality is then certain.
-    const Bounds bounds = image_bounds(bricks, group[g]);
+    const CellBounds bounds = image_bounds(bricks, group[g]);
     if (bounds.size() != structure.bounds()->size()) continue;
     if (image_hash(bricks, group[g], bounds.low) != own) continue;
     if (to_origin(transformed(structure, group[g])) == to_origin(structure)) ++order;

@@ -23,7 +23,7 @@ namespace stig {
 
 struct Measures {
   std::vector<std::uint64_t> bricks_by_colour;  ///< [0] is colour 1; up to the highest used
-  std::optional<Bounds> bounds;
+  std::optional<CellBounds> bounds;
   std::uint64_t components = 0;
   double mean_neighbours = 0;
   int symmetry_order = 0;

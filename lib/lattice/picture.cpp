@@ -112,7 +112,7 @@ class Picture {
 
   std::string draw() {
     std::size_t faces = 0;
-    for (const Scene& scene : scenes_) faces += scene.faces.size();
+    for (const PictureScene& scene : scenes_) faces += scene.faces.size();
     if (options_.format == PictureFormat::svg && faces > kMostSvgFaces) return {};
     Canvas canvas(options_.format, static_cast<int>(layout_.width),
                   static_cast<int>(layout_.height));
@@ -132,7 +132,7 @@ class Picture {
   void lay_out() {
     const double most = options_.most_pixels / static_cast<double>(Canvas::kDensity);
     PagePoint content{1e-9, 1e-9};
-    for (const Scene& scene : scenes_) {
+    for (const PictureScene& scene : scenes_) {
       content.x = std::max(content.x, scene.frame.width());
       content.y = std::max(content.y, scene.frame.height());
     }
@@ -175,7 +175,7 @@ class Picture {
   }
 
   void draw_panel(Canvas& canvas, std::size_t i) {
-    Scene& scene = scenes_[i];
+    PictureScene& scene = scenes_[i];
     const auto columns = static_cast<std::size_t>(layout_.columns);
     const double drawing = layout_.columns * layout_.panel_width + kGap * (layout_.columns - 1);
     const double left = (layout_.width - drawing) / 2 +
@@ -234,7 +234,7 @@ class Picture {
   const std::vector<PicturePanel>& panels_;
   const std::vector<Brick>& bricks_;
   const PictureOptions& options_;
-  std::vector<Scene> scenes_;
+  std::vector<PictureScene> scenes_;
   std::vector<LegendItem> items_;
   Layout layout_;
 };

@@ -41,7 +41,7 @@ int line_step(double scale) {
   return step;
 }
 
-void paint_cubic_ground(Canvas& canvas, const Scene& scene, const Placement& place) {
+void paint_cubic_ground(Canvas& canvas, const PictureScene& scene, const Placement& place) {
   const auto corners = ground_corners(scene.box);
   const auto at = [&](std::int32_t x, std::int32_t y) {
     return placed(place, on_page(scene.lattice, {x, y, 0}));
@@ -60,7 +60,7 @@ void paint_cubic_ground(Canvas& canvas, const Scene& scene, const Placement& pla
   }
 }
 
-void paint_ground(Canvas& canvas, const Scene& scene, const Placement& place) {
+void paint_ground(Canvas& canvas, const PictureScene& scene, const Placement& place) {
   if (scene.lattice == Lattice::cubic) return paint_cubic_ground(canvas, scene, place);
   const double width = place.scale < 4 ? 0.4 : 0.8;
   const Rgb edge = place.scale < 4 ? kGround : kGroundLine;
@@ -94,7 +94,7 @@ std::vector<PagePoint> convex_hull(std::vector<PagePoint> points) {
 }
 
 // Three sheets with the light a little moved: shadows get softer with height.
-void paint_shadows(Canvas& canvas, const Scene& scene, const Placement& place) {
+void paint_shadows(Canvas& canvas, const PictureScene& scene, const Placement& place) {
   const CellFace& base = cell_faces(scene.lattice)[bottom_face(scene.lattice)];
   for (const double spread : {0.8, 1.0, 1.2}) {
     canvas.begin_group();
@@ -190,7 +190,7 @@ EdgeLook edge_look(double scale) {
 
 }  // namespace
 
-void drop_covered(Scene& scene, const Placement& place, double width, double height) {
+void drop_covered(PictureScene& scene, const Placement& place, double width, double height) {
   CoverMap map(width, height);
   std::vector<ShownFace> kept;
   for (auto face = scene.faces.rbegin(); face != scene.faces.rend(); ++face) {
@@ -203,7 +203,7 @@ void drop_covered(Scene& scene, const Placement& place, double width, double hei
   scene.faces.assign(kept.rbegin(), kept.rend());
 }
 
-void paint_scene(Canvas& canvas, const Scene& scene, const Placement& place,
+void paint_scene(Canvas& canvas, const PictureScene& scene, const Placement& place,
                  const std::vector<Brick>& bricks) {
   if (scene.floor) {
     paint_ground(canvas, scene, place);

@@ -42,7 +42,7 @@ void add_outline(Frame& frame, const Outline& outline) {
   for (std::size_t i = 0; i < outline.count; ++i) frame.add(outline.at[i]);
 }
 
-void find_frame(Scene& scene) {
+void find_frame(PictureScene& scene) {
   for (const ShownFace& face : scene.faces) {
     add_outline(scene.frame, outline_of(scene.lattice, face.at, face.face));
   }
@@ -58,7 +58,7 @@ void find_frame(Scene& scene) {
   }
 }
 
-void extend(Bounds& box, const Bounds& other) {
+void extend(CellBounds& box, const CellBounds& other) {
   box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y),
              std::min(box.low.z, other.low.z)};
   box.high = {std::max(box.high.x, other.high.x), std::max(box.high.y, other.high.y),
@@ -84,7 +84,7 @@ PagePoint on_page(Lattice lattice, Corner corner) {
   return project(lattice, position(lattice, corner));
 }
 
-std::array<Corner, 4> ground_corners(const Bounds& box) {
+std::array<Corner, 4> ground_corners(const CellBounds& box) {
   const int height = std::max(box.high.z + 1, 0);
   const auto reach = [height](double slope) {
     return std::min(static_cast<int>(std::ceil(slope * height)), kFarthestShadow);
@@ -103,12 +103,12 @@ void Frame::add(PagePoint p) {
   high = {std::max(high.x, p.x), std::max(high.y, p.y)};
 }
 
-Scene make_scene(const Structure& structure, bool floor) {
-  Scene scene;
+PictureScene make_scene(const Structure& structure, bool floor) {
+  PictureScene scene;
   scene.lattice = structure.lattice();
   scene.floor = floor;
   scene.faces = shown_faces(structure);
-  scene.box = structure.bounds().value_or(Bounds{});
+  scene.box = structure.bounds().value_or(CellBounds{});
   if (floor) {
     const std::vector<PlacedBrick> bricks = structure.bricks();
     if (bricks.size() <= kMostShadows) {
@@ -120,9 +120,9 @@ Scene make_scene(const Structure& structure, bool floor) {
   return scene;
 }
 
-void share_frame(std::vector<Scene>& scenes) {
-  Scene all = scenes.front();
-  for (const Scene& scene : scenes) {
+void share_frame(std::vector<PictureScene>& scenes) {
+  PictureScene all = scenes.front();
+  for (const PictureScene& scene : scenes) {
     extend(all.box, scene.box);
     all.tiles.insert(all.tiles.end(), scene.tiles.begin(), scene.tiles.end());
     all.frame.add(scene.frame.low);
@@ -131,7 +131,7 @@ void share_frame(std::vector<Scene>& scenes) {
   std::sort(all.tiles.begin(), all.tiles.end());
   all.tiles.erase(std::unique(all.tiles.begin(), all.tiles.end()), all.tiles.end());
   find_frame(all);
-  for (Scene& scene : scenes) {
+  for (PictureScene& scene : scenes) {
     scene.box = all.box;
     scene.tiles = all.tiles;
     scene.frame = all.frame;

@@ -19,21 +19,21 @@ struct Frame {
   double height() const { return high.y - low.y; }
 };
 
-struct Scene {
+struct PictureScene {
   Lattice lattice = Lattice::cubic;
   bool floor = false;
   std::vector<ShownFace> faces;
   std::vector<Cell> shadowing;  ///< bricks that throw a shadow; none when too many
-  Bounds box{};                 ///< of the structure; one cell when empty
+  CellBounds box{};             ///< of the structure; one cell when empty
   std::vector<Cell> tiles;      ///< hexagonal ground: the cells it consists of
   Frame frame;
 };
 
 /// The structure must be turned already.
-Scene make_scene(const Structure& structure, bool floor);
+PictureScene make_scene(const Structure& structure, bool floor);
 
 /// Gives all scenes the box, and so the frame and ground, of all together.
-void share_frame(std::vector<Scene>& scenes);
+void share_frame(std::vector<PictureScene>& scenes);
 
 /// A face on the page.
 struct Outline {
@@ -45,7 +45,7 @@ Outline outline_of(Lattice lattice, Cell cell, std::size_t face);
 std::size_t bottom_face(Lattice lattice);
 PagePoint on_page(Lattice lattice, Corner corner);
 /// Cubic ground: the box's floor with a margin, wider where shadows fall.
-std::array<Corner, 4> ground_corners(const Bounds& box);
+std::array<Corner, 4> ground_corners(const CellBounds& box);
 
 /// Where a scene's page lies on the canvas: a point p is drawn at origin + scale·p.
 struct Placement {
@@ -54,9 +54,9 @@ struct Placement {
 };
 /// Leaves out faces that nearer ones cover, pixel for pixel, on a canvas of the given
 /// size: of a million loose bricks, nine in ten.
-void drop_covered(Scene& scene, const Placement& place, double width, double height);
+void drop_covered(PictureScene& scene, const Placement& place, double width, double height);
 
-void paint_scene(Canvas& canvas, const Scene& scene, const Placement& place,
+void paint_scene(Canvas& canvas, const PictureScene& scene, const Placement& place,
                  const std::vector<Brick>& bricks);
 
 /// A single cell of the colour around `centre`, `radius` pixels in size.

@@ -109,7 +109,7 @@ ReplayReport rerun(const Trace& trace, const RuleSet& rules, const SwarmHooks& o
 }
 
 /// Advances through stages until the event is open; false when it never is.
-bool open_at(World& world, const Deposit& event) {
+bool open_at(LatticeWorld& world, const Deposit& event) {
   std::vector<Match> matches;
   do {
     if (world.is_site(event.site)) {
@@ -136,7 +136,7 @@ ReplayReport check_given(const Trace& trace, const RuleSet& rules, const SwarmHo
     comparison.differ("the recorded world is not possible: " + problem);
     return comparison.finish();
   }
-  World world(table, rules.start, config.box);
+  LatticeWorld world(table, rules.start, config.box);
   for (const Deposit& event : trace.events) {
     if (hooks.stop && hooks.stop->load()) comparison.differ("replay was interrupted");
     if (!comparison.differs() && !open_at(world, event)) {

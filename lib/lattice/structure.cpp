@@ -124,7 +124,7 @@ void Structure::place(Cell cell, Colour colour) {
                   std::max(bounds_.high.z, cell.z)};
 }
 
-std::optional<Bounds> Structure::bounds() const {
+std::optional<CellBounds> Structure::bounds() const {
   if (empty()) return std::nullopt;
   return bounds_;
 }

@@ -15,10 +15,10 @@
 namespace stig {
 
 /// Bounding box, both corners inclusive.
-struct Bounds {
+struct CellBounds {
   Cell low, high;
   Offset size() const { return high - low + Offset{1, 1, 1}; }
-  bool operator==(const Bounds&) const = default;
+  bool operator==(const CellBounds&) const = default;
 };
 
 /// The 5×5×5 states around a cell: all that the views of its neighbours see. Rows are
@@ -48,7 +48,7 @@ class Structure {
   void place(Cell cell, Colour colour);
 
   /// Nothing for an empty structure.
-  std::optional<Bounds> bounds() const;
+  std::optional<CellBounds> bounds() const;
   /// All bricks in the order of cells (lexicographic): the deterministic iteration.
   std::vector<PlacedBrick> bricks() const;
   /// Calls visit(cell, colour) for every brick in an order that depends on how the
@@ -84,7 +84,7 @@ class Structure {
 
   Lattice lattice_;
   std::size_t size_ = 0;
-  Bounds bounds_{};
+  CellBounds bounds_{};
   std::deque<Chunk> chunks_;
   std::vector<std::uint32_t> index_;  ///< open addressing: 1 + position in chunks_, 0 free
 };

@@ -157,7 +157,7 @@ Structure structure_literal(std::string_view text, Lattice lattice) {
 }
 
 std::string print_structure(const Structure& structure, const std::vector<Brick>& bricks) {
-  const std::optional<Bounds> bounds = structure.bounds();
+  const std::optional<CellBounds> bounds = structure.bounds();
   if (!bounds) return ".\n";
   std::vector<std::string> symbols{"."};
   std::size_t width = 1;

@@ -133,7 +133,7 @@ bool RunLog::limit_reached(std::uint64_t work) {
   return true;
 }
 
-SwarmResult RunLog::finish(World& world, Terminated terminated, std::uint64_t enabled_left,
+SwarmResult RunLog::finish(LatticeWorld& world, Terminated terminated, std::uint64_t enabled_left,
                            std::uint64_t out_of_reach) {
   result_.terminated = terminated;
   result_.enabled_left = enabled_left;
@@ -160,7 +160,7 @@ std::string config_problem(const RuleTable& rules, const std::vector<PlacedBrick
 SwarmResult run_swarm(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                       const SwarmConfig& config, const SwarmHooks& hooks) {
   assert(config_problem(rules, start, config).empty());
-  World world(rules, start, config.box);
+  LatticeWorld world(rules, start, config.box);
   return config.motion == Motion::event ? run_event(std::move(world), config, hooks)
                                         : run_agents(std::move(world), config, hooks);
 }
@@ -194,12 +194,12 @@ std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<
 
 View view_at(const Structure& structure, const RuleTable& rules, const std::optional<Box>& box,
              Cell site) {
-  return World(rules, structure.bricks(), box).view(site);
+  return LatticeWorld(rules, structure.bricks(), box).view(site);
 }
 
 std::vector<Cell> enabled_sites(const Structure& structure, const RuleTable& rules,
                                 const std::optional<Box>& box, int stage) {
-  World world(rules, structure.bricks(), box);
+  LatticeWorld world(rules, structure.bricks(), box);
   while (world.stage() < stage && world.next_stage()) {
   }
   return world.enabled_sites();

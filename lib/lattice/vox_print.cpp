@@ -43,7 +43,7 @@ std::string transform_node(std::uint32_t id, std::uint32_t child, std::int32_t l
 // The bricks of one model: a block of 256³ cells cut from the structure's lowest
 // corner on, trimmed to what it holds.
 struct Block {
-  Bounds bounds{};
+  CellBounds bounds{};
   std::string voxels;
 };
 
@@ -58,8 +58,8 @@ std::vector<PlacedBrick> sorted_by_block(const Structure& structure, Cell low) {
   return bricks;
 }
 
-Bounds bounds_of(const PlacedBrick* begin, const PlacedBrick* end) {
-  Bounds bounds{begin->at, begin->at};
+CellBounds bounds_of(const PlacedBrick* begin, const PlacedBrick* end) {
+  CellBounds bounds{begin->at, begin->at};
   for (const PlacedBrick* b = begin; b != end; ++b) {
     bounds.low = {std::min(bounds.low.x, b->at.x), std::min(bounds.low.y, b->at.y),
                   std::min(bounds.low.z, b->at.z)};
@@ -119,7 +119,7 @@ void put_scene(std::string& out, const std::vector<Block>& blocks) {
   for (std::uint32_t k = 0; k < blocks.size(); ++k) put(group, 2 * k + 2);
   put_chunk(out, "nGRP", group);
   for (std::uint32_t k = 0; k < blocks.size(); ++k) {
-    const Bounds& b = blocks[k].bounds;
+    const CellBounds& b = blocks[k].bounds;
     const Offset size = b.size();
     const std::string shift =
         fmt::format("{} {} {}", b.low.x + size.x / 2, b.low.y + size.y / 2, b.low.z + size.z / 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Walk and teleport motion in a box: agents and enabled sites live in one dense
 // array of flag bytes, padded by a cell all round (solid sides, or portals to the
-// other side); the structure itself stays in the World.
+// other side); the structure itself stays in the world.
 #include <algorithm>
 #include <cassert>
 #include <numeric>
@@ -79,7 +79,7 @@ class EmptyCells {
 
 class AgentRun {
  public:
-  AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hooks);
+  AgentRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
   SwarmResult run();
 
  private:
@@ -110,7 +110,7 @@ class AgentRun {
   std::uint64_t unreachable() const;
   bool flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& seen) const;
 
-  World world_;
+  LatticeWorld world_;
   const SwarmConfig* config_;
   RunLog log_;
   Field field_;
@@ -128,7 +128,7 @@ class AgentRun {
   std::uint64_t step_ = 0;
 };
 
-AgentRun::AgentRun(World world, const SwarmConfig& config, const SwarmHooks& hooks)
+AgentRun::AgentRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks)
     : world_(std::move(world)),
       config_(&config),
       log_(config, hooks, world_.rules().rule_count()),
@@ -364,7 +364,7 @@ bool AgentRun::flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& s
 
 }  // namespace
 
-SwarmResult run_agents(World world, const SwarmConfig& config, const SwarmHooks& hooks) {
+SwarmResult run_agents(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks) {
   return AgentRun(std::move(world), config, hooks).run();
 }
 

@@ -8,7 +8,8 @@
 
 namespace stig {
 
-World::World(const RuleTable& rules, const std::vector<PlacedBrick>& start, std::optional<Box> box)
+LatticeWorld::LatticeWorld(const RuleTable& rules, const std::vector<PlacedBrick>& start,
+                           std::optional<Box> box)
     : rules_(&rules),
       size_(static_cast<std::size_t>(rules.neighbours().size)),
       box_(box),
@@ -20,17 +21,17 @@ World::World(const RuleTable& rules, const std::vector<PlacedBrick>& start, std:
   }
 }
 
-bool World::placeable(Cell site) const {
+bool LatticeWorld::placeable(Cell site) const {
   if (rules_->floor() && site.z < 0) return false;
   return !box_ || box_->contains(site);
 }
 
-State World::at(Cell cell) const {
+State LatticeWorld::at(Cell cell) const {
   if (rules_->floor() && cell.z < 0) return kFloor;
   return structure_.at(wrap(cell));
 }
 
-View World::view(Cell site) const {
+View LatticeWorld::view(Cell site) const {
   if (!wraps_near(site)) {
     Surroundings around;
     gather(site, around);
@@ -44,14 +45,14 @@ View World::view(Cell site) const {
   return view;
 }
 
-bool World::is_site(Cell site) const {
+bool LatticeWorld::is_site(Cell site) const {
   if (!placeable(site) || at(site) != kEmpty) return false;
   const View seen = view(site);
   return std::any_of(seen.at.begin(), seen.at.begin() + static_cast<std::ptrdiff_t>(size_),
                      is_brick);
 }
 
-bool World::wraps_near(Cell cell) const {
+bool LatticeWorld::wraps_near(Cell cell) const {
   if (!box_ || !box_->periodic) return false;
   const Offset from_low = cell - box_->low;
   const auto near = [](std::int32_t at, std::int32_t size) { return at < 2 || at >= size - 2; };
@@ -59,7 +60,7 @@ bool World::wraps_near(Cell cell) const {
          near(from_low.z, box_->size.z);
 }
 
-void World::gather(Cell cell, Surroundings& out) const {
+void LatticeWorld::gather(Cell cell, Surroundings& out) const {
   structure_.gather(cell, out);
   if (!rules_->floor() || cell.z >= 2) return;
   // Levels of the 5×5×5 below z = 0; they are the first in memory.
@@ -67,19 +68,19 @@ void World::gather(Cell cell, Surroundings& out) const {
   std::fill_n(out.at.begin(), below * Surroundings::kLevel, kFloor);
 }
 
-bool World::stage_spent() const {
+bool LatticeWorld::stage_spent() const {
   const std::int64_t limit = rules_->stage_limit(stage_);
   return limit > 0 && deposits_in_stage_ >= limit;
 }
 
-bool World::next_stage() {
+bool LatticeWorld::next_stage() {
   if (stage_ >= rules_->stage_count()) return false;
   ++stage_;
   deposits_in_stage_ = 0;
   return true;
 }
 
-std::vector<Cell> World::candidates() const {
+std::vector<Cell> LatticeWorld::candidates() const {
   const Neighbourhood& n = rules_->neighbours();
   CellMarks sites;
   structure_.for_each([&](Cell cell, Colour) {
@@ -91,19 +92,19 @@ std::vector<Cell> World::candidates() const {
   return sites.cells_with(1);
 }
 
-std::vector<Cell> World::enabled_sites() const {
+std::vector<Cell> LatticeWorld::enabled_sites() const {
   std::vector<Cell> sites = candidates();
   std::erase_if(sites, [&](Cell site) { return !rules_->enabled(view(site), site.z, stage_); });
   return sites;
 }
 
-void World::look_at(Cell cell) {
+void LatticeWorld::look_at(Cell cell) {
   if (around_cell_ == cell) return;
   gather(cell, around_);
   around_cell_ = cell;
 }
 
-Match World::choose(Cell site, Random& random) {
+Match LatticeWorld::choose(Cell site, Random& random) {
   look_at(site);
   const bool wraps = wraps_near(site);
   rules_->matches(wraps ? view(site) : view_within(around_, kCentre), site.z, stage_, matches_);

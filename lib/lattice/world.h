@@ -14,9 +14,10 @@
 
 namespace stig {
 
-class World {
+class LatticeWorld {
  public:
-  World(const RuleTable& rules, const std::vector<PlacedBrick>& start, std::optional<Box> box);
+  LatticeWorld(const RuleTable& rules, const std::vector<PlacedBrick>& start,
+               std::optional<Box> box);
 
   const RuleTable& rules() const { return *rules_; }
   const Structure& structure() const { return structure_; }
@@ -93,7 +94,7 @@ class World {
 };
 
 template <class Visit>
-void World::for_each_neighbour_view(Cell cell, const Visit& visit) const {
+void LatticeWorld::for_each_neighbour_view(Cell cell, const Visit& visit) const {
   const Neighbourhood& n = rules_->neighbours();
   if (wraps_near(cell)) {
     for (std::size_t i = 0; i < size_; ++i) {

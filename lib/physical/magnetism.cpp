@@ -9,6 +9,8 @@ namespace stig {
 
 namespace {
 
+constexpr std::size_t kGridCost = 30;  ///< of an entry, in comparisons of two owners
+
 /// A pair as one of its magnets sees it.
 struct Neighbour {
   std::uint32_t other;
@@ -94,28 +96,53 @@ void add_pairs(const std::vector<Magnet>& magnets, const MagnetOwner& a, const M
   }
 }
 
-/// Owners nearer than `reach`, at least one of them awake, in rising order.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> couples_of(
-    const std::vector<MagnetOwner>& owners, double reach) {
-  const std::vector<OwnerCell> cells = owner_cells(owners, reach);
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> couples;
-  for (const OwnerCell& cell : cells) {
-    const MagnetOwner& a = owners[cell.owner];
-    if (!a.awake) continue;
-    // Rows of three cells along z stand together in the sorted list.
-    for (std::int64_t dx = -1; dx <= 1; ++dx) {
-      for (std::int64_t dy = -1; dy <= 1; ++dy) {
-        const OwnerCell first{cell.x + dx, cell.y + dy, cell.z - 1, 0};
-        auto at = std::lower_bound(cells.begin(), cells.end(), first);
-        for (; at != cells.end() && at->x == first.x && at->y == first.y && at->z <= cell.z + 1;
-             ++at) {
-          const MagnetOwner& b = owners[at->owner];
-          if (at->owner == cell.owner || (b.awake && at->owner < cell.owner)) continue;
-          if (squared(a.centre - b.centre) < reach * reach) {
-            couples.emplace_back(std::minmax(cell.owner, at->owner));
-          }
-        }
+using Couple = std::pair<std::uint32_t, std::uint32_t>;
+
+bool has_magnets(const MagnetOwner& owner) { return owner.begin < owner.end; }
+
+void add_couple(const std::vector<MagnetOwner>& owners, std::uint32_t i, std::uint32_t k,
+                double reach, std::vector<Couple>& out) {
+  // Of two that are awake, one finds the other.
+  if (i == k || (owners[k].awake && k < i)) return;
+  if (squared(owners[i].centre - owners[k].centre) < reach * reach) {
+    out.emplace_back(std::minmax(i, k));
+  }
+}
+
+/// Partners of owner `cell.owner` in the cells about its own.
+void look_around(const std::vector<MagnetOwner>& owners, const std::vector<OwnerCell>& cells,
+                 const OwnerCell& cell, double reach, std::vector<Couple>& out) {
+  // Rows of three cells along z stand together in the sorted list.
+  for (std::int64_t dx = -1; dx <= 1; ++dx) {
+    for (std::int64_t dy = -1; dy <= 1; ++dy) {
+      const OwnerCell first{cell.x + dx, cell.y + dy, cell.z - 1, 0};
+      auto at = std::lower_bound(cells.begin(), cells.end(), first);
+      for (; at != cells.end() && at->x == first.x && at->y == first.y && at->z <= cell.z + 1;
+           ++at) {
+        add_couple(owners, cell.owner, at->owner, reach, out);
       }
+    }
+  }
+}
+
+/// Owners nearer than `reach`, at least one of them awake, in rising order.
+std::vector<Couple> couples_of(const std::vector<MagnetOwner>& owners, double reach) {
+  std::vector<std::uint32_t> awake;
+  for (std::uint32_t i = 0; i < owners.size(); ++i) {
+    if (owners[i].awake && has_magnets(owners[i])) awake.push_back(i);
+  }
+  std::vector<Couple> couples;
+  // A grid is not worth its making for a few among many sleepers.
+  const bool few = awake.size() * kGridCost < owners.size();
+  for (const std::uint32_t i : few ? awake : std::vector<std::uint32_t>()) {
+    for (std::uint32_t k = 0; k < owners.size(); ++k) {
+      if (has_magnets(owners[k])) add_couple(owners, i, k, reach, couples);
+    }
+  }
+  if (!few) {
+    const std::vector<OwnerCell> cells = owner_cells(owners, reach);
+    for (const OwnerCell& cell : cells) {
+      if (owners[cell.owner].awake) look_around(owners, cells, cell, reach, couples);
     }
   }
   std::sort(couples.begin(), couples.end());
@@ -151,8 +178,6 @@ double dipole_energy(const Vec3& m0, const Vec3& m1, const Vec3& r) {
 std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
                                      const std::vector<MagnetOwner>& owners, double radius,
                                      double cutoff) {
-  const auto is_awake = [](const MagnetOwner& owner) { return owner.awake; };
-  if (std::none_of(owners.begin(), owners.end(), is_awake)) return {};
   std::vector<MagnetPair> out;
   NearLists near;
   // Rounding must not leave out a magnet that lies at the radius itself.
@@ -166,11 +191,13 @@ std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
 void relax_magnets(std::vector<Magnet>& magnets, const std::vector<MagnetPair>& pairs,
                    const std::vector<MagnetOwner>& owners, double dt,
                    const Relaxation& relaxation) {
+  if (pairs.empty()) return;
   const Neighbours neighbours = neighbours_of(magnets, pairs);
   const double part = 1 - std::exp(-dt / (relaxation.time * relaxation.sweeps));
   for (int sweep = 0; sweep < relaxation.sweeps; ++sweep) {
     for (std::uint32_t i = 0; i < magnets.size(); ++i) {
       Magnet& magnet = magnets[i];
+      if (neighbours.start[i] == neighbours.start[i + 1]) continue;
       if (!magnet.free || !owners[magnet.owner].awake) continue;
       Vec3 field;
       for (std::uint32_t k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) {

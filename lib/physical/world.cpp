@@ -111,7 +111,7 @@ void note_leavers(WorldState& world) {
     body.v = body.w = {};
     world.owners[i].end = world.owners[i].begin;
     world.changed = true;
-    world.events.push_back({EventKind::left_arena, BodyId{i}, kFloor});
+    world.events.push_back({EventKind::left_arena, BodyId{i}, kFloorId});
   }
 }
 

@@ -27,7 +27,7 @@ namespace stig {
 /// The body's place in WorldConfig::bodies.
 enum class BodyId : std::uint32_t {};
 /// The other body of a contact with the floor.
-inline constexpr BodyId kFloor{0xffffffff};
+inline constexpr BodyId kFloorId{0xffffffff};
 
 struct BodyState {
   Pose X_WB;
@@ -42,7 +42,7 @@ enum class EventKind : std::uint8_t { contact_began, slept, woke, left_arena, sn
 struct WorldEvent {
   EventKind kind = EventKind::contact_began;
   BodyId body{};
-  BodyId other = kFloor;  ///< of a contact or a snap; otherwise without meaning
+  BodyId other = kFloorId;  ///< of a contact or a snap; otherwise without meaning
 
   friend bool operator==(const WorldEvent&, const WorldEvent&) = default;
 };

@@ -50,8 +50,8 @@ void pull(Body& body, const Magnet& magnet, const Vec3& force, const Vec3& torqu
   if (!magnet.free) body.torque += torque;
 }
 
-/// Adds what the magnets do to bodies awake, and fills world.pulls; `torques` gets those
-/// that act on each magnet.
+/// Adds what the magnets do to bodies awake, and fills world.pulls. Where it is not empty,
+/// `torques` gets what acts on each magnet.
 void apply_pairs(WorldState& world, const std::vector<MagnetPair>& pairs,
                  std::vector<Vec3>& torques) {
   world.pulls.clear();
@@ -61,8 +61,10 @@ void apply_pairs(WorldState& world, const std::vector<MagnetPair>& pairs,
         dipole_wrench(m0.direction * m0.moment, m1.direction * m1.moment, pair.r);
     pull(world.bodies[m0.owner], m0, wrench.force, wrench.torque);
     pull(world.bodies[m1.owner], m1, -wrench.force, wrench.torque_on_other);
-    torques[pair.i] += wrench.torque;
-    torques[pair.j] += wrench.torque_on_other;
+    if (!torques.empty()) {
+      torques[pair.i] += wrench.torque;
+      torques[pair.j] += wrench.torque_on_other;
+    }
     // Pairs of the same two bodies stand together.
     const BodyPair bodies{m0.owner, m1.owner};
     if (world.pulls.empty() || world.pulls.back().bodies != bodies) {
@@ -119,7 +121,7 @@ void add_magnet_forces(WorldState& world) {
   if (relaxed) {
     relax_magnets(world.magnets, pairs, world.owners, config.step, config.relaxation);
   }
-  std::vector<Vec3> torques(world.magnets.size());
+  std::vector<Vec3> torques(relaxed ? 0 : world.magnets.size());
   apply_pairs(world, pairs, torques);
   if (!relaxed) spin_magnets(world, torques);
   wake_pulled(world);

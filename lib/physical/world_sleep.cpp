@@ -37,7 +37,7 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   body.awake = false;
   body.v = body.w = {};
   world.changed = true;
-  world.events.push_back({EventKind::slept, BodyId{i}, kFloor});
+  world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
 }
 
 }  // namespace
@@ -49,7 +49,7 @@ void wake(WorldState& world, std::uint32_t body) {
     one.awake = true;
     one.rest = 0;
     world.changed = true;
-    world.events.push_back({EventKind::woke, BodyId{i}, kFloor});
+    world.events.push_back({EventKind::woke, BodyId{i}, kFloorId});
     return true;
   };
   std::vector<std::uint32_t> todo;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
+#include <iterator>
 
 #include "physical/world_state.h"
 
@@ -7,7 +8,7 @@ namespace stig {
 
 namespace {
 
-/// With which the magnets press b upon a, N.
+/// With which the magnets press the two bodies of a contact upon each other, N.
 double pressing_force(const WorldState& world, const Contact& contact) {
   const BodyPair bodies{contact.a, contact.b};
   const auto before = [](const Pull& pull, const BodyPair& key) { return pull.bodies < key; };
@@ -16,32 +17,35 @@ double pressing_force(const WorldState& world, const Contact& contact) {
   return -dot(at->force, contact.normal);
 }
 
-bool is_snapped(const WorldState& world, const Contact& contact) {
-  const bool was =
-      std::binary_search(world.snaps.begin(), world.snaps.end(), BodyPair{contact.a, contact.b});
+bool is_snapped(const WorldState& world, const Contact& contact, bool was) {
   // Nothing is computed between sleepers, and nothing changes.
   if (!world.bodies[contact.a].awake && !world.bodies[contact.b].awake) return was;
   const double force = world.config.snap.force;
   return contact.touching && pressing_force(world, contact) >= (was ? force / 2 : force);
 }
 
+/// An event for each pair of `in` that is not among `out`.
+void report(WorldState& world, EventKind kind, const std::vector<BodyPair>& in,
+            const std::vector<BodyPair>& out) {
+  std::vector<BodyPair> only;
+  std::set_difference(in.begin(), in.end(), out.begin(), out.end(), std::back_inserter(only));
+  for (const auto& [a, b] : only) world.events.push_back({kind, BodyId{a}, BodyId{b}});
+}
+
 }  // namespace
 
 void report_snaps(WorldState& world) {
+  if (world.magnets.empty()) return;
   std::vector<BodyPair> snaps;
+  auto before = world.snaps.begin();
   for (const Contact& contact : world.contacts) {
-    if (contact.b == kFloorBody || !is_snapped(world, contact)) continue;
-    snaps.emplace_back(contact.a, contact.b);
+    const BodyPair bodies{contact.a, contact.b};
+    while (before != world.snaps.end() && *before < bodies) ++before;
+    const bool was = before != world.snaps.end() && *before == bodies;
+    if (contact.b != kFloorBody && is_snapped(world, contact, was)) snaps.push_back(bodies);
   }
-  const auto report = [&world](EventKind kind, const std::vector<BodyPair>& in,
-                               const std::vector<BodyPair>& out) {
-    for (const auto& [a, b] : in) {
-      if (std::binary_search(out.begin(), out.end(), BodyPair{a, b})) continue;
-      world.events.push_back({kind, BodyId{a}, BodyId{b}});
-    }
-  };
-  report(EventKind::let_go, world.snaps, snaps);
-  report(EventKind::snapped, snaps, world.snaps);
+  report(world, EventKind::let_go, world.snaps, snaps);
+  report(world, EventKind::snapped, snaps, world.snaps);
   world.snaps = std::move(snaps);
 }
 

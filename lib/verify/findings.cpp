@@ -67,7 +67,7 @@ void find_redundant(const RuleSet& rules, const VerifyOptions& options, const Ve
 Parallelism parallelism_of(const RuleSet& rules, const std::optional<Box>& box) {
   Parallelism out;
   const RuleTable table(rules);
-  World world(table, rules.start, box);
+  LatticeWorld world(table, rules.start, box);
   do {
     std::vector<Cell> open = world.enabled_sites();
     while (!open.empty() && !world.stage_spent()) {

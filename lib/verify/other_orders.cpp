@@ -34,7 +34,7 @@ bool OtherOrders::runs_differ(std::vector<Mask>& agreed) {
     config.schedule = i == 0 ? RunOrder::newest : i == 1 ? RunOrder::oldest : RunOrder::random;
     config.run = static_cast<std::uint32_t>(i + 1);
     config.most = model_.bricks() + 1000;
-    World world = before_;
+    LatticeWorld world = before_;
     StageRun run = run_stage(world, config, budget_);
     const bool whole = run.ended;
     std::vector<Deposit> deposits = run.deposits;
@@ -47,7 +47,8 @@ bool OtherOrders::runs_differ(std::vector<Mask>& agreed) {
 }
 
 /// Runs on from a world in which `done` has happened, and compares.
-bool OtherOrders::completion_differs(World world, std::vector<Deposit> done, std::uint32_t stream) {
+bool OtherOrders::completion_differs(LatticeWorld world, std::vector<Deposit> done,
+                                     std::uint32_t stream) {
   StageRunConfig config;
   config.run = stream;
   config.schedule = RunOrder::random;
@@ -59,7 +60,7 @@ bool OtherOrders::completion_differs(World world, std::vector<Deposit> done, std
 }
 
 /// Deposits a brick if a rule that acts allows it.
-bool OtherOrders::deposit(World& world, Cell site, std::uint64_t colours,
+bool OtherOrders::deposit(LatticeWorld& world, Cell site, std::uint64_t colours,
                           std::vector<Deposit>& done) const {
   if (!world.is_site(site) || world.stage_spent()) return false;
   std::vector<Match> matches;
@@ -76,7 +77,7 @@ bool OtherOrders::deposit(World& world, Cell site, std::uint64_t colours,
 }
 
 bool OtherOrders::path_differs(const std::vector<std::uint32_t>& path, std::uint32_t site) {
-  World world = before_;
+  LatticeWorld world = before_;
   std::vector<Deposit> done;
   for (const std::uint32_t brick : path) {
     if (!deposit(world, model_.at(brick), std::uint64_t{1} << model_.run()[brick].colour, done))
@@ -113,7 +114,7 @@ bool OtherOrders::provokes(const Invariant& invariant, const LocalFailure& failu
     }
   }
   wanted.erase(failure.site);
-  World world = before_;
+  LatticeWorld world = before_;
   StageRunConfig config;
   config.run = stream;
   config.schedule = RunOrder::random;

@@ -14,7 +14,7 @@ namespace stig {
 class OtherOrders {
  public:
   /// All must outlive it.
-  OtherOrders(const World& before, const StageModel& model, const Budget& budget)
+  OtherOrders(const LatticeWorld& before, const StageModel& model, const Budget& budget)
       : before_(before), model_(model), budget_(budget) {}
 
   /// The order that was found to end without a brick of the model's run, or to have a
@@ -32,12 +32,13 @@ class OtherOrders {
 
  private:
   bool differs(StageRun&& run);
-  bool completion_differs(World world, std::vector<Deposit> done, std::uint32_t stream);
-  bool deposit(World& world, Cell site, std::uint64_t colours, std::vector<Deposit>& done) const;
+  bool completion_differs(LatticeWorld world, std::vector<Deposit> done, std::uint32_t stream);
+  bool deposit(LatticeWorld& world, Cell site, std::uint64_t colours,
+               std::vector<Deposit>& done) const;
   bool provokes(const Invariant& invariant, const LocalFailure& failure, std::uint32_t stream);
   bool shown_by(const Window& window, const LocalFailure& failure);
 
-  const World& before_;
+  const LatticeWorld& before_;
   const StageModel& model_;
   const Budget& budget_;
   std::optional<StageRun> found_;

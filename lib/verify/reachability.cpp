@@ -18,7 +18,7 @@ constexpr std::size_t kMostAttempts = 24;
 /// The bounding box of a structure and one cell more to every side, as far as agents get.
 class Region {
  public:
-  Region(const Bounds& bounds, const std::optional<Box>& box, bool floor) {
+  Region(const CellBounds& bounds, const std::optional<Box>& box, bool floor) {
     low_ = bounds.low + Offset{-1, -1, -1};
     high_ = bounds.high + Offset{1, 1, 1};
     if (floor) low_.z = std::max(low_.z, 0);
@@ -64,7 +64,7 @@ class Region {
 
  private:
   Cell low_, high_;
-  Bounds bounds_;
+  CellBounds bounds_;
 };
 
 /// The empty cells of the region that agents from outside can walk to.
@@ -163,7 +163,7 @@ class Reachability {
     Budget budget;
     budget.end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
     budget.stop = options_.stop;
-    World world(table, rules_.start, options_.box);
+    LatticeWorld world(table, rules_.start, options_.box);
     std::vector<Deposit> order;
     for (std::uint32_t i = 0; i < run_.size() && work_.stage[i] < work_.stage[b]; ++i) {
       world.deposit(run_[i].site, run_[i].colour, [](Cell, const View&) {});

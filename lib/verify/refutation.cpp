@@ -18,8 +18,8 @@ struct Ending {
 };
 
 /// Runs a world on through all of its stages. `in_stage`: deposits of the stage it was in.
-StageRun run_to_the_end(World& world, const Plan& plan, std::uint64_t most, const Budget& budget,
-                        std::size_t& in_stage) {
+StageRun run_to_the_end(LatticeWorld& world, const Plan& plan, std::uint64_t most,
+                        const Budget& budget, std::size_t& in_stage) {
   StageRun all;
   const int begun_in = world.stage();
   do {
@@ -39,7 +39,7 @@ enum class Comparison : std::uint8_t { same, differs, open };
 
 class Explainer {
  public:
-  Explainer(const RuleSet& rules, const RuleTable& table, const World& begin,
+  Explainer(const RuleSet& rules, const RuleTable& table, const LatticeWorld& begin,
             const std::vector<Deposit>& first, const std::vector<Deposit>& other,
             const Budget& budget)
       : rules_(rules), table_(table), begin_(begin), other_(other), plan_(first), budget_(budget) {}
@@ -71,15 +71,15 @@ class Explainer {
   }
 
  private:
-  World after(std::size_t prefix) const {
-    World world = begin_;
+  LatticeWorld after(std::size_t prefix) const {
+    LatticeWorld world = begin_;
     for (std::size_t i = 0; i < prefix; ++i) {
       world.deposit(other_[i].site, other_[i].colour, [](Cell, const View&) {});
     }
     return world;
   }
   Ending go_on(std::size_t prefix, std::uint64_t most) const {
-    World world = after(prefix);
+    LatticeWorld world = after(prefix);
     Ending ending;
     StageRun run = run_to_the_end(world, plan_, most, budget_, ending.in_stage);
     ending.deposits = std::move(run.deposits);
@@ -119,7 +119,7 @@ class Explainer {
     return out;
   }
 
-  bool allows(const World& world, const Deposit& deposit) const {
+  bool allows(const LatticeWorld& world, const Deposit& deposit) const {
     if (!world.is_site(deposit.site)) return false;
     std::vector<Match> matches;
     table_.matches(world.view(deposit.site), deposit.site.z, world.stage(), matches);
@@ -133,7 +133,7 @@ class Explainer {
   void find_rival(const std::vector<Deposit>& first, std::size_t common,
                   DivergingOrders& out) const {
     const Deposit& decisive = other_[common];
-    World without = after(common), with = after(common + 1);
+    LatticeWorld without = after(common), with = after(common + 1);
     const int stage = without.stage();
     const auto nothing = [](Cell, const View&) {};
     for (const Deposit& deposit : first) {
@@ -150,7 +150,7 @@ class Explainer {
 
   const RuleSet& rules_;
   const RuleTable& table_;
-  const World& begin_;
+  const LatticeWorld& begin_;
   const std::vector<Deposit>& other_;
   Plan plan_;
   const Budget& budget_;
@@ -159,9 +159,9 @@ class Explainer {
 };
 
 /// Two whole orders, as they are: they part where they first differ.
-DivergingOrders part(const World& start, Ending& first, Ending& second) {
+DivergingOrders part(const LatticeWorld& start, Ending& first, Ending& second) {
   DivergingOrders out;
-  World world = start;
+  LatticeWorld world = start;
   while (first.deposits[out.common].site == second.deposits[out.common].site &&
          first.deposits[out.common].colour == second.deposits[out.common].colour) {
     const Deposit& deposit = first.deposits[out.common++];
@@ -189,7 +189,7 @@ DivergingOrders part(const World& start, Ending& first, Ending& second) {
 }  // namespace
 
 std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const RuleTable& table,
-                                                  const World& stage_begin,
+                                                  const LatticeWorld& stage_begin,
                                                   const std::vector<Deposit>& earlier,
                                                   const std::vector<Deposit>& first,
                                                   const std::vector<Deposit>& other,
@@ -197,11 +197,11 @@ std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const Ru
   return Explainer(rules, table, stage_begin, first, other, budget).explain(earlier);
 }
 
-std::optional<DivergingOrders> find_whole_orders(const World& start, const Budget& budget) {
+std::optional<DivergingOrders> find_whole_orders(const LatticeWorld& start, const Budget& budget) {
   constexpr std::uint32_t kRuns = 48;
   std::optional<Ending> first;
   for (std::uint32_t i = 0; i < kRuns && !budget.spent(); ++i) {
-    World world = start;
+    LatticeWorld world = start;
     StageRunConfig config;
     config.run = 0x30000 + i;
     config.most = kBeyond;

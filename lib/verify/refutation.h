@@ -17,7 +17,7 @@ namespace stig {
 /// allow it. The longest such detour that ends as the first order does, and the next
 /// deposit of the other, make the difference.
 std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const RuleTable& table,
-                                                  const World& stage_begin,
+                                                  const LatticeWorld& stage_begin,
                                                   const std::vector<Deposit>& earlier,
                                                   const std::vector<Deposit>& first,
                                                   const std::vector<Deposit>& other,
@@ -25,6 +25,6 @@ std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const Ru
 
 /// Two of a few random orders, from the beginning of the first stage to the end of the last,
 /// that end differently; none: all that were tried and ended agree.
-std::optional<DivergingOrders> find_whole_orders(const World& start, const Budget& budget);
+std::optional<DivergingOrders> find_whole_orders(const LatticeWorld& start, const Budget& budget);
 
 }  // namespace stig

@@ -88,7 +88,7 @@ RuleUse use_of_rules(const RuleSet& rules, const VerifyOptions& options,
                      const VerifyResult& result) {
   const RuleTable table(rules);
   Uses uses(rules);
-  World world(table, rules.start, options.box);
+  LatticeWorld world(table, rules.start, options.box);
   std::size_t done = 0;
   for (std::size_t s = 0; s < result.certificate->stages.size(); ++s) {
     const auto first = result.run.begin() + static_cast<std::ptrdiff_t>(done);

@@ -48,7 +48,7 @@ Mask LocalRule::sees() const {
   return seen;
 }
 
-StageModel::StageModel(const RuleSet& rules, const RuleTable& table, const World& before,
+StageModel::StageModel(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
                        const std::vector<Deposit>& run)
     : rules_(&rules),
       table_(&table),

@@ -70,12 +70,12 @@ class StageModel {
  public:
   /// `before`: the world at the beginning of its present stage; `run`: all of the stage's
   /// deposits in a run that ended. All arguments must outlive the model.
-  StageModel(const RuleSet& rules, const RuleTable& table, const World& before,
+  StageModel(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
              const std::vector<Deposit>& run);
 
   const RuleSet& rules() const { return *rules_; }
   const RuleTable& table() const { return *table_; }
-  const World& before() const { return *before_; }
+  const LatticeWorld& before() const { return *before_; }
   const std::vector<Deposit>& run() const { return *run_; }
   std::size_t bricks() const { return run_->size(); }
   /// Bricks and border.
@@ -105,7 +105,7 @@ class StageModel {
 
   const RuleSet* rules_;
   const RuleTable* table_;
-  const World* before_;
+  const LatticeWorld* before_;
   const std::vector<Deposit>* run_;
   EntryIndex index_;
   CellMap<std::uint32_t> numbers_{kNone};

@@ -21,7 +21,7 @@ std::string in_words(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cel
 
 class StageProver {
  public:
-  StageProver(const RuleSet& rules, const RuleTable& table, const World& before,
+  StageProver(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
               std::vector<Deposit> run, const Budget& budget)
       : before_(before),
         budget_(budget),
@@ -194,7 +194,7 @@ class StageProver {
     }
   }
 
-  const World& before_;
+  const LatticeWorld& before_;
   const Budget& budget_;
   std::vector<Deposit> run_;
   StageModel model_;
@@ -209,7 +209,7 @@ class StageProver {
 };
 
 /// Another run, in which some bricks wait until nothing else can be done.
-std::vector<Deposit> run_with_delays(const World& before, const std::vector<Deposit>& run,
+std::vector<Deposit> run_with_delays(const LatticeWorld& before, const std::vector<Deposit>& run,
                                      const std::set<Cell>& late, const Budget& budget) {
   std::vector<Deposit> wish;
   for (const bool now : {false, true}) {
@@ -222,14 +222,14 @@ std::vector<Deposit> run_with_delays(const World& before, const std::vector<Depo
   config.schedule = RunOrder::planned;
   config.plan = &plan;
   config.most = run.size() + 1000;
-  World world = before;
+  LatticeWorld world = before;
   StageRun result = run_stage(world, config, budget);
   return result.ended ? std::move(result.deposits) : std::vector<Deposit>{};
 }
 
 }  // namespace
 
-StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const World& before,
+StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
                        const StageRun& run, const Budget& budget) {
   // A witness in which bricks come as late as they can leaves less to be shown of them.
   std::set<Cell> late;

@@ -39,7 +39,7 @@ struct StageProof {
 
 /// `before`: the world at the beginning of its present stage; `run`: a run of that stage
 /// from there which ended.
-StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const World& before,
+StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
                        const StageRun& run, const Budget& budget);
 
 }  // namespace stig

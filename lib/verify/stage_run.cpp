@@ -52,7 +52,7 @@ class OpenSites {
 
 /// The rule that places what the plan says, if there is one that acts; else any of those
 /// that do, whatever their weights: what is unlikely happens too.
-Match choose(World& world, Cell site, const Plan* plan, Random& random) {
+Match choose(LatticeWorld& world, Cell site, const Plan* plan, Random& random) {
   const RuleTable& rules = world.rules();
   if (rules.conflicts() == Conflicts::first) return world.choose(site, random);
   std::vector<Match> matches;
@@ -69,7 +69,7 @@ Plan::Plan(const std::vector<Deposit>& order) {
   for (std::uint32_t i = 0; i < order.size(); ++i) steps_[order[i].site] = {i, order[i].colour};
 }
 
-StageRun run_stage(World& world, const StageRunConfig& config, const Budget& budget) {
+StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budget& budget) {
   StageRun run;
   OpenSites open(config);
   const auto allowed = [&](Cell site) { return !config.may_fill || config.may_fill(site); };
@@ -95,9 +95,9 @@ StageRun run_stage(World& world, const StageRunConfig& config, const Budget& bud
   }
 }
 
-World world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
-                     const std::optional<Box>& box, int stage) {
-  World world(rules, bricks, box);
+LatticeWorld world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
+                            const std::optional<Box>& box, int stage) {
+  LatticeWorld world(rules, bricks, box);
   while (world.stage() < stage && world.next_stage()) {
   }
   return world;

@@ -51,10 +51,10 @@ struct StageRun {
 
 /// Runs the world's present stage on from where it is. Probabilities count as 1: what may
 /// fire does.
-StageRun run_stage(World& world, const StageRunConfig& config, const Budget& budget);
+StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budget& budget);
 
 /// A world with these bricks, at the beginning of a stage.
-World world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
-                     const std::optional<Box>& box, int stage);
+LatticeWorld world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
+                            const std::optional<Box>& box, int stage);
 
 }  // namespace stig

@@ -79,7 +79,7 @@ class Verification {
   }
 
   void decide_stage() {
-    const World begin = world_;
+    const LatticeWorld begin = world_;
     StageRun probe;
     std::optional<Repetition> repetition;
     if (!options_.box && table_.stage_limit(world_.stage()) == 0) {
@@ -106,8 +106,8 @@ class Verification {
     keep(proof.run);
   }
 
-  StageRun probe_growth(const World& begin, std::optional<Repetition>& repetition) {
-    World world = begin;
+  StageRun probe_growth(const LatticeWorld& begin, std::optional<Repetition>& repetition) {
+    LatticeWorld world = begin;
     StageRunConfig config;
     config.schedule = RunOrder::newest;
     config.most = kProbe;
@@ -117,9 +117,9 @@ class Verification {
   }
 
   /// Does some order end, of a set in which one goes on for ever?
-  bool end_some_way(const World& begin, StageRun& run) const {
+  bool end_some_way(const LatticeWorld& begin, StageRun& run) const {
     for (std::uint32_t i = 1; i <= kTries && !budget_.spent(); ++i) {
-      World world = begin;
+      LatticeWorld world = begin;
       StageRunConfig config;
       config.schedule = i == 1 ? RunOrder::oldest : RunOrder::random;
       config.run = i;
@@ -161,13 +161,14 @@ class Verification {
     have_structure_ = world_.stage() == table_.stage_count();
   }
 
-  void refute(const World& begin, const StageRun& run, const std::vector<Deposit>& other) {
+  void refute(const LatticeWorld& begin, const StageRun& run, const std::vector<Deposit>& other) {
     say("looking for the deposit that makes the difference");
     result_.verdict = ProofVerdict::refuted;
     result_.refutation =
         explain_refutation(rules_, table_, begin, result_.run, run.deposits, other, budget_);
     if (!result_.refutation && table_.stage_count() > 1) {
-      result_.refutation = find_whole_orders(World(table_, rules_.start, options_.box), budget_);
+      result_.refutation =
+          find_whole_orders(LatticeWorld(table_, rules_.start, options_.box), budget_);
     }
     if (result_.refutation) return;
     result_.verdict = ProofVerdict::unknown;
@@ -182,7 +183,7 @@ class Verification {
   const RuleSet& rules_;
   const VerifyOptions& options_;
   RuleTable table_;
-  World world_;
+  LatticeWorld world_;
   Budget budget_;
   std::chrono::steady_clock::time_point begun_;
   Certificate certificate_;

@@ -250,3 +250,25 @@ TEST_CASE("blocks without magnets touch, and do not snap") {
     CHECK(count(world, EventKind::snapped) == 0);
   }
 }
+
+TEST_CASE("blocks that hang on magnets stay when a touch wakes them in the middle of a step") {
+  WorldConfig config = scene_settings({0.5, 0.5});
+  config.floor = false;
+  for (int i = 0; i < 3; ++i) {
+    config.bodies.push_back(block_body(paper_block(), {{i * 0.05499, 0, 1}, {}}));
+  }
+  config.bodies[0].fixed = true;
+  config.bodies.push_back(solid_body(Shape::sphere(0.005), 1e-4, {0.11, 0, 3}));
+  World world(config);
+  run(world, 0.55);
+  REQUIRE(world.awake_count() == 1);
+  std::size_t woke = 0;
+  while (world.time() < 0.8) {
+    REQUIRE(world.step().ok);
+    woke += count(world, EventKind::woke);
+    // A step without their magnets would let them fall with 49 mm/s.
+    CHECK(std::abs(state(world, 1).velocity.z) < 0.01);
+    CHECK(std::abs(state(world, 2).velocity.z) < 0.01);
+  }
+  CHECK(woke == 2);
+}

@@ -18,7 +18,7 @@ TEST_CASE("help of the program and of every command") {
   hold(place, "help", "stigc --help");
   for (const char* command :
        {"check", "fmt", "explore", "explain", "test", "verify", "certify", "graph", "replay",
-        "schema", "measure", "draw", "synth", "completions", "doctor"}) {
+        "schema", "measure", "draw", "synth", "simulate", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
   }
 }

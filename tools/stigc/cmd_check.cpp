@@ -2,17 +2,47 @@
 // stigc check: every problem of every file, at once.
 #include <fmt/format.h>
 
+#include "base/file_io.h"
 #include "commands.h"
 #include "rules/rule_reader.h"
+#include "scene_input.h"
 
 namespace stig {
+namespace {
+
+/// Reads a file as what its first keys say it is; rule sets are the default.
+void check_file(const std::string& path, Diagnostics& diagnostics) {
+  FileError error;
+  auto text = read_file(path, kMaxSceneBytes, error);
+  auto source = std::make_shared<const SourceFile>(path, text ? std::move(*text) : "");
+  if (!text) {
+    diagnostics.add(error.too_large ? Code::R002 : Code::R001, {std::move(source), 0, 0},
+                    error.message);
+    return;
+  }
+  switch (content_of(source->text())) {
+    case FileContent::scene:
+      if (const auto scene = read_scene(source, scene_loader(path), diagnostics)) {
+        place_scene(*scene, scene->seed, diagnostics);
+      }
+      break;
+    case FileContent::block:
+      read_block(std::move(source), diagnostics);
+      break;
+    case FileContent::rules:
+      read_rule_set(std::move(source), diagnostics);
+      break;
+  }
+}
+
+}  // namespace
 
 int run(const CheckOptions& options, App& app) {
   Diagnostics all;
   std::size_t good = 0;
   for (const std::string& file : options.files) {
     Diagnostics diagnostics;
-    read_rule_set_file(file, diagnostics);
+    check_file(file, diagnostics);
     if (!app.invalid(diagnostics)) ++good;
     all.append(diagnostics);
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// stigc replay: does a trace's run come out again, event by event?
+// stigc replay: does a trace's run come out again, event by event? Traces of simulate are
+// for pose_replay.cpp.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -8,6 +9,8 @@
 #include "base/hash.h"
 #include "commands.h"
 #include "lattice/trace.h"
+#include "physical/pose_trace.h"
+#include "pose_replay.h"
 #include "progress.h"
 #include "report.h"
 #include "rules/rule_reader.h"
@@ -58,10 +61,15 @@ void print(const ReplayOptions& options, const Trace& trace, const RuleSet& rule
 
 int run(const ReplayOptions& options, App& app) {
   FileError error;
-  const auto bytes = read_file(options.trace, kMostTraceBytes, error);
+  auto bytes = read_file(options.trace, kMostTraceBytes, error);
   if (!bytes) {
     app.complain(error.message);
     return kFailed;
+  }
+  if (bytes->starts_with(kPoseTraceMagic)) return replay_poses(options, std::move(*bytes), app);
+  if (options.at || options.picture) {
+    app.complain("--at and -o are for traces of stigc simulate");
+    return kUsage;
   }
   Diagnostics diagnostics;
   const std::optional<Trace> trace = read_trace(options.trace, *bytes, diagnostics);

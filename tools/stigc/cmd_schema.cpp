@@ -2,12 +2,13 @@
 // stigc schema and stigc completions: what the program knows of itself.
 #include "commands.h"
 #include "help.h"
+#include "physical/scene.h"
 #include "rules/rule_schema.h"
 
 namespace stig {
 
-int run(const SchemaOptions&, App& app) {
-  app.print(json_schema());
+int run(const SchemaOptions& options, App& app) {
+  app.print(options.form == FileForm::scene ? scene_schema() : json_schema());
   return kOk;
 }
 

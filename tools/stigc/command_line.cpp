@@ -32,6 +32,7 @@ struct Storage {
   CompletionsOptions completions;
   DoctorOptions doctor;
   SynthOptions synth;
+  SimulateOptions simulate;
 };
 
 /// An option whose text is read by `parse`, which returns what is wrong.
@@ -132,11 +133,11 @@ CLI::App* command(CLI::App& app, const std::string& name, const std::string& sum
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
-  CLI::App* sub = command(app, "check", "report every problem of rule set files",
-                          "  stigc check rulesets/*.yaml\n"
+  CLI::App* sub = command(app, "check", "report every problem of rule sets, scenes and blocks",
+                          "  stigc check rulesets/*.yaml scenes/*.yaml\n"
                           "  stigc check --diagnostics json staircase.yaml > problems.json\n"
                           "  stigc check -W error staircase.yaml\n");
-  files(sub, o.files, "rule sets to check; - is standard input");
+  files(sub, o.files, "rule sets, scenes or blocks to check; - is standard input");
 }
 
 void add_fmt(CLI::App& app, FmtOptions& o) {
@@ -286,17 +287,66 @@ void lattice(CLI::App* sub, std::optional<Lattice>& out) {
       "the lattice of a file that does not say it, as no .vox does (default: cubic)");
 }
 
+CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<double>& out,
+                     const std::string& doc) {
+  return parsed(app, names, "S", doc,
+                [&out](const std::string& text) { return parse_seconds(text, out.emplace()); });
+}
+
+CLI::Option* path(CLI::App* app, const std::string& names, std::optional<std::string>& out,
+                  const std::string& doc) {
+  return app->add_option(names, out, doc)->type_name("FILE");
+}
+
+void add_replay(CLI::App& app, ReplayOptions& o) {
+  CLI::App* sub =
+      command(app, "replay", "look at a recorded run, or run it again and compare",
+              "  stigc explore staircase.yaml --trace run.stigt && stigc replay run.stigt\n"
+              "  stigc simulate scenes/drop.yaml --trace drop.stigp && stigc replay drop.stigp\n"
+              "  stigc replay drop.stigp --at 1.5 -o drop.png\n"
+              "  stigc replay drop.stigp --verify\n");
+  file(sub, "TRACE", o.trace, "trace of explore, which is run again, or of simulate");
+  sub->add_flag("--verify", o.verify,
+                "run the scene again and compare the hashes of its states; traces of explore "
+                "always are");
+  seconds(sub, "--at", o.at, "the moment to show, in simulated seconds (default: the end)");
+  path(sub, "-o,--output", o.picture, "draw that moment (.png)");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
+void add_simulate(CLI::App& app, SimulateOptions& o) {
+  CLI::App* sub =
+      command(app, "simulate", "run a scene of blocks as physics has it",
+              "  stigc simulate scenes/pyramid.yaml\n"
+              "  stigc simulate scenes/drop.yaml --duration 3 -o drop.png --at 0.4\n"
+              "  stigc simulate scenes/drop.yaml --trace drop.stigp --checkpoint drop.stigk\n"
+              "  stigc simulate --resume drop.stigk --trace drop.stigp --duration 20\n"
+              "  stigc simulate scenes/drop.yaml --runs 10 --json\n");
+  sub->add_option("SCENE", o.scene, "the scene; left out with --resume")->type_name("FILE");
+  parsed(sub, "--seed", "N", "seed of all random choices (default: the scene's)",
+         [&o](const std::string& text) { return parse_seed(text, o.seed.emplace()); });
+  seconds(sub, "--duration", o.duration, "simulated seconds (default: the scene's)");
+  path(sub, "--trace", o.trace, "record the run, for replay and viewers (.stigp)");
+  path(sub, "-o,--output", o.picture, "draw the end, or the moment --at (.png)");
+  seconds(sub, "--at", o.at, "the picture's moment, in simulated seconds");
+  path(sub, "--checkpoint", o.checkpoint, "write the state at the end, also when interrupted");
+  path(sub, "--resume", o.resume, "go on from a checkpoint; --trace names the trace so far");
+  integer(sub, "--runs", o.runs, 1, 100'000, "so many runs with seeds one after the other");
+  integer(sub, "--threads", o.threads, 0, 4096,
+          "threads for the runs; 0: all cores (default). The results are the same for any");
+  sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
+}
+
 void add_files_out(CLI::App& app, Storage& s) {
   CLI::App* graph = command(app, "graph", "print which rule's brick another rule can need, as DOT",
                             "  stigc graph staircase.yaml | dot -Tsvg > staircase.svg\n");
   file(graph, "FILE", s.graph.file, "the rule set");
-  CLI::App* replay = command(app, "replay", "run a trace again and compare every event",
-                             "  stigc explore staircase.yaml --trace run.stigt\n"
-                             "  stigc replay run.stigt\n");
-  file(replay, "TRACE", s.replay.trace, "trace file (.stigt)");
-  replay->add_flag("--json", s.replay.json, "print one JSON object");
-  command(app, "schema", "print the JSON Schema of rule set files",
-          "  stigc schema > stigc.schema.json\n");
+  add_replay(app, s.replay);
+  CLI::App* schema = command(app, "schema", "print the JSON Schema of rule set or scene files",
+                             "  stigc schema > stigc.schema.json\n"
+                             "  stigc schema scene > scene.schema.json\n");
+  choice(schema, "FORM", s.schema.form, {{"rules", FileForm::rules}, {"scene", FileForm::scene}},
+         "what kind of file (default: rules)");
   CLI::App* measure = command(app, "measure", "measure a structure file",
                               "  stigc measure staircase.vox\n"
                               "  stigc measure tiling.vox --lattice hexagonal\n"
@@ -415,6 +465,7 @@ void build(CLI::App& app, Storage& s) {
   add_certify(app, s.certify);
   add_files_out(app, s);
   add_synth(app, s.synth);
+  add_simulate(app, s.simulate);
   add_about_itself(app, s);
 }
 
@@ -447,11 +498,12 @@ CommandInfo describe_command(const CLI::App& sub) {
 
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
-      {"check", s.check},     {"fmt", s.fmt},         {"explore", s.explore},
-      {"explain", s.explain}, {"test", s.test},       {"verify", s.verify},
-      {"certify", s.certify}, {"graph", s.graph},     {"replay", s.replay},
-      {"schema", s.schema},   {"measure", s.measure}, {"draw", s.draw},
-      {"synth", s.synth},     {"doctor", s.doctor},   {"completions", s.completions}};
+      {"check", s.check},      {"fmt", s.fmt},         {"explore", s.explore},
+      {"explain", s.explain},  {"test", s.test},       {"verify", s.verify},
+      {"certify", s.certify},  {"graph", s.graph},     {"replay", s.replay},
+      {"schema", s.schema},    {"measure", s.measure}, {"draw", s.draw},
+      {"synth", s.synth},      {"doctor", s.doctor},   {"completions", s.completions},
+      {"simulate", s.simulate}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

@@ -22,5 +22,6 @@ int run(const DrawOptions& options, App& app);
 int run(const CompletionsOptions& options, App& app);
 int run(const DoctorOptions& options, App& app);
 int run(const SynthOptions& options, App& app);
+int run(const SimulateOptions& options, App& app);
 
 }  // namespace stig

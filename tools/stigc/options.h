@@ -100,10 +100,30 @@ struct GraphOptions {
 
 struct ReplayOptions {
   std::string trace;
+  bool verify = false;
+  std::optional<double> at;            ///< s
+  std::optional<std::string> picture;  ///< .png
   bool json = false;
 };
 
-struct SchemaOptions {};
+struct SimulateOptions {
+  std::string scene;  ///< empty: the one of `resume`
+  std::optional<std::uint64_t> seed;
+  std::optional<double> duration;      ///< s
+  std::optional<double> at;            ///< s, of the picture
+  std::optional<std::string> picture;  ///< .png
+  std::optional<std::string> trace;
+  std::optional<std::string> checkpoint;
+  std::optional<std::string> resume;
+  int runs = 1;
+  int threads = 0;  ///< 0: all cores
+  bool json = false;
+};
+
+enum class FileForm : std::uint8_t { rules, scene };
+struct SchemaOptions {
+  FileForm form = FileForm::rules;
+};
 
 struct MeasureOptions {
   std::string structure;
@@ -151,7 +171,8 @@ struct SynthOptions {
 using CommandOptions =
     std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
-                 SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions>;
+                 SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
+                 SimulateOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "base/random.h"
+#include "physical/scene.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::size_t kMostBlocks = 20'000;
+constexpr std::size_t kMostReported = 20;
+constexpr double kInto = 10e-6;  ///< m, that neighbours overlap: as they would lie at rest
+constexpr double kTurn = 2 * 3.14159265358979323846;
+
+Pose in_frame(const Pose& X_WE, const Pose& X_EB) {
+  return {X_WE.p + matrix(X_WE.q) * X_EB.p, normalised(X_WE.q * X_EB.q)};
+}
+
+/// The blocks of a lattice whose lowest layer stands on the entry's area.
+template <class Wanted>
+std::vector<Pose> lattice_poses(double side, const std::array<int, 3>& from,
+                                const std::array<int, 3>& to, double shift_x, Wanted wanted) {
+  const double pitch = side - kInto;
+  std::vector<Pose> out;
+  for (int z = from[2]; z < to[2]; ++z) {
+    for (int y = from[1]; y < to[1]; ++y) {
+      for (int x = from[0]; x < to[0]; ++x) {
+        if (!wanted(x, y, z)) continue;
+        out.push_back({{(x + shift_x) * pitch, y * pitch, side / 2 - kInto + z * pitch}, {}});
+      }
+    }
+  }
+  return out;
+}
+
+std::vector<Pose> wall_poses(const BlockSpawn& spawn, double side) {
+  return lattice_poses(side, {0, 0, 0}, spawn.count, -(spawn.count[0] - 1) / 2.0,
+                       [](int, int, int) { return true; });
+}
+
+/// Each layer loses its outermost blocks; three layers are the paper's nine, five and one.
+std::vector<Pose> pyramid_poses(const BlockSpawn& spawn, double side) {
+  const int layers = spawn.count[2], half = layers / 2;
+  return lattice_poses(
+      side, {-half, -half, 0}, {half + 1, half + 1, layers}, 0,
+      [layers](int x, int y, int z) { return std::abs(x) + std::abs(y) <= layers - 1 - z; });
+}
+
+/// Numbers in [-1, 1) that depend on the seed and the block alone.
+class Noise {
+ public:
+  Noise(std::uint64_t seed, std::size_t entry, std::size_t block)
+      : random_(seed, 0, Purpose::start, static_cast<std::uint32_t>(entry), block) {}
+  double operator()() { return 2 * random_.unit() - 1; }
+  double unit() { return random_.unit(); }
+
+ private:
+  Random random_;
+};
+
+std::vector<Pose> grid_poses(const BlockSpawn& spawn, double side, std::uint64_t seed,
+                             std::size_t entry) {
+  const double pitch = spawn.pitch > 0 ? spawn.pitch : 1.8 * side;
+  const auto& n = spawn.count;
+  std::vector<Pose> out;
+  for (int z = 0; z < n[2]; ++z) {
+    for (int y = 0; y < n[1]; ++y) {
+      for (int x = 0; x < n[0]; ++x) {
+        Noise noise(seed, entry, out.size());
+        Vec3 p{(x - (n[0] - 1) / 2.0) * pitch, (y - (n[1] - 1) / 2.0) * pitch,
+               side / 2 + z * pitch};
+        p.x += noise() * spawn.jitter;
+        p.y += noise() * spawn.jitter;
+        Vec3 axis{noise(), noise(), noise()};
+        axis *= 1 / std::max(1.0, length(axis));
+        out.push_back({p, normalised(rotation(axis * spawn.tumble))});
+      }
+    }
+  }
+  return out;
+}
+
+/// Balls that keep clear of each other, found by trying places: cells of their diameter
+/// hold at most a few.
+class Scatter {
+ public:
+  explicit Scatter(double radius) : least_(2 * radius) {}
+
+  bool add(const Vec3& p) {
+    const std::array<std::int64_t, 3> at = {cell(p.x), cell(p.y), cell(p.z)};
+    for (std::int64_t x = at[0] - 1; x <= at[0] + 1; ++x) {
+      for (std::int64_t y = at[1] - 1; y <= at[1] + 1; ++y) {
+        for (std::int64_t z = at[2] - 1; z <= at[2] + 1; ++z) {
+          if (near(key(x, y, z), p)) return false;
+        }
+      }
+    }
+    cells_[key(at[0], at[1], at[2])].push_back(p);
+    return true;
+  }
+
+ private:
+  std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / least_)); }
+  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+    const auto bits = [](std::int64_t v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
+    return bits(x) << 42 | bits(y) << 21 | bits(z);
+  }
+  bool near(std::uint64_t key, const Vec3& p) const {
+    const auto found = cells_.find(key);
+    return found != cells_.end() &&
+           std::any_of(found->second.begin(), found->second.end(),
+                       [&](const Vec3& o) { return squared(o - p) < least_ * least_; });
+  }
+
+  double least_;
+  std::unordered_map<std::uint64_t, std::vector<Vec3>> cells_;
+};
+
+/// Half of the least distance between centres at which two blocks so turned are apart.
+double clearance(ScatterTurn turned, const Vec3& size, double side) {
+  const bool flat = size.z < side && turned != ScatterTurn::any;
+  return side / 2 * std::sqrt(flat ? 2.0 : 3.0) * 1.001;
+}
+
+/// Fewer poses than asked for when there is no room.
+std::vector<Pose> scatter_poses(const BlockSpawn& spawn, double side, std::uint64_t seed,
+                                std::size_t entry) {
+  const double radius = clearance(spawn.turned, spawn.size, side);
+  const double lowest = spawn.turned == ScatterTurn::any ? radius : side / 2;
+  const auto wanted = static_cast<std::size_t>(spawn.count[0]);
+  Scatter scatter(radius);
+  std::vector<Pose> out;
+  std::size_t tries = 10'000 + 50 * wanted;
+  for (std::size_t i = 0; out.size() < wanted && tries > 0; ++i, --tries) {
+    Noise noise(seed, entry, i);
+    const Vec3& size = spawn.size;
+    const Vec3 p{noise() * size.x / 2, noise() * size.y / 2, lowest + noise.unit() * size.z};
+    if (!scatter.add(p)) continue;
+    Quat q;
+    if (spawn.turned == ScatterTurn::upright) q = rotation({0, 0, noise.unit() * kTurn});
+    if (spawn.turned == ScatterTurn::any) {
+      // Uniform over rotations (Shoemake 1992).
+      const double u = noise.unit(), a = noise.unit() * kTurn, b = noise.unit() * kTurn;
+      const double s = std::sqrt(1 - u), t = std::sqrt(u);
+      q = {t * std::cos(b), s * std::sin(a), s * std::cos(a), t * std::sin(b)};
+    }
+    out.push_back({p, normalised(q)});
+  }
+  return out;
+}
+
+/// Without making them: how many blocks an entry asks for.
+std::size_t count_of(const BlockSpawn& spawn) {
+  if (spawn.kind == SpawnKind::poses) return spawn.poses.size();
+  std::size_t count = 1;
+  for (const int n : spawn.count) count *= static_cast<std::size_t>(n);
+  return count;
+}
+
+class Placer {
+ public:
+  Placer(const Scene& scene, std::uint64_t seed, Diagnostics& out) : scene_(scene), out_(out) {
+    placed_.seed = seed;
+    placed_.config = scene.settings;
+  }
+
+  std::optional<PlacedScene> place() {
+    if (!check_count()) return std::nullopt;
+    for (std::size_t i = 0; i < scene_.blocks.size(); ++i) add_entry(i);
+    if (out_.has_errors()) return std::nullopt;
+    placed_.config.sweeps = sweeps();
+    report_problems();
+    if (out_.has_errors()) return std::nullopt;
+    return std::move(placed_);
+  }
+
+ private:
+  bool check_count() {
+    std::size_t count = 0;
+    for (const BlockSpawn& spawn : scene_.blocks) {
+      count += count_of(spawn);
+      if (count <= kMostBlocks) continue;
+      out_.add(Code::S604, spawn.range,
+               fmt::format("with this entry there are more than {} blocks", kMostBlocks));
+      return false;
+    }
+    return true;
+  }
+
+  void add_entry(std::size_t entry) {
+    const BlockSpawn& spawn = scene_.blocks[entry];
+    const std::vector<Pose> poses = poses_of(entry);
+    if (spawn.kind == SpawnKind::scatter && poses.size() < count_of(spawn)) {
+      out_.add(
+          Code::S605, spawn.range,
+          fmt::format("there is room for {} blocks, not for {}", poses.size(), count_of(spawn)));
+      return;
+    }
+    if (spawn.kind == SpawnKind::pyramid && placed_.bodies.size() + poses.size() > kMostBlocks) {
+      out_.add(Code::S604, spawn.range, "with this entry there are too many blocks");
+      return;
+    }
+    for (std::size_t i = 0; i < poses.size(); ++i) add_block(entry, i, poses.size(), poses[i]);
+  }
+
+  std::vector<Pose> poses_of(std::size_t entry) const {
+    const BlockSpawn& spawn = scene_.blocks[entry];
+    const double side = scene_.models[spawn.model].side;
+    switch (spawn.kind) {
+      case SpawnKind::single:
+        return {Pose{}};
+      case SpawnKind::column:
+      case SpawnKind::wall:
+        return wall_poses(spawn, side);
+      case SpawnKind::pyramid:
+        return pyramid_poses(spawn, side);
+      case SpawnKind::grid:
+        return grid_poses(spawn, side, placed_.seed, entry);
+      case SpawnKind::scatter:
+        return scatter_poses(spawn, side, placed_.seed, entry);
+      case SpawnKind::poses:
+        return spawn.poses;
+    }
+    return {};
+  }
+
+  void add_block(std::size_t entry, std::size_t number, std::size_t of, const Pose& X_EB) {
+    const BlockSpawn& spawn = scene_.blocks[entry];
+    BodyDef def = block_body(scene_.models[spawn.model], in_frame(spawn.X_WE, X_EB));
+    def.fixed = spawn.fixed;
+    def.velocity = spawn.velocity;
+    def.spin = spawn.spin;
+    placed_.config.bodies.push_back(std::move(def));
+    const std::string name = spawn.name.empty() ? fmt::format("block {}", placed_.bodies.size() + 1)
+                             : of == 1          ? spawn.name
+                                                : fmt::format("{} {}", spawn.name, number + 1);
+    placed_.bodies.push_back({name, spawn.colour, entry});
+  }
+
+  int sweeps() const {
+    if (scene_.sweeps > 0) return scene_.sweeps;
+    const bool high =
+        std::any_of(scene_.blocks.begin(), scene_.blocks.end(), [](const BlockSpawn& spawn) {
+          return spawn.kind != SpawnKind::grid && spawn.count[2] > 5;
+        });
+    return high ? 60 : 20;
+  }
+
+  void report_problems() {
+    const auto problems = find_problems(placed_.config);
+    for (std::size_t i = 0; i < problems.size() && i < kMostReported; ++i) report(problems[i]);
+    if (problems.size() <= kMostReported) return;
+    out_.add(
+        Code::S609, scene_.blocks.front().range,
+        fmt::format("{} more blocks are where they cannot be", problems.size() - kMostReported));
+  }
+
+  void report(const ConfigProblem& problem) {
+    const auto name = [&](std::uint32_t body) { return "'" + placed_.bodies[body].name + "'"; };
+    const auto range = [&](std::uint32_t body) {
+      return scene_.blocks[placed_.bodies[body].entry].range;
+    };
+    if (problem.bodies.empty()) {
+      const SourceRange whole = scene_.blocks.empty() ? SourceRange{} : scene_.blocks[0].range;
+      out_.add(Code::S609, whole, problem.what);
+    } else if (problem.bodies.size() == 1) {
+      const std::uint32_t body = problem.bodies[0];
+      const Code code = problem.what == "is outside of the arena" ? Code::S602
+                        : problem.what == "is in the floor"       ? Code::S603
+                                                                  : Code::S609;
+      out_.add(code, range(body), fmt::format("{} {}", name(body), problem.what));
+    } else {
+      const std::uint32_t first = problem.bodies[0], second = problem.bodies[1];
+      out_.add(Code::S601, range(second),
+               fmt::format("{} and {} {}", name(first), name(second), problem.what))
+          .note(range(first), name(first) + " is from here");
+    }
+  }
+
+  const Scene& scene_;
+  Diagnostics& out_;
+  PlacedScene placed_;
+};
+
+}  // namespace
+
+std::optional<PlacedScene> place_scene(const Scene& scene, std::uint64_t seed,
+                                       Diagnostics& diagnostics) {
+  Diagnostics own;
+  auto placed = Placer(scene, seed, own).place();
+  diagnostics.append(own);
+  return placed;
+}
+
+}  // namespace stig

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include <cairo.h>
+
+#include <memory>
+
+#include "physical/scene_picture.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kLetters = 22, kMargin = 20;  ///< pixels
+
+cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
+  static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), size);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
+
+Surface surface_of(const Image& image) {
+  Surface surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height),
+                  cairo_surface_destroy};
+  if (cairo_surface_status(surface.get()) != CAIRO_STATUS_SUCCESS) return surface;
+  unsigned char* rows = cairo_image_surface_get_data(surface.get());
+  const int stride = cairo_image_surface_get_stride(surface.get());
+  for (int y = 0; y < image.height; ++y) {
+    auto* row = reinterpret_cast<std::uint32_t*>(rows + static_cast<std::ptrdiff_t>(y) * stride);
+    for (int x = 0; x < image.width; ++x) {
+      const Rgb& p = image.at(x, y);
+      row[x] = std::uint32_t{p.r} << 16 | std::uint32_t{p.g} << 8 | p.b;
+    }
+  }
+  cairo_surface_mark_dirty(surface.get());
+  return surface;
+}
+
+void write_caption(cairo_surface_t* surface, const std::string& caption, int height) {
+  cairo_t* cairo = cairo_create(surface);
+  cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(cairo, kLetters);
+  cairo_font_options_t* options = cairo_font_options_create();
+  // Hinting and the screen's order of colours would make the bytes depend on the machine.
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_set_font_options(cairo, options);
+  cairo_font_options_destroy(options);
+  cairo_set_source_rgb(cairo, 0.12, 0.16, 0.2);
+  cairo_move_to(cairo, kMargin, height - kMargin);
+  cairo_show_text(cairo, caption.c_str());
+  cairo_destroy(cairo);
+}
+
+}  // namespace
+
+std::string png_of(const Image& image, const std::string& caption) {
+  const Surface surface = surface_of(image);
+  if (!caption.empty()) write_caption(surface.get(), caption, image.height);
+  std::string bytes;
+  const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+  return status == CAIRO_STATUS_SUCCESS ? bytes : std::string{};
+}
+
+}  // namespace stig

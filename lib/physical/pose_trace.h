@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: MIT
+// Traces of poses (.stigp): a physical run as data, to be looked at, compared and run
+// again.
+//
+// Layout, version 1: the 8 bytes "stigpos1", then sections of a tag byte, the size as
+// u32, and one zstd frame with a checksum each:
+//   H  header, once: JSON with title, seed, step, frame_every, hash_every, channels and
+//      bodies (name, shape, half extents, block, LEDs, colour, fixed), then the files of the scene
+//   C  a chunk of records, which can be decoded alone. A record is a tag byte and the ticks
+//      since the record before as varint, then
+//        1 frame   number of bodies that changed; of each: distance of its number from the
+//                  one before, a byte of what changed and of its state, and the differences
+//        2 event   kind, body, other body + 1
+//        3 hash    of the world's state, u64
+//        4 value   channel, body, bytes: LED colours, words of robots and the like
+//      A chunk begins with a frame of all bodies and holds kFramesPerChunk frames.
+//   E  end, once: ticks, why it ended, hash of the state, a message, and for each chunk
+//      its first tick and its place in the file
+// and the place of E as u64, followed by "stigpend". Integers are little-endian.
+//
+// Places are whole multiples of 10 µm, rotations quaternions in multiples of 1/16384 (0.007°
+// at most beside the truth). Velocities are not kept.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "physical/scene.h"
+#include "physical/world.h"
+
+namespace stig {
+
+inline constexpr std::string_view kPoseTraceMagic = "stigpos1";
+inline constexpr std::size_t kFramesPerChunk = 250;
+inline constexpr double kPlaceQuantum = 1e-5;  ///< m
+inline constexpr double kTurnQuantum = 1.0 / 16384;
+
+struct TraceBody {
+  std::string name;
+  Shape shape;
+  bool block = false;  ///< with tags, and LEDs that are lit so at the start
+  Led led = Led::off;
+  Rgb rgb{176, 180, 186};
+  bool fixed = false;
+};
+
+struct PoseTraceHeader {
+  std::string title;
+  std::uint64_t seed = 1;
+  double step = 0.005;             ///< s
+  std::uint64_t frame_every = 4;   ///< ticks
+  std::uint64_t hash_every = 200;  ///< ticks
+  std::vector<std::string> channels;
+  std::vector<TraceBody> bodies;
+  std::vector<SceneFile> files;  ///< of the scene, which so can be run again
+};
+
+enum class RunEnd : std::uint8_t { duration, asleep, interrupted, diverged };
+std::string_view to_string(RunEnd end);
+
+/// A body in a frame, in whole multiples of the quanta.
+struct TraceState {
+  std::array<std::int64_t, 3> place{};
+  std::array<std::int64_t, 4> turn{};  ///< w, x, y, z; the sign nearest to the frame before
+  bool awake = false, left = false;
+
+  Pose pose() const;
+  friend bool operator==(const TraceState&, const TraceState&) = default;
+};
+TraceState trace_state(const BodyState& state);
+
+struct TraceEvent {
+  std::uint64_t tick = 0;
+  WorldEvent event;
+};
+struct TraceHash {
+  std::uint64_t tick = 0, hash = 0;
+};
+struct TraceValue {
+  std::uint64_t tick = 0;
+  std::uint32_t channel = 0, body = 0;
+  std::string bytes;
+};
+struct TraceFrame {
+  std::uint64_t tick = 0;
+  std::vector<TraceState> bodies;
+};
+
+/// How a run ended.
+struct TraceEnd {
+  std::uint64_t ticks = 0;
+  RunEnd why = RunEnd::duration;
+  std::uint64_t hash = 0;
+  std::string message;  ///< of one that diverged
+};
+
+/// Encodes records as they come, in the order of their ticks, and hands over bytes whenever
+/// a chunk is full.
+class PoseTraceWriter {
+ public:
+  using Sink = std::function<void(std::string_view)>;
+
+  PoseTraceWriter(const PoseTraceHeader& header, Sink sink);
+  void frame(const TraceFrame& frame);
+  void event(const TraceEvent& event);
+  void hash(const TraceHash& hash);
+  /// Nothing when it is what the channel said of the body last.
+  void value(const TraceValue& value);
+  void finish(const TraceEnd& end);
+
+ private:
+  void put_section(char tag, std::string_view payload);
+  void put_record(std::uint8_t tag, std::uint64_t tick);
+  void put_value(const TraceValue& value);
+  void flush();
+
+  Sink sink_;
+  std::string chunk_;
+  std::uint64_t written_ = 0, tick_ = 0, first_tick_ = 0;
+  std::size_t frames_ = 0;
+  std::vector<TraceState> last_;
+  std::vector<TraceValue> values_;  ///< the newest of each channel and body
+  std::string index_;
+  std::uint64_t chunks_ = 0;
+};
+
+struct TraceChunk {
+  std::uint64_t first_tick = 0;
+  std::size_t begin = 0, end = 0;  ///< of its zstd frame in the file
+};
+
+/// A trace that was read and found whole: every record in it can be decoded.
+struct PoseTrace {
+  std::string bytes;  ///< of the file
+  PoseTraceHeader header;
+  std::vector<TraceChunk> chunks;
+  std::vector<TraceEvent> events;
+  std::vector<TraceHash> hashes;
+  std::vector<TraceValue> values;
+  std::uint64_t frames = 0;
+  TraceEnd end;
+};
+
+/// Anything malformed is a diagnostic.
+std::optional<PoseTrace> read_pose_trace(const std::string& path, std::string bytes,
+                                         Diagnostics& diagnostics);
+
+/// The last frame at or before a tick; the first when there is none.
+TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick);
+
+/// Writes the records of a trace up to a tick into another, those of an early end left out:
+/// what follows continues the run as if it had never stopped.
+void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer);
+
+}  // namespace stig

@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/bytes.h"
+#include "physical/packed.h"
+#include "physical/pose_trace.h"
+#include "physical/pose_trace_format.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 27;
+constexpr std::size_t kMostChunkBytes = std::size_t{1} << 28;
+constexpr std::size_t kMostUnpacked = std::size_t{1} << 31;  ///< of all chunks together
+constexpr std::size_t kMostRecords = std::size_t{1} << 24;   ///< kept: events, hashes, values
+constexpr std::size_t kMostBodies = 1'000'000;
+constexpr std::int64_t kFarthest = std::int64_t{1} << 40;
+constexpr std::size_t kTrailerSize = 16;
+
+/// What a record is handed to while a chunk is decoded; those left out are passed over.
+struct RecordSinks {
+  std::function<void(const TraceFrame&)> frame;
+  std::function<void(TraceEvent)> event;
+  std::function<void(TraceHash)> hash;
+  std::function<void(TraceValue)> value;
+};
+
+template <class Record>
+void hand_over(const std::function<void(Record)>& sink, std::decay_t<Record> record) {
+  if (sink) sink(std::move(record));
+}
+
+class ChunkDecoder {
+ public:
+  ChunkDecoder(std::string_view payload, std::size_t bodies, const RecordSinks& sinks)
+      : in_(payload), sinks_(sinks) {
+    frame_.bodies.resize(bodies);
+    frame_.tick = in_.varint();
+    tick_ = frame_.tick;
+  }
+
+  std::uint64_t first_tick() const { return tick_; }
+
+  /// False when the chunk is malformed.
+  bool decode() {
+    bool good = in_.good();
+    while (good && in_.left() > 0) good = record() && in_.good();
+    return good;
+  }
+
+ private:
+  bool record() {
+    const std::uint8_t tag = in_.u8();
+    const std::uint64_t ticks = in_.varint();
+    if (ticks > (std::uint64_t{1} << 48) || tick_ > (std::uint64_t{1} << 60)) return false;
+    tick_ += ticks;
+    if (!begun_ && tag != kFrameRecord) return false;
+    switch (tag) {
+      case kFrameRecord:
+        return frame();
+      case kEventRecord:
+        return event();
+      case kHashRecord:
+        hand_over(sinks_.hash, {tick_, in_.u64()});
+        return true;
+      case kValueRecord:
+        return value();
+      default:
+        return false;
+    }
+  }
+
+  bool frame() {
+    const std::uint64_t changed = in_.varint();
+    if (changed > frame_.bodies.size() || (!begun_ && changed != frame_.bodies.size()))
+      return false;
+    begun_ = true;
+    std::uint64_t next = 0;
+    for (std::uint64_t i = 0; i < changed; ++i) {
+      const std::uint64_t gap = in_.varint();
+      if (gap >= frame_.bodies.size() - std::min<std::uint64_t>(next, frame_.bodies.size())) {
+        return false;
+      }
+      next += gap;
+      if (!state(frame_.bodies[next++])) return false;
+    }
+    frame_.tick = tick_;
+    if (sinks_.frame) sinks_.frame(frame_);
+    return true;
+  }
+
+  bool state(TraceState& state) {
+    const std::uint8_t flags = in_.u8();
+    bool good = flags < 16;
+    const auto add = [&](std::int64_t& part) {
+      const std::int64_t delta = in_.zigzag();
+      good = good && delta >= -kFarthest && delta <= kFarthest;
+      if (good) part += delta;
+      good = good && part >= -kFarthest && part <= kFarthest;
+    };
+    if ((flags & kMoved) != 0) std::for_each(state.place.begin(), state.place.end(), add);
+    if ((flags & kTurned) != 0) std::for_each(state.turn.begin(), state.turn.end(), add);
+    state.awake = (flags & kAwake) != 0;
+    state.left = (flags & kLeft) != 0;
+    return good && turn_is_unit(state);
+  }
+
+  static bool turn_is_unit(const TraceState& state) {
+    double sum = 0;
+    for (const std::int64_t part : state.turn) {
+      const double x = static_cast<double>(part) * kTurnQuantum;
+      sum += x * x;
+    }
+    return std::abs(sum - 1) < 0.01;
+  }
+
+  bool event() {
+    const std::uint8_t kind = in_.u8();
+    const std::uint64_t body = in_.varint(), other = in_.varint();
+    const std::size_t bodies = frame_.bodies.size();
+    if (kind > static_cast<std::uint8_t>(EventKind::let_go) || body >= bodies || other > bodies) {
+      return false;
+    }
+    const BodyId partner = other == 0 ? kFloorId : BodyId{static_cast<std::uint32_t>(other - 1)};
+    hand_over(
+        sinks_.event,
+        {tick_, {static_cast<EventKind>(kind), BodyId{static_cast<std::uint32_t>(body)}, partner}});
+    return true;
+  }
+
+  bool value() {
+    const std::uint64_t channel = in_.varint(), body = in_.varint();
+    const std::string_view bytes = in_.block();
+    if (channel > 0xffff || body >= frame_.bodies.size()) return false;
+    hand_over(sinks_.value, {tick_, static_cast<std::uint32_t>(channel),
+                             static_cast<std::uint32_t>(body), std::string(bytes)});
+    return true;
+  }
+
+  ByteReader in_;
+  const RecordSinks& sinks_;
+  std::uint64_t tick_ = 0;
+  bool begun_ = false;
+  TraceFrame frame_;
+};
+
+/// A whole number from 0; throws on anything else.
+std::uint64_t whole(const nlohmann::json& json) {
+  if (!json.is_number_unsigned()) throw std::range_error("whole number");
+  return json.get<std::uint64_t>();
+}
+
+ShapeKind shape_from(const std::string& name) {
+  for (std::size_t i = 0; i < kShapeNames.size(); ++i) {
+    if (kShapeNames[i] == name) return static_cast<ShapeKind>(i);
+  }
+  throw std::range_error("shape");
+}
+
+TraceBody body_from(const nlohmann::json& json) {
+  TraceBody body;
+  body.name = json.at("name").get<std::string>();
+  body.shape.kind = shape_from(json.at("shape").get<std::string>());
+  const auto half = json.at("half").get<std::array<double, 3>>();
+  const auto led = led_of(json.at("led").get<std::string>());
+  const auto rgb = parse_color(json.at("color").get<std::string>());
+  if (!led || !rgb) throw std::range_error("colour");
+  for (const double x : half) {
+    if (!(x > 0 && x <= 1000)) throw std::range_error("half");
+  }
+  body.shape.half = {half[0], half[1], half[2]};
+  body.led = *led;
+  body.rgb = *rgb;
+  body.block = json.at("block").get<bool>();
+  body.fixed = json.at("fixed").get<bool>();
+  return body;
+}
+
+/// Throws on anything that is not a header.
+void read_json(std::string_view text, PoseTraceHeader& header) {
+  const auto json = nlohmann::json::parse(text);
+  header.title = json.at("title").get<std::string>();
+  header.seed = whole(json.at("seed"));
+  header.step = json.at("step").get<double>();
+  header.frame_every = whole(json.at("frame_every"));
+  header.hash_every = whole(json.at("hash_every"));
+  header.channels = json.at("channels").get<std::vector<std::string>>();
+  if (!(header.step > 0 && header.step <= 1) || header.frame_every == 0 || header.hash_every == 0 ||
+      json.at("bodies").size() > kMostBodies) {
+    throw std::range_error("header");
+  }
+  for (const auto& body : json.at("bodies")) header.bodies.push_back(body_from(body));
+}
+
+class Reader {
+ public:
+  explicit Reader(std::string bytes) { trace_.bytes = std::move(bytes); }
+
+  /// What is wrong; empty: nothing.
+  std::string read() {
+    const std::string_view all = trace_.bytes;
+    if (!all.starts_with(kPoseTraceMagic)) return "it does not begin with \"stigpos1\"";
+    if (all.size() < kPoseTraceMagic.size() + kTrailerSize || !all.ends_with(kTrailerMagic)) {
+      return "its end is missing";
+    }
+    ByteReader trailer(all.substr(all.size() - kTrailerSize));
+    const std::uint64_t end_place = trailer.u64();
+    ByteReader in(all.substr(0, all.size() - kTrailerSize));
+    in.take(kPoseTraceMagic.size());
+    std::string problem = read_header(in);
+    while (problem.empty()) {
+      const std::size_t place = all.size() - kTrailerSize - in.left();
+      if (place == end_place) return read_end(in);
+      problem = read_chunk(in, place);
+    }
+    return problem;
+  }
+  PoseTrace take() { return std::move(trace_); }
+
+ private:
+  /// The frame of the next section, or nothing when it has another tag or is cut short.
+  static std::optional<std::string_view> section(ByteReader& in, char tag) {
+    if (static_cast<char>(in.u8()) != tag) return std::nullopt;
+    const std::uint32_t size = in.u32();
+    const std::string_view frame = in.take(size);
+    return in.good() ? std::optional(frame) : std::nullopt;
+  }
+
+  std::string read_header(ByteReader& in) {
+    const auto frame = section(in, kHeaderTag);
+    const auto payload = frame ? unpacked(*frame, kMostHeaderBytes) : std::nullopt;
+    if (!payload) return "its header is damaged";
+    ByteReader header(*payload);
+    const std::string_view json = header.block();
+    const std::uint64_t files = header.varint();
+    for (std::uint64_t i = 0; i < files && header.good(); ++i) {
+      const std::string name(header.block());
+      trace_.header.files.push_back({name, std::string(header.block())});
+    }
+    if (!header.good() || header.left() > 0) return "its header is cut short";
+    try {
+      read_json(json, trace_.header);
+    } catch (const std::exception&) {
+      return "its header is malformed";
+    }
+    return {};
+  }
+
+  std::string read_chunk(ByteReader& in, std::size_t place) {
+    const auto frame = section(in, kChunkTag);
+    const auto payload = frame ? unpacked(*frame, kMostChunkBytes) : std::nullopt;
+    const std::string name = "chunk " + std::to_string(trace_.chunks.size() + 1);
+    if (!payload) return name + " is damaged";
+    unpacked_bytes_ += payload->size();
+    if (unpacked_bytes_ > kMostUnpacked) return "it holds more than can be read";
+    RecordSinks sinks;
+    sinks.frame = [this](const TraceFrame&) { ++trace_.frames; };
+    sinks.event = [this](TraceEvent event) { trace_.events.push_back(event); };
+    sinks.hash = [this](TraceHash hash) { trace_.hashes.push_back(hash); };
+    sinks.value = [this](TraceValue value) { trace_.values.push_back(std::move(value)); };
+    ChunkDecoder decoder(*payload, trace_.header.bodies.size(), sinks);
+    const std::uint64_t first = decoder.first_tick();
+    const bool ordered = trace_.chunks.empty() || first > trace_.chunks.back().first_tick;
+    if (!ordered || !decoder.decode()) return name + " is malformed";
+    if (trace_.events.size() + trace_.hashes.size() + trace_.values.size() > kMostRecords) {
+      return "it has more events than can be held";
+    }
+    const std::size_t begin = place + 5;  // behind tag and size
+    trace_.chunks.push_back({first, begin, begin + frame->size()});
+    return {};
+  }
+
+  std::string read_end(ByteReader& in) {
+    const auto frame = section(in, kEndTag);
+    const auto payload = frame ? unpacked(*frame, kMostHeaderBytes) : std::nullopt;
+    if (!payload || in.left() > 0) return "its end is damaged";
+    ByteReader end(*payload);
+    trace_.end.ticks = end.varint();
+    const std::uint8_t why = end.u8();
+    trace_.end.hash = end.u64();
+    trace_.end.message = std::string(end.block());
+    bool good = why <= static_cast<std::uint8_t>(RunEnd::diverged);
+    trace_.end.why = good ? static_cast<RunEnd>(why) : RunEnd::duration;
+    good = good && end.varint() == trace_.chunks.size();
+    for (const TraceChunk& chunk : trace_.chunks) {
+      good = good && end.varint() == chunk.first_tick && end.varint() == chunk.begin - 5;
+    }
+    if (!good || !end.good() || end.left() > 0 || trace_.chunks.empty()) {
+      return "its end is malformed";
+    }
+    return {};
+  }
+
+  PoseTrace trace_;
+  std::size_t unpacked_bytes_ = 0;
+};
+
+void decode(const PoseTrace& trace, const TraceChunk& chunk, const RecordSinks& sinks) {
+  const auto payload = unpacked(
+      std::string_view(trace.bytes).substr(chunk.begin, chunk.end - chunk.begin), kMostChunkBytes);
+  if (payload) ChunkDecoder(*payload, trace.header.bodies.size(), sinks).decode();
+}
+
+}  // namespace
+
+std::optional<PoseTrace> read_pose_trace(const std::string& path, std::string bytes,
+                                         Diagnostics& diagnostics) {
+  Reader reader(std::move(bytes));
+  const std::string problem = reader.read();
+  if (problem.empty()) return reader.take();
+  diagnostics.add(Code::F480, {std::make_shared<SourceFile>(path, ""), 0, 0},
+                  "not a readable trace of poses: " + problem);
+  return std::nullopt;
+}
+
+TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
+  const auto later =
+      std::upper_bound(trace.chunks.begin(), trace.chunks.end(), tick,
+                       [](std::uint64_t t, const TraceChunk& c) { return t < c.first_tick; });
+  const TraceChunk& chunk = later == trace.chunks.begin() ? *later : *(later - 1);
+  TraceFrame found;
+  RecordSinks sinks;
+  sinks.frame = [&](const TraceFrame& frame) {
+    if (found.bodies.empty() || frame.tick <= tick) found = frame;
+  };
+  decode(trace, chunk, sinks);
+  return found;
+}
+
+void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer) {
+  RecordSinks sinks;
+  sinks.frame = [&](const TraceFrame& frame) {
+    if (frame.tick <= up_to && frame.tick % trace.header.frame_every == 0) writer.frame(frame);
+  };
+  sinks.event = [&](const TraceEvent& event) {
+    if (event.tick <= up_to) writer.event(event);
+  };
+  sinks.hash = [&](const TraceHash& hash) {
+    if (hash.tick <= up_to) writer.hash(hash);
+  };
+  sinks.value = [&](const TraceValue& value) {
+    if (value.tick <= up_to) writer.value(value);
+  };
+  for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);
+}
+
+}  // namespace stig

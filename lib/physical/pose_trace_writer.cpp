@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/bytes.h"
+#include "physical/packed.h"
+#include "physical/pose_trace.h"
+#include "physical/pose_trace_format.h"
+
+namespace stig {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json body_json(const TraceBody& body) {
+  const Vec3& half = body.shape.half;
+  return {{"name", body.name},
+          {"shape", kShapeNames[static_cast<std::size_t>(body.shape.kind)]},
+          {"half", {half.x, half.y, half.z}},
+          {"block", body.block},
+          {"led", to_string(body.led)},
+          {"color", to_color(body.rgb)},
+          {"fixed", body.fixed}};
+}
+
+std::string header_bytes(const PoseTraceHeader& header) {
+  Json json;
+  json["title"] = header.title;
+  json["seed"] = header.seed;
+  json["step"] = header.step;
+  json["frame_every"] = header.frame_every;
+  json["hash_every"] = header.hash_every;
+  json["channels"] = header.channels;
+  json["bodies"] = Json::array();
+  for (const TraceBody& body : header.bodies) json["bodies"].push_back(body_json(body));
+  std::string out;
+  put_block(out, json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  put_varint(out, header.files.size());
+  for (const SceneFile& file : header.files) {
+    put_block(out, file.name);
+    put_block(out, file.text);
+  }
+  return out;
+}
+
+/// The one of q and -q that is nearer to the rotation before.
+void choose_sign(TraceState& state, const TraceState& last) {
+  double product = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    product += static_cast<double>(state.turn[i]) * static_cast<double>(last.turn[i]);
+  }
+  if (product >= 0) return;
+  for (std::int64_t& part : state.turn) part = -part;
+}
+
+void put_state(std::string& out, const TraceState& state, const TraceState& last) {
+  const bool moved = state.place != last.place, turned = state.turn != last.turn;
+  out.push_back(static_cast<char>((moved ? kMoved : 0) | (turned ? kTurned : 0) |
+                                  (state.awake ? kAwake : 0) | (state.left ? kLeft : 0)));
+  for (std::size_t i = 0; moved && i < 3; ++i) put_zigzag(out, state.place[i] - last.place[i]);
+  for (std::size_t i = 0; turned && i < 4; ++i) put_zigzag(out, state.turn[i] - last.turn[i]);
+}
+
+}  // namespace
+
+std::string_view to_string(RunEnd end) {
+  constexpr std::string_view kNames[] = {"duration", "asleep", "interrupted", "diverged"};
+  return kNames[static_cast<std::size_t>(end)];
+}
+
+Pose TraceState::pose() const {
+  const auto part = [&](std::size_t i) { return static_cast<double>(turn[i]) * kTurnQuantum; };
+  const auto at = [&](std::size_t i) { return static_cast<double>(place[i]) * kPlaceQuantum; };
+  return {{at(0), at(1), at(2)}, normalised(Quat{part(0), part(1), part(2), part(3)})};
+}
+
+TraceState trace_state(const BodyState& state) {
+  const Vec3& p = state.X_WB.p;
+  const Quat& q = state.X_WB.q;
+  const auto whole = [](double x, double quantum) {
+    return std::int64_t{std::llround(x / quantum)};
+  };
+  return {{whole(p.x, kPlaceQuantum), whole(p.y, kPlaceQuantum), whole(p.z, kPlaceQuantum)},
+          {whole(q.w, kTurnQuantum), whole(q.x, kTurnQuantum), whole(q.y, kTurnQuantum),
+           whole(q.z, kTurnQuantum)},
+          state.awake,
+          state.left};
+}
+
+PoseTraceWriter::PoseTraceWriter(const PoseTraceHeader& header, Sink sink)
+    : sink_(std::move(sink)) {
+  sink_(kPoseTraceMagic);
+  written_ = kPoseTraceMagic.size();
+  put_section(kHeaderTag, header_bytes(header));
+}
+
+void PoseTraceWriter::put_section(char tag, std::string_view payload) {
+  const std::string frame = packed(payload);
+  std::string out(1, tag);
+  put(out, static_cast<std::uint32_t>(frame.size()));
+  out += frame;
+  sink_(out);
+  written_ += out.size();
+}
+
+void PoseTraceWriter::put_record(std::uint8_t tag, std::uint64_t tick) {
+  chunk_.push_back(static_cast<char>(tag));
+  put_varint(chunk_, tick - tick_);
+  tick_ = tick;
+}
+
+void PoseTraceWriter::flush() {
+  if (chunk_.empty()) return;
+  put_varint(index_, first_tick_);
+  put_varint(index_, written_);
+  ++chunks_;
+  put_section(kChunkTag, chunk_);
+  chunk_.clear();
+  frames_ = 0;
+}
+
+void PoseTraceWriter::frame(const TraceFrame& frame) {
+  if (frames_ == kFramesPerChunk) flush();
+  const bool first = chunk_.empty();
+  if (first) {
+    first_tick_ = tick_ = frame.tick;
+    put_varint(chunk_, first_tick_);
+    last_.assign(frame.bodies.size(), {});
+  }
+  put_record(kFrameRecord, frame.tick);
+  std::string changes;
+  std::uint64_t changed = 0, next = 0;
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    TraceState state = frame.bodies[i];
+    choose_sign(state, last_[i]);
+    if (!first && state == last_[i]) continue;
+    put_varint(changes, i - next);
+    put_state(changes, state, last_[i]);
+    last_[i] = state;
+    next = i + 1;
+    ++changed;
+  }
+  put_varint(chunk_, changed);
+  chunk_ += changes;
+  ++frames_;
+  if (!first) return;
+  for (const TraceValue& known : values_) {
+    put_value({frame.tick, known.channel, known.body, known.bytes});
+  }
+}
+
+void PoseTraceWriter::event(const TraceEvent& event) {
+  put_record(kEventRecord, event.tick);
+  chunk_.push_back(static_cast<char>(event.event.kind));
+  put_varint(chunk_, static_cast<std::uint32_t>(event.event.body));
+  put_varint(chunk_, static_cast<std::uint32_t>(static_cast<std::uint32_t>(event.event.other) + 1));
+}
+
+void PoseTraceWriter::hash(const TraceHash& hash) {
+  put_record(kHashRecord, hash.tick);
+  put(chunk_, hash.hash);
+}
+
+void PoseTraceWriter::value(const TraceValue& value) {
+  const auto known = std::find_if(values_.begin(), values_.end(), [&](const TraceValue& v) {
+    return v.channel == value.channel && v.body == value.body;
+  });
+  if (known != values_.end() && known->bytes == value.bytes) return;
+  put_value(value);
+  if (known != values_.end()) {
+    *known = value;
+  } else {
+    values_.push_back(value);
+  }
+}
+
+void PoseTraceWriter::put_value(const TraceValue& value) {
+  put_record(kValueRecord, value.tick);
+  put_varint(chunk_, value.channel);
+  put_varint(chunk_, value.body);
+  put_block(chunk_, value.bytes);
+}
+
+void PoseTraceWriter::finish(const TraceEnd& end) {
+  flush();
+  std::string payload;
+  put_varint(payload, end.ticks);
+  payload.push_back(static_cast<char>(end.why));
+  put(payload, end.hash);
+  put_block(payload, end.message);
+  put_varint(payload, chunks_);
+  payload += index_;
+  const std::uint64_t place = written_;
+  put_section(kEndTag, payload);
+  std::string trailer;
+  put(trailer, place);
+  sink_(trailer + std::string(kTrailerMagic));
+}
+
+}  // namespace stig

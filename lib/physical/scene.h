@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+// A scene: what stands where when a simulation begins, as a file says it.
+//
+//     Diagnostics diagnostics;
+//     const auto scene = read_scene(source, disk_loader("scenes", {"blocks"}), diagnostics);
+//     const auto placed = place_scene(*scene, scene->seed, diagnostics);
+//     World world(placed->config);
+//
+// Two forms, as with rule sets: Scene is what the author wrote, with generators ("a column
+// of ten") and source ranges; PlacedScene is what a World runs on, every body in its place.
+// Only the second depends on the seed. Each list of things that a scene may have is a
+// member of its own, so that more kinds of things leave what is there as it is.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "base/file_io.h"
+#include "physical/block.h"
+#include "physical/led.h"
+#include "physical/world_config.h"
+
+namespace stig {
+
+/// How one entry of `blocks` becomes blocks.
+enum class SpawnKind : std::uint8_t { single, column, wall, pyramid, grid, scatter, poses };
+
+/// How scattered blocks are turned: not at all, about z, or anyhow.
+enum class ScatterTurn : std::uint8_t { none, upright, any };
+
+struct BlockSpawn {
+  SpawnKind kind = SpawnKind::single;
+  std::size_t model = 0;  ///< in Scene::models
+  std::string name;       ///< empty: blocks get numbers
+  /// The entry's frame: a single block's centre; of anything else the middle of the area
+  /// that it stands on.
+  Pose X_WE;
+  std::array<int, 3> count{1, 1, 1};  ///< along x, y, z; of a pyramid: layers in z
+  double pitch = 0;                   ///< m between centres of a grid; 0: 1.8 sides
+  double jitter = 0;                  ///< m, most by which a grid's places are off in x and y
+  double tumble = 0;                  ///< rad, most by which its blocks are turned
+  Vec3 size;                          ///< m, of the box that blocks are scattered in
+  ScatterTurn turned = ScatterTurn::upright;
+  std::vector<Pose> poses;  ///< in the entry's frame
+  Led colour = Led::off;
+  bool fixed = false;
+  Vec3 velocity, spin;  ///< m/s, rad/s, world frame
+  SourceRange range;
+};
+
+/// A text that the scene was read from, under the name by which the scene calls it.
+struct SceneFile {
+  std::string name, text;
+};
+
+struct Scene {
+  std::string title;
+  std::uint64_t seed = 1;
+  double duration = 10;      ///< s
+  bool stop_asleep = false;  ///< it ends as soon as nothing is awake
+  WorldConfig settings;      ///< without bodies
+  int sweeps = 0;            ///< of the contact solver; 0: by the height of what is built
+  /// By number; robots' bodies name theirs.
+  std::vector<std::string> materials{"block", "floor"};
+  std::vector<BlockModel> models;
+  std::vector<BlockSpawn> blocks;
+  std::vector<SceneFile> files;  ///< the scene's own first
+};
+
+/// What a viewer knows of a body besides its shape.
+struct SceneBody {
+  std::string name;
+  Led colour = Led::off;
+  std::size_t entry = 0;  ///< in Scene::blocks
+};
+
+struct PlacedScene {
+  WorldConfig config;
+  std::vector<SceneBody> bodies;  ///< as config.bodies
+  std::uint64_t seed = 1;
+};
+
+/// Finds the text of a file by the name that a scene has for it.
+using SceneLoader = std::function<std::optional<std::string>(const std::string& name,
+                                                             std::size_t most, FileError& error)>;
+/// Looks beside the scene, then in the folders given.
+SceneLoader disk_loader(std::string scene_folder, std::vector<std::string> folders);
+/// Knows these files and no others.
+SceneLoader memory_loader(std::vector<SceneFile> files);
+
+inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
+
+/// The scene, or nothing when an error was reported.
+std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
+                                Diagnostics& diagnostics);
+/// Every block in its place; what cannot be (blocks that overlap, too many of them, outside
+/// of the arena) is reported at the entries concerned.
+std::optional<PlacedScene> place_scene(const Scene& scene, std::uint64_t seed,
+                                       Diagnostics& diagnostics);
+
+/// JSON Schema draft 7 of scene files, with a newline at the end.
+std::string scene_schema();
+
+}  // namespace stig

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: MIT
+#include "physical/scene_keys.h"
+
+#include "physical/scene.h"
+
+namespace stig {
+
+namespace {
+
+using enum FormKind;
+
+constexpr double kFar = 1000;  ///< m, the largest arena
+constexpr double kMostCount = 100'000;
+constexpr double kMostSeconds = 1e7;
+
+// Members left out have their defaults.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
+
+FormKey real(std::string_view name, std::string_view doc, double low, double high) {
+  return {.name = name, .kind = number, .doc = doc, .low = low, .high = high};
+}
+FormKey above_zero(std::string_view name, std::string_view doc, double high) {
+  return {.name = name, .kind = number, .doc = doc, .low = 0, .high = high, .above_low = true};
+}
+FormKey whole(std::string_view name, std::string_view doc, double low, double high) {
+  return {.name = name, .kind = integer, .doc = doc, .low = low, .high = high};
+}
+FormKey vector(std::string_view name, std::string_view doc, double low, double high) {
+  return {
+      .name = name, .kind = numbers, .doc = doc, .low = low, .high = high, .least = 3, .most = 3};
+}
+FormKey flag(std::string_view name, std::string_view doc) {
+  return {.name = name, .kind = boolean, .doc = doc};
+}
+FormKey word(std::string_view name, std::string_view doc, std::vector<std::string_view> words) {
+  return {.name = name, .kind = choice, .doc = doc, .words = std::move(words)};
+}
+
+const Form& friction_pair_keys() {
+  static const Form kKeys{"pair of materials",
+                          {
+                              {.name = "of",
+                               .kind = names,
+                               .required = true,
+                               .doc = "Two materials: block, floor, or those of robots' bodies.",
+                               .least = 2,
+                               .most = 2},
+                              {.name = "is",
+                               .kind = number,
+                               .required = true,
+                               .doc = "Coulomb's coefficient.",
+                               .low = 0,
+                               .high = 10},
+                          }};
+  return kKeys;
+}
+
+const Form& friction_keys() {
+  static const Form kKeys{"table of friction",
+                          {real("default", "Of pairs that are not listed (default: 0.5).", 0, 10),
+                           {.name = "pairs",
+                            .kind = forms,
+                            .doc = "Others than [block, block] 0.2 and [block, floor] 0.4.",
+                            .form = &friction_pair_keys(),
+                            .most = 1000}}};
+  return kKeys;
+}
+
+const Form& magnet_keys() {
+  static const Form kKeys{
+      "magnets' settings",
+      {
+          flag("enabled", "false: no block has magnets."),
+          above_zero("cutoff", "m, beyond which magnets ignore each other.", 10),
+          above_zero("contact", "m: nearer magnets pull as at this distance.", 10),
+          above_zero("relaxation_time", "s, in which free magnets turn to the field.", 1),
+          whole("relaxation_sweeps", "Turns of every magnet in a step.", 1, 1000),
+      }};
+  return kKeys;
+}
+
+const Form& sleep_keys() {
+  static const Form kKeys{
+      "sleep settings",
+      {
+          flag("enabled", "false: nothing ever sleeps."),
+          above_zero("time", "s, for which all that touch must be at rest.", 1e3),
+          real("speed", "m/s, below which a body is at rest.", 0, 10),
+          real("spin", "Degrees a second, likewise.", 0, 1e4),
+          real("waking_speed", "m/s, of a body that wakes what it touches.", 0, 10),
+          real("waking_spin", "Degrees a second, likewise.", 0, 1e4),
+          real("waking_force", "N, of passing magnets that wake.", 0, 1e3),
+      }};
+  return kKeys;
+}
+
+const Form& stop_keys() {
+  static const Form kKeys{"stop condition",
+                          {flag("asleep", "The run ends as soon as nothing is awake.")}};
+  return kKeys;
+}
+
+const Form& block_keys() {
+  static const Form kKeys{
+      "block entry",
+      {
+          {.name = "name", .kind = FormKind::name, .doc = "What reports call it."},
+          {.name = "file", .kind = text, .doc = "Block file (default: stigmergic.yaml)."},
+          vector("at",
+                 "[x, y, z] in m: a block's centre, or the middle of what a structure "
+                 "stands on.",
+                 -kFar, kFar),
+          vector("turn", "[z, y, x] in degrees: about z, then the new y, then the new x.", -360,
+                 360),
+          word("color", "Of its LEDs.", {kLedNames.begin(), kLedNames.end()}),
+          flag("fixed", "Nothing moves it."),
+          vector("velocity", "m/s along the world's axes.", -100, 100),
+          vector("spin", "Degrees a second about the world's axes.", -5e4, 5e4),
+          whole("column", "So many blocks, one upon the other.", 1, 1000),
+          {.name = "wall",
+           .kind = integers,
+           .doc = "[length, height] in blocks, along x.",
+           .low = 1,
+           .high = 1000,
+           .least = 2,
+           .most = 2},
+          whole("pyramid", "So many layers; 3 is the paper's, of 15 blocks.", 1, 30),
+          {.name = "grid",
+           .kind = integers,
+           .doc = "[x, y, z]: loose blocks in rows and layers.",
+           .low = 1,
+           .high = 1000,
+           .least = 3,
+           .most = 3},
+          above_zero("pitch", "m between the centres of a grid (default: 1.8 sides).", kFar),
+          real("jitter", "m, at most, by which a grid's places are off in x and y.", 0, kFar),
+          real("tumble", "Degrees, at most, by which a grid's blocks are turned.", 0, 180),
+          whole("scatter", "So many blocks at random in a box.", 1, kMostCount),
+          vector("size", "[x, y, z] of that box in m; z 0: all stand on its bottom.", 0, kFar),
+          word("turned", "How scattered blocks are turned.", {"none", "upright", "any"}),
+          {.name = "poses",
+           .kind = text,
+           .doc = "CSV file of x, y, z in m and rz, ry, rx in "
+                  "degrees, a block a line."},
+      }};
+  return kKeys;
+}
+
+}  // namespace
+
+const Form& scene_keys() {
+  static const Form kKeys{
+      "scene",
+      {
+          {.name = "stigc_scene",
+           .kind = version,
+           .required = true,
+           .doc = "Version of the format: 1.",
+           .high = 1},
+          {.name = "title", .kind = FormKind::name, .doc = "One line for people."},
+          whole("seed", "Of all random choices (default: 1).", 0, 9007199254740992.0),
+          above_zero("duration", "s of simulated time (default: 10).", kMostSeconds),
+          above_zero("step", "s (default: 0.005).", 0.02),
+          above_zero("arena", "m: what is farther from the origin has left (default: 100).", kFar),
+          real("gravity", "m/s² (default: 9.8).", 0, 1000),
+          flag("floor", "Is there a floor at z = 0? (default: true)"),
+          {.name = "friction",
+           .kind = form,
+           .doc = "Coefficients of pairs of materials.",
+           .form = &friction_keys()},
+          whole("sweeps", "Of the contact solver (default: 20, of high structures 60).", 1, 10'000),
+          {.name = "magnets",
+           .kind = form,
+           .doc = "How magnets are computed.",
+           .form = &magnet_keys()},
+          {.name = "sleep",
+           .kind = form,
+           .doc = "When bodies fall asleep and wake.",
+           .form = &sleep_keys()},
+          {.name = "stop",
+           .kind = form,
+           .doc = "What ends a run before its duration.",
+           .form = &stop_keys()},
+          {.name = "blocks",
+           .kind = forms,
+           .doc = "Blocks and structures of blocks.",
+           .form = &block_keys(),
+           .most = 20'000},
+      }};
+  return kKeys;
+}
+
+#pragma GCC diagnostic pop
+
+std::string scene_schema() {
+  return form_schema(scene_keys(), "stigc scene, version 1",
+                     "What stands where when a physical simulation begins.");
+}
+
+}  // namespace stig

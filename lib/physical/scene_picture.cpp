@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: MIT
+#include "physical/scene_picture.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "physical/solid_faces.h"
+
+namespace stig {
+
+namespace {
+
+constexpr int kSamples = 2;            ///< a pixel, along x and y
+constexpr double kNear = 0.01;         ///< m: what is nearer to the eye is cut off
+constexpr double kFieldOfView = 0.52;  ///< rad, across the width
+constexpr Rgb kSky{250, 251, 252}, kFloorColour{238, 240, 243}, kGridColour{203, 209, 216};
+constexpr Rgb kEdge{38, 42, 48}, kTagInk{45, 48, 54}, kTagPaper{240, 240, 240};
+constexpr double kTagHalf = 0.22, kLedPlace = 0.36, kLedHalf = 0.05;  ///< shares of the side
+const Vec3 kLight = normalised(Vec3{0.35, -0.55, 0.95});
+
+double shade_of(const Vec3& normal) {
+  // Light from above and from one side; what is turned away is not black.
+  return std::clamp(0.56 + 0.44 * dot(normal, kLight) + 0.06 * normal.z, 0.3, 1.0);
+}
+Rgb lit(Rgb colour, const Vec3& normal) { return blend({14, 18, 26}, colour, shade_of(normal)); }
+
+/// Draws polygons of the world as a view sees them.
+class Painter {
+ public:
+  Painter(Raster& raster, const PictureView& view)
+      : raster_(raster), view_(view), r_(matrix(view.X_WC.q)) {}
+
+  bool faces_eye(const Vec3& point, const Vec3& normal) const {
+    return dot(view_.X_WC.p - point, normal) > 0;
+  }
+
+  void polygon(const std::vector<Vec3>& corners, Rgb colour) {
+    fan(corners,
+        [&](const auto& a, const auto& b, const auto& c) { raster_.triangle(a, b, c, colour); });
+  }
+  void shadow(const std::vector<Vec3>& corners) {
+    fan(corners,
+        [&](const auto& a, const auto& b, const auto& c) { raster_.shade(a, b, c, 0.13); });
+  }
+  void line(const Vec3& from, const Vec3& to, double width, Rgb colour, double bias) {
+    const auto clipped = clip({in_eye(from), in_eye(to)});
+    if (clipped.size() < 2) return;
+    raster_.line(on_image(clipped[0]), on_image(clipped[1]), width * kSamples, colour, bias);
+  }
+  /// Pixels across a length that faces the eye at a point.
+  double pixels(const Vec3& point, double length) const {
+    return view_.camera.fx * length / std::max(kNear, in_eye(point).z);
+  }
+
+ private:
+  Vec3 in_eye(const Vec3& p_W) const { return r_.transposed(p_W - view_.X_WC.p); }
+
+  RasterPoint on_image(const Vec3& p_C) const {
+    const auto pixel = project(view_.camera, p_C);
+    // The middles of pixels are whole numbers, before and after they are split.
+    const auto split = [](double x) { return (x + 0.5) * kSamples - 0.5; };
+    return pixel ? RasterPoint{split(pixel->x), split(pixel->y), 1 / p_C.z} : RasterPoint{};
+  }
+
+  /// What of a polygon, or of a line, lies before the eye.
+  static std::vector<Vec3> clip(const std::vector<Vec3>& corners) {
+    std::vector<Vec3> out;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const Vec3& a = corners[i];
+      const Vec3& b = corners[(i + 1) % corners.size()];
+      if (a.z >= kNear) out.push_back(a);
+      const bool crosses = (a.z >= kNear) != (b.z >= kNear);
+      if (crosses) out.push_back(a + (b - a) * ((kNear - a.z) / (b.z - a.z)));
+    }
+    return out;
+  }
+
+  template <class Each>
+  void fan(const std::vector<Vec3>& corners, Each each) {
+    std::vector<Vec3> eye;
+    for (const Vec3& corner : corners) eye.push_back(in_eye(corner));
+    eye = clip(eye);
+    for (std::size_t i = 2; i < eye.size(); ++i) {
+      each(on_image(eye[0]), on_image(eye[i - 1]), on_image(eye[i]));
+    }
+  }
+
+  Raster& raster_;
+  const PictureView& view_;
+  Mat3 r_;
+};
+
+std::vector<Vec3> in_world(const Pose& X_WB, const std::vector<Vec3>& points) {
+  const Mat3 r = matrix(X_WB.q);
+  std::vector<Vec3> out;
+  for (const Vec3& p : points) out.push_back(X_WB.p + r * p);
+  return out;
+}
+
+/// A square in a face's plane, a hair in front of it.
+std::vector<Vec3> square(const Vec3& middle, const Vec3& u, const Vec3& v, double half) {
+  return {middle + (u + v) * half, middle + (v - u) * half, middle - (u + v) * half,
+          middle + (u - v) * half};
+}
+
+void draw_block_face(Painter& painter, const std::vector<Vec3>& corners, const Vec3& normal,
+                     Led led) {
+  const Vec3 middle = (corners[0] + corners[2]) * 0.5;
+  const double side = length(corners[1] - corners[0]);
+  if (painter.pixels(middle, side) < 14) return;
+  const Vec3 u = normalised(corners[0] - corners[1]), v = normalised(corners[1] - corners[2]);
+  const Vec3 above = middle + normal * (side * 0.004);
+  painter.polygon(square(above, u, v, side * kTagHalf), lit(kTagPaper, normal));
+  painter.polygon(square(above + normal * (side * 0.002), u, v, side * kTagHalf * 0.8),
+                  lit(kTagInk, normal));
+  const Rgb glow = led == Led::off ? lit({120, 124, 130}, normal) : rgb_of(led);
+  for (const Vec3& way : {u, -u, v, -v}) {
+    painter.polygon(square(above + way * (side * kLedPlace), u, v, side * kLedHalf), glow);
+  }
+}
+
+void draw_body(Painter& painter, const PictureBody& body) {
+  const Mat3 r = matrix(body.X_WB.q);
+  const Rgb colour =
+      body.block && body.led != Led::off ? blend(body.colour, rgb_of(body.led), 0.6) : body.colour;
+  for (const SolidFace& face : faces_of(body.shape)) {
+    const std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
+    const Vec3 normal = r * face.normal;
+    if (!painter.faces_eye(corners[0], normal)) continue;
+    painter.polygon(corners, lit(colour, normal));
+    if (body.block && corners.size() == 4) draw_block_face(painter, corners, normal, body.led);
+    for (std::size_t i = 0; face.edged && i < corners.size(); ++i) {
+      painter.line(corners[i], corners[(i + 1) % corners.size()], 1.1,
+                   blend(lit(colour, normal), kEdge, 0.75), 4e-4);
+    }
+  }
+}
+
+/// Along the light onto the floor.
+void draw_shadow(Painter& painter, const PictureBody& body) {
+  for (const SolidFace& face : faces_of(body.shape)) {
+    std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
+    for (Vec3& p : corners) {
+      p -= kLight * (std::max(p.z, 0.0) / kLight.z);
+      p.z = 1e-4;
+    }
+    painter.shadow(corners);
+  }
+}
+
+/// 1, 2 or 5 times a power of ten, about an eighth of a length.
+double grid_step(double extent) {
+  const double wanted = extent / 8;
+  const double power = std::pow(10, std::floor(std::log10(wanted)));
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= wanted) return factor * power;
+  }
+  return 10 * power;
+}
+
+struct Extent {
+  Vec3 low{1e9, 1e9, 1e9}, high{-1e9, -1e9, -1e9};
+
+  void add(const Vec3& p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+};
+
+/// Bodies without those that are far from most.
+std::vector<const PictureBody*> main_bodies(const std::vector<PictureBody>& bodies) {
+  std::vector<double> xs, ys, far;
+  for (const PictureBody& body : bodies) {
+    xs.push_back(body.X_WB.p.x);
+    ys.push_back(body.X_WB.p.y);
+  }
+  const auto quantile = [](std::vector<double> values, double share) {
+    const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + at, values.end());
+    return values[static_cast<std::size_t>(at)];
+  };
+  std::vector<const PictureBody*> out;
+  if (bodies.empty()) return out;
+  const double x = quantile(xs, 0.5), y = quantile(ys, 0.5);
+  const auto distance = [&](const PictureBody& body) {
+    return std::hypot(body.X_WB.p.x - x, body.X_WB.p.y - y);
+  };
+  for (const PictureBody& body : bodies) far.push_back(distance(body));
+  const double most = 4 * quantile(far, 0.9) + 0.5;
+  for (const PictureBody& body : bodies) {
+    if (distance(body) <= most) out.push_back(&body);
+  }
+  return out;
+}
+
+std::vector<Vec3> outline(const std::vector<const PictureBody*>& bodies) {
+  std::vector<Vec3> points;
+  for (const PictureBody* body : bodies) {
+    const double r = body->shape.radius();
+    for (const Vec3& way :
+         {Vec3{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}) {
+      points.push_back(body->X_WB.p + way);
+    }
+  }
+  if (points.empty()) points = {{-0.2, -0.2, 0}, {0.2, 0.2, 0.1}};
+  return points;
+}
+
+/// x right, y down, z ahead, for an eye that looks along z.
+Quat looking(const Vec3& ahead) {
+  const Vec3 right = normalised(cross(ahead, {0, 0, 1})), down = cross(ahead, right);
+  const Mat3 m{right, down, ahead};
+  // The trace is above -1 for every direction but straight down, which no picture looks.
+  const double w = std::sqrt(std::max(1e-12, 1 + m.x.x + m.y.y + m.z.z)) / 2;
+  if (w > 0.1) {
+    return normalised(
+        Quat{w, (m.y.z - m.z.y) / (4 * w), (m.z.x - m.x.z) / (4 * w), (m.x.y - m.y.x) / (4 * w)});
+  }
+  const double x = std::sqrt(std::max(1e-12, 1 + m.x.x - m.y.y - m.z.z)) / 2;
+  return normalised(
+      Quat{(m.y.z - m.z.y) / (4 * x), x, (m.x.y + m.y.x) / (4 * x), (m.z.x + m.x.z) / (4 * x)});
+}
+
+void draw_floor(Painter& painter, const Extent& extent, double step) {
+  const Vec3 middle = (extent.low + extent.high) * 0.5;
+  const double reach =
+      1.2 * std::max(extent.high.x - extent.low.x, extent.high.y - extent.low.y) + 4 * step;
+  const auto down = [step](double x) { return std::floor(x / step) * step; };
+  const double x0 = down(middle.x - reach), x1 = down(middle.x + reach) + step;
+  const double y0 = down(middle.y - reach), y1 = down(middle.y + reach) + step;
+  painter.polygon({{x0, y0, 0}, {x1, y0, 0}, {x1, y1, 0}, {x0, y1, 0}}, kFloorColour);
+  const auto lines = [&](double from, double to, auto draw) {
+    const auto count = static_cast<int>(std::lround((to - from) / step));
+    for (int i = 0; i <= count; ++i) draw(from + i * step);
+  };
+  lines(x0, x1, [&](double x) { painter.line({x, y0, 0}, {x, y1, 0}, 1, kGridColour, 1e-5); });
+  lines(y0, y1, [&](double y) { painter.line({x0, y, 0}, {x1, y, 0}, 1, kGridColour, 1e-5); });
+}
+
+}  // namespace
+
+PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLook& look) {
+  const double c = std::cos(look.elevation);
+  const Vec3 ahead{-c * std::cos(look.azimuth), -c * std::sin(look.azimuth),
+                   -std::sin(look.elevation)};
+  PictureView view;
+  view.X_WC.q = looking(ahead);
+  CameraIntrinsics& camera = view.camera;
+  camera.width = look.width;
+  camera.height = look.height;
+  camera.fx = camera.fy = look.width / 2.0 / std::tan(kFieldOfView / 2);
+  camera.cx = (look.width - 1) / 2.0;
+  camera.cy = (look.height - 1) / 2.0;
+
+  const std::vector<Vec3> points = outline(main_bodies(bodies));
+  const Mat3 r = matrix(view.X_WC.q);
+  Extent eye;
+  for (const Vec3& p : points) eye.add(r.transposed(p));
+  const Vec3 middle = (eye.low + eye.high) * 0.5;
+  // Far enough back for every point to be inside, with a margin.
+  const double slope_x = 0.84 * std::tan(kFieldOfView / 2),
+               slope_y = slope_x * look.height / look.width;
+  double back = 0.05;
+  for (const Vec3& p : points) {
+    const Vec3 q = r.transposed(p) - middle;
+    back = std::max({back, std::abs(q.x) / slope_x - q.z, std::abs(q.y) / slope_y - q.z});
+  }
+  view.X_WC.p = r * (middle - Vec3{0, 0, back});
+  return view;
+}
+
+ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
+                         bool floor) {
+  Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kSky);
+  Painter painter(raster, view);
+  Extent extent;
+  for (const Vec3& p : outline(main_bodies(bodies))) extent.add(p);
+  const double step =
+      grid_step(std::max({extent.high.x - extent.low.x, extent.high.y - extent.low.y, 0.2}));
+  if (floor) {
+    draw_floor(painter, extent, step);
+    for (const PictureBody& body : bodies) draw_shadow(painter, body);
+  }
+  for (const PictureBody& body : bodies) draw_body(painter, body);
+  return {raster.image(kSamples), step};
+}
+
+}  // namespace stig

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/text.h"
+#include "physical/poses_file.h"
+#include "physical/scene.h"
+#include "physical/scene_keys.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
+constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
+
+/// The number of a material; a name seen for the first time gets the next.
+Material material_of(const std::string& name, std::vector<std::string>& names) {
+  const auto known = std::find(names.begin(), names.end(), name);
+  const auto number = static_cast<Material>(known - names.begin());
+  if (known == names.end()) names.push_back(name);
+  return number;
+}
+
+void read_friction(const FormView& table, Scene& scene) {
+  WorldConfig& config = scene.settings;
+  config.friction = table.number("default", config.friction);
+  for (const FormView& pair : table.forms("pairs")) {
+    const auto of = pair.names("of");
+    if (scene.materials.size() > 250) return;  // of 256 there can be
+    const Material a = material_of(of[0], scene.materials), b = material_of(of[1], scene.materials);
+    std::erase_if(config.frictions, [a, b](const FrictionPair& p) {
+      return (p.a == a && p.b == b) || (p.a == b && p.b == a);
+    });
+    config.frictions.push_back({a, b, pair.number("is")});
+  }
+}
+
+void read_magnets(const FormView& node, WorldConfig& config) {
+  config.magnet_cutoff = node.number("cutoff", config.magnet_cutoff);
+  config.magnet_contact = node.number("contact", config.magnet_contact);
+  config.relaxation.time = node.number("relaxation_time", config.relaxation.time);
+  config.relaxation.sweeps =
+      static_cast<int>(node.number("relaxation_sweeps", config.relaxation.sweeps));
+}
+
+void read_sleep(const FormView& node, SleepRules& sleep) {
+  sleep.enabled = node.flag("enabled", sleep.enabled);
+  sleep.time = node.number("time", sleep.time);
+  sleep.speed = node.number("speed", sleep.speed);
+  if (node.has("spin")) sleep.spin = node.number("spin") * kDegree;
+  sleep.waking_speed = node.number("waking_speed", sleep.waking_speed);
+  if (node.has("waking_spin")) sleep.waking_spin = node.number("waking_spin") * kDegree;
+  sleep.waking_force = node.number("waking_force", sleep.waking_force);
+}
+
+/// An entry's kinds besides a single block, and the keys that only one kind has.
+struct KindKey {
+  std::string_view key;
+  SpawnKind kind;
+};
+constexpr KindKey kStructureKeys[] = {{"column", SpawnKind::column},   {"wall", SpawnKind::wall},
+                                      {"pyramid", SpawnKind::pyramid}, {"grid", SpawnKind::grid},
+                                      {"scatter", SpawnKind::scatter}, {"poses", SpawnKind::poses}};
+constexpr KindKey kOwnKeys[] = {{"pitch", SpawnKind::grid},
+                                {"jitter", SpawnKind::grid},
+                                {"tumble", SpawnKind::grid},
+                                {"size", SpawnKind::scatter},
+                                {"turned", SpawnKind::scatter}};
+
+class Reader {
+ public:
+  Reader(const YamlDocument& document, const BadNodes& bad, const SceneLoader& load,
+         Diagnostics& out)
+      : document_(document), bad_(bad), load_(load), out_(out) {}
+
+  Scene read() {
+    const FormView root(document_.root, bad_);
+    scene_.files.push_back({document_.source->path(), document_.source->text()});
+    scene_.title = root.text("title");
+    scene_.seed = static_cast<std::uint64_t>(root.number("seed", 1));
+    scene_.duration = root.number("duration", scene_.duration);
+    scene_.stop_asleep = root.form("stop").flag("asleep");
+    read_settings(root);
+    for (const FormView& entry : root.forms("blocks")) read_entry(entry);
+    return std::move(scene_);
+  }
+
+ private:
+  void read_settings(const FormView& root) {
+    WorldConfig& config = scene_.settings;
+    config.step = root.number("step", config.step);
+    config.arena = root.number("arena", config.arena);
+    config.gravity = root.number("gravity", config.gravity);
+    config.floor = root.flag("floor", config.floor);
+    scene_.sweeps = static_cast<int>(root.number("sweeps"));
+    config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2},
+                        {kBlockMaterial, kFloorMaterial, 0.4}};
+    read_friction(root.form("friction"), scene_);
+    read_magnets(root.form("magnets"), config);
+    magnets_ = root.form("magnets").flag("enabled", true);
+    read_sleep(root.form("sleep"), config.sleep);
+  }
+
+  void read_entry(const FormView& node) {
+    BlockSpawn spawn;
+    spawn.range = document_.head(node.node());
+    spawn.kind = kind_of(node);
+    check_use(node, spawn.kind);
+    const auto model = model_of(node);
+    if (!model) return;
+    spawn.model = *model;
+    spawn.name = node.text("name");
+    spawn.X_WE.p = node.vector("at");
+    spawn.X_WE.q = turned(node.vector("turn"));
+    spawn.colour = led_of(node.text("color", "off")).value_or(Led::off);
+    spawn.fixed = node.flag("fixed", false);
+    spawn.velocity = node.vector("velocity");
+    spawn.spin = node.vector("spin") * kDegree;
+    read_structure(node, spawn);
+    scene_.blocks.push_back(std::move(spawn));
+  }
+
+  SpawnKind kind_of(const FormView& node) {
+    const KindKey* first = nullptr;
+    for (const KindKey& key : kStructureKeys) {
+      const YamlNode* value = node.find(key.key);
+      if (value == nullptr) continue;
+      if (first != nullptr) {
+        out_.add(Code::S606, document_.head(*value),
+                 fmt::format("this entry has '{}' and '{}'", first->key, key.key));
+      } else {
+        first = &key;
+      }
+    }
+    return first == nullptr ? SpawnKind::single : first->kind;
+  }
+
+  void check_use(const FormView& node, SpawnKind kind) {
+    for (const KindKey& key : kOwnKeys) {
+      const YamlNode* value = node.find(key.key);
+      if (value == nullptr || key.kind == kind) continue;
+      out_.add(Code::S608, document_.head(*value),
+               fmt::format("'{}' has no use in this entry", key.key));
+    }
+  }
+
+  void read_structure(const FormView& node, BlockSpawn& spawn) {
+    const auto count = [&](std::string_view key) { return static_cast<int>(node.number(key, 1)); };
+    switch (spawn.kind) {
+      case SpawnKind::column:
+        spawn.count = {1, 1, count("column")};
+        break;
+      case SpawnKind::wall: {
+        const auto size = node.numbers("wall");
+        spawn.count = {static_cast<int>(size[0]), 1, static_cast<int>(size[1])};
+        break;
+      }
+      case SpawnKind::pyramid:
+        spawn.count = {1, 1, count("pyramid")};
+        break;
+      case SpawnKind::grid:
+        read_grid(node, spawn);
+        break;
+      case SpawnKind::scatter:
+        read_scatter(node, spawn);
+        break;
+      case SpawnKind::poses:
+        read_poses(*node.find("poses"), spawn);
+        break;
+      case SpawnKind::single:
+        break;
+    }
+  }
+
+  static void read_grid(const FormView& node, BlockSpawn& spawn) {
+    const auto size = node.numbers("grid");
+    for (std::size_t i = 0; i < 3; ++i) spawn.count[i] = static_cast<int>(size[i]);
+    spawn.pitch = node.number("pitch");
+    spawn.jitter = node.number("jitter");
+    spawn.tumble = node.number("tumble") * kDegree;
+  }
+
+  void read_scatter(const FormView& node, BlockSpawn& spawn) {
+    spawn.count = {static_cast<int>(node.number("scatter")), 1, 1};
+    const std::string turned = node.text("turned", "upright");
+    spawn.turned = turned == "none"  ? ScatterTurn::none
+                   : turned == "any" ? ScatterTurn::any
+                                     : ScatterTurn::upright;
+    spawn.size = node.vector("size");
+    if (node.has("size")) return;
+    out_.add(Code::R102, document_.head(node.node()), "the key 'size' is missing beside 'scatter'");
+  }
+
+  void read_poses(const YamlNode& node, BlockSpawn& spawn) {
+    if (auto source = load(node, node.text)) {
+      if (auto poses = read_poses_file(std::move(source), out_)) spawn.poses = std::move(*poses);
+    }
+  }
+
+  /// The number of the entry's block among the models; each file is read once.
+  std::optional<std::size_t> model_of(const FormView& node) {
+    const YamlNode* key = node.find("file");
+    const std::string name = key == nullptr ? std::string(kDefaultBlock) : key->text;
+    for (const auto& [known, model] : models_) {
+      if (known == name) return model;
+    }
+    std::optional<std::size_t> model;
+    if (auto source = load(key == nullptr ? node.node() : *key, name)) {
+      if (auto block = read_block(std::move(source), out_)) {
+        if (!magnets_) block->magnet_offset = 0;
+        model = scene_.models.size();
+        scene_.models.push_back(std::move(*block));
+      }
+    }
+    models_.emplace_back(name, model);
+    return model;
+  }
+
+  SourceRef load(const YamlNode& node, const std::string& name) {
+    FileError error;
+    auto text = load_(name, kMaxFileBytes, error);
+    if (!text) {
+      out_.add(error.too_large ? Code::R002 : Code::R001, document_.head(node), error.message);
+      return nullptr;
+    }
+    scene_.files.push_back({name, *text});
+    return std::make_shared<const SourceFile>(name, std::move(*text));
+  }
+
+  const YamlDocument& document_;
+  const BadNodes& bad_;
+  const SceneLoader& load_;
+  Diagnostics& out_;
+  Scene scene_;
+  bool magnets_ = true;
+  std::vector<std::pair<std::string, std::optional<std::size_t>>> models_;
+};
+
+}  // namespace
+
+SceneLoader disk_loader(std::string scene_folder, std::vector<std::string> folders) {
+  folders.insert(folders.begin(), std::move(scene_folder));
+  return [folders](const std::string& name, std::size_t most, FileError& error) {
+    const auto path_in = [&name](const std::string& folder) {
+      return (std::filesystem::path(folder) / name).string();
+    };
+    std::error_code ignored;
+    for (const std::string& folder : folders) {
+      if (std::filesystem::exists(path_in(folder), ignored)) {
+        return read_file(path_in(folder), most, error);
+      }
+    }
+    return read_file(path_in(folders.front()), most, error);
+  };
+}
+
+SceneLoader memory_loader(std::vector<SceneFile> files) {
+  return [files = std::move(files)](const std::string& name, std::size_t,
+                                    FileError& error) -> std::optional<std::string> {
+    for (const SceneFile& file : files) {
+      if (file.name == name) return file.text;
+    }
+    error.message = fmt::format("{} is not there", in_quotes(name));
+    return std::nullopt;
+  };
+}
+
+std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
+                                Diagnostics& diagnostics) {
+  Diagnostics own;
+  std::optional<Scene> scene;
+  const auto document = parse_yaml(std::move(source), {kMaxSceneBytes, 8, 200'000}, own);
+  if (document) {
+    const BadNodes bad = check_form(*document, scene_keys(), own);
+    if (!own.has_errors()) scene = Reader(*document, bad, load, own).read();
+  }
+  diagnostics.append(own);
+  return own.has_errors() ? std::nullopt : std::move(scene);
+}
+
+}  // namespace stig

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+// A scene that runs: a world, what has happened in it so far, and the trace that records it.
+//
+//     Simulation run(scene, placed);
+//     run.record(writer);
+//     const RunEnd end = run.until(10, hooks);
+//
+// Interrupted and taken up again from a checkpoint, a run ends with the same state and has
+// written the same trace as if it had never stopped.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physical/pose_trace.h"
+#include "physical/scene.h"
+#include "physical/world.h"
+
+namespace stig {
+
+/// Events of a run, counted.
+struct RunTally {
+  std::uint64_t contacts = 0, slept = 0, woke = 0, snapped = 0, let_go = 0;
+  std::vector<std::uint32_t> left;  ///< bodies, in order
+
+  friend bool operator==(const RunTally&, const RunTally&) = default;
+};
+
+struct RunHooks {
+  const std::atomic<bool>* stop = nullptr;
+  std::function<void(const World&)> after_step;
+};
+
+class Simulation {
+ public:
+  Simulation(const Scene& scene, const PlacedScene& placed);
+
+  /// From now on; the writer is given the state as it is, unless the run was resumed and the
+  /// writer has the records up to here already. It must outlive the run.
+  void record(PoseTraceWriter& writer);
+  /// Steps until the world's time is `duration` s, or the scene's stop condition or the
+  /// hooks end it.
+  RunEnd until(double duration, const RunHooks& hooks);
+  /// Ends the trace, if there is one.
+  void finish(RunEnd end);
+
+  const World& world() const { return world_; }
+  const RunTally& tally() const { return tally_; }
+  /// Of one that diverged: when, and which body.
+  const std::string& message() const { return message_; }
+  const PlacedScene& placed() const { return placed_; }
+
+  /// World and tally; holds for this scene and seed alone.
+  std::string state() const;
+  /// False, and nothing changed, when the bytes are no state of this scene.
+  bool resume(std::string_view state);
+
+ private:
+  void count(const WorldEvent& event);
+  void after_step();
+  void write_frame();
+
+  PlacedScene placed_;
+  bool stop_asleep_;
+  std::uint64_t frame_every_, hash_every_;
+  World world_;
+  RunTally tally_;
+  std::string message_;
+  PoseTraceWriter* writer_ = nullptr;
+  std::uint64_t framed_ = UINT64_MAX;  ///< tick of the last frame written
+};
+
+/// What the header of a scene's trace says.
+PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed);
+
+/// A run that stopped, as a file: the scene's texts, the seed and the state.
+struct Checkpoint {
+  std::vector<SceneFile> files;
+  std::uint64_t seed = 1;
+  std::string state;
+};
+std::string checkpoint_bytes(const Checkpoint& checkpoint);
+/// Nothing when the bytes are damaged or something else; `problem` says what.
+std::optional<Checkpoint> read_checkpoint_file(std::string_view bytes, std::string& problem);
+
+/// Reads and places a scene from texts kept in a trace or a checkpoint.
+struct LoadedScene {
+  Scene scene;
+  PlacedScene placed;
+};
+std::optional<LoadedScene> load_scene(const std::vector<SceneFile>& files, std::uint64_t seed,
+                                      Diagnostics& diagnostics);
+
+/// Runs a trace's scene again and compares.
+struct VerifyReport {
+  bool identical = false;
+  std::uint64_t compared = 0;  ///< hashes
+  std::string difference;      ///< in words; empty when identical
+};
+VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded, const RunHooks& hooks);
+
+}  // namespace stig

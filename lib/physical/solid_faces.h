@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// The faces of a shape as convex polygons, for drawing. What is round gets facets.
+#pragma once
+
+#include <vector>
+
+#include "physical/contact.h"
+
+namespace stig {
+
+struct SolidFace {
+  std::vector<Vec3> corners;  ///< body frame, counter-clockwise from outside
+  Vec3 normal;                ///< unit, outwards
+  bool edged = true;          ///< its outline is a real edge of the body
+};
+
+std::vector<SolidFace> faces_of(const Shape& shape);
+
+}  // namespace stig

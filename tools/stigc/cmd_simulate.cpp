@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: MIT
+// stigc simulate: a scene, once or for many seeds.
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "commands.h"
+#include "outputs.h"
+#include "progress.h"
+#include "report.h"
+#include "scene_input.h"
+#include "simulate_report.h"
+#include "simulate_runs.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostFileBytes = std::size_t{1} << 30;
+
+/// A trace that grows on the disk while the run goes on.
+class TraceFile {
+ public:
+  bool open(const std::string& path, const App& app) {
+    path_ = path;
+    if (file_.open(path, error_)) return true;
+    app.complain(error_.message);
+    return false;
+  }
+  PoseTraceWriter& begin(const PoseTraceHeader& header) {
+    return writer_.emplace(header, [this](std::string_view bytes) {
+      if (file_.is_open()) file_.append(bytes, error_);
+    });
+  }
+  /// Everything has been written; an exit code.
+  int commit(const App& app) {
+    if (file_.is_open() && file_.commit(error_)) {
+      app.say("wrote " + printable(path_));
+      return kOk;
+    }
+    app.complain(error_.message);
+    return kRunFailed;
+  }
+
+ private:
+  std::string path_;
+  GrowingFile file_;
+  FileError error_;
+  std::optional<PoseTraceWriter> writer_;
+};
+
+/// What is wrong with the options together; empty: nothing.
+std::string usage_problem(const SimulateOptions& o) {
+  if (o.scene.empty() && !o.resume) return "a scene is wanted, or --resume and a checkpoint";
+  if (!o.scene.empty() && o.resume) return "a checkpoint holds its scene: leave SCENE out";
+  if (o.resume && o.seed) return "a checkpoint holds its seed: leave --seed out";
+  if (o.at && !o.picture) return "--at is the moment of a picture: add -o FILE.png";
+  if (o.picture && !o.picture->ends_with(".png")) {
+    return fmt::format("'{}': pictures of scenes are .png", *o.picture);
+  }
+  if (o.runs > 1 && (o.trace || o.picture || o.checkpoint || o.resume)) {
+    return "--trace, -o, --checkpoint and --resume are of one run, not of --runs";
+  }
+  return {};
+}
+
+/// Can the files be written, as far as can be told beforehand?
+bool places_good(const SimulateOptions& o, const App& app) {
+  bool good = true;
+  for (const auto& path : {o.trace, o.picture, o.checkpoint}) {
+    const std::string problem = path ? folder_problem(*path) : "";
+    if (!problem.empty()) app.complain(printable(problem));
+    good = good && problem.empty();
+  }
+  return good;
+}
+
+std::optional<Checkpoint> read_checkpoint(const std::string& path, const App& app) {
+  FileError error;
+  const auto bytes = read_file(path, kMostFileBytes, error);
+  std::string problem;
+  auto checkpoint = bytes ? read_checkpoint_file(*bytes, problem) : std::nullopt;
+  if (!bytes) app.complain(error.message);
+  if (bytes && !checkpoint) app.complain(fmt::format("'{}': {}", printable(path), problem));
+  return checkpoint;
+}
+
+std::optional<LoadedScene> scene_of(const Checkpoint& checkpoint, const App& app) {
+  Diagnostics diagnostics;
+  auto loaded = load_scene(checkpoint.files, checkpoint.seed, diagnostics);
+  if (!loaded) app.report(diagnostics);
+  return loaded;
+}
+
+bool same_files(const std::vector<SceneFile>& a, const std::vector<SceneFile>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
+    return x.name == y.name && x.text == y.text;
+  });
+}
+
+/// The trace of the run so far, when it is that.
+std::optional<PoseTrace> earlier_trace(const std::string& path, const PoseTraceHeader& header,
+                                       std::uint64_t tick, const App& app) {
+  FileError error;
+  auto bytes = read_file(path, kMostFileBytes, error);
+  if (!bytes) {
+    app.complain(error.message + "; --trace with --resume names the trace of the run so far");
+    return std::nullopt;
+  }
+  Diagnostics diagnostics;
+  auto trace = read_pose_trace(path, std::move(*bytes), diagnostics);
+  if (!trace) {
+    app.report(diagnostics);
+    return std::nullopt;
+  }
+  const bool same =
+      trace->header.seed == header.seed && same_files(trace->header.files, header.files);
+  if (same && trace->end.ticks >= tick) return trace;
+  app.complain(fmt::format("'{}' is {}", printable(path),
+                           same ? "shorter than the run was at the checkpoint"
+                                : "the trace of another run than the checkpoint"));
+  return std::nullopt;
+}
+
+/// One run, from its beginning or a checkpoint, with its files.
+class OneRun {
+ public:
+  OneRun(const SimulateOptions& options, const LoadedScene& loaded, App& app)
+      : options_(options), loaded_(loaded), app_(app), run_(loaded.scene, loaded.placed) {}
+
+  int run(const std::optional<Checkpoint>& checkpoint) {
+    if (checkpoint && !run_.resume(checkpoint->state)) {
+      app_.complain(
+          fmt::format("'{}': its state is none of its scene", printable(*options_.resume)));
+      return kFailed;
+    }
+    if (const int code = begin_trace(); code != kOk) return code;
+    stop_on_signals();
+    Progress progress(app_);
+    const RunEnd end = run_.until(duration(), hooks(progress));
+    const double seconds = progress.seconds();
+    progress.clear();
+    run_.finish(end);
+    const int written = write_files();
+    print(report_of(loaded_.scene, run_, end, seconds));
+    if (end == RunEnd::diverged) app_.complain(run_.message());
+    if (end == RunEnd::interrupted) {
+      app_.complain(fmt::format("interrupted after {:.3f} s", run_.world().time()));
+    }
+    return end == RunEnd::diverged || end == RunEnd::interrupted ? kRunFailed : written;
+  }
+
+ private:
+  double duration() const { return options_.duration.value_or(loaded_.scene.duration); }
+
+  int begin_trace() {
+    if (!options_.trace) return kOk;
+    const PoseTraceHeader header = trace_header(loaded_.scene, loaded_.placed);
+    std::optional<PoseTrace> earlier;
+    if (options_.resume) {
+      earlier = earlier_trace(*options_.trace, header, run_.world().tick(), app_);
+      if (!earlier) return kFailed;
+    }
+    if (!trace_.open(*options_.trace, app_)) return kRunFailed;
+    PoseTraceWriter& writer = trace_.begin(header);
+    if (earlier) copy_records(*earlier, run_.world().tick(), writer);
+    run_.record(writer);
+    return kOk;
+  }
+
+  RunHooks hooks(Progress& progress) {
+    RunHooks hooks;
+    hooks.stop = &stop_requested();
+    hooks.after_step = [this, &progress](const World& world) {
+      if (world.tick() % 16 == 0) {
+        progress.show(world.time() / duration(),
+                      fmt::format("{:.1f} of {} s, {} of {} awake", world.time(), duration(),
+                                  world.awake_count(), world.size()));
+      }
+      if (options_.at && !moment_ && world.time() >= *options_.at - 1e-9) take_moment();
+    };
+    return hooks;
+  }
+
+  void take_moment() { moment_ = {run_.world().time(), picture_bodies(run_)}; }
+
+  int write_files() {
+    int code = options_.trace ? trace_.commit(app_) : kOk;
+    if (options_.picture) code = std::max(code, write_moment());
+    if (options_.checkpoint) code = std::max(code, write_checkpoint());
+    return code;
+  }
+
+  int write_moment() {
+    if (options_.at && !moment_) {
+      app_.say(fmt::format("the run ended before {} s: the picture is of its end", *options_.at));
+    }
+    if (!moment_) take_moment();
+    std::string error;
+    const bool good = write_picture(*options_.picture, moment_->bodies, loaded_.placed.config.floor,
+                                    loaded_.scene.title, moment_->time, error);
+    return said(good, *options_.picture, error);
+  }
+
+  int write_checkpoint() {
+    FileError error;
+    const std::string bytes =
+        checkpoint_bytes({loaded_.scene.files, loaded_.placed.seed, run_.state()});
+    return said(write_file(*options_.checkpoint, bytes, error), *options_.checkpoint,
+                error.message);
+  }
+
+  int said(bool good, const std::string& path, const std::string& error) const {
+    if (good) {
+      app_.say("wrote " + printable(path));
+    } else {
+      app_.complain(error);
+    }
+    return good ? kOk : kRunFailed;
+  }
+
+  void print(const SimulationReport& report) {
+    app_.print(options_.json ? dump(to_json(report)) : lines_of(report, true));
+  }
+
+  struct Moment {
+    double time = 0;
+    std::vector<PictureBody> bodies;
+  };
+
+  const SimulateOptions& options_;
+  const LoadedScene& loaded_;
+  App& app_;
+  Simulation run_;
+  TraceFile trace_;
+  std::optional<Moment> moment_;
+};
+
+}  // namespace
+
+int run(const SimulateOptions& options, App& app) {
+  const std::string problem = usage_problem(options);
+  if (!problem.empty()) {
+    app.complain(printable(problem));
+    return kUsage;
+  }
+  if (!places_good(options, app)) return kRunFailed;
+  std::optional<Checkpoint> checkpoint;
+  if (options.resume) {
+    checkpoint = read_checkpoint(*options.resume, app);
+    if (!checkpoint) return kFailed;
+  }
+  const auto loaded =
+      checkpoint ? scene_of(*checkpoint, app) : read_loaded_scene(options.scene, options.seed, app);
+  if (!loaded) return kFailed;
+  if (options.runs > 1) return simulate_runs(options, loaded->scene, app);
+  return OneRun(options, *loaded, app).run(checkpoint);
+}
+
+}  // namespace stig

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "pose_replay.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/hash.h"
+#include "outputs.h"
+#include "progress.h"
+#include "report.h"
+#include "simulate_report.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostBodiesShown = 40;
+
+std::uint64_t count(const PoseTrace& trace, EventKind kind) {
+  return static_cast<std::uint64_t>(
+      std::count_if(trace.events.begin(), trace.events.end(),
+                    [kind](const TraceEvent& e) { return e.event.kind == kind; }));
+}
+
+double bytes_per_body_second(const PoseTrace& trace) {
+  const double seconds = static_cast<double>(trace.end.ticks) * trace.header.step;
+  const auto bodies = static_cast<double>(trace.header.bodies.size());
+  return seconds * bodies > 0 ? static_cast<double>(trace.bytes.size()) / (seconds * bodies) : 0;
+}
+
+Json summary_json(const PoseTrace& trace, const std::string& path) {
+  Json json;
+  json["trace"] = path;
+  json["title"] = trace.header.title;
+  json["seed"] = trace.header.seed;
+  json["bodies"] = trace.header.bodies.size();
+  json["time"] = static_cast<double>(trace.end.ticks) * trace.header.step;
+  json["ticks"] = trace.end.ticks;
+  json["end"] = to_string(trace.end.why);
+  json["message"] = trace.end.message;
+  json["frames"] = trace.frames;
+  json["contacts"] = count(trace, EventKind::contact_began);
+  json["slept"] = count(trace, EventKind::slept);
+  json["woke"] = count(trace, EventKind::woke);
+  json["snapped"] = count(trace, EventKind::snapped);
+  json["let_go"] = count(trace, EventKind::let_go);
+  json["left"] = count(trace, EventKind::left_arena);
+  json["hash"] = to_hex(trace.end.hash);
+  json["bytes"] = trace.bytes.size();
+  json["bytes_per_body_second"] = bytes_per_body_second(trace);
+  return json;
+}
+
+std::string summary_lines(const PoseTrace& trace) {
+  std::string out = line("scene", printable(trace.header.title));
+  out += line("bodies", fmt::format("{}, seed {}", trace.header.bodies.size(), trace.header.seed));
+  out += line("end", trace.end.message.empty()
+                         ? fmt::format("{} after {:.3f} s, {} ticks", to_string(trace.end.why),
+                                       static_cast<double>(trace.end.ticks) * trace.header.step,
+                                       trace.end.ticks)
+                         : printable(trace.end.message));
+  out += line("events",
+              fmt::format("{} contacts, {} slept, {} woke, {} snapped, {} let go, {} left",
+                          count(trace, EventKind::contact_began), count(trace, EventKind::slept),
+                          count(trace, EventKind::woke), count(trace, EventKind::snapped),
+                          count(trace, EventKind::let_go), count(trace, EventKind::left_arena)));
+  out += line("frames", fmt::format("{}, one every {} ticks of {} s", trace.frames,
+                                    trace.header.frame_every, trace.header.step));
+  out += line("size", fmt::format("{} bytes, {:.1f} for a body and second", trace.bytes.size(),
+                                  bytes_per_body_second(trace)));
+  return out + line("hash", to_hex(trace.end.hash));
+}
+
+Json frame_json(const PoseTrace& trace, const TraceFrame& frame) {
+  Json json;
+  json["time"] = static_cast<double>(frame.tick) * trace.header.step;
+  json["bodies"] = Json::array();
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    const Pose pose = frame.bodies[i].pose();
+    json["bodies"].push_back({{"name", trace.header.bodies[i].name},
+                              {"at", {pose.p.x, pose.p.y, pose.p.z}},
+                              {"quaternion", {pose.q.w, pose.q.x, pose.q.y, pose.q.z}},
+                              {"awake", frame.bodies[i].awake},
+                              {"left", frame.bodies[i].left}});
+  }
+  return json;
+}
+
+std::string frame_lines(const PoseTrace& trace, const TraceFrame& frame) {
+  std::string out =
+      line("moment", fmt::format("{:.3f} s, tick {}",
+                                 static_cast<double>(frame.tick) * trace.header.step, frame.tick));
+  out += structure_in_lines(structure_of(picture_bodies(trace, frame)));
+  for (std::size_t i = 0; i < std::min(frame.bodies.size(), kMostBodiesShown); ++i) {
+    const Pose pose = frame.bodies[i].pose();
+    out += fmt::format("{:>16}  {:9.5f} {:9.5f} {:9.5f}  {}\n",
+                       printable(trace.header.bodies[i].name), pose.p.x, pose.p.y, pose.p.z,
+                       frame.bodies[i].left    ? "left"
+                       : frame.bodies[i].awake ? "awake"
+                                               : "asleep");
+  }
+  if (frame.bodies.size() > kMostBodiesShown) {
+    out += fmt::format("{:>16}  and {} more\n", "…", frame.bodies.size() - kMostBodiesShown);
+  }
+  return out;
+}
+
+int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
+  Diagnostics diagnostics;
+  const auto loaded = load_scene(trace.header.files, trace.header.seed, diagnostics);
+  if (!loaded) {
+    app.report(diagnostics);
+    return kFailed;
+  }
+  stop_on_signals();
+  Progress progress(app);
+  RunHooks hooks;
+  hooks.stop = &stop_requested();
+  hooks.after_step = [&](const World& world) {
+    if (world.tick() % 16 != 0) return;
+    progress.show(static_cast<double>(world.tick()) / static_cast<double>(trace.end.ticks),
+                  fmt::format("tick {} of {}", world.tick(), trace.end.ticks));
+  };
+  const VerifyReport report = verify_trace(trace, *loaded, hooks);
+  progress.clear();
+  if (options.json) {
+    Json json = summary_json(trace, options.trace);
+    json["identical"] = report.identical;
+    json["compared"] = report.compared;
+    json["difference"] = report.difference;
+    app.print(dump(json));
+  } else {
+    app.print(fmt::format("{}: {}, {} states compared: {}\n", printable(options.trace),
+                          printable(trace.header.title), report.compared,
+                          report.identical ? green("identical", app.color_out())
+                                           : red(report.difference, app.color_out())));
+  }
+  return report.identical ? kOk : kFailed;
+}
+
+}  // namespace
+
+int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
+  if (options.picture && !options.picture->ends_with(".png")) {
+    app.complain(fmt::format("'{}': pictures of scenes are .png", printable(*options.picture)));
+    return kUsage;
+  }
+  Diagnostics diagnostics;
+  const auto trace = read_pose_trace(options.trace, std::move(bytes), diagnostics);
+  if (!trace) {
+    app.report(diagnostics);
+    return kFailed;
+  }
+  if (options.verify) return verify(options, *trace, app);
+  const double end = static_cast<double>(trace->end.ticks) * trace->header.step;
+  const double at = std::min(options.at.value_or(end), end);
+  const auto tick = static_cast<std::uint64_t>(std::llround(at / trace->header.step));
+  const TraceFrame frame = frame_at(*trace, tick);
+  if (options.json) {
+    Json json = summary_json(*trace, options.trace);
+    if (options.at) json["moment"] = frame_json(*trace, frame);
+    app.print(dump(json));
+  } else {
+    app.print(summary_lines(*trace) + (options.at ? frame_lines(*trace, frame) : ""));
+  }
+  if (!options.picture) return kOk;
+  std::string error;
+  if (write_picture(*options.picture, picture_bodies(*trace, frame), true, trace->header.title,
+                    static_cast<double>(frame.tick) * trace->header.step, error)) {
+    app.say("wrote " + printable(*options.picture));
+    return kOk;
+  }
+  app.complain(error);
+  return kRunFailed;
+}
+
+}  // namespace stig

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "scene_input.h"
+
+#include <filesystem>
+
+#include "base/file_io.h"
+
+namespace stig {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where this program's file is; empty when the system does not say.
+fs::path program_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path();
+}
+
+}  // namespace
+
+FileContent content_of(std::string_view text) {
+  const auto has_key = [text](std::string_view key) {
+    for (std::size_t at = text.find(key); at != std::string_view::npos;
+         at = text.find(key, at + 1)) {
+      if (at == 0 || text[at - 1] == '\n') return true;
+    }
+    return false;
+  };
+  if (has_key("stigc_scene:")) return FileContent::scene;
+  return has_key("stigc_block:") ? FileContent::block : FileContent::rules;
+}
+
+SceneLoader scene_loader(const std::string& scene_path) {
+  const fs::path folder = fs::path(scene_path).parent_path();
+  std::vector<std::string> others = {(folder / ".." / "blocks").string()};
+  const fs::path program = program_folder();
+  if (!program.empty()) {
+    // Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.
+    others.push_back((program / ".." / "share" / "stig" / "blocks").string());
+    others.push_back((program / ".." / ".." / "blocks").string());
+  }
+  return disk_loader(folder.string(), std::move(others));
+}
+
+std::optional<LoadedScene> read_loaded_scene(const std::string& path,
+                                             std::optional<std::uint64_t> seed, const App& app) {
+  Diagnostics diagnostics;
+  FileError error;
+  auto text = read_file(path, kMaxSceneBytes, error);
+  auto source = std::make_shared<const SourceFile>(path, text ? std::move(*text) : "");
+  std::optional<LoadedScene> loaded;
+  if (!text) {
+    diagnostics.add(error.too_large ? Code::R002 : Code::R001, {source, 0, 0}, error.message);
+  } else if (auto scene = read_scene(source, scene_loader(path), diagnostics)) {
+    if (auto placed = place_scene(*scene, seed.value_or(scene->seed), diagnostics)) {
+      loaded = LoadedScene{std::move(*scene), std::move(*placed)};
+    }
+  }
+  if (!diagnostics.all().empty()) app.report(diagnostics);
+  if (app.invalid(diagnostics)) loaded.reset();
+  return loaded;
+}
+
+}  // namespace stig

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Scenes and what belongs to them, found on the disk.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "app.h"
+#include "physical/simulation.h"
+
+namespace stig {
+
+/// What a data file is, by its key stigc, stigc_scene or stigc_block.
+enum class FileContent : std::uint8_t { rules, scene, block };
+FileContent content_of(std::string_view text);
+
+/// Finds blocks beside the scene, in the folder blocks/ next to the scene's, and where the
+/// program's own are.
+SceneLoader scene_loader(const std::string& scene_path);
+
+/// Reads and places a scene; its errors are reported.
+std::optional<LoadedScene> read_loaded_scene(const std::string& path,
+                                             std::optional<std::uint64_t> seed, const App& app);
+
+}  // namespace stig

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What a simulated run came to, as data, JSON and lines for people.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "physical/lattice_reading.h"
+#include "physical/scene_picture.h"
+#include "physical/simulation.h"
+
+namespace stig {
+
+using Json = nlohmann::ordered_json;
+
+struct SimulationReport {
+  std::string title;
+  std::uint64_t seed = 1, ticks = 0, hash = 0;
+  double time = 0;     ///< s, simulated
+  double seconds = 0;  ///< that it took
+  RunEnd end = RunEnd::duration;
+  std::string message;
+  std::size_t bodies = 0, awake = 0, fixed = 0;
+  std::size_t moved = 0;  ///< bodies more than kMovedFrom from where they began
+  double farthest = 0;    ///< m, of one that is still there
+  std::string farthest_name;
+  RunTally tally;
+  std::vector<std::string> left;  ///< names
+  StructureReading structure;
+  std::vector<std::string> names;  ///< of bodies
+};
+
+inline constexpr double kMovedFrom = 1e-3;  ///< m
+
+SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end, double seconds);
+
+Json to_json(const SimulationReport& report);
+/// With the line on speed, which differs from call to call, when `speed`.
+std::string lines_of(const SimulationReport& report, bool speed);
+
+/// The lattices that blocks make, one line each, and what is loose.
+std::string structure_in_lines(const StructureReading& structure);
+Json structure_json(const StructureReading& structure, const std::vector<std::string>& names);
+
+/// A table of runs, and what they have in common.
+std::string table_of(const std::vector<SimulationReport>& runs);
+
+/// What a picture or a reading takes of a moment of a trace or of a world.
+std::vector<PictureBody> picture_bodies(const Simulation& run);
+std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame);
+StructureReading structure_of(const std::vector<PictureBody>& bodies);
+
+/// Draws and writes; false with `error` set.
+bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies, bool floor,
+                   const std::string& title, double time, std::string& error);
+
+}  // namespace stig

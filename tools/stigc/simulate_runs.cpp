@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "simulate_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "progress.h"
+#include "report.h"
+#include "simulate_report.h"
+
+namespace stig {
+namespace {
+
+/// One seed; nothing when it has no place for the blocks, which `diagnostics` then says.
+std::optional<SimulationReport> one_run(const Scene& scene, std::uint64_t seed, double duration,
+                                        Diagnostics& diagnostics) {
+  const auto placed = place_scene(scene, seed, diagnostics);
+  if (!placed) return std::nullopt;
+  Simulation run(scene, *placed);
+  RunHooks hooks;
+  hooks.stop = &stop_requested();
+  const auto began = std::chrono::steady_clock::now();
+  const RunEnd end = run.until(duration, hooks);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
+  return report_of(scene, run, end, took.count());
+}
+
+/// Means, for the last line.
+std::string means_of(const std::vector<SimulationReport>& runs) {
+  double time = 0, snapped = 0, largest = 0;
+  for (const SimulationReport& r : runs) {
+    const auto& lattices = r.structure.lattices;
+    time += r.time;
+    snapped += static_cast<double>(r.tally.snapped);
+    largest += lattices.empty() ? 0 : static_cast<double>(lattices[0].blocks.size());
+  }
+  const auto n = static_cast<double>(runs.size());
+  return fmt::format("mean of {} runs: {:.3f} s, snapped {:.1f} times, largest lattice {:.1f}\n",
+                     runs.size(), time / n, snapped / n, largest / n);
+}
+
+struct Results {
+  std::vector<std::optional<SimulationReport>> reports;
+  std::vector<Diagnostics> diagnostics;
+};
+
+Results run_all_seeds(const SimulateOptions& options, const Scene& scene, const App& app) {
+  const auto runs = static_cast<std::size_t>(options.runs);
+  Results results{std::vector<std::optional<SimulationReport>>(runs),
+                  std::vector<Diagnostics>(runs)};
+  const std::uint64_t first = options.seed.value_or(scene.seed);
+  const double duration = options.duration.value_or(scene.duration);
+  std::atomic<std::size_t> next{0}, done{0};
+  Progress progress(app);
+  const auto work = [&] {
+    for (std::size_t i = next++; i < runs && !stop_requested(); i = next++) {
+      results.reports[i] = one_run(scene, first + i, duration, results.diagnostics[i]);
+      const std::size_t finished = ++done;
+      progress.show(static_cast<double>(finished) / static_cast<double>(runs),
+                    fmt::format("{} of {} runs", finished, runs));
+    }
+  };
+  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t wanted =
+      options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
+  std::vector<std::thread> threads;
+  for (std::size_t i = 1; i < std::min(wanted, runs); ++i) threads.emplace_back(work);
+  work();
+  for (std::thread& thread : threads) thread.join();
+  return results;
+}
+
+}  // namespace
+
+int simulate_runs(const SimulateOptions& options, const Scene& scene, App& app) {
+  stop_on_signals();
+  const Results results = run_all_seeds(options, scene, app);
+  std::vector<SimulationReport> finished;
+  bool good = true, placed = true;
+  for (std::size_t i = 0; i < results.reports.size(); ++i) {
+    if (results.diagnostics[i].has_errors()) app.report(results.diagnostics[i]);
+    placed = placed && !results.diagnostics[i].has_errors();
+    const auto& report = results.reports[i];
+    good = good && report && report->end != RunEnd::diverged && report->end != RunEnd::interrupted;
+    if (report && report->end != RunEnd::interrupted) finished.push_back(*report);
+  }
+  if (options.json) {
+    Json json = {{"runs", Json::array()}};
+    for (const SimulationReport& report : finished) json["runs"].push_back(to_json(report));
+    app.print(dump(json));
+  } else if (!finished.empty()) {
+    app.print(table_of(finished) + means_of(finished));
+  }
+  if (!placed) return kFailed;
+  return good ? kOk : kRunFailed;
+}
+
+}  // namespace stig
