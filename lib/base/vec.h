@@ -87,12 +87,10 @@ inline Quat quaternion(const Mat3& r) {
     return normalised({1 + trace, r.y.z - r.z.y, r.z.x - r.x.z, r.x.y - r.y.x});
   }
   if (r.x.x >= r.y.y && r.x.x >= r.z.z) {
-    return normalised(
-        {r.y.z - r.z.y, 1 + 2 * r.x.x - trace, r.y.x + r.x.y, r.z.x + r.x.z});
+    return normalised({r.y.z - r.z.y, 1 + 2 * r.x.x - trace, r.y.x + r.x.y, r.z.x + r.x.z});
   }
   if (r.y.y >= r.z.z) {
-    return normalised(
-        {r.z.x - r.x.z, r.y.x + r.x.y, 1 + 2 * r.y.y - trace, r.z.y + r.y.z});
+    return normalised({r.z.x - r.x.z, r.y.x + r.x.y, 1 + 2 * r.y.y - trace, r.z.y + r.y.z});
   }
   return normalised({r.x.y - r.y.x, r.z.x + r.x.z, r.z.y + r.y.z, 1 + 2 * r.z.z - trace});
 }

@@ -77,9 +77,9 @@ class BodyReader {
     }
     if (found.size() == 1) return;
     parts_.out.add(Code::P604, body_.place,
-                   found.empty() ? fmt::format("this body has not {}", what)
-                                 : fmt::format("this body has both '{}' and '{}'", found[0],
-                                               found[1]));
+                   found.empty()
+                       ? fmt::format("this body has not {}", what)
+                       : fmt::format("this body has both '{}' and '{}'", found[0], found[1]));
   }
 
   void read_shape() {

@@ -10,9 +10,7 @@ using namespace keys;
 
 constexpr double kFar = 10;  ///< m
 
-FormKey device_name() {
-  return required(words("name", FormKind::name, "What programs call it."));
-}
+FormKey device_name() { return required(words("name", FormKind::name, "What programs call it.")); }
 FormKey on_body() { return required(words("body", FormKind::name, "The body it is fixed to.")); }
 FormKey at() { return vector("at", "Where, metres, body's frame (default: its origin).", kFar); }
 
@@ -86,8 +84,7 @@ const Form& camera_form() {
       "camera",
       {device_name(), on_body(), at(),
        required(vector("look", "The direction it looks in, body's frame.", kFar)),
-       vector("up", "What is up in its image (default: z).", kFar),
-       required(resolution()),
+       vector("up", "What is up in its image (default: z).", kFar), required(resolution()),
        required(numbers("focal_length", "Pixels, of x and y.", 2, 2, 1e-3, 1e6)),
        required(numbers("principal_point", "Pixels, from the upper left.", 2, 2, -1e6, 1e6)),
        numbers("distortion", "As OpenCV has it: k1 k2 p1 p2 [k3 [k4 k5 k6 [s1 s2 s3 s4]]].", 4, 12,
@@ -112,9 +109,8 @@ const Form& rangefinder_form() {
 }
 
 const Form& radio_form() {
-  static const Form kForm{"radio",
-                          {device_name(), on_body(), at(),
-                           required(above_zero("range", "Metres.", 1000))}};
+  static const Form kForm{
+      "radio", {device_name(), on_body(), at(), required(above_zero("range", "Metres.", 1000))}};
   return kForm;
 }
 
@@ -124,10 +120,9 @@ const Form& led_form() {
 }
 
 const Form& actuator_form() {
-  static const Form kForm{
-      "actuator",
-      {device_name(), required(words("joint", FormKind::name, "With a motor.")),
-       whole("axis", "Which of its axes, counted from 1 (default: 1).", 1, 6)}};
+  static const Form kForm{"actuator",
+                          {device_name(), required(words("joint", FormKind::name, "With a motor.")),
+                           whole("axis", "Which of its axes, counted from 1 (default: 1).", 1, 6)}};
   return kForm;
 }
 

@@ -41,7 +41,8 @@ class DeviceReader {
     });
     read_list("actuators", model_.actuators, [this](const FormView& v) {
       const auto axis = static_cast<std::size_t>(v.number("axis", 1)) - 1;
-      return ActuatorDevice{v.text("name"), take_axis(v.find("joint"), axis, {"an actuator", true, true})};
+      return ActuatorDevice{v.text("name"),
+                            take_axis(v.find("joint"), axis, {"an actuator", true, true})};
     });
   }
 
@@ -67,11 +68,12 @@ class DeviceReader {
     if (!joint) return {};
     const std::vector<AxisModel>& axes = model_.joints[*joint].axes;
     if (axis >= axes.size()) {
-      parts_.out.add(Code::P610, parts_.range(*node),
-                     axes.empty() ? fmt::format("the joint {} is fixed: it has no axis",
-                                                in_quotes(node->text))
-                                  : fmt::format("the joint {} has {} axes, not {}",
-                                                in_quotes(node->text), axes.size(), axis + 1))
+      parts_.out
+          .add(Code::P610, parts_.range(*node),
+               axes.empty()
+                   ? fmt::format("the joint {} is fixed: it has no axis", in_quotes(node->text))
+                   : fmt::format("the joint {} has {} axes, not {}", in_quotes(node->text),
+                                 axes.size(), axis + 1))
           .note(model_.joints[*joint].place, "the joint is here");
       return {};
     }
@@ -81,9 +83,9 @@ class DeviceReader {
   }
 
   void check_fit(const YamlNode& node, const AxisModel& axis, const AxisNeed& need) {
-    const bool good = need.any ? axis.actuator != ActuatorMode::none
-                               : axis.actuator == ActuatorMode::velocity &&
-                                     axis.angular == need.angular;
+    const bool good = need.any
+                          ? axis.actuator != ActuatorMode::none
+                          : axis.actuator == ActuatorMode::velocity && axis.angular == need.angular;
     if (good) return;
     parts_.out.add(Code::P612, parts_.range(node),
                    need.any ? fmt::format("{} needs an axis with a motor", need.what)
@@ -94,8 +96,9 @@ class DeviceReader {
   void claim_axis(const YamlNode& node, const AxisRef& axis, const AxisNeed& need) {
     for (const Claim& claim : claims_) {
       if (claim.axis.joint != axis.joint || claim.axis.axis != axis.axis) continue;
-      parts_.out.add(Code::P609, parts_.range(node),
-                     fmt::format("the axis of {} is used twice", in_quotes(node.text)))
+      parts_.out
+          .add(Code::P609, parts_.range(node),
+               fmt::format("the axis of {} is used twice", in_quotes(node.text)))
           .note(claim.place, fmt::format("{} uses it here", claim.what));
       return;
     }
@@ -226,9 +229,18 @@ class DeviceReader {
                      fmt::format("'distortion' has {} entries, it takes 4, 5, 8 or 12", d.size()));
     }
     d.resize(12);
-    double* const to[] = {&camera.k1, &camera.k2, &camera.p1, &camera.p2, &camera.k3, &camera.k4,
-                          &camera.k5, &camera.k6, &camera.thin_prism[0], &camera.thin_prism[1],
-                          &camera.thin_prism[2], &camera.thin_prism[3]};
+    double* const to[] = {&camera.k1,
+                          &camera.k2,
+                          &camera.p1,
+                          &camera.p2,
+                          &camera.k3,
+                          &camera.k4,
+                          &camera.k5,
+                          &camera.k6,
+                          &camera.thin_prism[0],
+                          &camera.thin_prism[1],
+                          &camera.thin_prism[2],
+                          &camera.thin_prism[3]};
     for (std::size_t i = 0; i < d.size(); ++i) *to[i] = d[i];
   }
 

@@ -9,8 +9,8 @@ namespace {
 
 using namespace keys;
 
-constexpr double kFar = 10;       ///< m, of a robot's parts from each other
-constexpr double kHeavy = 1e5;    ///< kg
+constexpr double kFar = 10;         ///< m, of a robot's parts from each other
+constexpr double kHeavy = 1e5;      ///< kg
 constexpr std::size_t kMany = 200;  ///< bodies, joints, devices of a kind
 
 const Form& cylinder_form() {
@@ -40,17 +40,15 @@ const Form& body_form() {
        part("sphere", "A ball.", sphere_form()),
        parts("hull", "Corners of a convex body; its hull is taken.", point_form(), 4, 256),
        required(above_zero("mass", "Kilograms.", kHeavy)),
-       numbers("inertia",
-               "Principal moments about the body's axes, kg·m² (default: a solid's).", 3, 3, 1e-12,
-               1e9),
+       numbers("inertia", "Principal moments about the body's axes, kg·m² (default: a solid's).", 3,
+               3, 1e-12, 1e9),
        vector("base", "Where the middle of its lower face is, metres, robot's frame.", kFar),
        vector("center", "Where its middle is instead.", kFar),
        vector("turn", "Degrees about z, then about the new y, then about the new x.", 360),
        words("material", FormKind::name,
              "Kind of surface, of the scene's table of friction (default: robot)."),
        vector("axle", "Direction in which a wheel slides sideways, body's frame.", kFar),
-       number("axle_friction", "Part of the friction that acts along the axle (default: 1).", 0,
-              1),
+       number("axle_friction", "Part of the friction that acts along the axle (default: 1).", 0, 1),
        words("rolls_as_sphere", FormKind::boolean,
              "A cylinder that touches others as a ball of its radius: one point of contact."),
        words("color", FormKind::colour, "For pictures, \"#rrggbb\".")}};

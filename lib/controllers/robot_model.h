@@ -34,13 +34,13 @@ struct BodyModel {
               ///< of a sphere: its diameter, thrice
   std::vector<Vec3> points;  ///< of a hull, body frame
   double mass = 0;
-  std::optional<Vec3> inertia;  ///< principal moments, kg·m²; otherwise those of the solid
-  Pose X_RB;                    ///< of the shape's centre (of a hull: of its frame)
-  Vec3 p_BO;                    ///< the origin that the file measures devices from: its base
-  std::string material;         ///< of the scene's friction table
-  Vec3 axle;                    ///< unit, body frame, of a wheel that slides along it; or 0
-  double axle_friction = 1;     ///< part of the friction that acts along the axle
-  bool rolls_as_sphere = false; ///< a cylinder that touches others as a ball of its radius
+  std::optional<Vec3> inertia;   ///< principal moments, kg·m²; otherwise those of the solid
+  Pose X_RB;                     ///< of the shape's centre (of a hull: of its frame)
+  Vec3 p_BO;                     ///< the origin that the file measures devices from: its base
+  std::string material;          ///< of the scene's friction table
+  Vec3 axle;                     ///< unit, body frame, of a wheel that slides along it; or 0
+  double axle_friction = 1;      ///< part of the friction that acts along the axle
+  bool rolls_as_sphere = false;  ///< a cylinder that touches others as a ball of its radius
   Rgb rgb{0xb0, 0xb0, 0xb0};
   SourceRange place;  ///< where the file says so
 };

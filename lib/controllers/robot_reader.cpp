@@ -34,8 +34,8 @@ std::optional<std::size_t> named(const RobotParts& parts, const YamlNode& node, 
                                  std::string_view what, const std::vector<Named>& all) {
   const auto place = place_of(node.text, all);
   if (!place) {
-    Diagnostic& diagnostic = parts.out.add(code, parts.range(node),
-                                           fmt::format("unknown {} {}", what, in_quotes(node.text)));
+    Diagnostic& diagnostic = parts.out.add(
+        code, parts.range(node), fmt::format("unknown {} {}", what, in_quotes(node.text)));
     if (!parts.out.full()) diagnostic.suggest(std::string(nearest_name(node.text, all)));
   }
   return place;

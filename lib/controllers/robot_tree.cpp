@@ -2,6 +2,8 @@
 // Joints make a tree of all bodies: no body has two parents or carries itself, none is apart.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "base/text.h"
 #include "controllers/robot_parts.h"
 
@@ -64,11 +66,17 @@ class Tree {
   void check_apart() {
     const std::size_t root = parts_.model.root();
     for (std::size_t body = 0; body < above_.size(); ++body) {
-      if (above_[body] != nullptr || body == root) continue;
-      parts_.out.add(Code::P607, bodies()[body].place,
-                     fmt::format("the body {} is joined to nothing that leads to {}", name(body),
-                                 name(root)));
+      if (above_[body] != nullptr || body == root || is_second(body)) continue;
+      parts_.out.add(
+          Code::P607, bodies()[body].place,
+          fmt::format("the body {} is joined to nothing that leads to {}", name(body), name(root)));
     }
+  }
+
+  /// Of its name, so that joints could not mean it; reported already.
+  bool is_second(std::size_t body) const {
+    return std::any_of(bodies().begin(), bodies().begin() + static_cast<std::ptrdiff_t>(body),
+                       [&](const BodyModel& one) { return one.name == bodies()[body].name; });
   }
 
   const RobotParts& parts_;
