@@ -11,7 +11,7 @@
 namespace stig {
 
 /// What a stream is for; streams of different purposes are independent.
-enum class Purpose : std::uint32_t { move = 1, deposit, order, start, event, test, user };
+enum class Purpose : std::uint32_t { move = 1, deposit, order, start, event, test, user, sense };
 
 /// Four random words at an address.
 std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,

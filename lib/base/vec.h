@@ -80,19 +80,20 @@ constexpr Mat3 matrix(const Quat& q) {
       {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)}};
 }
 
-/// Of a rotation, by Shepperd's method: from the largest of its four squares.
-inline Quat quaternion(const Mat3& r) {
+/// Of a rotation, by its largest component (Shepperd 1978).
+inline Quat quaternion_of(const Mat3& r) {
   const double trace = r.x.x + r.y.y + r.z.z;
-  if (trace >= r.x.x && trace >= r.y.y && trace >= r.z.z) {
-    return normalised({1 + trace, r.y.z - r.z.y, r.z.x - r.x.z, r.x.y - r.y.x});
+  Quat q;
+  if (trace > 0) {
+    q = {1 + trace, r.y.z - r.z.y, r.z.x - r.x.z, r.x.y - r.y.x};
+  } else if (r.x.x >= r.y.y && r.x.x >= r.z.z) {
+    q = {r.y.z - r.z.y, 1 + r.x.x - r.y.y - r.z.z, r.x.y + r.y.x, r.z.x + r.x.z};
+  } else if (r.y.y >= r.z.z) {
+    q = {r.z.x - r.x.z, r.x.y + r.y.x, 1 + r.y.y - r.x.x - r.z.z, r.y.z + r.z.y};
+  } else {
+    q = {r.x.y - r.y.x, r.z.x + r.x.z, r.y.z + r.z.y, 1 + r.z.z - r.x.x - r.y.y};
   }
-  if (r.x.x >= r.y.y && r.x.x >= r.z.z) {
-    return normalised({r.y.z - r.z.y, 1 + 2 * r.x.x - trace, r.y.x + r.x.y, r.z.x + r.x.z});
-  }
-  if (r.y.y >= r.z.z) {
-    return normalised({r.z.x - r.x.z, r.y.x + r.x.y, 1 + 2 * r.y.y - trace, r.z.y + r.y.z});
-  }
-  return normalised({r.x.y - r.y.x, r.z.x + r.x.z, r.z.y + r.y.z, 1 + 2 * r.z.z - trace});
+  return normalised(q);
 }
 
 constexpr Quat conjugate(const Quat& q) { return {q.w, -q.x, -q.y, -q.z}; }

@@ -193,7 +193,7 @@ class DeviceReader {
       }
     }
     x = normalised(x);
-    return quaternion({x, cross(z, x), z});
+    return quaternion_of({x, cross(z, x), z});
   }
 
   CameraDevice read_camera(const FormView& view) {

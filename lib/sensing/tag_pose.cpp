@@ -99,22 +99,6 @@ std::array<Mat3, 2> rotations_of(const CentreMap& m) {
   return out;
 }
 
-/// Shepperd 1978.
-Quat quaternion_of(const Mat3& r) {
-  const double trace = r.x.x + r.y.y + r.z.z;
-  Quat q;
-  if (trace > 0) {
-    q = {1 + trace, r.y.z - r.z.y, r.z.x - r.x.z, r.x.y - r.y.x};
-  } else if (r.x.x >= r.y.y && r.x.x >= r.z.z) {
-    q = {r.y.z - r.z.y, 1 + r.x.x - r.y.y - r.z.z, r.x.y + r.y.x, r.z.x + r.x.z};
-  } else if (r.y.y >= r.z.z) {
-    q = {r.z.x - r.x.z, r.x.y + r.y.x, 1 + r.y.y - r.x.x - r.z.z, r.y.z + r.z.y};
-  } else {
-    q = {r.x.y - r.y.x, r.z.x + r.x.z, r.y.z + r.z.y, 1 + r.z.z - r.x.x - r.y.y};
-  }
-  return normalised(q);
-}
-
 /// Least squares of x (r.z + t.z) = r.x + t.x and its like in y, which are linear in t.
 Vec3 place_of(const Corners& corners, const Mat3& r) {
   double mx = 0, my = 0, ma = 0, mb = 0;

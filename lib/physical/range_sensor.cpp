@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "physical/range_sensor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stig {
+
+namespace {
+
+/// The floor fills all below z = 0.
+std::optional<double> floor_hit(const Vec3& p_W, const Vec3& direction_W) {
+  if (p_W.z <= 0) return 0.0;
+  if (!(direction_W.z < 0)) return std::nullopt;
+  return p_W.z / -direction_W.z;
+}
+
+std::optional<double> body_hit(const SensorIndex& index, std::uint32_t i, const Vec3& p_W,
+                               const Vec3& direction_W) {
+  const Obstacle& o = index.scene.obstacles[i];
+  const auto meets = cut(index.scene.shapes[o.shape], index.axes[i].transposed(p_W - o.X_WS.p),
+                         index.axes[i].transposed(direction_W));
+  if (!meets || meets->out < 0) return std::nullopt;
+  return std::max(meets->in, 0.0);
+}
+
+}  // namespace
+
+std::optional<double> closest_hit(const SensorIndex& index, const Vec3& p_W,
+                                  const Vec3& direction_W, double range, std::uint32_t owner) {
+  std::optional<double> closest;
+  const auto note = [&](const std::optional<double>& hit) {
+    if (hit && *hit <= range && (!closest || *hit < *closest)) closest = hit;
+  };
+  if (index.scene.floor) note(floor_hit(p_W, direction_W));
+  std::vector<std::uint32_t> found;
+  index.obstacles.find(bounds_of({p_W, p_W + direction_W * range}), found);
+  for (const std::uint32_t i : found) {
+    if (index.scene.obstacles[i].owner != owner) note(body_hit(index, i, p_W, direction_W));
+  }
+  return closest;
+}
+
+double calibrated(const RangeDevice& device, std::optional<double> distance) {
+  using Calibration = RangeDevice::Calibration;
+  if (device.calibration == Calibration::metres) return distance.value_or(device.range);
+  if (!distance) return 0;
+  const double v = std::exp(-*distance);
+  const auto& c = device.coefficients;
+  if (device.calibration == Calibration::power) return c[0] * std::pow(v, c[1]);
+  return c[0] + v * (c[1] + v * c[2]);
+}
+
+double read_range(const SensorIndex& index, const RangeDevice& device, const Pose& X_WB,
+                  std::uint32_t owner, const RangeNoise& noise, const NoiseAddress& address) {
+  const Vec3 direction_W = rotate(X_WB.q, normalised(device.direction));
+  auto distance = closest_hit(index, X_WB * device.p_B, direction_W, device.range, owner);
+  if (distance && noise.distance > 0) {
+    Random random = noise_stream(address);
+    distance = std::clamp(*distance + noise.distance * gaussian(random), 0.0, device.range);
+  }
+  return calibrated(device, distance);
+}
+
+}  // namespace stig

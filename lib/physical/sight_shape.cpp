@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "physical/sight_shape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stig {
+
+namespace {
+
+constexpr RayCut kEverywhere{-INFINITY, INFINITY};
+constexpr RayCut kNowhere{INFINITY, -INFINITY};
+
+RayCut both(const RayCut& a, const RayCut& b) {
+  return {std::max(a.in, b.in), std::min(a.out, b.out)};
+}
+
+/// Where |o + t d| <= h.
+RayCut slab(double o, double d, double h) {
+  if (d == 0) return std::abs(o) <= h ? kEverywhere : kNowhere;
+  const double a = (-h - o) / d, b = (h - o) / d;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// Where |o + t d| <= r, for vectors given by their products.
+RayCut ball(double oo, double od, double dd, double r) {
+  const double c = oo - r * r;
+  if (dd == 0) return c <= 0 ? kEverywhere : kNowhere;
+  const double root = od * od - dd * c;
+  if (root < 0) return kNowhere;
+  const double s = std::sqrt(root);
+  return {(-od - s) / dd, (-od + s) / dd};
+}
+
+RayCut cut_box(const Vec3& half, const Vec3& o, const Vec3& d) {
+  return both(both(slab(o.x, d.x, half.x), slab(o.y, d.y, half.y)), slab(o.z, d.z, half.z));
+}
+
+RayCut cut_cylinder(const Vec3& half, const Vec3& o, const Vec3& d) {
+  const RayCut round =
+      ball(o.x * o.x + o.y * o.y, o.x * d.x + o.y * d.y, d.x * d.x + d.y * d.y, half.x);
+  return both(round, slab(o.z, d.z, half.z));
+}
+
+RayCut cut_hull(const std::vector<HalfSpace>& planes, const Vec3& o, const Vec3& d) {
+  RayCut out = kEverywhere;
+  for (const HalfSpace& h : planes) {
+    const double above = dot(h.normal, o) - h.offset, rise = dot(h.normal, d);
+    if (rise == 0 && above > 0) return kNowhere;
+    if (rise > 0) out.out = std::min(out.out, -above / rise);
+    if (rise < 0) out.in = std::max(out.in, -above / rise);
+  }
+  return out;
+}
+
+}  // namespace
+
+SightShape sight_box(const Vec3& edges) { return {ShapeType::box, edges * 0.5, {}}; }
+
+SightShape sight_sphere(double radius) { return {ShapeType::sphere, {radius, radius, radius}, {}}; }
+
+SightShape sight_cylinder(double radius, double height) {
+  return {ShapeType::cylinder, {radius, radius, height / 2}, {}};
+}
+
+SightShape sight_hull(std::vector<HalfSpace> planes, const std::vector<Vec3>& vertices) {
+  Vec3 half;
+  for (const Vec3& v : vertices) {
+    half = {std::max(half.x, std::abs(v.x)), std::max(half.y, std::abs(v.y)),
+            std::max(half.z, std::abs(v.z))};
+  }
+  return {ShapeType::hull, half, std::move(planes)};
+}
+
+std::optional<RayCut> cut(const SightShape& shape, const Vec3& origin, const Vec3& direction) {
+  if (!(squared(direction) > 0)) return std::nullopt;
+  RayCut out;
+  switch (shape.type) {
+    case ShapeType::box:
+      out = cut_box(shape.half, origin, direction);
+      break;
+    case ShapeType::sphere:
+      out = ball(squared(origin), dot(origin, direction), squared(direction), shape.half.x);
+      break;
+    case ShapeType::cylinder:
+      out = cut_cylinder(shape.half, origin, direction);
+      break;
+    case ShapeType::hull:
+      out = both(cut_box(shape.half, origin, direction), cut_hull(shape.planes, origin, direction));
+      break;
+  }
+  if (!(out.in <= out.out)) return std::nullopt;
+  return out;
+}
+
+}  // namespace stig
