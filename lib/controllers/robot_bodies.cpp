@@ -22,14 +22,6 @@ Quat turned(const Vec3& degrees_zyx) {
          rotation(Vec3{1, 0, 0} * (degrees_zyx.z * kDegree));
 }
 
-Rgb colour_of(const std::string& text, Rgb otherwise) {
-  if (text.size() != 7) return otherwise;
-  const auto byte = [&](std::size_t at) {
-    return static_cast<std::uint8_t>(std::stoi(text.substr(at, 2), nullptr, 16));
-  };
-  return {byte(1), byte(3), byte(5)};
-}
-
 /// Six times the largest tetrahedron on the first three corners that are apart: 0 when the
 /// points lie in a plane.
 double thickness(const std::vector<Vec3>& points) {
@@ -54,7 +46,7 @@ class BodyReader {
     body_.place = parts_.document.head(view_.node());
     body_.mass = view_.number("mass", 1);
     body_.material = view_.text("material", "robot");
-    body_.rgb = colour_of(view_.text("color"), body_.rgb);
+    body_.rgb = parse_color(view_.text("color")).value_or(body_.rgb);
     check_one(kShapes, "a shape: box, cylinder, sphere or hull");
     check_one(std::array<std::string_view, 2>{"base", "center"}, "a place: base or center");
     read_shape();

@@ -38,7 +38,7 @@ const Form& body_form() {
        numbers("box", "Its edges along x, y and z, metres.", 3, 3, 1e-6, kFar),
        part("cylinder", "Round about the body's z axis.", cylinder_form()),
        part("sphere", "A ball.", sphere_form()),
-       parts("hull", "Corners of a convex body; its hull is taken.", point_form(), 4, 256),
+       parts("hull", "Corners of a convex body; its hull is taken.", point_form(), 4, 64),
        required(above_zero("mass", "Kilograms.", kHeavy)),
        numbers("inertia", "Principal moments about the body's axes, kg·m² (default: a solid's).", 3,
                3, 1e-12, 1e9),
