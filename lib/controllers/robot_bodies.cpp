@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "base/text.h"
+#include "controllers/hull.h"
 #include "controllers/robot_parts.h"
 
 namespace stig {
@@ -20,21 +20,6 @@ Quat turned(const Vec3& degrees_zyx) {
   return rotation(Vec3{0, 0, 1} * (degrees_zyx.x * kDegree)) *
          rotation(Vec3{0, 1, 0} * (degrees_zyx.y * kDegree)) *
          rotation(Vec3{1, 0, 0} * (degrees_zyx.z * kDegree));
-}
-
-/// Six times the largest tetrahedron on the first three corners that are apart: 0 when the
-/// points lie in a plane.
-double thickness(const std::vector<Vec3>& points) {
-  Vec3 normal;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    for (std::size_t k = i + 1; k < points.size(); ++k) {
-      const Vec3 n = cross(points[i] - points[0], points[k] - points[0]);
-      if (squared(n) > squared(normal)) normal = n;
-    }
-  }
-  double most = 0;
-  for (const Vec3& p : points) most = std::max(most, std::abs(dot(normal, p - points[0])));
-  return most;
 }
 
 class BodyReader {
@@ -95,23 +80,29 @@ class BodyReader {
     for (const FormView& corner : view_.forms("hull")) {
       body_.points.push_back(corner.vector("at"));
     }
-    Vec3 low = body_.points.at(0), high = low;
-    for (const Vec3& p : body_.points) {
+    const HullMass solid = hull_mass(body_.points);
+    if (solid.volume <= 1e-12) {
+      parts_.out.add(Code::P614, parts_.document.head(*view_.find("hull")),
+                     "the corners of the hull enclose nothing");
+      return;
+    }
+    // The model's frame is that of the middle of mass.
+    body_.p_BO = -solid.centre;
+    Vec3 low = body_.points[0], high = low;
+    for (Vec3& p : body_.points) {
       low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      p -= solid.centre;
     }
     body_.size = high - low;
-    if (thickness(body_.points) > 1e-12) return;
-    parts_.out.add(Code::P614, parts_.document.head(*view_.find("hull")),
-                   "the corners of the hull lie in one plane");
   }
 
   void read_place() {
     body_.X_RB = {view_.vector("base", view_.vector("center")), turned(view_.vector("turn"))};
-    if (!view_.has("base")) return;
-    const double below = body_.shape == ShapeType::hull ? 0 : body_.size.z / 2;
-    body_.p_BO = {0, 0, -below};
-    body_.X_RB = body_.X_RB * Pose{{0, 0, below}, {}};
+    if (view_.has("base") && body_.shape != ShapeType::hull) {
+      body_.p_BO = {0, 0, -body_.size.z / 2};
+    }
+    body_.X_RB = body_.X_RB * Pose{-body_.p_BO, {}};
   }
 
   void read_inertia() {

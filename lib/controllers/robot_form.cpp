@@ -42,7 +42,10 @@ const Form& body_form() {
        required(above_zero("mass", "Kilograms.", kHeavy)),
        numbers("inertia", "Principal moments about the body's axes, kg·m² (default: a solid's).", 3,
                3, 1e-12, 1e9),
-       vector("base", "Where the middle of its lower face is, metres, robot's frame.", kFar),
+       vector(
+           "base",
+           "Where the middle of its lower face is, metres, robot's frame; of a hull: its origin.",
+           kFar),
        vector("center", "Where its middle is instead.", kFar),
        vector("turn", "Degrees about z, then about the new y, then about the new x.", 360),
        words("material", FormKind::name,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "controllers/robot_model.h"
 
+#include "controllers/hull.h"
+
 namespace stig {
 
 double RobotModel::mass() const {
@@ -35,8 +37,12 @@ Vec3 moments_of(const BodyModel& body) {
     }
     case ShapeType::sphere:
       return Vec3{1, 1, 1} * (s.x / 10);
+    case ShapeType::hull: {
+      const HullMass solid = hull_mass(body.points);
+      const Vec3& q = solid.squares;
+      return Vec3{q.y + q.z, q.x + q.z, q.x + q.y} * (body.mass / solid.volume);
+    }
     case ShapeType::box:
-    case ShapeType::hull:
       break;
   }
   return Vec3{s.y + s.z, s.x + s.z, s.x + s.y} * (1.0 / 12);

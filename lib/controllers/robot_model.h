@@ -35,7 +35,7 @@ struct BodyModel {
   std::vector<Vec3> points;  ///< of a hull, body frame
   double mass = 0;
   std::optional<Vec3> inertia;   ///< principal moments, kg·m²; otherwise those of the solid
-  Pose X_RB;                     ///< of the shape's centre (of a hull: of its frame)
+  Pose X_RB;                     ///< of the shape's centre, which is that of its mass
   Vec3 p_BO;                     ///< the origin that the file measures devices from: its base
   std::string material;          ///< of the scene's friction table
   Vec3 axle;                     ///< unit, body frame, of a wheel that slides along it; or 0
@@ -164,7 +164,8 @@ struct RobotModel {
   std::size_t root() const;
 };
 
-/// A solid's principal moments about its centre, or those that the file gives, kg·m².
+/// A solid's moments about its centre and the body's axes, or those that the file gives, kg·m².
+/// Of a hull that is askew, products of inertia are left out.
 Vec3 moments_of(const BodyModel& body);
 
 }  // namespace stig
