@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "base/diagnostic.h"
 
 namespace stig {
@@ -15,7 +13,8 @@ struct Group {
   std::string_view prefix, title, about;
 };
 
-constexpr std::array<Group, 8> kGroups = {{
+constexpr Group kGroups[] = {
+constexpr std::array<Group, 9> kGroups = {{
     {"R0", "R0xx: the file as bytes and YAML", "Found before any key is looked at."},
     {"R1", "R1xx: keys and values",
      "What `stigc schema` describes: an editor that knows the schema finds these too."},
@@ -23,9 +22,12 @@ constexpr std::array<Group, 8> kGroups = {{
     {"R3", "R3xx: meaning of the rule set", "Found by static checks; no rule is run for them."},
     {"F4", "F4xx: structure, trace and certificate files",
      "Files that the program writes and reads back."},
+    {"P7", "P7xx: what a robot cannot build",
+     "Why a rule set cannot be compiled for a robot, with the figures."},
     {"C5", "C5xx: files of the command line", "Files named on the command line."},
     {"S6", "S6xx: scenes of physical mode",
      "Found before the first step; keys and values are R1xx."},
+};
     {"P6", "P6xx: robots and blocks of physical mode",
      "What the keys of docs/robots.md cannot mean together; keys and values are R1xx."},
 }};

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// What a robot can do and see, in the numbers that the compiler asks for. They are computed
+// from the robot's and the block's files, none is a constant of this program.
+//
+// Frame R: the robot's, on the floor, x ahead. Lengths in m, forces in N.
+#pragma once
+
+#include <vector>
+
+#include "base/vec.h"
+#include "sensing/camera.h"
+
+namespace stig {
+
+/// The block as cameras see it: a cube with a tag in the middle of every face and four LEDs
+/// around it.
+struct BlockLook {
+  double side = 0.055;
+  double tag_side = 0.024;
+  double proud = 0.001;       ///< of the tag, before the face
+  double led_place = 0.02;    ///< from the face's centre along its axes
+  double most_angle = 1.309;  ///< rad, between a face's normal and the line to the camera
+};
+
+/// A camera that rides on the lift.
+struct CarriedCamera {
+  CameraIntrinsics intrinsics;
+  Pose X_RC;  ///< with the lift at its lowest
+  double near = 0.05, far = 0.5;
+};
+
+struct Abilities {
+  BlockLook block;
+  double block_weight = 1.08;
+  /// Levels on which it can put down a block: the lift must raise it so far and a little more.
+  int levels = 3;
+  double lift_travel = 0.1375;
+  double clearance = 0.003;  ///< over a support, before a block is let down
+  /// The carried block's centre ahead of R, and what of the robot stands behind and beside it.
+  double carried_x = 0.0938;
+  double body_front = 0.058;  ///< x of the foremost part that cannot be above a structure
+  double body_half_width = 0.0438;
+  /// The end-effector over the carried block, which sticks out beyond it.
+  double effector_front = 0.1298, effector_half_width = 0.030;
+  /// A gap between two blocks that their magnets close by themselves.
+  double magnet_reach = 0.010;
+  /// What the magnets of one pair of faces hold, pulled straight.
+  double face_hold = 9.5;
+  double friction = 0.2;  ///< block on block
+  std::vector<CarriedCamera> cameras;
+};
+
+}  // namespace stig

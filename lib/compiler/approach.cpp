@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/approach.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace stig {
+
+namespace {
+
+constexpr std::array<std::string_view, 4> kSideNames = {"+x", "-x", "+y", "-y"};
+
+std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
+
+/// The part of a structure that a side looks at.
+struct View3 {
+  const TargetStates& target;
+  const BrickSet& state;
+  ApproachSide side;
+
+  bool filled(int u, int v, int z) const {
+    return target.filled(state, cell_from(side, {u, v, z}));
+  }
+};
+
+/// The first brick that stands in the way of a body behind `site`, in rows as far as its half
+/// width goes.
+std::optional<Cell> in_the_way(const View3& view, SideCell site, const Abilities& robot) {
+  const double side = robot.block.side;
+  // Cells that the body reaches into, beyond the block's near face.
+  const double gap = robot.carried_x - side / 2 - robot.body_front;
+  const int first = site.u + 1 + static_cast<int>(std::max(0.0, std::floor(gap / side)));
+  const int rows = static_cast<int>(std::ceil((robot.body_half_width - side / 2) / side - 1e-9));
+  for (std::size_t i = 0; i < view.target.bricks(); ++i) {
+    if (!view.state.has(i)) continue;
+    const SideCell at = seen_from(view.side, view.target.cell(i));
+    const int across = std::abs(at.v - site.v);
+    if (at.u >= first && across <= rows) return view.target.cell(i);
+    // The block itself passes along its row.
+    if (at.u > site.u && across == 0 && at.z >= site.z) return view.target.cell(i);
+  }
+  return std::nullopt;
+}
+
+/// Moment of the block's weight about the lower edge of the joint, and what its magnets hold
+/// against it: half of them near the upper edge, half near the lower.
+struct Cantilever {
+  double moment = 0, hold = 0;
+};
+Cantilever cantilever(const Abilities& robot) {
+  const double side = robot.block.side, inset = 0.005;
+  return {robot.block_weight * side / 2,
+          robot.face_hold / 2 * (side - inset) + robot.face_hold / 2 * inset};
+}
+
+ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
+  const int level = site.z - view.target.floor_level();
+  if (level == 0 || view.filled(site.u, site.v, site.z - 1)) return {};
+  // Let down against the face behind it, it hangs on that joint; friction must bear it too.
+  const Cantilever joint = cantilever(robot);
+  const bool behind = view.filled(site.u - 1, site.v, site.z);
+  const double factor = 1.5;  // what is let go swings a little
+  const double shear = robot.face_hold * robot.friction;
+  const bool holds = joint.hold > factor * joint.moment && shear > factor * robot.block_weight;
+  if (behind && holds) return {};
+  const Cell below = cell_from(view.side, {site.u, site.v, site.z - 1});
+  if (!behind) return {Obstacle::unsupported, below, joint.moment, 0};
+  return {Obstacle::unsupported, below, factor * robot.block_weight, shear};
+}
+
+ReachResult effector(const View3& view, SideCell site, const Abilities& robot) {
+  const double half = robot.block.side / 2;
+  const double ahead = robot.effector_front - (robot.carried_x + half);
+  if (ahead > robot.magnet_reach && view.filled(site.u - 1, site.v, site.z + 1)) {
+    return {Obstacle::effector_blocked, cell_from(view.side, {site.u - 1, site.v, site.z + 1}),
+            ahead, robot.magnet_reach};
+  }
+  const double beside = robot.effector_half_width - half;
+  for (const int side : {-1, 1}) {
+    if (beside > 0 && view.filled(site.u, site.v + side, site.z + 1)) {
+      return {Obstacle::effector_blocked, cell_from(view.side, {site.u, site.v + side, site.z + 1}),
+              beside, 0};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string_view to_string(ApproachSide side) { return kSideNames[static_cast<std::size_t>(side)]; }
+
+std::optional<ApproachSide> parse_side(std::string_view text) {
+  const auto found = std::find(kSideNames.begin(), kSideNames.end(), text);
+  if (found == kSideNames.end()) return std::nullopt;
+  return static_cast<ApproachSide>(found - kSideNames.begin());
+}
+
+// A robot at +x looks along -x: its left is -y.
+SideCell seen_from(ApproachSide side, Cell c) {
+  switch (side) {
+    case ApproachSide::plus_x:
+      return {c.x, -c.y, c.z};
+    case ApproachSide::minus_x:
+      return {-c.x, c.y, c.z};
+    case ApproachSide::plus_y:
+      return {c.y, c.x, c.z};
+    case ApproachSide::minus_y:
+      return {-c.y, -c.x, c.z};
+  }
+  return {};
+}
+
+Cell cell_from(ApproachSide side, SideCell c) {
+  switch (side) {
+    case ApproachSide::plus_x:
+      return {c.u, -c.v, c.z};
+    case ApproachSide::minus_x:
+      return {-c.u, c.v, c.z};
+    case ApproachSide::plus_y:
+      return {c.v, c.u, c.z};
+    case ApproachSide::minus_y:
+      return {-c.v, -c.u, c.z};
+  }
+  return {};
+}
+
+ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, ApproachSide side,
+                  const Abilities& robot) {
+  const View3 view{target, state, side};
+  const SideCell site = seen_from(side, cell);
+  const int level = site.z - target.floor_level();
+  if (level >= robot.levels) {
+    return {Obstacle::too_high, cell, level * robot.block.side + robot.clearance,
+            robot.lift_travel};
+  }
+  if (const auto brick = in_the_way(view, site, robot)) {
+    return {Obstacle::body_blocked, *brick, robot.body_half_width, robot.block.side / 2};
+  }
+  if (view.filled(site.u, site.v, site.z + 1)) {
+    return {Obstacle::covered, cell_from(side, {site.u, site.v, site.z + 1}), 0, 0};
+  }
+  if (view.filled(site.u, site.v - 1, site.z) && view.filled(site.u, site.v + 1, site.z)) {
+    return {Obstacle::slot, cell_from(side, {site.u, site.v + 1, site.z}), robot.block.side,
+            robot.block.side};
+  }
+  if (const ReachResult blocked = effector(view, site, robot); blocked.obstacle != Obstacle::none) {
+    return blocked;
+  }
+  return support(view, site, robot);
+}
+
+std::string explain(const ReachResult& result) {
+  const double mm = 1e3;
+  switch (result.obstacle) {
+    case Obstacle::none:
+      return "it can be reached";
+    case Obstacle::too_high:
+      return fmt::format("it needs the lift at {:.0f} mm, which goes to {:.1f} mm",
+                         result.figure * mm, result.limit * mm);
+    case Obstacle::body_blocked:
+      return fmt::format(
+          "the brick at {} stands where the robot, {:.1f} mm wide to each side, "
+          "would have to",
+          cell_text(result.where), result.figure * mm);
+    case Obstacle::effector_blocked:
+      if (result.limit > 0) {
+        return fmt::format(
+            "the end-effector meets the brick at {} and leaves the block {:.1f} mm off, more than "
+            "the {:.0f} mm that magnets close",
+            cell_text(result.where), result.figure * mm, result.limit * mm);
+      }
+      return fmt::format(
+          "the end-effector is {:.1f} mm wider to that side than a block and meets "
+          "the brick at {}",
+          result.figure * mm, cell_text(result.where));
+    case Obstacle::slot:
+      return fmt::format("it is a slot of just a block's width ({:.0f} mm) between two bricks",
+                         result.limit * mm);
+    case Obstacle::covered:
+      return fmt::format("the brick at {} lies over it", cell_text(result.where));
+    case Obstacle::unsupported:
+      if (result.limit == 0) {
+        return fmt::format("nothing is below it at {} nor behind it to hang on",
+                           cell_text(result.where));
+      }
+      return fmt::format(
+          "nothing is below it, and magnets with friction bear {:.2f} N of the "
+          "{:.2f} N asked for",
+          result.limit, result.figure);
+  }
+  return {};
+}
+
+}  // namespace stig

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/compile.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/refusal.h"
+#include "rules/rule_printer.h"
+
+namespace stig {
+
+namespace {
+
+constexpr int kBlockColours = 4;
+
+SourceRange whole(const RuleSet& rules) { return {rules.file, 0, 0}; }
+
+bool report_proof(const RuleSet& rules, const VerifyResult& proof, Diagnostics& out) {
+  if (proof.verdict == ProofVerdict::proved) return true;
+  const char* what =
+      proof.verdict == ProofVerdict::refuted
+          ? "not every order of events ends in the same structure"
+      : proof.verdict == ProofVerdict::endless
+          ? "building can go on for ever"
+          : "it was not proved that every order of events ends in the same structure";
+  Diagnostic& diagnostic = out.add(Code::P701, whole(rules), what);
+  if (!proof.open.empty()) diagnostic.note(proof.open);
+  diagnostic.note(fmt::format("`stigc verify` shows more"));
+  return false;
+}
+
+/// What no robot of this kind could do, whatever its measures.
+bool report_form(const RuleSet& rules, Diagnostics& out) {
+  bool sound = true;
+  if (rules.lattice != Lattice::cubic) {
+    out.add(Code::P702, whole(rules), "blocks are cubes: robots build on the cubic lattice alone");
+    sound = false;
+  }
+  for (const Rule& rule : rules.rules) {
+    if (rule.stage == 0 || rules.stage_count() == 1) continue;
+    out.add(Code::P703, rule.range,
+            fmt::format("rule '{}' belongs to stage {}, and no robot knows which stage it is",
+                        rule.name, rule.stage));
+    sound = false;
+    break;
+  }
+  return sound;
+}
+
+bool report_colours(const RuleSet& rules, Diagnostics& out) {
+  bool sound = true;
+  if (rules.colours() > kBlockColours) {
+    out.add(Code::P704, rules.bricks[kBlockColours].range,
+            fmt::format("{} kinds of brick, and a block's LEDs show {} colours", rules.colours(),
+                        kBlockColours));
+    return false;
+  }
+  for (std::size_t i = 0; i < rules.bricks.size(); ++i) {
+    const Brick& brick = rules.bricks[i];
+    if (brick.led.empty()) {
+      out.add(Code::P704, brick.range,
+              fmt::format("brick '{}' has no block colour: give it one with `led: Q1` to Q4",
+                          brick.symbol));
+      sound = false;
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (brick.led.empty() || rules.bricks[k].led != brick.led) continue;
+      out.add(Code::P704, brick.range,
+              fmt::format("bricks '{}' and '{}' show the same block colour {}",
+                          rules.bricks[k].symbol, brick.symbol, brick.led));
+      sound = false;
+    }
+  }
+  return sound;
+}
+
+bool report_height(const RuleSet& rules, const Abilities& robot, const TargetStates& target,
+                   const VerifyResult& proof, Diagnostics& out) {
+  for (const Deposit& deposit : proof.run) {
+    const int level = deposit.site.z - target.floor_level();
+    if (level < robot.levels) continue;
+    out.add(Code::P705, rules.rules[deposit.match.rule].range,
+            fmt::format("rule '{}' places a brick on level {}, and the robot reaches level {}",
+                        rules.rules[deposit.match.rule].name, level, robot.levels - 1))
+        .note(fmt::format("the lift would have to go to {:.0f} mm, it goes to {:.1f} mm",
+                          1e3 * (level * robot.block.side + robot.clearance),
+                          1e3 * robot.lift_travel));
+    return false;
+  }
+  return true;
+}
+
+bool turns(const RuleSet& rules) {
+  return std::all_of(rules.rules.begin(), rules.rules.end(),
+                     [&](const Rule& rule) { return rules.symmetry_of(rule) != Symmetry::none; });
+}
+
+void choose_sides(const RuleSet& rules, const CompileOptions& options, CompiledRules& out) {
+  out.sides = options.sides;
+  if (out.sides.empty() && rules.physical) {
+    for (const std::string& text : rules.physical->sides) {
+      if (const auto side = parse_side(text)) out.sides.push_back(*side);
+    }
+  }
+  const bool declared = !out.sides.empty();
+  if (!declared) out.sides.assign(kAllSides.begin(), kAllSides.end());
+  out.directions = turns(rules) ? KnownDirections::symmetric
+                   : declared   ? KnownDirections::declared
+                                : KnownDirections::shown;
+}
+
+}  // namespace
+
+std::string_view to_string(KnownDirections directions) {
+  switch (directions) {
+    case KnownDirections::symmetric:
+      return "the rules hold in every turn";
+    case KnownDirections::declared:
+      return "assumed: robots work from the declared sides alone";
+    case KnownDirections::shown:
+      return "the structure shows it at every decision";
+  }
+  return {};
+}
+
+CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
+                            const CompileOptions& options, Diagnostics& diagnostics) {
+  CompiledRules out;
+  choose_sides(rules, options, out);
+  const bool form = report_form(rules, diagnostics);
+  if (!report_colours(rules, diagnostics) || !form) return out;
+  out.proof = verify(rules, options.verify);
+  if (!report_proof(rules, out.proof, diagnostics)) return out;
+  out.target = std::make_unique<TargetStates>(rules, out.proof);
+  if (!report_height(rules, robot, *out.target, out.proof, diagnostics)) return out;
+  // What lies straight ahead is enough for most, and asks for less.
+  for (const PlacementKinds kinds : {PlacementKinds::ahead, PlacementKinds::all}) {
+    out.policy = explore(*out.target, robot, out.sides, kinds, options.limits);
+    if (out.policy.too_large) {
+      diagnostics
+          .add(Code::P712, whole(rules),
+               fmt::format("more than {} structures can occur on the way; nothing was proved",
+                           options.limits.states))
+          .note("--states N sets the limit; working from fewer sides leaves fewer");
+      return out;
+    }
+    out.decision = settle(*out.target, out.policy);
+    if (out.decision) return out;
+  }
+  explain_refusal(rules, robot, out, diagnostics);
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// From a rule set to the decisions of a robot that builds its structure, or the reason why this
+// robot cannot.
+//
+//     verify      every order of events ends in one structure
+//     shape       cubic, one stage, four colours, low enough: what can be said at once
+//     sides       from where robots work, and so what they know of the lattice's directions
+//     policy      what to do where, so that every order of work completes (policy.h)
+//     decision    the same as questions about what the camera sees (decision.h)
+//
+// A robot has no compass. It knows directions relative to the side it works from: where rules
+// hold in all four turns, that is enough. Otherwise the sides are declared (in the file, the
+// scene or on the command line), or the structure shows them at every decision, or the rule
+// set is refused.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/diagnostic.h"
+#include "compiler/decision.h"
+#include "compiler/policy.h"
+#include "verify/verify.h"
+
+namespace stig {
+
+enum class KnownDirections : std::uint8_t {
+  symmetric,  ///< the rules hold in every turn
+  declared,   ///< robots work from the declared sides alone
+  shown,      ///< the structure shows it at every decision
+};
+std::string_view to_string(KnownDirections directions);
+
+struct CompileOptions {
+  std::vector<ApproachSide> sides;  ///< empty: the file's, or all
+  VerifyOptions verify;
+  PolicyLimits limits;
+};
+
+/// A picture that goes with a refusal.
+struct RefusalDrawing {
+  std::string title, drawing;
+};
+
+struct CompiledRules {
+  VerifyResult proof;
+  std::unique_ptr<TargetStates> target;
+  std::vector<ApproachSide> sides;
+  KnownDirections directions = KnownDirections::symmetric;
+  Policy policy;
+  std::unique_ptr<DecisionNode> decision;  ///< null: refused
+  std::vector<RefusalDrawing> drawings;    ///< of a refusal
+};
+
+/// Reports why not to `diagnostics`, codes P7xx. The rule set must outlive the result.
+CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
+                            const CompileOptions& options, Diagnostics& diagnostics);
+
+}  // namespace stig

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/decision.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+#include <tuple>
+
+namespace stig {
+
+namespace {
+
+/// What may be done at some observation: placements, or nothing.
+using Choices = std::set<std::optional<Placement>>;
+
+struct Case {
+  std::uint32_t observation = 0;
+  const Observation* seen = nullptr;
+  Choices choices;
+};
+
+/// Raise before extend, low before high.
+auto preference(const std::optional<Placement>& placement) {
+  if (!placement) return std::tuple(3, 0, Placement{});
+  return std::tuple(static_cast<int>(kind_of(*placement)), placement->at.z, *placement);
+}
+
+/// What all cases may do.
+Choices common(const std::vector<Case>& cases) {
+  Choices out = cases.front().choices;
+  for (const Case& one : cases) {
+    std::erase_if(out, [&](const auto& choice) { return !one.choices.contains(choice); });
+  }
+  return out;
+}
+
+std::unique_ptr<DecisionNode> leaf(const std::vector<Case>& cases, const Choices& choices) {
+  auto node = std::make_unique<DecisionNode>();
+  node->placement =
+      *std::min_element(choices.begin(), choices.end(),
+                        [](const auto& a, const auto& b) { return preference(a) < preference(b); });
+  for (const Case& one : cases) node->observations.push_back(one.observation);
+  return node;
+}
+
+/// Questions in the order in which they are preferred: the top, then the nearest cells.
+std::vector<Question> all_questions(std::size_t cells) {
+  std::vector<Question> out = {{Question::Kind::top_colour, {}}, {Question::Kind::top_level, {}}};
+  for (std::size_t i = 0; i < cells; ++i) out.push_back({Question::Kind::cell, window_cell(i)});
+  std::stable_sort(out.begin() + 2, out.end(), [](const Question& a, const Question& b) {
+    const auto far = [](const WindowCell& c) { return std::abs(c.du) + std::abs(c.dv); };
+    return far(a.cell) < far(b.cell);
+  });
+  return out;
+}
+
+using Parts = std::map<int, std::vector<Case>>;
+
+/// Nothing when some case does not see the answer, or all have the same.
+std::optional<Parts> split(const std::vector<Case>& cases, const Question& question) {
+  Parts parts;
+  for (const Case& one : cases) {
+    const std::optional<int> got = answer(question, *one.seen);
+    if (!got) return std::nullopt;
+    parts[*got].push_back(one);
+  }
+  if (parts.size() < 2) return std::nullopt;
+  return parts;
+}
+
+/// Cases that still want to be told apart.
+std::size_t mixed(const Parts& parts) {
+  std::size_t out = 0;
+  for (const auto& [got, cases] : parts) {
+    if (common(cases).empty()) out += cases.size();
+  }
+  return out;
+}
+
+bool same(const DecisionNode& a, const DecisionNode& b) {
+  if (a.question != b.question || a.placement != b.placement) return false;
+  if (a.branches.size() != b.branches.size()) return false;
+  for (std::size_t i = 0; i < a.branches.size(); ++i) {
+    if (a.branches[i].first != b.branches[i].first) return false;
+    if (!same(*a.branches[i].second, *b.branches[i].second)) return false;
+  }
+  return true;
+}
+
+void gather(const DecisionNode& from, DecisionNode& to) {
+  to.observations.insert(to.observations.end(), from.observations.begin(), from.observations.end());
+  for (std::size_t i = 0; i < from.branches.size(); ++i) {
+    gather(*from.branches[i].second, *to.branches[i].second);
+  }
+}
+
+class Builder {
+ public:
+  explicit Builder(std::vector<Question> questions) : questions_(std::move(questions)) {}
+
+  /// Null when two cases cannot be told apart, which then are in `stuck`.
+  std::unique_ptr<DecisionNode> build(const std::vector<Case>& cases) {
+    const Choices choices = common(cases);
+    if (!choices.empty()) return leaf(cases, choices);
+    const std::optional<std::pair<Question, Parts>> best = best_split(cases);
+    if (!best) {
+      stuck = cases;
+      return nullptr;
+    }
+    auto node = std::make_unique<DecisionNode>();
+    node->question = best->first;
+    for (const auto& [got, part] : best->second) {
+      auto child = build(part);
+      if (!child) return nullptr;
+      const auto alike = std::find_if(node->branches.begin(), node->branches.end(),
+                                      [&](const auto& b) { return same(*b.second, *child); });
+      if (alike != node->branches.end()) {
+        alike->first.push_back(got);
+        gather(*child, *alike->second);
+      } else {
+        node->branches.emplace_back(std::vector<int>{got}, std::move(child));
+      }
+    }
+    return node;
+  }
+
+  std::vector<Case> stuck;
+
+ private:
+  /// The top's colour and level are asked first, since they say which column this is; after
+  /// that whatever leaves the fewest cases open.
+  std::optional<std::pair<Question, Parts>> best_split(const std::vector<Case>& cases) const {
+    std::optional<std::pair<Question, Parts>> best;
+    std::size_t fewest = SIZE_MAX;
+    for (const Question& question : questions_) {
+      auto parts = split(cases, question);
+      if (!parts) continue;
+      if (question.kind != Question::Kind::cell) return std::pair(question, std::move(*parts));
+      const std::size_t left = mixed(*parts);
+      if (left >= fewest) continue;
+      fewest = left;
+      best = std::pair(question, std::move(*parts));
+    }
+    return best;
+  }
+
+  std::vector<Question> questions_;
+};
+
+/// What some of the cases allow and others do not.
+std::vector<Withdrawal> differences(const std::vector<Case>& cases,
+                                    const std::map<std::uint32_t, std::uint32_t>& example) {
+  const Choices all = common(cases);
+  std::vector<Withdrawal> out;
+  for (const Case& one : cases) {
+    for (const std::optional<Placement>& choice : one.choices) {
+      if (!choice || all.contains(choice)) continue;
+      const auto lacking = std::find_if(cases.begin(), cases.end(), [&](const Case& other) {
+        return !other.choices.contains(choice);
+      });
+      out.push_back({Withdrawal::Reason::unasked, one.observation, *choice,
+                     example.at(one.observation), example.at(lacking->observation)});
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<int> answer(const Question& question, const Observation& seen) {
+  if (question.kind == Question::Kind::cell) {
+    const int state = seen.cells[window_index(question.cell)];
+    return state == kUnseen ? std::nullopt : std::optional(state);
+  }
+  const std::optional<ColumnTop> top = column_top(seen);
+  if (!top) return std::nullopt;
+  return question.kind == Question::Kind::top_colour ? top->colour : top->level;
+}
+
+Decision make_decision(const Policy& policy) {
+  assert(policy.complete);
+  std::vector<Case> cases;
+  std::map<std::uint32_t, std::uint32_t> example;  // a situation of each observation
+  for (std::uint32_t i = 0; i < policy.situations.size(); ++i) {
+    const Situation& situation = policy.situations[i];
+    if (!policy.reached[situation.state]) continue;
+    if (!example.emplace(situation.observation, i).second) continue;
+    Case one{situation.observation, &policy.observations[situation.observation], {}};
+    for (const Placement& placement : policy.allowed[situation.observation]) {
+      one.choices.insert(placement);
+    }
+    if (one.choices.empty()) one.choices.insert(std::nullopt);
+    cases.push_back(std::move(one));
+  }
+  Builder builder(all_questions(policy.observations.front().cells.size()));
+  Decision out;
+  out.root = builder.build(cases);
+  if (!out.root) out.unasked = differences(builder.stuck, example);
+  return out;
+}
+
+std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy) {
+  prune(target, policy);
+  while (policy.complete) {
+    Decision decision = make_decision(policy);
+    if (decision.root) return std::move(decision.root);
+    for (const Withdrawal& one : decision.unasked) withdraw(policy, one);
+    prune(target, policy);
+  }
+  return nullptr;
+}
+
+std::optional<Placement> decide(const DecisionNode& root, const Observation& seen) {
+  const DecisionNode* node = &root;
+  while (node->question) {
+    const std::optional<int> got = answer(*node->question, seen);
+    if (!got) return std::nullopt;
+    const auto branch =
+        std::find_if(node->branches.begin(), node->branches.end(), [&](const auto& one) {
+          return std::find(one.first.begin(), one.first.end(), *got) != one.first.end();
+        });
+    if (branch == node->branches.end()) return std::nullopt;
+    node = branch->second.get();
+  }
+  return node->placement;
+}
+
+}  // namespace stig

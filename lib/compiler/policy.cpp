@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/policy.h"
+
+#include <algorithm>
+#include <cassert>
+#include <tuple>
+#include <unordered_map>
+
+namespace stig {
+
+namespace {
+
+struct SetHash {
+  std::size_t operator()(const BrickSet& set) const { return static_cast<std::size_t>(set.hash()); }
+};
+
+/// Walks every structure that placements within reach lead to.
+class Explorer {
+ public:
+  Explorer(const TargetStates& target, const Abilities& robot,
+           const std::vector<ApproachSide>& sides, PlacementKinds kinds, const PolicyLimits& limits,
+           Policy& out)
+      : target_(target),
+        robot_(robot),
+        sides_(sides),
+        kinds_(kinds),
+        limits_(limits),
+        out_(out),
+        sight_(target, robot) {}
+
+  void explore() {
+    number(target_.start());
+    for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
+      out_.first.push_back(out_.situations.size());
+      visit(s);
+      if (out_.states.size() > limits_.states) {
+        out_.too_large = true;
+        return;
+      }
+    }
+    out_.first.push_back(out_.situations.size());
+  }
+
+ private:
+  std::uint32_t number(const BrickSet& state) {
+    const auto [at, added] =
+        numbers_.emplace(state, static_cast<std::uint32_t>(out_.states.size()));
+    if (added) out_.states.push_back(state);
+    return at->second;
+  }
+
+  std::uint32_t number(const Observation& seen) {
+    const std::string key(seen.cells.begin(), seen.cells.end());
+    const auto [at, added] =
+        seen_.emplace(key, static_cast<std::uint32_t>(out_.observations.size()));
+    if (added) out_.observations.push_back(seen);
+    return at->second;
+  }
+
+  void visit(std::uint32_t s) {
+    const BrickSet state = out_.states[s];  // a copy: the list grows
+    const std::vector<std::uint32_t> open = target_.open(state);
+    for (const ApproachSide side : sides_) {
+      for (const auto& [v, u] : foremost(state, side)) {
+        if (!can_stand(state, side, u, v)) continue;
+        Situation situation{s, side, u, v, number(sight_.look(state, side, u, v)), {}};
+        for (const std::uint32_t brick : open) {
+          if (auto found = placement(state, situation, brick)) {
+            situation.placements.push_back(*found);
+          }
+        }
+        std::sort(situation.placements.begin(), situation.placements.end());
+        out_.situations.push_back(std::move(situation));
+      }
+    }
+  }
+
+  /// By row: the foremost column.
+  std::map<int, int> foremost(const BrickSet& state, ApproachSide side) const {
+    std::map<int, int> out;
+    for (std::size_t i = 0; i < target_.bricks(); ++i) {
+      if (!state.has(i)) continue;
+      const SideCell at = seen_from(side, target_.cell(i));
+      const auto [row, added] = out.emplace(at.v, at.u);
+      if (!added) row->second = std::max(row->second, at.u);
+    }
+    return out;
+  }
+
+  /// Can a robot drive up to the column at all, as far as to put a block before it?
+  bool can_stand(const BrickSet& state, ApproachSide side, int u, int v) const {
+    for (std::size_t i = 0; i < target_.bricks(); ++i) {
+      if (!state.has(i)) continue;
+      const SideCell at = seen_from(side, target_.cell(i));
+      if (at.u >= u + 2 && std::abs(at.v - v) <= 1) return false;
+    }
+    return true;
+  }
+
+  std::optional<std::pair<Placement, std::uint32_t>> placement(const BrickSet& state,
+                                                               const Situation& at,
+                                                               std::uint32_t brick) {
+    const SideCell site = seen_from(at.side, target_.cell(brick));
+    WindowCell cell{site.u - at.u, site.v - at.v, site.z - target_.floor_level()};
+    const auto filled = [&](int z) {
+      return target_.filled(state, cell_from(at.side, {at.u, at.v, z}));
+    };
+    const bool beside_it = std::abs(cell.du) + std::abs(cell.dv) == 1 && cell.du >= 0;
+    const bool next =
+        beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
+    if (!next || (kinds_ == PlacementKinds::ahead && cell.dv != 0)) return std::nullopt;
+    if (reach(target_, state, target_.cell(brick), at.side, robot_).obstacle != Obstacle::none) {
+      return std::nullopt;
+    }
+    if (cell.du == 0 && cell.dv == 0) cell.z = 0;
+    BrickSet after = state;
+    after.add(brick);
+    return std::pair(Placement{cell, target_.colour(brick)}, number(after));
+  }
+
+  const TargetStates& target_;
+  const Abilities& robot_;
+  const std::vector<ApproachSide>& sides_;
+  PlacementKinds kinds_;
+  const PolicyLimits& limits_;
+  Policy& out_;
+  Sight sight_;
+  std::unordered_map<BrickSet, std::uint32_t, SetHash> numbers_;
+  std::map<std::string, std::uint32_t> seen_;
+};
+
+/// Takes placements away until what is left is sound.
+class Pruner {
+ public:
+  Pruner(const TargetStates& target, Policy& policy) : target_(target), out_(policy) {}
+
+  void prune() {
+    mark();
+    if (out_.withdrawn.empty()) out_.out_of_reach = !hopeful_[0];
+    while (hopeful_[0] && (withdraw_dead_ends() || withdraw_ambiguous())) mark();
+    out_.complete = hopeful_[0];
+    if (!out_.complete) out_.stuck = fullest_stuck();
+  }
+
+ private:
+  bool may(const Situation& situation, const Placement& placement) const {
+    return out_.allowed[situation.observation].contains(placement);
+  }
+
+  template <class Visit>
+  void for_each_step(std::uint32_t state, const Visit& visit) const {
+    for (std::size_t i = out_.first[state]; i < out_.first[state + 1]; ++i) {
+      const Situation& situation = out_.situations[i];
+      for (const auto& [placement, to] : situation.placements) {
+        if (may(situation, placement)) visit(static_cast<std::uint32_t>(i), placement, to);
+      }
+    }
+  }
+
+  /// Which structures can be reached, and from which the whole one can.
+  void mark() {
+    // Bricks are only added, so later numbers never lead to earlier ones of fewer bricks;
+    // numbers rise with the count of bricks, since states are found breadth first.
+    const std::size_t count = out_.states.size();
+    out_.reached.assign(count, false);
+    out_.reached[0] = true;
+    for (std::uint32_t s = 0; s < count; ++s) {
+      if (!out_.reached[s]) continue;
+      for_each_step(
+          s, [&](std::uint32_t, const Placement&, std::uint32_t to) { out_.reached[to] = true; });
+    }
+    hopeful_.assign(count, false);
+    for (std::size_t s = count; s-- > 0;) {
+      hopeful_[s] = target_.complete(out_.states[s]);
+      for_each_step(static_cast<std::uint32_t>(s),
+                    [&](std::uint32_t, const Placement&, std::uint32_t to) {
+                      hopeful_[s] = hopeful_[s] || hopeful_[to];
+                    });
+    }
+  }
+
+  bool withdraw_dead_ends() {
+    std::vector<Withdrawal> found;
+    for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
+      if (!out_.reached[s] || !hopeful_[s]) continue;
+      for_each_step(s, [&](std::uint32_t i, const Placement& placement, std::uint32_t to) {
+        if (hopeful_[to]) return;
+        found.push_back(
+            {Withdrawal::Reason::dead_end, out_.situations[i].observation, placement, i, i});
+      });
+    }
+    for (const Withdrawal& one : found) withdraw(out_, one);
+    return !found.empty();
+  }
+
+  bool withdraw_ambiguous() {
+    // Where each placement is possible, for the report.
+    std::map<std::pair<std::uint32_t, Placement>, std::uint32_t> possible;
+    for_each_situation([&](std::uint32_t i, const Situation& situation) {
+      for (const auto& [placement, to] : situation.placements) {
+        possible.emplace(std::pair(situation.observation, placement), i);
+      }
+    });
+    std::vector<Withdrawal> found;
+    for_each_situation([&](std::uint32_t i, const Situation& situation) {
+      for (const Placement& placement : out_.allowed[situation.observation]) {
+        const auto same = [&](const auto& step) { return step.first == placement; };
+        if (std::any_of(situation.placements.begin(), situation.placements.end(), same)) continue;
+        const auto here = possible.find({situation.observation, placement});
+        if (here == possible.end()) continue;
+        found.push_back(
+            {Withdrawal::Reason::ambiguous, situation.observation, placement, here->second, i});
+      }
+    });
+    for (const Withdrawal& one : found) withdraw(out_, one);
+    return !found.empty();
+  }
+
+  template <class Visit>
+  void for_each_situation(const Visit& visit) const {
+    for (std::uint32_t i = 0; i < out_.situations.size(); ++i) {
+      if (out_.reached[out_.situations[i].state]) visit(i, out_.situations[i]);
+    }
+  }
+
+  /// The fullest structure that can be reached and goes no further, by the policy before it
+  /// failed or, where nothing would do, by any placements.
+  std::uint32_t fullest_stuck() const {
+    std::uint32_t best = 0;
+    std::size_t most = 0;
+    for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
+      bool goes_on = false;
+      for_each_step(s, [&](std::uint32_t, const Placement&, std::uint32_t) { goes_on = true; });
+      if (!out_.reached[s] || goes_on || target_.complete(out_.states[s])) continue;
+      if (out_.states[s].count() > most) {
+        most = out_.states[s].count();
+        best = s;
+      }
+    }
+    return best;
+  }
+
+  const TargetStates& target_;
+  Policy& out_;
+  std::vector<bool> hopeful_;
+};
+
+}  // namespace
+
+PlacementKind kind_of(const Placement& placement) {
+  if (placement.at.du == 1) return PlacementKind::extend;
+  return placement.at.dv == 0 ? PlacementKind::raise : PlacementKind::beside;
+}
+
+Policy explore(const TargetStates& target, const Abilities& robot,
+               const std::vector<ApproachSide>& sides, PlacementKinds kinds,
+               const PolicyLimits& limits) {
+  Policy out;
+  Explorer(target, robot, sides, kinds, limits, out).explore();
+  if (out.too_large) return out;
+  out.allowed.resize(out.observations.size());
+  for (const Situation& situation : out.situations) {
+    for (const auto& [placement, to] : situation.placements) {
+      out.allowed[situation.observation].insert(placement);
+    }
+  }
+  return out;
+}
+
+bool withdraw(Policy& policy, const Withdrawal& withdrawal) {
+  if (policy.allowed[withdrawal.observation].erase(withdrawal.placement) == 0) return false;
+  policy.withdrawn.push_back(withdrawal);
+  return true;
+}
+
+void prune(const TargetStates& target, Policy& policy) {
+  assert(!policy.too_large);
+  Pruner(target, policy).prune();
+}
+
+}  // namespace stig

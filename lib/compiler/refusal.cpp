@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/refusal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "rules/pattern_text.h"
+
+namespace stig {
+
+namespace {
+
+std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
+
+class Explainer {
+ public:
+  Explainer(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled, Diagnostics& out)
+      : rules_(rules),
+        robot_(robot),
+        compiled_(compiled),
+        policy_(compiled.policy),
+        target_(*compiled.target),
+        out_(out) {}
+
+  void explain() {
+    if (policy_.out_of_reach) {
+      explain_reach();
+    } else {
+      explain_sight();
+    }
+  }
+
+ private:
+  const BrickSet& stuck() const { return policy_.states[*policy_.stuck]; }
+
+  std::string draw(const BrickSet& state) const {
+    return draw_structure(rules_, target_.structure(state).bricks());
+  }
+  void show(std::string title, const BrickSet& state) {
+    compiled_.drawings.push_back({std::move(title), draw(state)});
+  }
+  const Rule& rule_of(const BrickSet& state, std::uint32_t brick) const {
+    return rules_.rules[target_.rule_for(state, brick).value_or(0)];
+  }
+
+  /// Bricks that some situation places.
+  std::vector<bool> ever_placed() const {
+    std::vector<bool> out(target_.bricks(), false);
+    for (const BrickSet& state : policy_.states) {
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] = out[i] || state.has(i);
+    }
+    return out;
+  }
+
+  /// Why a brick cannot be placed from any of the sides; notes of each.
+  struct Blocked {
+    bool unsupported = true;
+    std::vector<std::string> notes;
+  };
+  Blocked blocked(const BrickSet& state, std::uint32_t brick) const {
+    Blocked out;
+    for (const ApproachSide side : compiled_.sides) {
+      const ReachResult result = reach(target_, state, target_.cell(brick), side, robot_);
+      out.unsupported = out.unsupported && result.obstacle == Obstacle::unsupported;
+      out.notes.push_back(fmt::format("from {}: {}", to_string(side), stig::explain(result)));
+    }
+    return out;
+  }
+
+  /// Somebody who knew everything could not complete it either.
+  void explain_reach() {
+    const std::vector<bool> placed = ever_placed();
+    for (const std::uint32_t brick : target_.open(stuck())) {
+      if (!placed[brick]) return report_never(brick);
+    }
+    report_deadlock();
+  }
+
+  void report_never(std::uint32_t brick) {
+    const Rule& rule = rule_of(stuck(), brick);
+    const Blocked why = blocked(stuck(), brick);
+    Diagnostic& diagnostic =
+        out_.add(why.unsupported ? Code::P709 : Code::P710, rule.range,
+                 fmt::format("rule '{}' places the brick at {}, which {}", rule.name,
+                             cell_text(target_.cell(brick)),
+                             why.unsupported ? "nothing would hold"
+                                             : "no robot can put there in any order of work"));
+    for (const std::string& note : why.notes) diagnostic.note(note);
+    show("the structure at that moment", stuck());
+  }
+
+  void report_deadlock() {
+    const std::vector<std::uint32_t> open = target_.open(stuck());
+    const Rule& rule = open.empty() ? rules_.rules.front() : rule_of(stuck(), open.front());
+    Diagnostic& diagnostic =
+        out_.add(Code::P711, rule.range,
+                 fmt::format("the structure cannot be completed: {} bricks of {} and no way on",
+                             stuck().count(), target_.bricks()));
+    for (const std::uint32_t brick : open) {
+      for (const std::string& note : blocked(stuck(), brick).notes) {
+        diagnostic.note(fmt::format("the brick at {} {}", cell_text(target_.cell(brick)), note));
+      }
+    }
+    show("stuck", stuck());
+  }
+
+  /// It could be completed, but not by what a robot sees.
+  void explain_sight() {
+    const Withdrawal* cause = nullptr;
+    for (std::size_t i = policy_.first[*policy_.stuck]; i < policy_.first[*policy_.stuck + 1];
+         ++i) {
+      const Situation& situation = policy_.situations[i];
+      for (const auto& [placement, to] : situation.placements) {
+        const Withdrawal* found = withdrawal(situation.observation, placement);
+        // Directions first: without them nothing else helps.
+        if (found != nullptr && (cause == nullptr || (across(*found) && !across(*cause)))) {
+          cause = found;
+        }
+      }
+    }
+    if (cause == nullptr || cause->reason == Withdrawal::Reason::dead_end) return report_deadlock();
+    report_alike(*cause);
+  }
+
+  const Withdrawal* withdrawal(std::uint32_t observation, const Placement& placement) const {
+    for (const Withdrawal& one : policy_.withdrawn) {
+      if (one.observation == observation && one.placement == placement) return &one;
+    }
+    return nullptr;
+  }
+
+  /// Are the two situations seen from different sides?
+  bool across(const Withdrawal& one) const {
+    return one.reason != Withdrawal::Reason::dead_end &&
+           policy_.situations[one.here].side != policy_.situations[one.there].side;
+  }
+
+  Code code_of(const Withdrawal& cause) const {
+    if (compiled_.directions != KnownDirections::symmetric && across(cause)) return Code::P706;
+    return hidden_cell(cause) ? Code::P708 : Code::P707;
+  }
+
+  /// A cell that differs between the two situations and is seen in neither.
+  std::optional<WindowCell> hidden_cell(const Withdrawal& cause) const {
+    const Situation &a = policy_.situations[cause.here], &b = policy_.situations[cause.there];
+    const Observation& seen = policy_.observations[a.observation];
+    for (std::size_t i = 0; i < seen.cells.size(); ++i) {
+      const WindowCell cell = window_cell(i);
+      if (content(a, cell) != content(b, cell)) return cell;
+    }
+    return std::nullopt;
+  }
+  Colour content(const Situation& at, const WindowCell& cell) const {
+    const std::uint32_t brick = target_.brick_at(
+        cell_from(at.side, {at.u + cell.du, at.v + cell.dv, cell.z + target_.floor_level()}));
+    const bool there = brick != TargetStates::kNone && policy_.states[at.state].has(brick);
+    return there ? target_.colour(brick) : Colour{0};
+  }
+
+  void report_alike(const Withdrawal& cause) {
+    const Situation &here = policy_.situations[cause.here],
+                    &there = policy_.situations[cause.there];
+    const Cell site = site_of(here, cause.placement);
+    const std::uint32_t brick = target_.brick_at(site);
+    const Rule& rule = rule_of(policy_.states[here.state], brick);
+    const Code code = code_of(cause);
+    Diagnostic& diagnostic = out_.add(code, rule.range, sentence(code, rule, cause));
+    diagnostic.note(fmt::format("from {} before the column at {}: right at {}",
+                                to_string(here.side), column(here), cell_text(site)));
+    diagnostic.note(fmt::format("from {} before the column at {}: wrong, and it looks the same",
+                                to_string(there.side), column(there)));
+    if (code == Code::P706) {
+      diagnostic.note(
+          "`physical: {sides: [+x]}` in the file, or --sides +x, says that robots work "
+          "from that side alone; `symmetry: rotations` makes the rules hold on all");
+    }
+    show(fmt::format("seen from {}", to_string(here.side)), policy_.states[here.state]);
+    show(fmt::format("seen from {}", to_string(there.side)), policy_.states[there.state]);
+  }
+
+  Cell site_of(const Situation& at, const Placement& placement) const {
+    SideCell site{at.u + placement.at.du, at.v + placement.at.dv,
+                  placement.at.z + target_.floor_level()};
+    if (kind_of(placement) == PlacementKind::raise) {
+      while (target_.filled(policy_.states[at.state], cell_from(at.side, site))) ++site.z;
+    }
+    return cell_from(at.side, site);
+  }
+
+  std::string sentence(Code code, const Rule& rule, const Withdrawal& cause) const {
+    if (code == Code::P706) {
+      return fmt::format(
+          "a robot has no compass: rule '{}' is right from {} and wrong from {}, "
+          "which looks the same",
+          rule.name, to_string(policy_.situations[cause.here].side),
+          to_string(policy_.situations[cause.there].side));
+    }
+    if (code == Code::P708) {
+      const WindowCell cell = *hidden_cell(cause);
+      return fmt::format(
+          "rule '{}' depends on a cell that the robot cannot see from where it "
+          "stands: {} {}, {} to the left of the column, level {}",
+          rule.name, std::abs(cell.du), cell.du < 0 ? "behind" : "before", cell.dv, cell.z);
+    }
+    return fmt::format(
+        "rule '{}' is right in one structure and wrong in another that looks the "
+        "same from where the robot stands",
+        rule.name);
+  }
+
+  std::string column(const Situation& at) const {
+    const Cell cell = cell_from(at.side, {at.u, at.v, target_.floor_level()});
+    return fmt::format("({}, {})", cell.x, cell.y);
+  }
+
+  const RuleSet& rules_;
+  const Abilities& robot_;
+  CompiledRules& compiled_;
+  const Policy& policy_;
+  const TargetStates& target_;
+  Diagnostics& out_;
+};
+
+}  // namespace
+
+void explain_refusal(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
+                     Diagnostics& diagnostics) {
+  Explainer(rules, robot, compiled, diagnostics).explain();
+}
+
+}  // namespace stig

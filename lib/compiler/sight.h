@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// What a robot learns of a structure by standing before one of its columns and looking.
+//
+// It stands aligned with the column's row, at a few distances, and moves the lift, and with it
+// the camera, up and down. A brick is seen when the tag of one of its faces is seen by the
+// cameras' rule (angle, four corners in the image, near and far, nothing before a corner), its
+// colour when one of that face's LEDs is seen too. A cell is seen to be empty when a brick
+// there would be seen, or when the tag on top of the brick below it is.
+//
+// The window around the column has the cells one step before, behind and beside it, at every
+// level that the robot can build on and the one above.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "compiler/approach.h"
+
+namespace stig {
+
+/// Of one cell: what is known.
+enum : std::uint8_t { kUnseen = 0, kSeenEmpty = 1, kSeenBrick = 2 };  ///< then colour + 2
+
+/// A cell relative to a column: du towards the robot, dv to its left, z from the floor.
+struct WindowCell {
+  int du = 0, dv = 0, z = 0;
+  auto operator<=>(const WindowCell&) const = default;
+};
+
+struct Observation {
+  std::vector<std::uint8_t> cells;  ///< by window_index; kUnseen, kSeenEmpty or 2 + colour
+  bool operator==(const Observation&) const = default;
+};
+
+inline constexpr int kWindowColumns = 9;
+inline std::size_t window_index(const WindowCell& c) {
+  return static_cast<std::size_t>(c.z * kWindowColumns + (c.du + 1) * 3 + (c.dv + 1));
+}
+WindowCell window_cell(std::size_t index);
+
+/// A camera at a distance from the column's face, the lift at a height; m.
+struct Stance {
+  double distance = 0, lift = 0;
+};
+
+class Sight {
+ public:
+  /// Both must outlive it.
+  Sight(const TargetStates& target, const Abilities& robot);
+
+  /// Of the column (u, v) from this side.
+  const Observation& look(const BrickSet& state, ApproachSide side, int u, int v);
+  int levels() const { return levels_; }
+  const std::vector<Stance>& stances() const { return stances_; }
+
+ private:
+  Observation observe(const std::string& around) const;
+
+  const TargetStates* target_;
+  const Abilities* robot_;
+  int levels_ = 0;  ///< of the window
+  std::vector<Stance> stances_;
+  std::unordered_map<std::string, Observation> known_;  ///< by what stands around the column
+};
+
+/// The level of the highest brick of the column itself, the one below its first empty cell,
+/// and its colour, when they are known.
+struct ColumnTop {
+  int level = 0;
+  Colour colour = 0;
+};
+std::optional<ColumnTop> column_top(const Observation& seen);
+
+}  // namespace stig

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "compiler/decision_text.h"
+#include "support.h"
+
+namespace stig {
+namespace {
+
+struct Compiled {
+  RuleSet rules;
+  Diagnostics diagnostics;
+  CompiledRules result;
+
+  explicit Compiled(RuleSet set, std::vector<ApproachSide> sides = {}) : rules(std::move(set)) {
+    CompileOptions options;
+    options.sides = std::move(sides);
+    result = compile_rules(rules, paper_robot(), options, diagnostics);
+  }
+  std::string codes() const {
+    std::string out;
+    for (const Diagnostic& one : diagnostics.all()) out += std::string(info(one.code).name) + " ";
+    return out;
+  }
+};
+
+TEST_CASE("the staircase comes out as the five branches of the paper's Algorithm 1") {
+  const Compiled staircase(shipped("staircase"));
+  REQUIRE(staircase.result.decision);
+  CHECK(staircase.result.directions == KnownDirections::declared);
+  CHECK(decision_text(staircase.rules, *staircase.result.decision) ==
+        "colour of the column's top?\n"
+        "  Q1: nothing\n"
+        "  Q2: level of the column's top?\n"
+        "    0: raise with Q2\n"
+        "    1: extend with Q1\n"
+        "  Q3: level of the column's top?\n"
+        "    0, 1: raise with Q3\n"
+        "    2: extend with Q2\n");
+}
+
+TEST_CASE("the same rules from four sides are the pyramid, and need no directions") {
+  const Compiled pyramid(shipped("stepped-pyramid"));
+  REQUIRE(pyramid.result.decision);
+  CHECK(pyramid.result.directions == KnownDirections::symmetric);
+  CHECK(pyramid.result.sides.size() == 4);
+}
+
+TEST_CASE("a line and a column") {
+  CHECK(Compiled(rule_set(STIG_TESTS_DIR "/compiler/line.yaml")).result.decision);
+  CHECK(Compiled(rule_set(STIG_TESTS_DIR "/compiler/column.yaml")).result.decision);
+}
+
+TEST_CASE("what a robot cannot build is refused, each with its own reason") {
+  std::size_t files = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(STIG_TESTS_DIR "/compiler/refused")) {
+    const std::string name = entry.path().filename().string();
+    CAPTURE(name);
+    const Compiled compiled(rule_set(entry.path().string()));
+    CHECK(!compiled.result.decision);
+    CHECK(compiled.codes() == name.substr(0, 4) + " ");
+    ++files;
+  }
+  CHECK(files == 11);
+}
+
+TEST_CASE("the exact staircase needs directions, and with them cannot be reached") {
+  CHECK(Compiled(shipped("staircase-exact")).codes() == "P706 ");
+  CHECK(Compiled(shipped("staircase-exact"), {ApproachSide::plus_x}).codes() == "P710 ");
+  CHECK(Compiled(shipped("stepped-pyramid-exact")).codes() == "P710 ");
+}
+
+TEST_CASE("the limit of structures is said, not passed") {
+  const RuleSet rules = shipped("stepped-pyramid");
+  CompileOptions options;
+  options.limits.states = 100;
+  Diagnostics diagnostics;
+  const auto result = compile_rules(rules, paper_robot(), options, diagnostics);
+  CHECK(!result.decision);
+  REQUIRE(diagnostics.all().size() == 1);
+  CHECK(diagnostics.all()[0].code == Code::P712);
+}
+
+}  // namespace
+}  // namespace stig
