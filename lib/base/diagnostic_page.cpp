@@ -14,7 +14,6 @@ struct Group {
 };
 
 constexpr Group kGroups[] = {
-constexpr std::array<Group, 9> kGroups = {{
     {"R0", "R0xx: the file as bytes and YAML", "Found before any key is looked at."},
     {"R1", "R1xx: keys and values",
      "What `stigc schema` describes: an editor that knows the schema finds these too."},
@@ -27,10 +26,9 @@ constexpr std::array<Group, 9> kGroups = {{
     {"C5", "C5xx: files of the command line", "Files named on the command line."},
     {"S6", "S6xx: scenes of physical mode",
      "Found before the first step; keys and values are R1xx."},
-};
     {"P6", "P6xx: robots and blocks of physical mode",
      "What the keys of docs/robots.md cannot mean together; keys and values are R1xx."},
-}};
+};
 
 constexpr std::string_view kHead = R"(# Diagnostics
 
