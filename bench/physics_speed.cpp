@@ -71,7 +71,7 @@ Rows apart(const BlockModel& block) {
     config.bodies.push_back(block_body(
         block, {{i % 25 * 0.069, static_cast<double>(i / 25) * 0.069, block.side / 2 - 1e-5}, {}}));
   }
-  return {awake("500 blocks 14 mm apart", config, 3, true)};
+  return {awake("500 blocks 14 mm apart", config, 5, true)};
 }
 
 Rows asleep(const BlockModel& block) {
@@ -89,8 +89,8 @@ Rows asleep(const BlockModel& block) {
   return {{"1000 blocks in 33 structures, asleep", "0.05 ms a step, 0 awake",
            fmt::format("{:.2g} ms, {} awake", all.ms, awake), "cannot finish",
            all.ms <= 0.05 && awake == 0},
-          {"the same, and one body that moves", "0.05 ms a step", fmt::format("{:.2g} ms", one.ms),
-           "", one.ms <= 0.05}};
+          {"the same, and one body that moves", "1 ms a step", fmt::format("{:.2g} ms", one.ms), "",
+           one.ms <= 1}};
 }
 
 /// Falling and colliding: until nine blocks of ten sleep. Settled: the ten seconds after all

@@ -10,6 +10,8 @@ find_package(CLI11 REQUIRED)
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+# Lua compiled as C++: its errors are exceptions, which run destructors.
+pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)
 
 # The reference path of the physical world; everything else builds without it.
 set(STIG_PHYSICS AUTO CACHE STRING "Build the reference path of physics on DART: AUTO, ON, OFF")

@@ -109,17 +109,23 @@ void add_couple(const std::vector<MagnetOwner>& owners, std::uint32_t i, std::ui
   }
 }
 
-/// Partners of owner `cell.owner` in the cells about its own.
-void look_around(const std::vector<MagnetOwner>& owners, const std::vector<OwnerCell>& cells,
-                 const OwnerCell& cell, double reach, std::vector<Couple>& out) {
-  // Rows of three cells along z stand together in the sorted list.
-  for (std::int64_t dx = -1; dx <= 1; ++dx) {
-    for (std::int64_t dy = -1; dy <= 1; ++dy) {
+/// Partners of awake owners in the cells about their own. Rows of three cells along z stand
+/// together in the sorted list; where each of the nine begins moves forward with the owner.
+void add_neighbours(const std::vector<MagnetOwner>& owners, const std::vector<OwnerCell>& cells,
+                    double reach, std::vector<Couple>& out) {
+  std::array<std::size_t, 9> begins{};
+  for (const OwnerCell& cell : cells) {
+    if (!owners[cell.owner].awake) continue;
+    for (std::size_t row = 0; row < begins.size(); ++row) {
+      const auto dx = static_cast<std::int64_t>(row / 3) - 1;
+      const auto dy = static_cast<std::int64_t>(row % 3) - 1;
       const OwnerCell first{cell.x + dx, cell.y + dy, cell.z - 1, 0};
-      auto at = std::lower_bound(cells.begin(), cells.end(), first);
-      for (; at != cells.end() && at->x == first.x && at->y == first.y && at->z <= cell.z + 1;
-           ++at) {
-        add_couple(owners, cell.owner, at->owner, reach, out);
+      std::size_t& begin = begins[row];
+      while (begin < cells.size() && cells[begin] < first) ++begin;
+      for (std::size_t at = begin; at < cells.size(); ++at) {
+        const OwnerCell& other = cells[at];
+        if (other.x != first.x || other.y != first.y || other.z > cell.z + 1) break;
+        add_couple(owners, cell.owner, other.owner, reach, out);
       }
     }
   }
@@ -139,12 +145,7 @@ std::vector<Couple> couples_of(const std::vector<MagnetOwner>& owners, double re
       if (has_magnets(owners[k])) add_couple(owners, i, k, reach, couples);
     }
   }
-  if (!few) {
-    const std::vector<OwnerCell> cells = owner_cells(owners, reach);
-    for (const OwnerCell& cell : cells) {
-      if (owners[cell.owner].awake) look_around(owners, cells, cell, reach, couples);
-    }
-  }
+  if (!few) add_neighbours(owners, owner_cells(owners, reach), reach, couples);
   std::sort(couples.begin(), couples.end());
   return couples;
 }

@@ -237,6 +237,7 @@ void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
 }
 
 void World::set_current(BodyId id, std::size_t magnet, double current) {
+  assert(std::isfinite(current));
   const auto number = static_cast<std::uint32_t>(id);
   const MagnetDef& def = state_->config.bodies.at(number).magnets.at(magnet);
   const std::size_t at = state_->owners[number].begin + magnet;

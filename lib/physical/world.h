@@ -85,7 +85,7 @@ class World {
   /// Of a fixed body: it moves so from now on, whatever is in its way. Wakes the body.
   void set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin);
 
-  /// Of a magnet with an active part, from now on; 0 at the start. Wakes the body and those
+  /// Of a magnet with an active part, from now on; finite, 0 at the start. Wakes the body and those
   /// with magnets within the cut-off.
   void set_current(BodyId id, std::size_t magnet, double current);
   double current(BodyId id, std::size_t magnet) const;

@@ -37,6 +37,7 @@ TEST_CASE("the paper's block: mass, inertia, magnets") {
   CHECK(block->mass() == doctest::Approx(0.110).epsilon(1e-12));
   // 0.102 · 0.055² / 6 + 8 · 0.001 · 2 · 0.0225²
   CHECK(block->inertia() == doctest::Approx(5.1425e-5 + 8.1e-6).epsilon(1e-12));
+  CHECK(block->magnet_inertia() == doctest::Approx(3.6e-9).epsilon(1e-12));
   CHECK(block->magnet_moment() == doctest::Approx(0.19914).epsilon(1e-4));
   const auto places = block->magnet_places();
   REQUIRE(places.size() == 8);

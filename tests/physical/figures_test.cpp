@@ -48,11 +48,17 @@ TEST_CASE("magnets of 0.117 A·m² click where their pull exceeds friction") {
 TEST_CASE("quasi-static spheres against integrated ones: time to click, final pose") {
   for (const double friction : {kSmoothFloor, 0.15, 0.2}) {
     CAPTURE(friction);
-    const ModelGap worst = compare_magnet_models(paper_block(), friction);
+    const ModelGap worst = compare_magnet_models(paper_block(), friction, {0, 5});
     CHECK(worst.time < 0.3);
     CHECK(worst.way < 3e-4);
     CHECK(worst.yaw < 0.2 * kDegree);
   }
+  // Ten degrees off a block swings and slides before it rests, anywhere in the half
+  // millimetre in which little friction holds it.
+  const ModelGap worst = compare_magnet_models(paper_block(), kSmoothFloor, {10});
+  CHECK(worst.time < 0.3);
+  CHECK(worst.way < 1e-3);
+  CHECK(worst.yaw < 0.2 * kDegree);
 }
 
 TEST_CASE("integrated spheres and their blocks keep energy and momentum") {
@@ -88,7 +94,7 @@ TEST_CASE("a block dropped 4 mm and 5 degrees off onto a column is aligned by it
     CHECK(std::abs(end.yaw) < 1 * kDegree);
   }
   // The paper's friction keeps it where it lands.
-  CHECK(dropped_on_column(paper_block(), 0.002, kPaper).p.x > 3e-3);
+  CHECK(dropped_on_column(paper_block(), 0.002, kPaper).p.x > 2e-3);
 }
 
 TEST_CASE("a sliding block stops where friction says, in every direction") {

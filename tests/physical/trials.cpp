@@ -104,20 +104,23 @@ WorldConfig settled_pair(const BlockModel& block, double gap, double friction, d
   return config;
 }
 
-ModelGap compare_magnet_models(const BlockModel& block, double friction) {
+ModelGap compare_magnet_models(const BlockModel& block, double friction,
+                               const std::vector<double>& degrees) {
   ModelGap worst;
-  for (int i = 0; i < 27; ++i) {
-    WorldConfig config =
-        settled_pair(block, 0.006 + 0.002 * (i % 3), friction, i / 3 % 3 * 5 * kDegree, i / 9 + 1);
-    const Click fast = click<World>(config, block.side);
-    config.magnets = MagnetModel::integrated;
-    config.step = 0.0002;
-    const Click reference = click<World>(config, block.side);
-    const bool both = fast.time > 0 && reference.time > 0;
-    const double time = both ? std::abs(fast.time / reference.time - 1) : 1;
-    worst.time = std::max(worst.time, time);
-    worst.way = std::max(worst.way, length(fast.end.p - reference.end.p));
-    worst.yaw = std::max(worst.yaw, std::abs(fast.end.yaw - reference.end.yaw));
+  for (const double angle : degrees) {
+    for (int i = 0; i < 9; ++i) {
+      WorldConfig config =
+          settled_pair(block, 0.006 + 0.002 * (i % 3), friction, angle * kDegree, i / 3 + 1);
+      const Click fast = click<World>(config, block.side);
+      config.magnets = MagnetModel::integrated;
+      config.step = 0.0002;
+      const Click reference = click<World>(config, block.side);
+      const bool both = fast.time > 0 && reference.time > 0;
+      const double time = both ? std::abs(fast.time / reference.time - 1) : 1;
+      worst.time = std::max(worst.time, time);
+      worst.way = std::max(worst.way, length(fast.end.p - reference.end.p));
+      worst.yaw = std::max(worst.yaw, std::abs(fast.end.yaw - reference.end.yaw));
+    }
   }
   return worst;
 }

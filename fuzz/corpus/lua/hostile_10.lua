@@ -1,0 +1,1 @@
+setmetatable(_G, {__index = function(t, k) while true do end end}) return x

@@ -1,0 +1,1 @@
+('('):rep(60000):find('%b()')  while true do ('('):rep(60000):find('%b()') end

@@ -1,0 +1,1 @@
+for x in ('a'):rep(60000):gmatch('.-b') do end

@@ -1,0 +1,1 @@
+table.sort(setmetatable({}, {__len = function() return math.maxinteger - 1 end}))

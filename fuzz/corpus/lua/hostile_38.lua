@@ -1,0 +1,1 @@
+local s = (' '):rep(60000) while true do tonumber(s) end

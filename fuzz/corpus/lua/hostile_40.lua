@@ -1,0 +1,1 @@
+local s = ('x'):rep(60000) while true do s:upper() end

@@ -1,0 +1,1 @@
+local t = {} while true do pcall(function() t[#t + 1] = {1, 2, 3, 4, 5, 6, 7, 8} end) end

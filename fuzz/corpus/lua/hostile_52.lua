@@ -1,0 +1,1 @@
+local t = {} while true do pcall(table.insert, t, ('x'):rep(30000) .. #t) end

@@ -1,0 +1,1 @@
+local t = setmetatable({}, {__add = function() while true do end end}) return t + 1

@@ -1,0 +1,1 @@
+local t = setmetatable({}, {__eq = function() while true do end end}) return t == setmetatable({}, getmetatable(t))

@@ -1,0 +1,17 @@
+
+    assert(select('#', pcall(function() return 1, nil end)) == 3)
+    local ok, e = pcall(error, {5}) assert(not ok and e[1] == 5)
+    assert(select(2, xpcall(error, function(m) return m .. '!' end, 'x')) == 'x!')
+    assert(select(2, xpcall(function(a) return a end, print, 7)) == 7)
+    local f, problem = load('x =') assert(not f and problem:find('unexpected'))
+    local co = coroutine.wrap(function(a) local b = coroutine.yield(a + 1) pcall(coroutine.yield, b) return 'end' end)
+    assert(co(1) == 2 and co(5) == 5 and co() == 'end' and not pcall(co))
+    local dead = coroutine.create(function() error('x') end)
+    local ok, e = coroutine.resume(dead) assert(not ok and e:find('x') and coroutine.status(dead) == 'dead')
+    assert(coroutine.close(coroutine.create(print)))
+    assert(not pcall(coroutine.close, coroutine.running()))
+    local ok, e = pcall(coroutine.wrap(function() local c <close> = setmetatable({}, {__close = function(_, m) log(m) end}) error('why', 0) end))
+    assert(not ok and e == 'why')
+    assert(collectgarbage('count') > 0 and collectgarbage() == 0 and collectgarbage('step', 9) == 0)
+    assert(tonumber('0x10') == 16 and tonumber('z', 36) == 35 and tonumber('x') == nil)
+  

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+#include <cmath>
+#include <lua.hpp>
+
+#include "controllers/lua_box.h"
+#include "controllers/lua_libraries.h"
+
+namespace stig {
+
+void set_functions(lua_State* state, const LuaEntry* entries, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    lua_pushcfunction(state, entries[i].function);
+    lua_setfield(state, -2, entries[i].name);
+  }
+}
+
+void raise_if_stopped(lua_State* state) {
+  if (LuaBox::of(state).stopped()) lua_error(state);
+}
+
+void bad_argument(lua_State* state, int index, const char* function, const char* name,
+                  const char* expected) {
+  const bool is_number = lua_type(state, index) == LUA_TNUMBER;
+  if (is_number) lua_pushvalue(state, index);
+  const char* got = lua_isnone(state, index) ? "missing"
+                    : is_number              ? lua_tostring(state, -1)
+                                             : luaL_typename(state, index);
+  luaL_error(state, "%s: argument %d (%s) must be %s, and is %s", function, index, name, expected,
+             got);
+  std::abort();  // luaL_error does not return, but does not say so
+}
+
+double number_argument(lua_State* state, int index, const char* function, const char* name) {
+  // A text is no number here, though Lua would take one.
+  const double number = lua_type(state, index) == LUA_TNUMBER ? lua_tonumber(state, index) : NAN;
+  if (!std::isfinite(number)) bad_argument(state, index, function, name, "a finite number");
+  return number;
+}
+
+std::int64_t integer_argument(lua_State* state, int index, const char* function, const char* name,
+                              std::int64_t low, std::int64_t high) {
+  int exact = 0;
+  const lua_Integer number =
+      lua_type(state, index) == LUA_TNUMBER ? lua_tointegerx(state, index, &exact) : 0;
+  if (exact == 0 || number < low || number > high) {
+    const char* expected =
+        lua_pushfstring(state, "a whole number from %I to %I", static_cast<LUAI_UACINT>(low),
+                        static_cast<LUAI_UACINT>(high));
+    bad_argument(state, index, function, name, expected);
+  }
+  return number;
+}
+
+std::string_view text_argument(lua_State* state, int index, const char* function,
+                               const char* name) {
+  if (lua_type(state, index) != LUA_TSTRING) bad_argument(state, index, function, name, "a text");
+  std::size_t size = 0;
+  const char* text = lua_tolstring(state, index, &size);
+  return {text, size};
+}
+
+}  // namespace stig

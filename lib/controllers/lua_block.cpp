@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+// The block's devices: directional LEDs of one colour out of four, and six radios.
+#include <algorithm>
+#include <array>
+#include <lua.hpp>
+
+#include "controllers/lua_box.h"
+#include "controllers/lua_interface.h"
+#include "controllers/lua_libraries.h"
+
+namespace stig {
+
+namespace {
+
+BlockCommands& commands_of(lua_State* state) {
+  auto* side = static_cast<LuaSide*>(LuaBox::of(state).user());
+  return *static_cast<BlockSide*>(side)->commands;
+}
+
+/// What a program may call each colour; the words are those of the real blocks' programs.
+struct Name {
+  std::string_view name;
+  std::uint8_t colour;
+};
+constexpr std::array<Name, 11> kNames{{{"off", 0},
+                                       {"black", 0},
+                                       {"Q1", 1},
+                                       {"magenta", 1},
+                                       {"pink", 1},
+                                       {"Q2", 2},
+                                       {"orange", 2},
+                                       {"Q3", 3},
+                                       {"green", 3},
+                                       {"Q4", 4},
+                                       {"blue", 4}}};
+
+std::uint8_t colour_argument(lua_State* state, int index, const char* function) {
+  if (lua_type(state, index) == LUA_TNUMBER) {
+    return static_cast<std::uint8_t>(integer_argument(state, index, function, "color", 0, 4));
+  }
+  const std::string_view text = text_argument(state, index, function, "color");
+  const auto named = std::find_if(kNames.begin(), kNames.end(),
+                                  [&](const Name& name) { return name.name == text; });
+  if (named == kNames.end()) {
+    bad_argument(state, index, function, "color", "0 to 4, \"off\" or \"Q1\" to \"Q4\"");
+  }
+  return named->colour;
+}
+
+int set_all_colors(lua_State* state) {
+  const std::uint8_t colour = colour_argument(state, 1, "directional_leds.set_all_colors");
+  commands_of(state).leds.clear();
+  commands_of(state).all_leds = colour;
+  return 0;
+}
+
+int set_single_color(lua_State* state) {
+  constexpr const char* kFunction = "directional_leds.set_single_color";
+  const auto led =
+      static_cast<std::size_t>(integer_argument(state, 1, kFunction, "index", 1, kBlockLeds) - 1);
+  const std::uint8_t colour = colour_argument(state, 2, kFunction);
+  auto& leds = commands_of(state).leds;
+  std::erase_if(leds, [&](const auto& entry) { return entry.first == led; });
+  leds.emplace_back(led, colour);
+  return 0;
+}
+
+int send(lua_State* state) {
+  add_message(state, commands_of(state).sends, kBlockRadios);
+  return 0;
+}
+
+}  // namespace
+
+void open_block(lua_State* state, BlockSide& side) {
+  push_robot(state);
+  lua_newtable(state);
+  set_functions(state,
+                {{"set_all_colors", set_all_colors}, {"set_single_color", set_single_color}});
+  put(state, "directional_leds");
+  lua_newtable(state);
+  for (std::size_t i = 0; i < kBlockRadios; ++i) {
+    push_radio(state, i, send);
+    side.radios.push_back(keep_table(state));
+    put(state, kBlockRadioNames[i]);
+  }
+  put(state, "simple_radios");
+  lua_newtable(state);
+  put(state, "time", 0.0);
+  side.system = keep_table(state);
+  put(state, "system");
+  lua_pop(state, 1);
+}
+
+}  // namespace stig

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "controllers/lua_controller.h"
+
+#include <algorithm>
+#include <cassert>
+#include <lua.hpp>
+
+#include "controllers/lua_box.h"
+#include "controllers/lua_interface.h"
+#include "controllers/lua_libraries.h"
+
+namespace stig {
+
+namespace {
+
+/// Calls a global function of the program, if there is one.
+void call_back(lua_State* state, const char* name) {
+  lua_pushglobaltable(state);
+  lua_pushstring(state, name);
+  const int type = lua_rawget(state, -2);
+  if (type == LUA_TNIL) return;
+  if (type != LUA_TFUNCTION) {
+    luaL_error(state, "'%s' must be a function, and is a %s", name, lua_typename(state, type));
+  }
+  lua_call(state, 0, 0);
+}
+
+void run_program(lua_State* state) {
+  LuaBox& box = LuaBox::of(state);
+  const std::string chunk = box.chunk_name(box.program().path);
+  if (!load_text(state, box.program().text, chunk.c_str())) lua_error(state);
+  lua_call(state, 0, 0);
+}
+
+/// What one call hands to the state.
+template <class Side, class Readings>
+struct Call {
+  Side* side;
+  const Readings* readings;
+};
+
+template <class Call>
+Call& call_of(lua_State* state) {
+  return *static_cast<Call*>(lua_touserdata(state, 1));
+}
+
+using RobotCall = Call<RobotSide, RobotReadings>;
+using BlockCall = Call<BlockSide, BlockReadings>;
+
+int init_robot(lua_State* state) {
+  open_robot(state, *call_of<RobotCall>(state).side);
+  run_program(state);
+  call_back(state, "init");
+  return 0;
+}
+int init_block(lua_State* state) {
+  open_block(state, *call_of<BlockCall>(state).side);
+  run_program(state);
+  call_back(state, "init");
+  return 0;
+}
+template <class Call>
+int step_any(lua_State* state) {
+  const Call& call = call_of<Call>(state);
+  put_readings(state, *call.side, *call.readings);
+  call_back(state, "step");
+  return 0;
+}
+int reset_robot(lua_State* state) {
+  call_back(state, "reset");
+  return 0;
+}
+int destroy_robot(lua_State* state) {
+  call_back(state, "destroy");
+  return 0;
+}
+
+void log_failure(const LuaBox& box, const std::string& error, std::vector<std::string>& log) {
+  log.push_back("error: " + error);
+  const std::string& trace = box.traceback();
+  for (std::size_t begin = 0; begin < trace.size();) {
+    const std::size_t end = std::min(trace.find('\n', begin), trace.size());
+    log.push_back(trace.substr(begin, end - begin));
+    begin = end + 1;
+  }
+}
+
+/// A box, the side that its program acts on, and how it has fared.
+template <class Side, class Readings, class Commands>
+struct Host {
+  Side side;
+  LuaBox box;
+  ControllerStatus status;
+  bool begun = false;
+
+  Host(LuaProgram program, LuaSettings settings)
+      : box(std::move(program), std::move(settings), static_cast<LuaSide*>(&side)) {}
+
+  ControllerStatus run(LuaBox::Body body, const Readings* readings, Commands& commands) {
+    if (!status.ok) return status;
+    side.commands = &commands;
+    side.log = &commands.log;
+    side.logged = 0;
+    Call<Side, Readings> call{&side, readings};
+    status = box.run(body, &call);
+    if (!status.ok) log_failure(box, status.error, commands.log);
+    side.commands = nullptr;
+    side.log = nullptr;
+    return status;
+  }
+};
+
+}  // namespace
+
+struct LuaController::State : Host<RobotSide, RobotReadings, RobotCommands> {
+  using Host::Host;
+};
+struct LuaBlockController::State : Host<BlockSide, BlockReadings, BlockCommands> {
+  using Host::Host;
+};
+
+LuaController::LuaController(LuaProgram program, RobotModel model, LuaSettings settings)
+    : state_(std::make_unique<State>(std::move(program), std::move(settings))) {
+  state_->side.model = std::move(model);
+}
+LuaController::~LuaController() = default;
+
+ControllerStatus LuaController::init(RobotCommands& commands) {
+  state_->begun = true;
+  return state_->run(init_robot, nullptr, commands);
+}
+ControllerStatus LuaController::step(const RobotReadings& readings, RobotCommands& commands) {
+  assert(state_->begun);
+  state_->side.readings = &readings;
+  auto status = state_->run(step_any<RobotCall>, &readings, commands);
+  state_->side.readings = nullptr;
+  return status;
+}
+ControllerStatus LuaController::reset(RobotCommands& commands) {
+  assert(state_->begun);
+  return state_->run(reset_robot, nullptr, commands);
+}
+void LuaController::destroy() {
+  RobotCommands commands;
+  if (state_->begun) state_->run(destroy_robot, nullptr, commands);
+}
+std::size_t LuaController::memory() const { return state_->box.memory(); }
+
+LuaBlockController::LuaBlockController(LuaProgram program, LuaSettings settings)
+    : state_(std::make_unique<State>(std::move(program), std::move(settings))) {}
+LuaBlockController::~LuaBlockController() = default;
+
+ControllerStatus LuaBlockController::init(BlockCommands& commands) {
+  state_->begun = true;
+  return state_->run(init_block, nullptr, commands);
+}
+ControllerStatus LuaBlockController::step(const BlockReadings& readings, BlockCommands& commands) {
+  assert(state_->begun);
+  return state_->run(step_any<BlockCall>, &readings, commands);
+}
+std::size_t LuaBlockController::memory() const { return state_->box.memory(); }
+
+}  // namespace stig

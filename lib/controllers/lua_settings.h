@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// What a Lua program runs under: its text, its limits, its parameters and its randomness.
+// Programs are untrusted; docs/controllers.md says what they find and what they do not.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/file_io.h"
+
+namespace stig {
+
+/// Of one state. Work that is not instructions (searching texts, sorting, making strings) is
+/// charged as instructions too, so that the first of these bounds the time of a call.
+struct LuaLimits {
+  std::uint64_t instructions = 1'000'000;  ///< a call of init, step, reset or destroy
+  std::size_t memory = std::size_t{16} << 20;
+  std::size_t object = std::size_t{1} << 20;   ///< one list, one stack of calls
+  std::size_t string = std::size_t{64} << 10;  ///< one string
+  int depth = 5000;                            ///< calls nested within each other
+};
+/// As for robots, but small: there are thousands of blocks.
+LuaLimits block_limits();
+
+struct LuaProgram {
+  std::string path;  ///< as messages say it; `require` looks beside it
+  std::string text;
+};
+inline constexpr std::size_t kMostLuaSource = std::size_t{256} << 10;
+std::optional<LuaProgram> read_lua_program(const std::string& path, FileError& error);
+
+using LuaValue = std::variant<bool, double, std::string>;
+
+/// Where a line of a generated program came from: file and line.
+using LineMap =
+    std::function<std::optional<std::pair<std::string, int>>(const std::string& file, int line)>;
+
+struct LuaSettings {
+  std::string id;  ///< robot.id
+  std::vector<std::pair<std::string, LuaValue>> params;
+  LuaLimits limits;
+  std::uint64_t seed = 0;
+  std::uint32_t run = 0;    ///< below 2^24
+  std::uint32_t agent = 0;  ///< tells the streams of one run's robots apart
+  LineMap line_map;
+};
+
+}  // namespace stig

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+// The table library. Lua's own loops over as many places as a script asks for without a single
+// instruction, and sorts large tables with the clock; this one pays for each place, and its sort
+// is stable, whatever the comparator.
+#include <algorithm>
+
+#include <lua.hpp>
+
+#include "controllers/lua_box.h"
+#include "controllers/lua_libraries.h"
+
+namespace stig {
+
+namespace {
+
+void pay(lua_State* state, lua_Integer places) {
+  if (places > 0) LuaBox::of(state).charge(state, 2 * static_cast<std::uint64_t>(places));
+}
+
+/// Number of places from one to another, 0 when there are none.
+std::uint64_t span(lua_Integer first, lua_Integer last) {
+  if (first > last) return 0;
+  const std::uint64_t more = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
+  return more == UINT64_MAX ? more : more + 1;
+}
+
+int insert(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const lua_Integer end = luaL_len(state, 1) + 1;
+  const int count = lua_gettop(state);
+  if (count == 2) {
+    lua_seti(state, 1, end);
+    return 0;
+  }
+  if (count != 3) return luaL_error(state, "table.insert: two or three arguments are needed");
+  const lua_Integer place = integer_argument(state, 2, "table.insert", "position", 1, end);
+  pay(state, end - place);
+  for (lua_Integer i = end; i > place; --i) {
+    lua_geti(state, 1, i - 1);
+    lua_seti(state, 1, i);
+  }
+  lua_seti(state, 1, place);
+  return 0;
+}
+
+int remove(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const lua_Integer size = luaL_len(state, 1);
+  lua_Integer place = size;
+  if (lua_gettop(state) > 1) {
+    // One past the end, and 0 of an empty list, are allowed and remove what is there.
+    place = integer_argument(state, 2, "table.remove", "position", size == 0 ? 0 : 1, size + 1);
+  }
+  lua_geti(state, 1, place);
+  pay(state, size - place);
+  for (; place < size; ++place) {
+    lua_geti(state, 1, place + 1);
+    lua_seti(state, 1, place);
+  }
+  lua_pushnil(state);
+  lua_seti(state, 1, place);
+  return 1;
+}
+
+int concat(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  std::size_t separator_size = 0;
+  const char* separator = luaL_optlstring(state, 2, "", &separator_size);
+  const lua_Integer first = luaL_optinteger(state, 3, 1);
+  const lua_Integer last =
+      lua_isnoneornil(state, 4) ? luaL_len(state, 1) : luaL_checkinteger(state, 4);
+  LuaBox::of(state).charge(state, span(first, last));
+  luaL_Buffer buffer;
+  luaL_buffinit(state, &buffer);
+  for (std::uint64_t i = 0, n = span(first, last); i < n; ++i) {
+    const auto place = first + static_cast<lua_Integer>(i);
+    if (i > 0) luaL_addlstring(&buffer, separator, separator_size);
+    lua_geti(state, 1, place);
+    if (lua_isstring(state, -1) == 0) {
+      return luaL_error(state, "table.concat: the value at %I is a %s, no text or number",
+                        static_cast<LUAI_UACINT>(place), luaL_typename(state, -1));
+    }
+    luaL_addvalue(&buffer);
+  }
+  luaL_pushresult(&buffer);
+  return 1;
+}
+
+int pack(lua_State* state) {
+  const int count = lua_gettop(state);
+  pay(state, count);
+  lua_createtable(state, count, 1);
+  lua_insert(state, 1);
+  for (int i = count; i >= 1; --i) lua_seti(state, 1, i);
+  lua_pushinteger(state, count);
+  lua_setfield(state, 1, "n");
+  return 1;
+}
+
+int unpack(lua_State* state) {
+  constexpr std::uint64_t kMostValues = 10'000;
+  const lua_Integer first = luaL_optinteger(state, 2, 1);
+  const lua_Integer last =
+      lua_isnoneornil(state, 3) ? luaL_len(state, 1) : luaL_checkinteger(state, 3);
+  const std::uint64_t count = span(first, last);
+  if (count > kMostValues || lua_checkstack(state, static_cast<int>(count) + 1) == 0) {
+    return luaL_error(state, "table.unpack: too many values");
+  }
+  pay(state, static_cast<lua_Integer>(count));
+  for (std::uint64_t i = 0; i < count; ++i) {
+    lua_geti(state, 1, first + static_cast<lua_Integer>(i));
+  }
+  return static_cast<int>(count);
+}
+
+/// move(from, first, last, to [, table])
+int move(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  const lua_Integer first = luaL_checkinteger(state, 2), last = luaL_checkinteger(state, 3);
+  const lua_Integer to = luaL_checkinteger(state, 4);
+  const int target = lua_isnoneornil(state, 5) ? 1 : 5;
+  luaL_checktype(state, target, LUA_TTABLE);
+  const std::uint64_t count = span(first, last);
+  LuaBox::of(state).charge(state, count);
+  LuaBox::of(state).charge(state, count);
+  // Beyond the budget's reach nothing overflows.
+  if (count > 0 && to > LUA_MAXINTEGER - static_cast<lua_Integer>(count)) {
+    return luaL_error(state, "table.move: no such places");
+  }
+  const bool backwards = target == 1 && to > first && to <= last;
+  for (std::uint64_t n = 0; n < count; ++n) {
+    const auto i = static_cast<lua_Integer>(backwards ? count - 1 - n : n);
+    lua_geti(state, 1, first + i);
+    lua_seti(state, target, to + i);
+  }
+  lua_pushvalue(state, target);
+  return 1;
+}
+
+// ---- Sorting: stack 1 the table, 2 the comparator or nil, 3 and 4 two lists ----
+
+/// Whether the value at the top comes before the one under it.
+bool top_is_less(lua_State* state) {
+  if (lua_isnil(state, 2)) return lua_compare(state, -1, -2, LUA_OPLT) != 0;
+  lua_pushvalue(state, 2);
+  lua_pushvalue(state, -2);
+  lua_pushvalue(state, -4);
+  lua_call(state, 2, 1);
+  const bool less = lua_toboolean(state, -1) != 0;
+  lua_pop(state, 1);
+  return less;
+}
+
+/// Merges places [low, middle) and [middle, high) of one list into the other.
+void merge(lua_State* state, int from, int to, lua_Integer low, lua_Integer middle,
+           lua_Integer high) {
+  pay(state, high - low);
+  lua_Integer left = low, right = middle;
+  for (lua_Integer place = low; place < high; ++place) {
+    bool take_right = left >= middle;
+    if (left < middle && right < high) {
+      lua_rawgeti(state, from, left);
+      lua_rawgeti(state, from, right);
+      take_right = top_is_less(state);
+      lua_pop(state, 2);
+    }
+    lua_rawgeti(state, from, take_right ? right++ : left++);
+    lua_rawseti(state, to, place);
+  }
+}
+
+int sort(lua_State* state) {
+  luaL_checktype(state, 1, LUA_TTABLE);
+  if (!lua_isnoneornil(state, 2)) luaL_checktype(state, 2, LUA_TFUNCTION);
+  lua_settop(state, 2);
+  const lua_Integer size = luaL_len(state, 1);
+  pay(state, size);
+  lua_newtable(state);
+  lua_newtable(state);
+  for (lua_Integer i = 1; i <= size; ++i) {
+    lua_geti(state, 1, i);
+    lua_rawseti(state, 3, i);
+  }
+  int from = 3, to = 4;
+  for (lua_Integer width = 1; width < size; width *= 2) {
+    for (lua_Integer low = 1; low <= size; low += 2 * width) {
+      merge(state, from, to, low, std::min(low + width, size + 1),
+            std::min(low + 2 * width, size + 1));
+    }
+    std::swap(from, to);
+  }
+  for (lua_Integer i = 1; i <= size; ++i) {
+    lua_rawgeti(state, from, i);
+    lua_seti(state, 1, i);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void open_tables(lua_State* state) {
+  lua_createtable(state, 0, 7);
+  set_functions(state, {{"insert", insert},
+                        {"remove", remove},
+                        {"concat", concat},
+                        {"pack", pack},
+                        {"unpack", unpack},
+                        {"move", move},
+                        {"sort", sort}});
+  lua_setglobal(state, "table");
+}
+
+}  // namespace stig

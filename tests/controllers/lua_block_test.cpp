@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include "controllers/lua_fixture.h"
+
+namespace stig {
+namespace {
+
+LuaBlockController block(const std::string& text) {
+  LuaSettings settings = settings_of("b1");
+  settings.limits = block_limits();
+  return {{"block.lua", text}, settings};
+}
+
+BlockCommands step(LuaBlockController& controller, std::vector<std::vector<Message>> radios) {
+  BlockCommands commands;
+  BlockReadings readings;
+  readings.radios = std::move(radios);
+  const auto status = controller.step(readings, commands);
+  CHECK(status.error == "");
+  return commands;
+}
+
+TEST_CASE("the paper's program: a message's first byte sets all LEDs") {
+  FileError error;
+  const auto program = read_lua_program(STIG_SOURCE_DIR "/blocks/stigmergic.lua", error);
+  REQUIRE(program);
+  LuaBlockController controller = block(program->text);
+  BlockCommands commands;
+  REQUIRE(controller.init(commands).ok);
+  CHECK(commands.all_leds == 0);
+  CHECK(!step(controller, std::vector<std::vector<Message>>(6)).all_leds);
+  for (std::size_t radio = 0; radio < 6; ++radio) {
+    std::vector<std::vector<Message>> radios(6);
+    radios[radio] = {"3"};
+    CHECK(step(controller, radios).all_leds == 3);
+  }
+  CHECK(step(controller, {{}, {"4 and more"}, {}, {}, {}, {}}).all_leds == 4);
+  CHECK(step(controller, {{"2"}, {}, {}, {}, {}, {}}).all_leds == 2);
+  CHECK(step(controller, {{"5"}, {}, {}, {}, {}, {}}).all_leds == 0);
+  CHECK(step(controller, {{""}, {}, {}, {}, {}, {}}).all_leds == 0);
+}
+
+TEST_CASE("LEDs one by one, colours by number and name, radios of six faces") {
+  LuaBlockController controller = block(R"(function step()
+    local leds = robot.directional_leds
+    leds.set_single_color(1, 'Q2')
+    leds.set_all_colors('magenta')
+    leds.set_single_color(24, 3)
+    leds.set_single_color(24, 'blue')
+    for name, radio in pairs(robot.simple_radios) do radio.send(name) end
+    log(robot.id, ' ', robot.system.time)
+  end)");
+  BlockCommands commands;
+  REQUIRE(controller.init(commands).ok);
+  commands = step(controller, {});
+  CHECK(commands.all_leds == 1);
+  CHECK(commands.leds == std::vector<std::pair<std::size_t, std::uint8_t>>{{23, 4}});
+  REQUIRE(commands.sends.size() == 6);
+  const std::vector<std::string> names{"north", "east", "south", "west", "top", "bottom"};
+  for (std::size_t i = 0; i < 6; ++i) CHECK(commands.sends[i] == std::vector<Message>{names[i]});
+  CHECK(joined(commands.log) == "b1 0.0");
+}
+
+TEST_CASE("wrong colours and places are refused") {
+  for (const char* call : {"set_all_colors(5)", "set_all_colors('red')", "set_all_colors()",
+                           "set_single_color(0, 1)", "set_single_color(25, 1)"}) {
+    CAPTURE(call);
+    LuaBlockController controller = block("robot.directional_leds." + std::string(call));
+    BlockCommands commands;
+    const auto status = controller.init(commands);
+    CHECK(status.error.find("directional_leds.set_") != std::string::npos);
+    CHECK(status.error.starts_with("block.lua:1: "));
+  }
+}
+
+}  // namespace
+}  // namespace stig
