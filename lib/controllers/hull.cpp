@@ -22,9 +22,9 @@ class Hull {
     for (std::size_t i = 0; i < n; ++i) {
       for (std::size_t j = i + 1; j < n; ++j) {
         for (std::size_t k = j + 1; k < n; ++k) {
-          const Vec3 cross_ = cross(points_[j] - points_[i], points_[k] - points_[i]);
-          if (length(cross_) < slack_ * size_) continue;
-          const Vec3 normal = normalised(cross_);
+          const Vec3 across = cross(points_[j] - points_[i], points_[k] - points_[i]);
+          if (!(length(across) > slack_ * size_)) continue;
+          const Vec3 normal = normalised(across);
           try_plane(points_[i], normal);
           try_plane(points_[i], -normal);
         }
