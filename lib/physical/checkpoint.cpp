@@ -77,9 +77,18 @@ void visit_magnet(Each& each, MagnetType& magnet) {
 template <class Each, class ContactType>
 void visit_contact(Each& each, ContactType& contact) {
   each(contact.a), each(contact.b), each(contact.normal), each(contact.count);
-  each(contact.friction), each(contact.touching);
+  each(contact.friction), each(contact.axle), each(contact.axle_friction), each(contact.touching);
   for (auto& point : contact.points) {
     each(point.p_W), each(point.p_A), each(point.gap), each(point.push), each(point.friction);
+  }
+}
+
+void write_joint(Writer& out, const JointDef& joint) {
+  out(joint.parent), out(joint.child), out(joint.X_PJ.p), out(joint.X_PJ.q), out(joint.X_CJ.p);
+  out(joint.X_CJ.q), out(joint.dofs.size());
+  for (const DofDef& dof : joint.dofs) {
+    out(dof.linear), out(dof.axis), out(dof.start), out(dof.lower), out(dof.upper);
+    out(dof.actuator), out(dof.effort), out(dof.speed), out(dof.damping);
   }
 }
 
@@ -95,17 +104,36 @@ std::uint64_t hash_of(const WorldConfig& config) {
       out(config.relaxation.sweeps), out(config.magnets), out(config.bearing_damping),
       out(config.snap.force);
   const SleepRules& sleep = config.sleep;
-  out(config.sweeps), out(sleep.enabled), out(sleep.time), out(sleep.speed), out(sleep.spin);
+  out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time),
+      out(sleep.speed), out(sleep.spin);
   out(sleep.waking_speed), out(sleep.waking_spin), out(sleep.waking_force);
   for (const BodyDef& def : config.bodies) {
     out(def.shape.kind), out(def.shape.half), out(def.mass), out(def.inertia), out(def.X_WB.p);
-    out(def.X_WB.q), out(def.material), out(def.fixed), out(def.magnets.size());
+    out(def.X_WB.q), out(def.material), out(def.fixed), out(def.axle), out(def.axle_friction);
+    out(def.magnets.size());
     for (const MagnetDef& magnet : def.magnets) {
       out(magnet.p_B), out(magnet.moment), out(magnet.free), out(magnet.direction);
       out(magnet.active), out(magnet.inertia);
     }
   }
+  for (const JointDef& joint : config.joints) write_joint(out, joint);
   return hash_text(out.take());
+}
+
+template <class Each, class ArticulationType>
+void visit_articulation(Each& each, ArticulationType& it) {
+  for (std::size_t i = 0; i < it.q.size(); ++i) {
+    each(it.q[i]), each(it.v[i]);
+    each(it.axes[i].target), each(it.axes[i].motor), each(it.axes[i].stop);
+  }
+}
+
+bool sound(const Articulation& it) {
+  for (std::size_t i = 0; i < it.q.size(); ++i) {
+    const AxisState& axis = it.axes[i];
+    if (!std::isfinite(it.q[i] + it.v[i] + axis.target + axis.motor + axis.stop)) return false;
+  }
+  return true;
 }
 
 bool sound(const Body& body) {
@@ -146,6 +174,7 @@ std::string write_checkpoint(const WorldState& world) {
   Writer out;
   out(kMagic), out(hash_of(world.config)), out(world.tick);
   for (const Body& body : world.bodies) visit_body(out, body);
+  for (const Articulation& it : world.articulations.all) visit_articulation(out, it);
   for (const Magnet& magnet : world.magnets) visit_magnet(out, magnet);
   for (const double current : world.currents) out(current);
   out(static_cast<std::uint64_t>(world.snaps.size()));
@@ -170,6 +199,11 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
     owner.centre = body.p;
     const auto magnets = world.config.bodies[i].magnets.size();
     owner.end = owner.begin + (body.left ? 0 : static_cast<std::uint32_t>(magnets));
+  }
+  for (Articulation& it : next.articulations.all) {
+    visit_articulation(in, it);
+    if (!in.good() || !sound(it)) return false;
+    refresh(it);
   }
   if (!read_magnets(next, in)) return false;
   in(count);

@@ -173,7 +173,7 @@ class Placer {
     if (!check_count()) return std::nullopt;
     for (std::size_t i = 0; i < scene_.blocks.size(); ++i) add_entry(i);
     if (out_.has_errors()) return std::nullopt;
-    placed_.config.sweeps = sweeps();
+    if (scene_.sweeps > 0) placed_.config.sweeps = scene_.sweeps;
     report_problems();
     if (out_.has_errors()) return std::nullopt;
     return std::move(placed_);
@@ -240,15 +240,6 @@ class Placer {
                              : of == 1          ? spawn.name
                                                 : fmt::format("{} {}", spawn.name, number + 1);
     placed_.bodies.push_back({name, spawn.colour, entry});
-  }
-
-  int sweeps() const {
-    if (scene_.sweeps > 0) return scene_.sweeps;
-    const bool high =
-        std::any_of(scene_.blocks.begin(), scene_.blocks.end(), [](const BlockSpawn& spawn) {
-          return spawn.kind != SpawnKind::grid && spawn.count[2] > 5;
-        });
-    return high ? 60 : 20;
   }
 
   void report_problems() {

@@ -64,7 +64,7 @@ struct Scene {
   double duration = 10;      ///< s
   bool stop_asleep = false;  ///< it ends as soon as nothing is awake
   WorldConfig settings;      ///< without bodies
-  int sweeps = 0;            ///< of the contact solver; 0: by the height of what is built
+  int sweeps = 0;            ///< of the contact solver, in each small step; 0: as it chooses
   /// By number; robots' bodies name theirs.
   std::vector<std::string> materials{"block", "floor"};
   std::vector<BlockModel> models;

@@ -169,7 +169,7 @@ const Form& scene_keys() {
            .kind = form,
            .doc = "Coefficients of pairs of materials.",
            .form = &friction_keys()},
-          whole("sweeps", "Of the contact solver (default: 20, of high structures 60).", 1, 10'000),
+          whole("sweeps", "Of the contact solver, in each of its small steps (default: 1).", 1, 10'000),
           {.name = "magnets",
            .kind = form,
            .doc = "How magnets are computed.",

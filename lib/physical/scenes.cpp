@@ -7,9 +7,6 @@ namespace stig {
 
 namespace {
 
-/// The solver's sweeps that hold a structure of this height, see docs/physics.md.
-int sweeps_for(int height) { return height > 5 ? 60 : 20; }
-
 constexpr double kInto = 10e-6;  ///< m, that neighbours overlap at the start
 
 /// The block of a lattice cell.
@@ -29,7 +26,6 @@ WorldConfig scene_settings(const SceneFriction& friction) {
 
 WorldConfig column_scene(const BlockModel& block, int height) {
   WorldConfig config = scene_settings();
-  config.sweeps = sweeps_for(height);
   for (int z = 0; z < height; ++z) config.bodies.push_back(in_cell(block, 0, 0, z));
   return config;
 }
@@ -49,7 +45,6 @@ WorldConfig pyramid_scene(const BlockModel& block) {
 
 WorldConfig wall_scene(const BlockModel& block, int length, int height) {
   WorldConfig config = scene_settings();
-  config.sweeps = sweeps_for(height);
   for (int z = 0; z < height; ++z) {
     for (int x = 0; x < length; ++x) config.bodies.push_back(in_cell(block, x, 0, z));
   }

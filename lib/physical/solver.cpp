@@ -5,134 +5,209 @@
 #include <cassert>
 #include <tuple>
 
+#include "physical/solver_rows.h"
+
 namespace stig {
 
 namespace {
 
 constexpr double kMatchDistance = 3e-3;
-constexpr double kCorrection = 0.1;     ///< part of an overlap undone in a step
-constexpr double kSlop = 50e-6;         ///< overlap that is left alone, m
-constexpr double kMostRecovery = 0.05;  ///< m/s
 constexpr int kShiftSweeps = 6;
+constexpr double kImpact = 1e-2;   ///< m/s: one that changes more is followed by others
+constexpr int kMoreSweeps = 4;     ///< at most so many
 constexpr double kSettled = 1e-8;  ///< m/s: a sweep that changes less is the last
 
-/// One direction at one point: unit impulses along d change velocities by these.
-struct Row {
-  Vec3 d, arm_a, arm_b, turn_a, turn_b;
-  double mass = 0;  ///< impulse for a velocity change of 1 m/s, kg
+/// A point between two free bodies, or one and the world. What four points of a contact
+/// share is in their Patch.
+struct Point {
+  Vec3 arm_a, arm_b;  ///< from the centres of mass
+  double gap = 0;
+  double mass = 0, slide_mass = 0;  ///< impulse for a velocity change of 1 m/s, kg
+  double push = 0;
+  Vec3 slide;
+  double shift_target = 0, shift = 0;  ///< m/s and N·s, for what undoes overlaps
 };
 
-struct PointRows {
-  Row normal, first, second;
-  double target = 0;  ///< least normal velocity, m/s
-  double push = 0, slide_first = 0, slide_second = 0;
-  double shift_target = 0, shift = 0;  ///< the same for what undoes overlaps
+struct Patch {
+  std::uint32_t a = 0, b = 0;  ///< places of the bodies
+  Vec3 normal;
   double friction = 0;
-  std::uint32_t a = 0, b = 0;
+  std::uint32_t begin = 0, end = 0;  ///< its points
 };
 
-Row make_row(const SolverBody& a, const SolverBody& b, const Vec3& p, const Vec3& d) {
-  Row row;
-  row.d = d;
-  row.arm_a = cross(p - a.p, d);
-  row.arm_b = cross(p - b.p, d);
-  row.turn_a = a.inverse_inertia * row.arm_a;
-  row.turn_b = b.inverse_inertia * row.arm_b;
-  const double inverse =
-      a.inverse_mass + b.inverse_mass + dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b);
-  row.mass = inverse > 0 ? 1 / inverse : 0;
-  return row;
+struct Patches {
+  std::vector<Patch> patches;
+  std::vector<Point> points;
+};
+
+Vec3 velocity(const Point& point, const SolverBody& a, const SolverBody& b) {
+  return a.v - b.v + cross(a.w, point.arm_a) - cross(b.w, point.arm_b);
 }
 
-double velocity(const Row& row, const SolverBody& a, const SolverBody& b) {
-  return dot(row.d, a.v - b.v) + dot(row.arm_a, a.w) - dot(row.arm_b, b.w);
+void push(const Point& point, SolverBody& a, SolverBody& b, const Vec3& impulse) {
+  a.v += impulse * a.inverse_mass;
+  a.w += a.inverse_inertia * cross(point.arm_a, impulse);
+  b.v -= impulse * b.inverse_mass;
+  b.w -= b.inverse_inertia * cross(point.arm_b, impulse);
 }
 
-void push(const Row& row, SolverBody& a, SolverBody& b, double impulse) {
-  a.v += row.d * (impulse * a.inverse_mass);
-  a.w += row.turn_a * impulse;
-  b.v -= row.d * (impulse * b.inverse_mass);
-  b.w -= row.turn_b * impulse;
+double effective_mass(const Point& point, const SolverBody& a, const SolverBody& b, const Vec3& d) {
+  const Vec3 ca = cross(point.arm_a, d), cb = cross(point.arm_b, d);
+  const double inverse = a.inverse_mass + b.inverse_mass + dot(ca, a.inverse_inertia * ca) +
+                         dot(cb, b.inverse_inertia * cb);
+  return inverse > 0 ? 1 / inverse : 0;
 }
 
-/// Least normal velocity of the shift that undoes overlaps.
-double least_shift(double gap, double dt) {
-  if (gap > -kSlop) return -(gap + kSlop) / dt;
-  return std::min(kCorrection * (-gap - kSlop) / dt, kMostRecovery);
-}
-
-/// Rows of one point, with last step's impulses applied.
-PointRows prepare(const Contact& contact, const ContactPoint& point, SolverBody& a, SolverBody& b,
-                  double dt) {
+Point make_point(const Contact& contact, const ContactPoint& from, const SolverBody& a,
+                 const SolverBody& b, double dt) {
+  Point point;
+  point.arm_a = from.p_W - a.p;
+  point.arm_b = from.p_W - b.p;
+  point.gap = from.gap;
   const Vec3 t = perpendicular(contact.normal), s = cross(contact.normal, t);
-  PointRows rows;
-  rows.normal = make_row(a, b, point.p_W, contact.normal);
-  rows.first = make_row(a, b, point.p_W, t);
-  rows.second = make_row(a, b, point.p_W, s);
-  // The same for both directions, so that sliding does not depend on how they lie.
-  rows.first.mass = rows.second.mass = std::min(rows.first.mass, rows.second.mass);
-  rows.friction = contact.friction;
-  rows.target = -std::max(0.0, point.gap) / dt;
-  rows.shift_target = least_shift(point.gap, dt);
-  rows.push = point.push;
-  rows.slide_first = dot(point.friction, t);
-  rows.slide_second = dot(point.friction, s);
-  push(rows.normal, a, b, rows.push);
-  push(rows.first, a, b, rows.slide_first);
-  push(rows.second, a, b, rows.slide_second);
-  return rows;
+  point.mass = effective_mass(point, a, b, contact.normal);
+  // The same for all directions, so that sliding does not depend on how the axes lie.
+  point.slide_mass = std::min(effective_mass(point, a, b, t), effective_mass(point, a, b, s));
+  point.push = from.push;
+  point.slide = from.friction - contact.normal * dot(contact.normal, from.friction);
+  point.shift_target = least_shift(from.gap, dt);
+  return point;
 }
 
-/// Returns the change in normal velocity that was asked for.
-double relax_normal(PointRows& rows, SolverBody& a, SolverBody& b) {
-  const double lacking = rows.target - velocity(rows.normal, a, b);
-  const double impulse = std::max(0.0, rows.push + lacking * rows.normal.mass);
-  const double change = impulse - rows.push;
-  rows.push = impulse;
-  push(rows.normal, a, b, change);
-  return rows.normal.mass > 0 ? std::abs(change) / rows.normal.mass : 0;
+/// Returns the change in velocity that was asked for.
+double relax(const Patch& patch, Point& point, SolverBody& a, SolverBody& b, double inverse_dt) {
+  const Vec3& n = patch.normal;
+  const Vec3 v = velocity(point, a, b);
+  const double along = dot(n, v);
+  const double lacking = -std::max(0.0, point.gap) * inverse_dt - along;
+  const double most = std::max(0.0, point.push + lacking * point.mass);
+  // Most points of a pile that falls carry nothing.
+  if (most == 0 && point.push == 0) return 0;
+  Vec3 slide = point.slide - (v - n * along) * point.slide_mass;
+  const double limit = patch.friction * most, size = squared(slide);
+  if (size > limit * limit) slide *= limit / std::sqrt(size);
+  const double change = most - point.push;
+  const Vec3 side = slide - point.slide;
+  point.push = most;
+  point.slide = slide;
+  push(point, a, b, n * change + side);
+  return std::max(std::abs(change),
+                  std::max(std::abs(side.x), std::max(std::abs(side.y), std::abs(side.z)))) *
+         (a.inverse_mass + b.inverse_mass);
 }
 
-void relax_shift(PointRows& rows, SolverBody& a, SolverBody& b) {
-  const Row& row = rows.normal;
-  const double velocity =
-      dot(row.d, a.shift_v - b.shift_v) + dot(row.arm_a, a.shift_w) - dot(row.arm_b, b.shift_w);
-  const double lacking = rows.shift_target - velocity;
-  const double impulse = std::max(0.0, rows.shift + lacking * row.mass);
-  const double change = impulse - rows.shift;
-  rows.shift = impulse;
-  a.shift_v += row.d * (change * a.inverse_mass);
-  a.shift_w += row.turn_a * change;
-  b.shift_v -= row.d * (change * b.inverse_mass);
-  b.shift_w -= row.turn_b * change;
+void relax_shift(const Patch& patch, Point& point, SolverBody& a, SolverBody& b) {
+  const Vec3 v = a.way_v - b.way_v + cross(a.way_w, point.arm_a) - cross(b.way_w, point.arm_b);
+  const double lacking = point.shift_target - dot(patch.normal, v);
+  const double impulse = std::max(0.0, point.shift + lacking * point.mass);
+  const Vec3 change = patch.normal * (impulse - point.shift);
+  point.shift = impulse;
+  a.way_v += change * a.inverse_mass;
+  a.way_w += a.inverse_inertia * cross(point.arm_a, change);
+  b.way_v -= change * b.inverse_mass;
+  b.way_w -= b.inverse_inertia * cross(point.arm_b, change);
+}
+
+Patches make_patches(const SolverTask& task, double part) {
+  Patches out;
+  out.patches.reserve(task.contacts.size());
+  out.points.reserve(task.contacts.size() * 4);
+  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
+    const Contact& contact = task.contacts[c];
+    const auto [a, b] = task.slots[c];
+    Patch patch{
+        a, b, contact.normal, contact.friction, static_cast<std::uint32_t>(out.points.size()), 0};
+    for (int i = 0; i < contact.count && !needs_rows(task, c); ++i) {
+      const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+      out.points.push_back(make_point(contact, point, task.bodies[a], task.bodies[b], task.dt));
+      out.points.back().push *= part;
+      out.points.back().slide *= part;
+    }
+    patch.end = static_cast<std::uint32_t>(out.points.size());
+    out.patches.push_back(patch);
+  }
+  return out;
+}
+
+void apply_last(Patches& all, std::vector<SolverBody>& bodies) {
+  for (Patch& patch : all.patches) {
+    SolverBody &a = bodies[patch.a], &b = bodies[patch.b];
+    for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
+      const Point& point = all.points[i];
+      if (point.push > 0) push(point, a, b, patch.normal * point.push + point.slide);
+    }
+  }
+}
+
+/// Backwards: blocks are mostly listed from the ground up, and loads pass downwards. (In
+/// turn with forwards, one sweep of each, columns shake themselves to pieces.)
+double sweep(Patches& all, std::vector<SolverBody>& bodies, double inverse_dt) {
+  double change = 0;
+  for (std::size_t k = all.patches.size(); k-- > 0;) {
+    const Patch& patch = all.patches[k];
+    SolverBody &a = bodies[patch.a], &b = bodies[patch.b];
+    for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
+      change = std::max(change, relax(patch, all.points[i], a, b, inverse_dt));
+    }
+  }
+  return change;
+}
+
+void follow_gaps(Patches& all, const std::vector<SolverBody>& bodies, double dt) {
+  for (const Patch& patch : all.patches) {
+    const SolverBody &a = bodies[patch.a], &b = bodies[patch.b];
+    for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
+      all.points[i].gap += dot(patch.normal, velocity(all.points[i], a, b)) * dt;
+    }
+  }
 }
 
 /// Overlaps are undone by a shift that leaves velocities alone: as a part of them it feeds
-/// the swaying of high columns, which then fall.
-void undo_overlaps(std::vector<PointRows>& rows, std::vector<SolverBody>& bodies) {
-  const auto deep = [](const PointRows& row) { return row.shift_target > 0; };
-  if (std::none_of(rows.begin(), rows.end(), deep)) return;
-  for (int sweep = 0; sweep < kShiftSweeps; ++sweep) {
-    for (PointRows& row : rows) relax_shift(row, bodies[row.a], bodies[row.b]);
+/// the swaying of high columns, which then fall. `way` holds the shift alone here.
+void undo_overlaps(Patches& all, Rows& rows, SolverTask& task) {
+  const auto deep = [](const Point& point) { return point.shift_target > 0; };
+  if (std::none_of(all.points.begin(), all.points.end(), deep) && !overlapping(rows)) return;
+  for (int i = 0; i < kShiftSweeps; ++i) {
+    shift_rows(rows, task);
+    for (const Patch& patch : all.patches) {
+      SolverBody &a = task.bodies[patch.a], &b = task.bodies[patch.b];
+      for (std::uint32_t k = patch.begin; k < patch.end; ++k) {
+        relax_shift(patch, all.points[k], a, b);
+      }
+    }
   }
 }
 
-double relax_friction(PointRows& rows, SolverBody& a, SolverBody& b) {
-  // Most points of a pile that falls carry nothing.
-  if (rows.push == 0 && rows.slide_first == 0 && rows.slide_second == 0) return 0;
-  double x = rows.slide_first - velocity(rows.first, a, b) * rows.first.mass;
-  double y = rows.slide_second - velocity(rows.second, a, b) * rows.second.mass;
-  const double most = rows.friction * rows.push, size = std::sqrt(x * x + y * y);
-  if (size > most) {
-    x *= most / size;
-    y *= most / size;
+/// Adds a part of the step's forces, or of its way.
+void kick(SolverTask& task, double part) {
+  for (SolverBody& body : task.bodies) {
+    body.v += body.kick_v * part;
+    body.w += body.kick_w * part;
   }
-  const double dx = x - rows.slide_first, dy = y - rows.slide_second;
-  push(rows.first, a, b, dx);
-  push(rows.second, a, b, dy);
-  rows.slide_first = x;
-  rows.slide_second = y;
-  return rows.first.mass > 0 ? std::max(std::abs(dx), std::abs(dy)) / rows.first.mass : 0;
+  for (SolverMechanism& mechanism : task.mechanisms) {
+    for (std::size_t i = 0; i < mechanism.dofs; ++i) mechanism.v[i] += mechanism.kick[i] * part;
+  }
+}
+
+void go(SolverTask& task, double part) {
+  for (SolverBody& body : task.bodies) {
+    body.way_v += body.v * part;
+    body.way_w += body.w * part;
+  }
+  for (SolverMechanism& mechanism : task.mechanisms) {
+    for (std::size_t i = 0; i < mechanism.dofs; ++i) mechanism.way[i] += mechanism.v[i] * part;
+  }
+}
+
+void keep_impulses(const Patches& all, SolverTask& task, double parts) {
+  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
+    const Patch& patch = all.patches[c];
+    for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
+      ContactPoint& point = task.contacts[c].points[i - patch.begin];
+      point.push = all.points[i].push * parts;
+      point.friction = all.points[i].slide * parts;
+    }
+  }
 }
 
 }  // namespace
@@ -158,41 +233,28 @@ void warm_start(Contact& contact, const Contact& last) {
   }
 }
 
-void solve_contacts(std::vector<SolverBody>& bodies, std::vector<Contact>& contacts,
-                    const std::vector<std::pair<std::uint32_t, std::uint32_t>>& slots, double dt,
-                    int sweeps) {
-  assert(slots.size() == contacts.size());
-  std::vector<PointRows> rows;
-  rows.reserve(contacts.size() * 4);
-  for (std::size_t c = 0; c < contacts.size(); ++c) {
-    SolverBody &a = bodies[slots[c].first], &b = bodies[slots[c].second];
-    for (int i = 0; i < contacts[c].count; ++i) {
-      const ContactPoint& point = contacts[c].points[static_cast<std::size_t>(i)];
-      rows.push_back(prepare(contacts[c], point, a, b, dt));
-      rows.back().a = slots[c].first;
-      rows.back().b = slots[c].second;
+void solve(SolverTask& task) {
+  assert(task.slots.size() == task.contacts.size());
+  const double parts = task.small_steps, dt = task.dt / parts;
+  Patches patches = make_patches(task, 1 / parts);
+  Rows rows = make_rows(task);
+  undo_overlaps(patches, rows, task);
+  for (int step = 0; step < task.small_steps; ++step) {
+    kick(task, 1 / parts);
+    apply_last(patches, task.bodies);
+    apply_last_rows(rows, task);
+    double change = 1;
+    for (int i = 0; change > kSettled; ++i) {
+      if (i >= task.sweeps + (change > kImpact ? kMoreSweeps : 0)) break;
+      change = sweep_rows(rows, task, 1 / dt);
+      change = std::max(change, sweep(patches, task.bodies, 1 / dt));
     }
+    go(task, 1 / parts);
+    follow_gaps(patches, task.bodies, dt);
+    follow_row_gaps(rows, task, dt);
   }
-  for (int sweep = 0; sweep < sweeps; ++sweep) {
-    double change = 0;
-    // Backwards: blocks are mostly listed from the ground up, and loads pass downwards.
-    for (std::size_t k = rows.size(); k-- > 0;) {
-      PointRows& row = rows[k];
-      SolverBody &a = bodies[row.a], &b = bodies[row.b];
-      change = std::max(change, relax_normal(row, a, b));
-      change = std::max(change, relax_friction(row, a, b));
-    }
-    if (change < kSettled) break;
-  }
-  undo_overlaps(rows, bodies);
-  auto row = rows.begin();
-  for (Contact& contact : contacts) {
-    for (int i = 0; i < contact.count; ++i, ++row) {
-      ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
-      point.push = row->push;
-      point.friction = row->first.d * row->slide_first + row->second.d * row->slide_second;
-    }
-  }
+  keep_impulses(patches, task, parts);
+  keep_row_impulses(rows, task);
 }
 
 }  // namespace stig

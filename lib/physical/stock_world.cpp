@@ -11,8 +11,8 @@
 #include <dart/dynamics/SphereShape.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
-#include <mutex>
 
+#include "physical/dart_lock.h"
 #include "physical/world_state.h"
 
 namespace stig {
@@ -22,11 +22,6 @@ namespace {
 using namespace dart::dynamics;
 
 constexpr double kFloorHalf = 50;  ///< m: the floor is a box, its upper face at z = 0
-
-std::mutex& dart_lock() {
-  static std::mutex mutex;
-  return mutex;
-}
 
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec3 vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }

@@ -46,6 +46,16 @@ void add_magnets(WorldState& world, const BodyDef& def, std::uint32_t number) {
   world.owners.push_back(owner);
 }
 
+/// Tells the bodies of an articulation that they are its links, and where they stand.
+void number_links(WorldState& world, std::size_t number) {
+  const Articulation& articulation = world.articulations.all[number];
+  for (const LinkBody& link : articulation.links) {
+    world.bodies[link.body].articulation = static_cast<std::int32_t>(number);
+    world.bodies[link.body].part = static_cast<std::uint32_t>(link.part);
+  }
+  place_bodies(articulation, world.bodies);
+}
+
 /// Cells a little larger than the median body.
 double cell_size(const std::vector<BodyDef>& bodies) {
   if (bodies.empty()) return 1;
@@ -58,7 +68,7 @@ double cell_size(const std::vector<BodyDef>& bodies) {
 
 /// Free flight: the angular momentum stays as it is, to the last bit of rounding; the spin
 /// at the middle of the step turns the body (second order).
-void turn(Body& body, double dt) {
+void turn_freely(Body& body, double dt) {
   Vec3 spin = body.w;
   if (!body.round) {
     const Vec3 momentum = body.r * scaled(body.inertia, body.r.transposed(body.w));
@@ -78,13 +88,17 @@ void turn(Body& body, double dt) {
 
 void move(const WorldState& world, Body& body) {
   const double dt = world.config.step;
-  body.p += (body.v + body.shift_v) * dt;
-  // Between contacts force is constant over the step, and its parabola known.
-  if (body.free && !body.fixed) body.p -= body.force * (dt * dt / (2 * body.mass));
-  turn(body, dt);
-  if (body.shift_w == Vec3{}) return;
-  body.q = normalised(rotation(body.shift_w * dt) * body.q);
+  if (body.free || body.fixed) {
+    // Between contacts force is constant over the step, and its parabola known.
+    body.p += (body.v - (body.fixed ? Vec3{} : body.kick_v * 0.5)) * dt;
+    turn_freely(body, dt);
+    return;
+  }
+  const Vec3 momentum = body.r * scaled(body.inertia, body.r.transposed(body.w));
+  body.p += body.way_v * dt;
+  body.q = normalised(rotation(body.way_w * dt) * body.q);
   body.r = matrix(body.q);
+  if (!body.round) body.w = body.inverse_inertia() * momentum;
 }
 
 /// The first body awake whose force or velocity is beyond measure; its number, or the size.
@@ -100,18 +114,29 @@ std::uint32_t diverged(const WorldState& world) {
   return static_cast<std::uint32_t>(world.bodies.size());
 }
 
+void leave(WorldState& world, std::uint32_t i) {
+  Body& body = world.bodies[i];
+  body.left = true;
+  body.awake = false;
+  body.v = body.w = {};
+  world.owners[i].end = world.owners[i].begin;
+  world.changed = true;
+  world.events.push_back({EventKind::left_arena, BodyId{i}, kFloorId});
+}
+
+/// Of a mechanism all bodies leave when one does.
 void note_leavers(WorldState& world) {
   const double most = world.config.arena;
   for (const std::uint32_t i : world.awake) {
-    Body& body = world.bodies[i];
+    const Body& body = world.bodies[i];
     const double far = std::max({std::abs(body.p.x), std::abs(body.p.y), std::abs(body.p.z)});
-    if (far <= most) continue;
-    body.left = true;
-    body.awake = false;
-    body.v = body.w = {};
-    world.owners[i].end = world.owners[i].begin;
-    world.changed = true;
-    world.events.push_back({EventKind::left_arena, BodyId{i}, kFloorId});
+    if (far <= most || body.left) continue;
+    const Articulation* articulation = articulation_of(world, i);
+    if (articulation == nullptr) {
+      leave(world, i);
+    } else {
+      for (const LinkBody& link : articulation->links) leave(world, link.body);
+    }
   }
 }
 
@@ -119,14 +144,21 @@ void note_leavers(WorldState& world) {
 void update_velocities(WorldState& world) {
   gather_forces(world);
   refresh_lists(world);
-  for (const std::uint32_t i : world.awake) integrate_velocity(world, world.bodies[i]);
+  for (const std::uint32_t i : world.awake) integrate_velocity(world, i);
   if (diverged(world) < world.bodies.size()) return;
   update_contacts(world);
   solve_world(world);
 }
 
 void finish_step(WorldState& world) {
-  for (const std::uint32_t i : world.awake) move(world, world.bodies[i]);
+  for (const std::uint32_t i : world.awake) {
+    if (world.bodies[i].articulation < 0) move(world, world.bodies[i]);
+  }
+  for (Articulation& articulation : world.articulations.all) {
+    if (!awake(world, articulation)) continue;
+    move(articulation, world.config.step);
+    place_bodies(articulation, world.bodies);
+  }
   report_contacts(world);
   report_snaps(world);
   put_to_sleep(world);
@@ -154,7 +186,19 @@ WorldState make_world_state(const WorldConfig& config) {
     world.bodies.push_back(make_body(def));
     add_magnets(world, def, static_cast<std::uint32_t>(world.bodies.size() - 1));
   }
+  add_articulations(config, 0, world.articulations);
+  for (std::size_t i = 0; i < world.articulations.all.size(); ++i) number_links(world, i);
   return world;
+}
+
+Articulation* articulation_of(WorldState& world, std::uint32_t body) {
+  const std::int32_t number = world.bodies[body].articulation;
+  return number < 0 ? nullptr : &world.articulations.all[static_cast<std::size_t>(number)];
+}
+
+bool awake(const WorldState& world, const Articulation& articulation) {
+  const Body& first = world.bodies[articulation.links[0].body];
+  return first.awake && !first.left;
 }
 
 BodyState state_of(const WorldState& world, std::uint32_t number) {
@@ -225,6 +269,7 @@ void World::push(BodyId id, const Vec3& force, const Vec3& torque) {
 
 void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
   Body& body = state_->bodies.at(static_cast<std::size_t>(id));
+  assert(body.articulation < 0);
   if (body.left) return;
   body.v = velocity;
   body.w = spin;
@@ -234,6 +279,30 @@ void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
   } else {
     wake_early(*state_, id);
   }
+}
+
+std::vector<DofState> World::joint(JointId id) const {
+  const auto number = static_cast<std::size_t>(id);
+  const JointPlace& place = state_->articulations.joints.at(number);
+  const Articulation& it = state_->articulations.all[place.articulation];
+  std::vector<DofState> out;
+  for (std::size_t i = 0; i < state_->config.joints[number].dofs.size(); ++i) {
+    const std::size_t at = place.first + i;
+    out.push_back({it.q[at], it.v[at], motor_force(it, at, state_->config.step)});
+  }
+  return out;
+}
+
+void World::drive(JointId id, std::size_t dof, double target) {
+  const auto number = static_cast<std::size_t>(id);
+  assert(std::isfinite(target));
+  assert(dof < state_->config.joints.at(number).dofs.size());
+  const JointPlace& place = state_->articulations.joints[number];
+  Articulation& it = state_->articulations.all[place.articulation];
+  double& now = it.axes[place.first + dof].target;
+  if (now == target) return;
+  now = target;
+  wake_early(*state_, BodyId{it.links[0].body});
 }
 
 void World::set_current(BodyId id, std::size_t magnet, double current) {

@@ -11,7 +11,8 @@
 // solver → positions → who sleeps. Same configuration and calls, same bytes: nothing
 // depends on threads, addresses or time. Different worlds may step in different threads.
 //
-// Not here: joints, cylinders and meshes, bodies added while it runs.
+// Mechanisms (physical/joint.h) need DART: problems_of says so where it is missing.
+// Not here: cylinders and meshes, bodies added while it runs.
 #pragma once
 
 #include <cstdint>
@@ -34,6 +35,15 @@ struct BodyState {
   Vec3 velocity, spin;
   bool awake = true;
   bool left = false;  ///< the arena; no longer simulated
+};
+
+/// The joint's place in WorldConfig::joints.
+enum class JointId : std::uint32_t {};
+
+struct DofState {
+  double position = 0;  ///< m or rad; turns are not wrapped
+  double velocity = 0;
+  double force = 0;  ///< that the actuator applied in the last step, N or N·m
 };
 
 /// Snaps and their ends: see SnapRule.
@@ -82,9 +92,15 @@ class World {
 
   /// Acts during the next step alone, at the centre of mass; wakes the body.
   void push(BodyId id, const Vec3& force, const Vec3& torque);
-  /// Of a fixed body: it moves so from now on, whatever is in its way. Wakes the body.
+  /// Not of a link. Of a fixed body: it moves so from now on, whatever is in its way. Wakes the
+  /// body.
   void set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin);
 
+  /// Positions, velocities and motors of a joint's degrees of freedom.
+  std::vector<DofState> joint(JointId id) const;
+  /// What the actuator shall do from now on: m/s or rad/s, m or rad, N or N·m, as its kind
+  /// says; finite. A change wakes the mechanism.
+  void drive(JointId id, std::size_t dof, double target);
   /// Of a magnet with an active part, from now on; finite, 0 at the start. Wakes the body and those
   /// with magnets within the cut-off.
   void set_current(BodyId id, std::size_t magnet, double current);

@@ -45,6 +45,10 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
   if (!inside(def.X_WB.p, config.arena)) return "is outside of the arena";
   if (!(squared(def.velocity) <= kMostSpeed * kMostSpeed)) return "is too fast";
   if (!(squared(def.spin) <= 1e6)) return "spins too fast";
+  if (!(def.axle == Vec3{}) && !is_unit(def.axle)) return "has an axle that is no unit vector";
+  if (!(def.axle_friction >= 0 && def.axle_friction <= 1)) {
+    return "has a friction along the axle that is not from 0 to 1";
+  }
   for (const MagnetDef& magnet : def.magnets) {
     if (!is_finite(magnet.p_B) || !std::isfinite(magnet.moment) || !is_unit(magnet.direction) ||
         !std::isfinite(magnet.active) || !positive(magnet.inertia)) {
@@ -74,6 +78,7 @@ void check_settings(const WorldConfig& config, std::vector<ConfigProblem>& out) 
   need(positive(config.relaxation.time) && config.relaxation.sweeps >= 1 &&
            config.relaxation.sweeps <= 1000,
        "the magnets' relaxation needs a time above 0 and 1 to 1000 sweeps");
+  need(config.small_steps >= 1 && config.small_steps <= 1000, "small steps must be from 1 to 1000");
   need(config.magnets == MagnetModel::quasi_static || config.step <= kMostSpinStep,
        "integrated magnets need a step of at most 1 ms");
   need(not_negative(config.bearing_damping), "bearing damping must not be negative");
@@ -116,8 +121,10 @@ void check_overlaps(const WorldConfig& config, std::vector<ConfigProblem>& out) 
     const BodyDef& def = config.bodies[i];
     return Placed{def.shape, def.X_WB.p, matrix(def.X_WB.q)};
   };
+  const std::vector<std::uint32_t> mechanism = mechanisms_of(config);
   for (const auto& [a, b] : candidate_pairs(cells_of(numbers, bounds, 2 * largest), {}, bounds)) {
     if (config.bodies[a].fixed && config.bodies[b].fixed) continue;
+    if (mechanism[a] == mechanism[b]) continue;
     if (deepest(touch(placed(a), placed(b), 0)) > kMostOverlap) {
       out.push_back({{a, b}, "overlap"});
     }
@@ -170,6 +177,10 @@ std::vector<ConfigProblem> find_problems(const WorldConfig& config) {
     if (!problem.empty()) out.push_back({{static_cast<std::uint32_t>(i)}, std::move(problem)});
   }
   check_sizes(config, out);
+  if (!out.empty()) return out;
+  for (std::string& problem : problems_of_joints(config)) {
+    out.push_back({{}, std::move(problem)});
+  }
   if (out.empty()) check_overlaps(config, out);
   return out;
 }

@@ -9,6 +9,7 @@
 #include "base/vec.h"
 #include "physical/block.h"
 #include "physical/contact.h"
+#include "physical/joint.h"
 #include "physical/magnetism.h"
 
 namespace stig {
@@ -42,6 +43,9 @@ struct BodyDef {
   Vec3 velocity, spin;  ///< m/s and rad/s, world frame
   Material material = kBlockMaterial;
   bool fixed = false;  ///< moved by nothing but its own velocity
+  /// Of a wheel: unit, body frame, the direction in which it grips less. Zero: none.
+  Vec3 axle;
+  double axle_friction = 0.3;  ///< times the friction elsewhere, along the axle
   std::vector<MagnetDef> magnets;
 };
 
@@ -87,9 +91,11 @@ struct WorldConfig {
   Relaxation relaxation;       ///< of the quasi-static ones
   double bearing_damping = 0;  ///< N·m·s, of the integrated ones, see Bearing
   SnapRule snap;
-  int sweeps = 20;  ///< of the contact solver; structures above five blocks need 60
+  int small_steps = 16;  ///< of the contact solver, in each step
+  int sweeps = 1;        ///< in each of those
   SleepRules sleep;
   std::vector<BodyDef> bodies;
+  std::vector<JointDef> joints;
 };
 
 /// What makes a configuration unusable: `what` is said of the bodies, "overlap" or "has no

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kMargin = 0.2e-3;     ///< m: contacts are seen from here on
 constexpr double kMostMargin = 50e-3;  ///< m: for fast bodies
-constexpr int kFirstSweeps = 50;       ///< times as many sweeps in the first step
 constexpr double kTouching = 50e-6;    ///< m: below, a contact has begun
 
 /// How far turning may bring the surface in a step.
@@ -49,8 +48,8 @@ Bounds bounds_of(const WorldState& world, const Body& body) {
 /// Stands for the floor, as far as motion goes.
 const Body kAtRest{};
 
-bool takes_part(const WorldState& world, std::uint32_t i) {
-  return i != kFloorBody && world.bodies[i].awake && !world.bodies[i].left;
+const Vec3& axle_of(const WorldState& world, std::uint32_t body) {
+  return world.config.bodies[body].axle;
 }
 
 void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, const Touch& touch,
@@ -64,6 +63,9 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
   contact.count = touch.count;
   const Material other = b == kFloorBody ? kFloorMaterial : world.bodies[b].material;
   contact.friction = friction_of(world.config, body.material, other);
+  const std::uint32_t wheel = b == kFloorBody || !(axle_of(world, a) == Vec3{}) ? a : b;
+  contact.axle = world.bodies[wheel].r * axle_of(world, wheel);
+  contact.axle_friction = world.config.bodies[wheel].axle_friction;
   for (std::size_t i = 0; i < static_cast<std::size_t>(touch.count); ++i) {
     const TouchPoint& from = touch.points[i];
     contact.points[i].p_W = from.p;
@@ -71,6 +73,10 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
     contact.points[i].gap = from.gap;
   }
   out.push_back(contact);
+}
+
+bool may_touch(const Body& a, const Body& b) {
+  return !(a.fixed && b.fixed) && (a.articulation < 0 || a.articulation != b.articulation);
 }
 
 /// Contacts in which somebody takes part, in the order of (a, b).
@@ -83,7 +89,7 @@ std::vector<Contact> find_contacts(WorldState& world) {
   std::vector<Contact> out;
   out.reserve(pairs.size() + world.awake.size());
   for (const auto& [a, b] : pairs) {
-    if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
+    if (!may_touch(world.bodies[a], world.bodies[b])) continue;
     const double margin = margin_of(world, world.bodies[a], world.bodies[b]);
     add_contact(world, a, b, touch(placed(world.bodies[a]), placed(world.bodies[b]), margin), out);
   }
@@ -96,8 +102,6 @@ std::vector<Contact> find_contacts(WorldState& world) {
   }
   return out;
 }
-
-auto key(const Contact& contact) { return std::pair(contact.a, contact.b); }
 
 /// Takes over impulses of the last contacts; those among sleepers stay as they were.
 std::vector<Contact> merged(const WorldState& world, std::vector<Contact> found) {
@@ -150,6 +154,10 @@ std::vector<std::uint32_t> disturbed(const WorldState& world, const std::vector<
 
 }  // namespace
 
+bool takes_part(const WorldState& world, std::uint32_t i) {
+  return i != kFloorBody && world.bodies[i].awake && !world.bodies[i].left;
+}
+
 double friction_of(const WorldConfig& config, Material a, Material b) {
   for (const FrictionPair& pair : config.frictions) {
     if ((pair.a == a && pair.b == b) || (pair.a == b && pair.b == a)) return pair.coefficient;
@@ -180,50 +188,12 @@ void update_contacts(WorldState& world) {
     refresh_lists(world);
     for (const std::uint32_t i : world.awake) {
       if (!std::binary_search(before.begin(), before.end(), i)) {
-        integrate_velocity(world, world.bodies[i]);
+        integrate_velocity(world, i);
       }
     }
     found = find_contacts(world);
   }
   world.contacts = merged(world, std::move(found));
-}
-
-void solve_world(WorldState& world) {
-  std::vector<SolverBody> bodies(1);  // the first: all that does not move
-  std::vector<std::uint32_t> slot(world.bodies.size(), 0);
-  for (const std::uint32_t i : world.awake) {
-    Body& body = world.bodies[i];
-    body.free = true;
-    slot[i] = static_cast<std::uint32_t>(bodies.size());
-    SolverBody in{body.p, body.v, body.w, {}, {}, 0, {{}, {}, {}}};
-    if (!body.fixed) {
-      in.inverse_mass = 1 / body.mass;
-      in.inverse_inertia = body.inverse_inertia();
-    }
-    bodies.push_back(in);
-  }
-  std::vector<Contact> active;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> slots;
-  for (const Contact& contact : world.contacts) {
-    if (!takes_part(world, contact.a) && !takes_part(world, contact.b)) continue;
-    active.push_back(contact);
-    slots.emplace_back(slot[contact.a], contact.b == kFloorBody ? 0 : slot[contact.b]);
-    world.bodies[contact.a].free = false;
-    if (contact.b != kFloorBody) world.bodies[contact.b].free = false;
-  }
-  // What is spawned at rest finds its forces at once, instead of sinking while they grow.
-  const int sweeps = world.config.sweeps * (world.tick == 0 ? kFirstSweeps : 1);
-  solve_contacts(bodies, active, slots, world.config.step, sweeps);
-  auto solved = active.begin();
-  for (Contact& contact : world.contacts) {
-    if (solved != active.end() && key(*solved) == key(contact)) contact = *solved++;
-  }
-  for (const std::uint32_t i : world.awake) {
-    world.bodies[i].v = bodies[slot[i]].v;
-    world.bodies[i].w = bodies[slot[i]].w;
-    world.bodies[i].shift_v = bodies[slot[i]].shift_v;
-    world.bodies[i].shift_w = bodies[slot[i]].shift_w;
-  }
 }
 
 void report_contacts(WorldState& world) {

@@ -12,10 +12,19 @@ void gather_forces(WorldState& world) {
   if (!world.magnets.empty()) add_magnet_forces(world);
 }
 
-void integrate_velocity(const WorldState& world, Body& body) {
+void integrate_velocity(WorldState& world, std::uint32_t number) {
+  Body& body = world.bodies[number];
   if (body.fixed) return;
-  body.v += body.force * (world.config.step / body.mass);
-  body.w += body.inverse_inertia() * body.torque * world.config.step;
+  if (Articulation* articulation = articulation_of(world, number)) {
+    if (articulation->links[0].body != number) return;
+    kick(*articulation, world.bodies, world.config.step);
+    set_body_velocities(*articulation, world.bodies);
+    return;
+  }
+  body.kick_v = body.force * (world.config.step / body.mass);
+  body.kick_w = body.inverse_inertia() * body.torque * world.config.step;
+  body.v += body.kick_v;
+  body.w += body.kick_w;
 }
 
 }  // namespace stig

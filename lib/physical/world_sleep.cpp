@@ -36,6 +36,7 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   Body& body = world.bodies[i];
   body.awake = false;
   body.v = body.w = {};
+  if (Articulation* it = articulation_of(world, i)) std::fill(it->v.begin(), it->v.end(), 0.0);
   world.changed = true;
   world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
 }
@@ -57,6 +58,11 @@ void wake(WorldState& world, std::uint32_t body) {
   while (!todo.empty()) {
     const std::uint32_t i = todo.back();
     todo.pop_back();
+    if (const Articulation* it = articulation_of(world, i)) {
+      for (const LinkBody& link : it->links) {
+        if (rouse(link.body)) todo.push_back(link.body);
+      }
+    }
     for (const Contact& contact : world.contacts) {
       if (contact.a != i && contact.b != i) continue;
       const std::uint32_t other = contact.a == i ? contact.b : contact.a;
@@ -72,6 +78,11 @@ void put_to_sleep(WorldState& world) {
   for (const Contact& contact : world.contacts) {
     if (mobile(world, contact.a) && mobile(world, contact.b)) islands.join(contact.a, contact.b);
   }
+  for (const Articulation& articulation : world.articulations.all) {
+    for (const LinkBody& link : articulation.links) {
+      islands.join(articulation.links[0].body, link.body);
+    }
+  }
   std::vector<bool> restless(world.bodies.size(), false);
   for (const std::uint32_t i : world.awake) {
     Body& body = world.bodies[i];
@@ -80,6 +91,10 @@ void put_to_sleep(WorldState& world) {
     const bool pushed = !(body.user_force == Vec3{}) || !(body.user_torque == Vec3{});
     body.rest = slow && !body.free && !pushed ? body.rest + world.config.step : 0;
     if (mobile(world, i) && body.rest < rules.time) restless[islands.root(i)] = true;
+  }
+  for (Articulation& articulation : world.articulations.all) {
+    const std::uint32_t root = islands.root(articulation.links[0].body);
+    restless[root] = restless[root] || driven(articulation);
   }
   for (const std::uint32_t i : world.awake) {
     if (mobile(world, i) && !restless[islands.root(i)]) fall_asleep(world, i);

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physical/articulation.h"
 #include "physical/broad_phase.h"
 #include "physical/solver.h"
 #include "physical/world.h"
@@ -27,13 +28,16 @@ struct Body {
   Quat q;
   Mat3 r;  ///< of q
   Vec3 v, w;
-  Vec3 shift_v, shift_w;         ///< of this step, out of overlaps
+  Vec3 kick_v, kick_w;           ///< what the forces of this step add
+  Vec3 way_v, way_w;             ///< of a body in contact: the step's way by its length
   Vec3 force, torque;            ///< of this step
   Vec3 user_force, user_torque;  ///< for the next
   bool awake = true;             ///< of fixed ones: whether they move
   bool left = false;
-  bool free = false;  ///< without contact in this step
-  double rest = 0;    ///< s, for which it has been slow
+  bool free = false;               ///< without contact in this step
+  double rest = 0;                 ///< s, for which it has been slow
+  std::int32_t articulation = -1;  ///< that it is a link of
+  std::uint32_t part = 0;          ///< of that
 
   Mat3 inverse_inertia() const {
     return rotated_diagonal(r, {1 / inertia.x, 1 / inertia.y, 1 / inertia.z});
@@ -58,9 +62,10 @@ struct WorldState {
   std::vector<double> currents;     ///< one a magnet
   std::vector<MagnetOwner> owners;  ///< one a body
   double magnet_radius = 0;         ///< largest distance of a magnet from its body's centre
-  std::vector<Contact> contacts;    ///< sorted by (a, b), the floor last
-  std::vector<Pull> pulls;          ///< of this step, sorted by (a, b)
-  std::vector<BodyPair> snaps;      ///< bodies snapped together, sorted
+  Articulations articulations;
+  std::vector<Contact> contacts;  ///< sorted by (a, b), the floor last
+  std::vector<Pull> pulls;        ///< of this step, sorted by (a, b)
+  std::vector<BodyPair> snaps;    ///< bodies snapped together, sorted
   std::vector<WorldEvent> events;
   std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
   double cell = 0.1;
@@ -75,6 +80,10 @@ struct WorldState {
 WorldState make_world_state(const WorldConfig& config);
 BodyState state_of(const WorldState& world, std::uint32_t body);
 
+/// Its articulation, or null.
+Articulation* articulation_of(WorldState& world, std::uint32_t body);
+bool awake(const WorldState& world, const Articulation& articulation);
+
 /// Lists of who is awake, when that changed.
 void refresh_lists(WorldState& world);
 /// The body and all sleepers joined to it by contacts; writes events.
@@ -88,9 +97,15 @@ void gather_forces(WorldState& world);
 void add_magnet_forces(WorldState& world);
 /// Those with magnets within the cut-off of the body's.
 void wake_magnet_partners(WorldState& world, std::uint32_t body);
-void integrate_velocity(const WorldState& world, Body& body);
+/// Of a link: its whole mechanism, when its first link is named.
+void integrate_velocity(WorldState& world, std::uint32_t body);
 /// Finds the contacts, keeps those among sleepers; wakes those that something fast touches.
 void update_contacts(WorldState& world);
+/// Whether the body is one, and awake.
+bool takes_part(const WorldState& world, std::uint32_t body);
+inline std::pair<std::uint32_t, std::uint32_t> key(const Contact& contact) {
+  return {contact.a, contact.b};
+}
 void solve_world(WorldState& world);
 void report_contacts(WorldState& world);
 void report_snaps(WorldState& world);

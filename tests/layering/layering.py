@@ -48,7 +48,7 @@ VENDORS = [
     Vendor("boost/", "Boost::headers"),
     Vendor("Random123/", "Random123::Random123"),
     Vendor("CLI/", "CLI11::CLI11", one_file=True),
-    Vendor("dart/", "dart", one_file=True),
+    Vendor("dart/", "dart"),
     Vendor("cadical", "Cadical::Cadical", one_file=True),
     Vendor("lua", "PkgConfig::LUA"),
 ]

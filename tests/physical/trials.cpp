@@ -38,7 +38,6 @@ double grow_load(const WorldConfig& config, std::uint32_t body, double most) {
 WorldConfig in_the_air() {
   WorldConfig config = scene_settings({kPaperFriction, kPaperFriction});
   config.floor = false;
-  config.sweeps = 60;
   return config;
 }
 

@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+#include "physical/articulation.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "physical/small_matrix.h"
+#include "physical/world_state.h"
+
+namespace stig {
+
+namespace {
+
+/// Of the part in the world's axes, about its centre of mass.
+Mat3 turned(const Mat3& r, const Mat3& inertia) {
+  const auto column = [&](const Vec3& e) { return r * (inertia * r.transposed(e)); };
+  return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};
+}
+
+/// A part where it is now.
+struct Weight {
+  double mass;
+  Vec3 centre;  ///< of mass, from the part's origin, world axes
+  Mat3 inertia;
+};
+
+Weight weight_of(const Articulation& it, std::size_t part) {
+  const Mat3 r = matrix(it.poses[part].q);
+  return {it.parts[part].mass, r * it.parts[part].centre, turned(r, it.parts[part].inertia)};
+}
+
+/// Adds a part's share of the mass matrix: m v·v + w·I w over its columns.
+void add_mass(const Articulation& it, std::size_t part, std::vector<double>& out) {
+  const Weight weight = weight_of(it, part);
+  const Twist* columns = it.columns_of(part);
+  const std::size_t n = it.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    if (columns[i].v == Vec3{} && columns[i].w == Vec3{}) continue;
+    const Vec3 p = (columns[i].v + cross(columns[i].w, weight.centre)) * weight.mass;
+    // Momentum and angular momentum about the part's origin.
+    const Vec3 l = weight.inertia * columns[i].w + cross(weight.centre, p);
+    for (std::size_t k = 0; k <= i; ++k) {
+      out[i * n + k] += dot(p, columns[k].v) + dot(l, columns[k].w);
+    }
+  }
+}
+
+std::vector<double> mass_matrix(const Articulation& it) {
+  std::vector<double> out(it.size() * it.size());
+  for (std::size_t part = 0; part < it.parts.size(); ++part) add_mass(it, part, out);
+  return out;
+}
+
+Twist motion_of(const Articulation& it, std::size_t part) {
+  Twist sum;
+  const Twist* columns = it.columns_of(part);
+  for (std::size_t i = 0; i < it.size(); ++i) {
+    sum.v += columns[i].v * it.v[i];
+    sum.w += columns[i].w * it.v[i];
+  }
+  return sum;
+}
+
+Momentum momentum_of(const Articulation& it) {
+  Momentum sum;
+  for (std::size_t part = 0; part < it.parts.size(); ++part) {
+    const Weight weight = weight_of(it, part);
+    const Twist motion = motion_of(it, part);
+    const Vec3 p = (motion.v + cross(motion.w, weight.centre)) * weight.mass;
+    sum.linear += p;
+    sum.angular += weight.inertia * motion.w + cross(it.poses[part].p + weight.centre, p);
+  }
+  return sum;
+}
+
+/// The outer forces of the bodies as generalised ones, and their sum.
+Momentum gather(const Articulation& it, const std::vector<Body>& bodies, std::vector<double>& out) {
+  Momentum sum;
+  for (const LinkBody& link : it.links) {
+    const Body& body = bodies[link.body];
+    const Vec3 torque = body.torque + cross(body.p - it.poses[link.part].p, body.force);
+    const Twist* columns = it.columns_of(link.part);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i] += dot(body.force, columns[i].v) + dot(torque, columns[i].w);
+    }
+    sum.linear += body.force;
+    sum.angular += body.torque + cross(body.p, body.force);
+  }
+  return sum;
+}
+
+/// dt M⁻¹ (force - c(v)).
+std::vector<double> response(const Articulation& it, const std::vector<double>& force,
+                             const std::vector<double>& v, double dt) {
+  const std::size_t n = it.size();
+  std::vector<double> left(n), out(n);
+  it.mechanism->coriolis(v.data(), left.data());
+  for (std::size_t i = 0; i < n; ++i) left[i] = (force[i] - left[i]) * dt;
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k) out[i] += it.inverse[i * n + k] * left[k];
+  }
+  return out;
+}
+
+/// Changes the velocity of the floating first part so that the momentum is as given.
+void put_right(Articulation& it, const Momentum& wanted) {
+  const Momentum now = momentum_of(it);
+  const Vec3 linear = wanted.linear - now.linear, angular = wanted.angular - now.angular;
+  std::vector<double> matrix(36),
+      change{linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
+  for (std::size_t part = 0; part < it.parts.size(); ++part) {
+    const Weight weight = weight_of(it, part);
+    const Twist* columns = it.columns_of(part);
+    for (std::size_t k = 0; k < 6; ++k) {
+      const Vec3 p = (columns[k].v + cross(columns[k].w, weight.centre)) * weight.mass;
+      const Vec3 l = weight.inertia * columns[k].w + cross(it.poses[part].p + weight.centre, p);
+      const double rows[6] = {p.x, p.y, p.z, l.x, l.y, l.z};
+      for (std::size_t i = 0; i < 6; ++i) matrix[i * 6 + k] += rows[i];
+    }
+  }
+  solve_linear(matrix, change);
+  for (std::size_t i = 0; i < 6; ++i) it.v[i] += change[i];
+}
+
+double motor_target(const Articulation& it, std::size_t i, double dt) {
+  constexpr double kPart = 0.2;  ///< of a position's error, gone in a step
+  const DofDef& dof = it.dofs[i];
+  if (dof.actuator == Actuator::velocity) return it.axes[i].target;
+  const double goal = std::clamp(it.axes[i].target, dof.lower, dof.upper);
+  return std::clamp((goal - it.q[i]) * kPart / dt, -dof.speed, dof.speed);
+}
+
+bool has_motor(const DofDef& dof) {
+  return dof.actuator == Actuator::velocity || dof.actuator == Actuator::position;
+}
+
+}  // namespace
+
+void place_bodies(const Articulation& it, std::vector<Body>& bodies) {
+  for (const LinkBody& link : it.links) {
+    Body& body = bodies[link.body];
+    const Pose X_WB = it.poses[link.part] * link.X_PB;
+    body.p = X_WB.p;
+    body.q = normalised(X_WB.q);
+    body.r = matrix(body.q);
+  }
+  set_body_velocities(it, bodies);
+}
+
+void set_body_velocities(const Articulation& it, std::vector<Body>& bodies) {
+  std::vector<Twist> motions;
+  for (std::size_t part = 0; part < it.parts.size(); ++part) motions.push_back(motion_of(it, part));
+  for (const LinkBody& link : it.links) {
+    Body& body = bodies[link.body];
+    const Twist& motion = motions[link.part];
+    body.w = motion.w;
+    body.v = motion.v + cross(motion.w, body.p - it.poses[link.part].p);
+  }
+}
+
+void refresh(Articulation& it) {
+  it.mechanism->set(it.q.data(), it.v.data());
+  it.columns.resize(it.parts.size() * it.size());
+  it.poses.resize(it.parts.size());
+  for (std::size_t part = 0; part < it.parts.size(); ++part) {
+    it.poses[part] = it.mechanism->pose(part);
+    it.mechanism->columns(part, &it.columns[part * it.size()]);
+  }
+}
+
+void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
+  const std::size_t n = it.size();
+  refresh(it);
+  it.inverse = mass_matrix(it);
+  std::vector<double> force(n);
+  const Momentum outer = gather(it, bodies, force);
+  for (std::size_t i = 0; i < n; ++i) {
+    const DofDef& dof = it.dofs[i];
+    it.inverse[i * n + i] += dof.damping * dt;
+    force[i] -= dof.damping * it.v[i];
+    if (dof.actuator == Actuator::force) {
+      force[i] += std::clamp(it.axes[i].target, -dof.effort, dof.effort);
+    }
+  }
+  invert_positive(it.inverse, n);
+  it.momentum = momentum_of(it);
+  it.momentum.linear += outer.linear * dt;
+  it.momentum.angular += outer.angular * dt;
+  it.kick = response(it, force, it.v, dt);
+  std::vector<double> middle = it.v;
+  for (std::size_t i = 0; i < n; ++i) middle[i] += it.kick[i] / 2;
+  it.kick = response(it, force, middle, dt);
+  for (std::size_t i = 0; i < n; ++i) it.v[i] += it.kick[i];
+  it.held = false;
+  if (it.floating) it.kicked = momentum_of(it);
+}
+
+void move(Articulation& it, double dt) {
+  if (it.floating && it.held) {
+    const Momentum now = momentum_of(it);
+    it.momentum.linear += now.linear - it.kicked.linear;
+    it.momentum.angular += now.angular - it.kicked.angular;
+  }
+  if (!it.held) it.way = it.v;
+  if (!it.held && it.floating) {
+    for (std::size_t i = 0; i < it.size(); ++i) it.way[i] -= it.kick[i] / 2;
+  }
+  it.mechanism->integrate(it.q.data(), it.way.data(), dt);
+  refresh(it);
+  if (it.floating) put_right(it, it.momentum);
+}
+
+void add_axes(const Articulation& it, std::uint32_t number, double dt,
+              std::vector<SolverAxis>& out) {
+  for (std::size_t i = 0; i < it.size(); ++i) {
+    const DofDef& dof = it.dofs[i];
+    SolverAxis axis;
+    axis.mechanism = number;
+    axis.dof = static_cast<std::uint32_t>(i);
+    if (has_motor(dof)) {
+      axis.target = motor_target(it, i, dt);
+      axis.most = dof.effort * dt;
+      axis.impulse = std::clamp(it.axes[i].motor, -axis.most, axis.most);
+      out.push_back(axis);
+    }
+    for (const int side : {1, -1}) {
+      const double gap = side > 0 ? it.q[i] - dof.lower : dof.upper - it.q[i];
+      if (!std::isfinite(gap)) continue;
+      axis.side = side;
+      axis.gap = gap;
+      axis.impulse = side > 0 ? std::max(0.0, it.axes[i].stop) : std::min(0.0, it.axes[i].stop);
+      out.push_back(axis);
+    }
+  }
+}
+
+std::size_t keep_axes(Articulation& it, const std::vector<SolverAxis>& axes, std::size_t at) {
+  for (std::size_t i = 0; i < it.size(); ++i) {
+    AxisState& state = it.axes[i];
+    state.stop = 0;
+    if (has_motor(it.dofs[i])) state.motor = axes[at++].impulse;
+    if (std::isfinite(it.dofs[i].lower)) state.stop += axes[at++].impulse;
+    if (std::isfinite(it.dofs[i].upper)) state.stop += axes[at++].impulse;
+  }
+  return at;
+}
+
+double motor_force(const Articulation& it, std::size_t i, double dt) {
+  const DofDef& dof = it.dofs[i];
+  if (has_motor(dof)) return it.axes[i].motor / dt;
+  return dof.actuator == Actuator::force ? std::clamp(it.axes[i].target, -dof.effort, dof.effort)
+                                         : 0;
+}
+
+bool driven(const Articulation& it) {
+  constexpr double kThere = 1e-4;  ///< m or rad: a position reached
+  for (std::size_t i = 0; i < it.size(); ++i) {
+    const DofDef& dof = it.dofs[i];
+    const double target = it.axes[i].target;
+    if (dof.actuator == Actuator::none) continue;
+    if (dof.actuator != Actuator::position && target != 0) return true;
+    if (dof.actuator == Actuator::position &&
+        std::abs(std::clamp(target, dof.lower, dof.upper) - it.q[i]) > kThere) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace stig

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// The kinematics and Coriolis forces of a tree of rigid parts, by DART; what is made of
+// them (mass matrix, contacts, motors, time) is plain code in articulation.cpp.
+//
+// An interface, so that one file alone knows DART and the library builds without it.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "base/vec.h"
+#include "physical/joint.h"
+#include "physical/solver.h"
+
+namespace stig {
+
+/// A rigid part: bodies that are fixed to each other, as one.
+struct Part {
+  int parent = -1;        ///< an earlier part, or the world
+  bool floating = false;  ///< the first part, when no joint holds it: six degrees of freedom
+  Pose X_PJ, X_CJ;        ///< of the joint to the parent
+  std::vector<DofDef> dofs;
+  double mass = 0;
+  Vec3 centre;   ///< of mass, in the part's frame
+  Mat3 inertia;  ///< about that centre, in the part's axes
+};
+
+class Mechanism {
+ public:
+  Mechanism() = default;
+  Mechanism(const Mechanism&) = delete;
+  Mechanism& operator=(const Mechanism&) = delete;
+  virtual ~Mechanism() = default;
+
+  virtual std::size_t dofs() const = 0;
+  /// The first six positions and velocities, those of a floating first part.
+  virtual void place(const Pose& X_WP, const Twist& motion, double* q, double* v) = 0;
+  /// Positions and velocities that the next three answer for.
+  virtual void set(const double* q, const double* v) = 0;
+  virtual Pose pose(std::size_t part) const = 0;
+  /// Motion of the part's origin for unit velocity of each degree of freedom, world axes.
+  virtual void columns(std::size_t part, Twist* out) const = 0;
+  /// Coriolis and centrifugal forces at a velocity, for the positions set.
+  virtual void coriolis(const double* v, double* out) = 0;
+  /// Moves positions with a velocity.
+  virtual void integrate(double* q, const double* v, double dt) = 0;
+};
+
+/// Whether this build can make any.
+bool mechanisms_available();
+/// Null where it cannot. DART is not safe to make and unmake in several threads: both take
+/// a lock that is the process's.
+std::shared_ptr<Mechanism> make_mechanism(const std::vector<Part>& parts);
+/// Only in builds with DART.
+std::shared_ptr<Mechanism> make_dart_mechanism(const std::vector<Part>& parts);
+
+}  // namespace stig

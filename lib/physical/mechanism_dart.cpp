@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: MIT
+#include <dart/dynamics/BodyNode.hpp>
+#include <dart/dynamics/FreeJoint.hpp>
+#include <dart/dynamics/PrismaticJoint.hpp>
+#include <dart/dynamics/RevoluteJoint.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/dynamics/WeldJoint.hpp>
+
+#include "physical/dart_lock.h"
+#include "physical/mechanism.h"
+
+namespace stig {
+
+namespace {
+
+using namespace dart::dynamics;
+
+/// Of the bodies between the degrees of freedom of one joint, which DART wants to weigh
+/// something: kg, and kg·m².
+constexpr double kAlmostNoMass = 1e-12, kAlmostNoInertia = 1e-18;
+
+Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Eigen::Isometry3d eigen(const Pose& pose) {
+  Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
+  out.linear() = Eigen::Quaterniond(pose.q.w, pose.q.x, pose.q.y, pose.q.z).toRotationMatrix();
+  out.translation() = eigen(pose.p);
+  return out;
+}
+Eigen::Matrix3d eigen(const Mat3& m) {
+  Eigen::Matrix3d out;
+  out << eigen(m.x), eigen(m.y), eigen(m.z);
+  return out;
+}
+
+class DartMechanism final : public Mechanism {
+ public:
+  explicit DartMechanism(const std::vector<Part>& parts);
+
+  std::size_t dofs() const override { return skeleton_->getNumDofs(); }
+  void place(const Pose& X_WP, const Twist& motion, double* q, double* v) override;
+  void set(const double* q, const double* v) override;
+  Pose pose(std::size_t part) const override;
+  void columns(std::size_t part, Twist* out) const override;
+  void coriolis(const double* v, double* out) override;
+  void integrate(double* q, const double* v, double dt) override;
+
+ private:
+  using Numbers = Eigen::Map<const Eigen::VectorXd>;
+  Numbers numbers(const double* x) const {
+    return {x, static_cast<Eigen::Index>(skeleton_->getNumDofs())};
+  }
+  BodyNode* add_joint(BodyNode* parent, const Part& part, const std::string& name);
+  BodyNode* add_dof(BodyNode* parent, const DofDef& dof, const std::string& name,
+                    const Eigen::Isometry3d& before, const Eigen::Isometry3d& after);
+
+  SkeletonPtr skeleton_;
+  bool floating_ = false;
+  std::vector<BodyNode*> nodes_;  ///< of the parts
+};
+
+template <class JointType>
+BodyNode* add_node(const SkeletonPtr& skeleton, BodyNode* parent, const std::string& name,
+                   typename JointType::Properties joint, const Eigen::Isometry3d& before,
+                   const Eigen::Isometry3d& after) {
+  joint.mName = name;
+  joint.mT_ParentBodyToJoint = before;
+  joint.mT_ChildBodyToJoint = after;
+  BodyNode::Properties node;
+  node.mName = name;
+  node.mInertia = Inertia(kAlmostNoMass, Eigen::Vector3d::Zero(),
+                          kAlmostNoInertia * Eigen::Matrix3d::Identity());
+  return skeleton->createJointAndBodyNodePair<JointType>(parent, joint, node).second;
+}
+
+BodyNode* DartMechanism::add_dof(BodyNode* parent, const DofDef& dof, const std::string& name,
+                                 const Eigen::Isometry3d& before, const Eigen::Isometry3d& after) {
+  if (dof.linear) {
+    PrismaticJoint::Properties joint;
+    joint.mAxis = eigen(dof.axis);
+    return add_node<PrismaticJoint>(skeleton_, parent, name, joint, before, after);
+  }
+  RevoluteJoint::Properties joint;
+  joint.mAxis = eigen(dof.axis);
+  return add_node<RevoluteJoint>(skeleton_, parent, name, joint, before, after);
+}
+
+BodyNode* DartMechanism::add_joint(BodyNode* parent, const Part& part, const std::string& name) {
+  const Eigen::Isometry3d none = Eigen::Isometry3d::Identity();
+  if (part.floating) return add_node<FreeJoint>(skeleton_, parent, name, {}, none, none);
+  const Eigen::Isometry3d before = eigen(part.X_PJ), after = eigen(part.X_CJ);
+  const std::size_t count = part.dofs.size();
+  if (count == 0) return add_node<WeldJoint>(skeleton_, parent, name, {}, before, after);
+  BodyNode* node = parent;
+  for (std::size_t i = 0; i < count; ++i) {
+    node = add_dof(node, part.dofs[i], name + "." + std::to_string(i), i == 0 ? before : none,
+                   i + 1 == count ? after : none);
+  }
+  return node;
+}
+
+DartMechanism::DartMechanism(const std::vector<Part>& parts)
+    : skeleton_(Skeleton::create()), floating_(parts[0].floating) {
+  skeleton_->setGravity(Eigen::Vector3d::Zero());  // among the forces
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const Part& part = parts[i];
+    BodyNode* parent = part.parent < 0 ? nullptr : nodes_[static_cast<std::size_t>(part.parent)];
+    BodyNode* node = add_joint(parent, part, std::to_string(i));
+    node->setInertia(Inertia(part.mass, eigen(part.centre), eigen(part.inertia)));
+    nodes_.push_back(node);
+  }
+}
+
+void DartMechanism::place(const Pose& X_WP, const Twist& motion, double* q, double* v) {
+  auto* joint = static_cast<FreeJoint*>(nodes_[0]->getParentJoint());
+  joint->setRelativeTransform(eigen(X_WP));
+  joint->setLinearVelocity(eigen(motion.v));
+  joint->setAngularVelocity(eigen(motion.w));
+  for (std::size_t i = 0; i < 6; ++i) {
+    q[i] = joint->getPosition(i);
+    v[i] = joint->getVelocity(i);
+  }
+}
+
+void DartMechanism::set(const double* q, const double* v) {
+  skeleton_->setPositions(numbers(q));
+  skeleton_->setVelocities(numbers(v));
+}
+
+Pose DartMechanism::pose(std::size_t part) const {
+  const Eigen::Isometry3d& pose = nodes_[part]->getWorldTransform();
+  const Eigen::Quaterniond q(pose.linear());
+  return {vec3(pose.translation()), normalised(Quat{q.w(), q.x(), q.y(), q.z()})};
+}
+
+void DartMechanism::columns(std::size_t part, Twist* out) const {
+  std::fill_n(out, dofs(), Twist{});
+  const auto& jacobian = nodes_[part]->getWorldJacobian();  // spin above velocity
+  const auto& depends = nodes_[part]->getDependentGenCoordIndices();
+  for (std::size_t i = 0; i < depends.size(); ++i) {
+    const auto column = jacobian.col(static_cast<Eigen::Index>(i));
+    out[depends[i]] = {vec3(column.tail<3>()), vec3(column.head<3>())};
+  }
+}
+
+void DartMechanism::coriolis(const double* v, double* out) {
+  skeleton_->setVelocities(numbers(v));
+  const Eigen::VectorXd& forces = skeleton_->getCoriolisForces();
+  std::copy_n(forces.data(), dofs(), out);
+}
+
+void DartMechanism::integrate(double* q, const double* v, double dt) {
+  set(q, v);
+  if (floating_) {
+    // DART moves along the body's axes at the step's beginning: take those at its middle.
+    const Vec3 way = matrix(rotation(Vec3{v[0], v[1], v[2]} * (dt / 2))) * Vec3{v[3], v[4], v[5]};
+    Joint* joint = skeleton_->getJoint(0);
+    joint->setVelocity(3, way.x);
+    joint->setVelocity(4, way.y);
+    joint->setVelocity(5, way.z);
+  }
+  skeleton_->integratePositions(dt);
+  const Eigen::VectorXd after = skeleton_->getPositions();
+  std::copy_n(after.data(), dofs(), q);
+}
+
+}  // namespace
+
+std::shared_ptr<Mechanism> make_dart_mechanism(const std::vector<Part>& parts) {
+  const std::lock_guard lock(dart_lock());
+  return {new DartMechanism(parts), [](const DartMechanism* mechanism) {
+            const std::lock_guard unmake(dart_lock());
+            delete mechanism;
+          }};
+}
+
+}  // namespace stig

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: MIT
+#include "physical/solver_rows.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace stig {
+
+namespace {
+
+constexpr double kCorrection = 0.1;     ///< part of an overlap undone in a step
+constexpr double kSlop = 50e-6;         ///< overlap that is left alone, m
+constexpr double kMostRecovery = 0.05;  ///< m/s
+
+const SolverLink* link_of(const SolverTask& task, std::uint32_t body) {
+  const std::int32_t link = task.bodies[body].link;
+  return link < 0 ? nullptr : &task.links[static_cast<std::size_t>(link)];
+}
+
+/// Appends J and W of a unit impulse along `d` at `p` (times `sign`); returns J·W.
+double add_hold(const SolverTask& task, const SolverLink& link, const Vec3& p, const Vec3& d,
+                double sign, Hold& hold, std::vector<double>& numbers) {
+  const SolverMechanism& mechanism = task.mechanisms[link.mechanism];
+  const std::size_t n = mechanism.dofs, at = numbers.size();
+  hold = {static_cast<std::int32_t>(link.mechanism), static_cast<std::uint32_t>(at)};
+  numbers.resize(at + 2 * n);
+  const Vec3 arm = cross(p - link.p, d);
+  for (std::size_t i = 0; i < n; ++i) {
+    numbers[at + i] = sign * (dot(d, link.columns[i].v) + dot(arm, link.columns[i].w));
+  }
+  double sum = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    double w = 0;
+    for (std::size_t k = 0; k < n; ++k) w += mechanism.inverse[i * n + k] * numbers[at + k];
+    numbers[at + n + i] = w;
+    sum += w * numbers[at + i];
+  }
+  return sum;
+}
+
+Row make_row(const SolverTask& task, const RowPoint& point, const Vec3& p, const Vec3& d,
+             std::vector<double>& numbers) {
+  const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
+  Row row;
+  row.d = d;
+  row.arm_a = cross(p - a.p, d);
+  row.arm_b = cross(p - b.p, d);
+  row.turn_a = a.inverse_inertia * row.arm_a;
+  row.turn_b = b.inverse_inertia * row.arm_b;
+  double inverse =
+      a.inverse_mass + b.inverse_mass + dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b);
+  if (const SolverLink* link = link_of(task, point.a)) {
+    inverse += add_hold(task, *link, p, d, 1, row.holds[0], numbers);
+  }
+  if (const SolverLink* link = link_of(task, point.b)) {
+    inverse += add_hold(task, *link, p, d, -1, row.holds[1], numbers);
+  }
+  row.mass = inverse > 1e-12 ? 1 / inverse : 0;
+  return row;
+}
+
+/// The tangent that lies along the axle; some tangent when there is none, or it is upright.
+Vec3 first_tangent(const Contact& contact) {
+  const Vec3 flat = contact.axle - contact.normal * dot(contact.axle, contact.normal);
+  return squared(flat) > 0.01 ? normalised(flat) : perpendicular(contact.normal);
+}
+
+RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t number,
+                        std::vector<double>& numbers) {
+  const Contact& contact = task.contacts[c];
+  const ContactPoint& from = contact.points[number];
+  const double part = 1.0 / task.small_steps;
+  RowPoint point;
+  point.contact = static_cast<std::uint32_t>(c);
+  point.point = static_cast<std::uint32_t>(number);
+  std::tie(point.a, point.b) = task.slots[c];
+  const Vec3 t = first_tangent(contact), s = cross(contact.normal, t);
+  point.normal = make_row(task, point, from.p_W, contact.normal, numbers);
+  point.first = make_row(task, point, from.p_W, t, numbers);
+  point.second = make_row(task, point, from.p_W, s, numbers);
+  point.gap = from.gap;
+  point.push = from.push * part;
+  point.slide_first = dot(from.friction, t) * part;
+  point.slide_second = dot(from.friction, s) * part;
+  point.friction = contact.friction;
+  point.axle_friction = contact.axle_friction;
+  point.shift_target = least_shift(from.gap, task.dt);
+  return point;
+}
+
+double along(const Row& row, const Rows& rows, const SolverTask& task,
+             const Vec3 SolverBody::*linear, const Vec3 SolverBody::*angular, const RowPoint& point,
+             double* SolverMechanism::*speeds) {
+  const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
+  double sum =
+      dot(row.d, a.*linear - b.*linear) + dot(row.arm_a, a.*angular) - dot(row.arm_b, b.*angular);
+  for (const Hold& hold : row.holds) {
+    if (hold.mechanism < 0) continue;
+    const SolverMechanism& mechanism = task.mechanisms[static_cast<std::size_t>(hold.mechanism)];
+    const double* j = &rows.numbers[hold.at];
+    const double* v = mechanism.*speeds;
+    for (std::size_t i = 0; i < mechanism.dofs; ++i) sum += j[i] * v[i];
+  }
+  return sum;
+}
+
+void push(const Row& row, const Rows& rows, SolverTask& task, Vec3 SolverBody::*linear,
+          Vec3 SolverBody::*angular, const RowPoint& point, double* SolverMechanism::*speeds,
+          double impulse) {
+  SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
+  a.*linear += row.d * (impulse * a.inverse_mass);
+  a.*angular += row.turn_a * impulse;
+  b.*linear -= row.d * (impulse * b.inverse_mass);
+  b.*angular -= row.turn_b * impulse;
+  for (const Hold& hold : row.holds) {
+    if (hold.mechanism < 0) continue;
+    SolverMechanism& mechanism = task.mechanisms[static_cast<std::size_t>(hold.mechanism)];
+    const double* w = &rows.numbers[hold.at + mechanism.dofs];
+    double* v = mechanism.*speeds;
+    for (std::size_t i = 0; i < mechanism.dofs; ++i) v[i] += w[i] * impulse;
+  }
+}
+
+double velocity(const Row& row, const Rows& rows, const SolverTask& task, const RowPoint& point) {
+  return along(row, rows, task, &SolverBody::v, &SolverBody::w, point, &SolverMechanism::v);
+}
+
+void push(const Row& row, const Rows& rows, SolverTask& task, const RowPoint& point,
+          double impulse) {
+  if (impulse == 0) return;
+  push(row, rows, task, &SolverBody::v, &SolverBody::w, point, &SolverMechanism::v, impulse);
+}
+
+/// Returns the change in velocity that was asked for.
+double relax_normal(RowPoint& point, const Rows& rows, SolverTask& task, double inverse_dt) {
+  const double lacking =
+      -std::max(0.0, point.gap) * inverse_dt - velocity(point.normal, rows, task, point);
+  const double impulse = std::max(0.0, point.push + lacking * point.normal.mass);
+  const double change = impulse - point.push;
+  point.push = impulse;
+  push(point.normal, rows, task, point, change);
+  return point.normal.mass > 0 ? std::abs(change) / point.normal.mass : 0;
+}
+
+/// Friction within an ellipse whose half axis along the axle is a part of the other. The
+/// wheel slips so that friction takes the most power from it, as one with rollers on its rim
+/// would: the step along the axle is shorter by the square of that part.
+double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
+  if (point.push == 0 && point.slide_first == 0 && point.slide_second == 0) return 0;
+  const double part = point.axle_friction;
+  // The same mass for both, so that sliding does not depend on how the tangents lie.
+  const double mass = std::min(point.first.mass, point.second.mass);
+  double x = point.slide_first - velocity(point.first, rows, task, point) * mass * part * part;
+  double y = point.slide_second - velocity(point.second, rows, task, point) * mass;
+  const double most = point.friction * point.push;
+  const double size = part > 0 ? std::hypot(x / part, y) : std::abs(y);
+  if (part == 0) x = 0;
+  if (size > most) {
+    x *= most / size;
+    y *= most / size;
+  }
+  const double dx = x - point.slide_first, dy = y - point.slide_second;
+  push(point.first, rows, task, point, dx);
+  push(point.second, rows, task, point, dy);
+  point.slide_first = x;
+  point.slide_second = y;
+  return mass > 0 ? std::max(std::abs(dx), std::abs(dy)) / mass : 0;
+}
+
+void turn(const SolverAxis& axis, SolverTask& task, double impulse) {
+  SolverMechanism& mechanism = task.mechanisms[axis.mechanism];
+  const std::size_t n = mechanism.dofs;
+  for (std::size_t i = 0; i < n; ++i) {
+    mechanism.v[i] += mechanism.inverse[i * n + axis.dof] * impulse;
+  }
+}
+
+double relax_axis(SolverAxis& axis, SolverTask& task, double inverse_dt) {
+  const SolverMechanism& mechanism = task.mechanisms[axis.mechanism];
+  const double inverse = mechanism.inverse[axis.dof * mechanism.dofs + axis.dof];
+  const double speed = mechanism.v[axis.dof];
+  double impulse = 0;
+  if (axis.side == 0) {
+    impulse = axis.impulse + (axis.target - speed) / inverse;
+    impulse = std::clamp(impulse, -axis.most, axis.most);
+  } else {
+    const double least = -axis.gap * inverse_dt * (axis.gap > 0 ? 1 : kCorrection);
+    impulse = axis.impulse + (axis.side * least - speed) / inverse;
+    impulse = axis.side > 0 ? std::max(0.0, impulse) : std::min(0.0, impulse);
+  }
+  const double change = impulse - axis.impulse;
+  axis.impulse = impulse;
+  turn(axis, task, change);
+  return std::abs(change) * inverse;
+}
+
+}  // namespace
+
+double least_shift(double gap, double dt) {
+  if (gap > -kSlop) return -(gap + kSlop) / dt;
+  return std::min(kCorrection * (-gap - kSlop) / dt, kMostRecovery);
+}
+
+bool needs_rows(const SolverTask& task, std::size_t contact) {
+  const auto [a, b] = task.slots[contact];
+  return task.bodies[a].link >= 0 || task.bodies[b].link >= 0 ||
+         !(task.contacts[contact].axle == Vec3{});
+}
+
+Rows make_rows(const SolverTask& task) {
+  Rows rows;
+  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
+    if (!needs_rows(task, c)) continue;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(task.contacts[c].count); ++i) {
+      rows.points.push_back(make_row_point(task, c, i, rows.numbers));
+    }
+  }
+  rows.axes = task.axes;
+  for (SolverAxis& axis : rows.axes) {
+    axis.impulse /= task.small_steps;
+    axis.most /= task.small_steps;
+  }
+  return rows;
+}
+
+void apply_last_rows(const Rows& rows, SolverTask& task) {
+  for (const SolverAxis& axis : rows.axes) turn(axis, task, axis.impulse);
+  for (const RowPoint& point : rows.points) {
+    push(point.normal, rows, task, point, point.push);
+    push(point.first, rows, task, point, point.slide_first);
+    push(point.second, rows, task, point, point.slide_second);
+  }
+}
+
+double sweep_rows(Rows& rows, SolverTask& task, double inverse_dt) {
+  double change = 0;
+  for (SolverAxis& axis : rows.axes) {
+    change = std::max(change, relax_axis(axis, task, inverse_dt));
+  }
+  for (RowPoint& point : rows.points) {
+    change = std::max(change, relax_normal(point, rows, task, inverse_dt));
+    change = std::max(change, relax_friction(point, rows, task));
+  }
+  return change;
+}
+
+void follow_row_gaps(Rows& rows, const SolverTask& task, double dt) {
+  for (SolverAxis& axis : rows.axes) {
+    axis.gap += axis.side * task.mechanisms[axis.mechanism].v[axis.dof] * dt;
+  }
+  for (RowPoint& point : rows.points) {
+    point.gap += velocity(point.normal, rows, task, point) * dt;
+  }
+}
+
+bool overlapping(const Rows& rows) {
+  return std::any_of(rows.points.begin(), rows.points.end(),
+                     [](const RowPoint& point) { return point.shift_target > 0; });
+}
+
+void shift_rows(Rows& rows, SolverTask& task) {
+  for (RowPoint& point : rows.points) {
+    const Row& row = point.normal;
+    const double speed = along(row, rows, task, &SolverBody::way_v, &SolverBody::way_w, point,
+                               &SolverMechanism::way);
+    const double impulse = std::max(0.0, point.shift + (point.shift_target - speed) * row.mass);
+    push(row, rows, task, &SolverBody::way_v, &SolverBody::way_w, point, &SolverMechanism::way,
+         impulse - point.shift);
+    point.shift = impulse;
+  }
+}
+
+void keep_row_impulses(const Rows& rows, SolverTask& task) {
+  const double parts = task.small_steps;
+  for (const RowPoint& from : rows.points) {
+    ContactPoint& point = task.contacts[from.contact].points[from.point];
+    point.push = from.push * parts;
+    point.friction = (from.first.d * from.slide_first + from.second.d * from.slide_second) * parts;
+  }
+  for (std::size_t i = 0; i < rows.axes.size(); ++i) {
+    task.axes[i].impulse = rows.axes[i].impulse * parts;
+  }
+}
+
+}  // namespace stig

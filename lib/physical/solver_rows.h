@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The part of the solver that knows mechanisms: contacts of their bodies, contacts of wheels
+// whose friction is an ellipse, motors and stops. Used by solver.cpp alone.
+//
+// A direction at a point is a row J of generalised velocities; an impulse along it changes
+// them by W = M⁻¹Jᵀ. Sides that are free bodies keep their six numbers.
+#pragma once
+
+#include <vector>
+
+#include "physical/solver.h"
+
+namespace stig {
+
+/// What one direction at one point does to a mechanism.
+struct Hold {
+  std::int32_t mechanism = -1;  ///< none: the side is a free body, or the world
+  std::uint32_t at = 0;         ///< where J stands in Rows::numbers, W behind it
+};
+
+struct Row {
+  Vec3 d, arm_a, arm_b, turn_a, turn_b;
+  std::array<Hold, 2> holds;
+  double mass = 0;  ///< impulse for a velocity change of 1 m/s, kg
+};
+
+struct RowPoint {
+  Row normal, first, second;  ///< of the tangents, the first lies along the axle
+  std::uint32_t contact = 0, point = 0;
+  std::uint32_t a = 0, b = 0;
+  double gap = 0, push = 0, slide_first = 0, slide_second = 0;
+  double friction = 0, axle_friction = 1;
+  double shift_target = 0, shift = 0;
+};
+
+struct Rows {
+  std::vector<double> numbers;
+  std::vector<RowPoint> points;
+  std::vector<SolverAxis> axes;
+};
+
+/// Whether the contact is one for this file.
+bool needs_rows(const SolverTask& task, std::size_t contact);
+
+Rows make_rows(const SolverTask& task);
+void apply_last_rows(const Rows& rows, SolverTask& task);
+/// One sweep; returns the largest change of velocity, m/s.
+double sweep_rows(Rows& rows, SolverTask& task, double inverse_dt);
+void follow_row_gaps(Rows& rows, const SolverTask& task, double dt);
+bool overlapping(const Rows& rows);
+void shift_rows(Rows& rows, SolverTask& task);
+void keep_row_impulses(const Rows& rows, SolverTask& task);
+
+/// Least normal velocity of the shift that undoes overlaps.
+double least_shift(double gap, double dt);
+
+}  // namespace stig
