@@ -26,6 +26,8 @@ constexpr Group kGroups[] = {
     {"C5", "C5xx: files of the command line", "Files named on the command line."},
     {"S6", "S6xx: scenes of physical mode",
      "Found before the first step; keys and values are R1xx."},
+    {"P6", "P6xx: robots and blocks of physical mode",
+     "What the keys of docs/robots.md cannot mean together; keys and values are R1xx."},
 };
 
 constexpr std::string_view kHead = R"(# Diagnostics

@@ -24,6 +24,9 @@ namespace stig {
 
 enum class ShapeType : std::uint8_t { box, cylinder, sphere, hull };
 
+/// The place of a body or joint that is not there; only while a file with errors is read.
+inline constexpr std::size_t kNoBody = SIZE_MAX;
+
 struct BodyModel {
   std::string name;
   ShapeType shape = ShapeType::box;
@@ -31,11 +34,13 @@ struct BodyModel {
               ///< of a sphere: its diameter, thrice
   std::vector<Vec3> points;  ///< of a hull, body frame
   double mass = 0;
-  std::optional<Vec3> inertia;  ///< principal moments, kg·m²; otherwise those of the solid
-  Pose X_RB;                    ///< of the shape's centre (of a hull: of its frame)
-  std::string material;         ///< of the scene's friction table
-  Vec3 axle;                    ///< unit, body frame, of a wheel that slides along it; or 0
-  double axle_friction = 1;     ///< part of the friction that acts along the axle
+  std::optional<Vec3> inertia;   ///< principal moments, kg·m²; otherwise those of the solid
+  Pose X_RB;                     ///< of the shape's centre, which is that of its mass
+  Vec3 p_BO;                     ///< the origin that the file measures devices from: its base
+  std::string material;          ///< of the scene's friction table
+  Vec3 axle;                     ///< unit, body frame, of a wheel that slides along it; or 0
+  double axle_friction = 1;      ///< part of the friction that acts along the axle
+  bool rolls_as_sphere = false;  ///< a cylinder that touches others as a ball of its radius
   Rgb rgb{0xb0, 0xb0, 0xb0};
   SourceRange place;  ///< where the file says so
 };
@@ -74,7 +79,7 @@ struct DriveModel {
 
 struct LiftModel {
   AxisRef axis;
-  double low = 0, high = 0;   ///< where the limit switches close
+  double low = 0, high = 0;   ///< m: where the limit switches close
   double tolerance = 0;       ///< error at which it rests
   double inactive_below = 0;  ///< error under which it reports that it has arrived
   /// Speed by error: the first entry whose error is exceeded; in falling order of errors.
@@ -91,8 +96,7 @@ struct MagnetCircuitModel {
   };
   std::vector<Pole> poles;
   double passive = 0, active = 0;  ///< field = passive + active · current, the paper's unit
-  // charge' = charge_rate (charge_limit - charge) + charge_step, minus discharge terms;
-  // see robot_devices.h for both generations.
+  // How the charge changes: robot_devices.h, for both generations.
   double charge_limit = 0;
   double charge_per_second = 0;          ///< linear charging (G17)
   double discharge_per_second = 0;       ///< exponential: charge' = -rate · charge (G17)
@@ -114,7 +118,8 @@ struct RangeDevice {
   Vec3 p_B, direction;
   double range = 0.2;
   /// Counts = a · v^b or c0 + c1 v + c2 v², v = exp(-distance); metres: the distance itself.
-  enum class Calibration : std::uint8_t { metres, power, quadratic } calibration;
+  enum class Calibration : std::uint8_t { metres, power, quadratic };
+  Calibration calibration = Calibration::metres;
   std::array<double, 3> coefficients{};
 };
 
@@ -151,6 +156,16 @@ struct RobotModel {
   std::vector<LedDevice> leds;
   std::vector<ActuatorDevice> actuators;
   std::string program;  ///< path of its Lua program as the file says it, or empty
+
+  double mass() const;
+  /// In frame R, with every joint at zero.
+  Vec3 centre_of_mass() const;
+  /// The body that no joint carries.
+  std::size_t root() const;
 };
+
+/// A solid's moments about its centre and the body's axes, or those that the file gives, kg·m².
+/// Of a hull that is askew, products of inertia are left out.
+Vec3 moments_of(const BodyModel& body);
 
 }  // namespace stig

@@ -18,7 +18,7 @@ TEST_CASE("help of the program and of every command") {
   hold(place, "help", "stigc --help");
   for (const char* command :
        {"check", "fmt", "explore", "explain", "test", "verify", "certify", "graph", "replay",
-        "schema", "measure", "draw", "synth", "simulate", "completions", "doctor"}) {
+        "schema", "measure", "draw", "synth", "simulate", "describe", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
   }
 }
@@ -30,6 +30,17 @@ TEST_CASE("check prints problems for people and as JSON") {
   hold(place, "check-bad-json", "stigc check --diagnostics json sets/bad.yaml");
   hold(place, "check-color", "stigc check --color always sets/bad.yaml");
   hold(place, "check-missing", "stigc check missing.yaml");
+}
+
+TEST_CASE("describe lists a robot's parts") {
+  const Workplace place;
+  place.write("bebot.yaml", project_file("robots/bebot.yaml"));
+  place.write("cart.yaml", project_file("robots/gripper_cart.yaml"));
+  place.write("bad.yaml", project_file("tests/bad_robots/P609-axis-twice.yaml"));
+  hold(place, "describe", "stigc describe bebot.yaml");
+  hold(place, "describe-cart", "stigc describe cart.yaml");
+  hold(place, "describe-json", "stigc describe cart.yaml --json");
+  hold(place, "describe-bad", "stigc describe bad.yaml; stigc check cart.yaml bad.yaml");
 }
 
 TEST_CASE("explore prints a summary or one object") {

@@ -4,6 +4,7 @@
 
 #include "base/file_io.h"
 #include "commands.h"
+#include "controllers/robot_reader.h"
 #include "rules/rule_reader.h"
 #include "scene_input.h"
 
@@ -25,6 +26,9 @@ void check_file(const std::string& path, Diagnostics& diagnostics) {
       if (const auto scene = read_scene(source, scene_loader(path), diagnostics)) {
         place_scene(*scene, scene->seed, diagnostics);
       }
+      break;
+    case FileContent::robot:
+      read_robot(std::move(source), diagnostics);
       break;
     case FileContent::block:
       read_block(std::move(source), diagnostics);

@@ -1,14 +1,30 @@
 // SPDX-License-Identifier: MIT
 // stigc schema and stigc completions: what the program knows of itself.
 #include "commands.h"
+#include "controllers/robot_reader.h"
 #include "help.h"
 #include "physical/scene.h"
 #include "rules/rule_schema.h"
 
 namespace stig {
+namespace {
+
+std::string schema_of(FileForm form) {
+  switch (form) {
+    case FileForm::scene:
+      return scene_schema();
+    case FileForm::robot:
+      return robot_schema();
+    case FileForm::rules:
+      break;
+  }
+  return json_schema();
+}
+
+}  // namespace
 
 int run(const SchemaOptions& options, App& app) {
-  app.print(options.form == FileForm::scene ? scene_schema() : json_schema());
+  app.print(schema_of(options.form));
   return kOk;
 }
 

@@ -33,6 +33,7 @@ struct Storage {
   DoctorOptions doctor;
   SynthOptions synth;
   SimulateOptions simulate;
+  DescribeOptions describe;
 };
 
 /// An option whose text is read by `parse`, which returns what is wrong.
@@ -133,11 +134,12 @@ CLI::App* command(CLI::App& app, const std::string& name, const std::string& sum
 }
 
 void add_check(CLI::App& app, CheckOptions& o) {
-  CLI::App* sub = command(app, "check", "report every problem of rule sets, scenes and blocks",
-                          "  stigc check rulesets/*.yaml scenes/*.yaml\n"
-                          "  stigc check --diagnostics json staircase.yaml > problems.json\n"
-                          "  stigc check -W error staircase.yaml\n");
-  files(sub, o.files, "rule sets, scenes or blocks to check; - is standard input");
+  CLI::App* sub =
+      command(app, "check", "report every problem of rule sets, scenes, robots and blocks",
+              "  stigc check rulesets/*.yaml scenes/*.yaml robots/*.yaml\n"
+              "  stigc check --diagnostics json staircase.yaml > problems.json\n"
+              "  stigc check -W error staircase.yaml\n");
+  files(sub, o.files, "rule sets, scenes, robots or blocks to check; - is standard input");
 }
 
 void add_fmt(CLI::App& app, FmtOptions& o) {
@@ -337,15 +339,25 @@ void add_simulate(CLI::App& app, SimulateOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
 }
 
+void add_describe(CLI::App& app, DescribeOptions& o) {
+  CLI::App* sub = command(app, "describe", "show what a robot is made of",
+                          "  stigc describe robots/bebot.yaml\n"
+                          "  stigc describe robots/bebot.yaml --json\n");
+  file(sub, "ROBOT", o.robot, "the robot's file");
+  sub->add_flag("--json", o.json, "print one JSON object instead of the tables");
+}
+
 void add_files_out(CLI::App& app, Storage& s) {
   CLI::App* graph = command(app, "graph", "print which rule's brick another rule can need, as DOT",
                             "  stigc graph staircase.yaml | dot -Tsvg > staircase.svg\n");
   file(graph, "FILE", s.graph.file, "the rule set");
   add_replay(app, s.replay);
-  CLI::App* schema = command(app, "schema", "print the JSON Schema of rule set or scene files",
-                             "  stigc schema > stigc.schema.json\n"
-                             "  stigc schema scene > scene.schema.json\n");
-  choice(schema, "FORM", s.schema.form, {{"rules", FileForm::rules}, {"scene", FileForm::scene}},
+  CLI::App* schema =
+      command(app, "schema", "print the JSON Schema of rule set, scene or robot files",
+              "  stigc schema > stigc.schema.json\n"
+              "  stigc schema scene > scene.schema.json\n");
+  choice(schema, "FORM", s.schema.form,
+         {{"rules", FileForm::rules}, {"scene", FileForm::scene}, {"robot", FileForm::robot}},
          "what kind of file (default: rules)");
   CLI::App* measure = command(app, "measure", "measure a structure file",
                               "  stigc measure staircase.vox\n"
@@ -466,6 +478,7 @@ void build(CLI::App& app, Storage& s) {
   add_files_out(app, s);
   add_synth(app, s.synth);
   add_simulate(app, s.simulate);
+  add_describe(app, s.describe);
   add_about_itself(app, s);
 }
 
@@ -498,12 +511,12 @@ CommandInfo describe_command(const CLI::App& sub) {
 
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
-      {"check", s.check},      {"fmt", s.fmt},         {"explore", s.explore},
-      {"explain", s.explain},  {"test", s.test},       {"verify", s.verify},
-      {"certify", s.certify},  {"graph", s.graph},     {"replay", s.replay},
-      {"schema", s.schema},    {"measure", s.measure}, {"draw", s.draw},
-      {"synth", s.synth},      {"doctor", s.doctor},   {"completions", s.completions},
-      {"simulate", s.simulate}};
+      {"check", s.check},       {"fmt", s.fmt},          {"explore", s.explore},
+      {"explain", s.explain},   {"test", s.test},        {"verify", s.verify},
+      {"certify", s.certify},   {"graph", s.graph},      {"replay", s.replay},
+      {"schema", s.schema},     {"measure", s.measure},  {"draw", s.draw},
+      {"synth", s.synth},       {"doctor", s.doctor},    {"completions", s.completions},
+      {"simulate", s.simulate}, {"describe", s.describe}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

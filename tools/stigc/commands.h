@@ -23,5 +23,6 @@ int run(const CompletionsOptions& options, App& app);
 int run(const DoctorOptions& options, App& app);
 int run(const SynthOptions& options, App& app);
 int run(const SimulateOptions& options, App& app);
+int run(const DescribeOptions& options, App& app);
 
 }  // namespace stig

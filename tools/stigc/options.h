@@ -120,7 +120,12 @@ struct SimulateOptions {
   bool json = false;
 };
 
-enum class FileForm : std::uint8_t { rules, scene };
+struct DescribeOptions {
+  std::string robot;
+  bool json = false;
+};
+
+enum class FileForm : std::uint8_t { rules, scene, robot };
 struct SchemaOptions {
   FileForm form = FileForm::rules;
 };
@@ -172,7 +177,7 @@ using CommandOptions =
     std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
-                 SimulateOptions>;
+                 SimulateOptions, DescribeOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -28,6 +28,7 @@ FileContent content_of(std::string_view text) {
     return false;
   };
   if (has_key("stigc_scene:")) return FileContent::scene;
+  if (has_key("stigc_robot:")) return FileContent::robot;
   return has_key("stigc_block:") ? FileContent::block : FileContent::rules;
 }
 

@@ -11,8 +11,8 @@
 
 namespace stig {
 
-/// What a data file is, by its key stigc, stigc_scene or stigc_block.
-enum class FileContent : std::uint8_t { rules, scene, block };
+/// What a data file is, by its key stigc, stigc_scene, stigc_robot or stigc_block.
+enum class FileContent : std::uint8_t { rules, scene, robot, block };
 FileContent content_of(std::string_view text);
 
 /// Finds blocks beside the scene, in the folder blocks/ next to the scene's, and where the

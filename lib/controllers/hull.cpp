@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "controllers/hull.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stig {
+
+namespace {
+
+class Hull {
+ public:
+  explicit Hull(const std::vector<Vec3>& points) : points_(points) {
+    for (const Vec3& p : points) {
+      for (const Vec3& q : points) size_ = std::max(size_, length(p - q));
+    }
+    slack_ = 1e-9 * size_;
+  }
+
+  std::vector<HullFace> faces() {
+    const std::size_t n = points_.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t j = i + 1; j < n; ++j) {
+        for (std::size_t k = j + 1; k < n; ++k) {
+          const Vec3 across = cross(points_[j] - points_[i], points_[k] - points_[i]);
+          if (!(length(across) > slack_ * size_)) continue;
+          const Vec3 normal = normalised(across);
+          try_plane(points_[i], normal);
+          try_plane(points_[i], -normal);
+        }
+      }
+    }
+    // A plane with all points in it is none of a solid.
+    return faces_.size() < 4 ? std::vector<HullFace>{} : std::move(faces_);
+  }
+
+ private:
+  void try_plane(const Vec3& on, const Vec3& normal) {
+    HullFace face{{}, normal};
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const double above = dot(points_[i] - on, normal);
+      if (above > slack_) return;
+      if (above > -slack_) face.corners.push_back(i);
+    }
+    for (const HullFace& known : faces_) {
+      if (dot(known.normal, normal) > 1 - 1e-9) return;
+    }
+    face.corners = go_round(face);
+    faces_.push_back(std::move(face));
+  }
+
+  /// The outline of the points of a plane, from its lowest place in the list: each time the
+  /// point that all others are to the left of.
+  std::vector<std::size_t> go_round(const HullFace& face) const {
+    const auto& all = face.corners;
+    std::vector<std::size_t> out;
+    std::size_t at = *std::max_element(all.begin(), all.end(), [&](std::size_t a, std::size_t b) {
+      const Vec3 d = points_[a] - points_[b];
+      const Vec3 u = perpendicular(face.normal);
+      const double x = dot(d, u), y = dot(d, cross(face.normal, u));
+      return std::abs(x) > slack_ ? x < 0 : y < 0;
+    });
+    do {
+      out.push_back(at);
+      std::size_t next = at;
+      for (const std::size_t other : all) {
+        const Vec3 step = points_[other] - points_[at];
+        if (length(step) <= slack_) continue;
+        const Vec3 best = points_[next] - points_[at];
+        const double turn = dot(cross(best, step), face.normal);
+        const bool farther = std::abs(turn) <= slack_ * size_ && squared(step) > squared(best);
+        if (next == at || turn < -slack_ * size_ || farther) next = other;
+      }
+      at = next;
+    } while (length(points_[at] - points_[out.front()]) > slack_ && out.size() < all.size());
+    return out;
+  }
+
+  const std::vector<Vec3>& points_;
+  double size_ = 0, slack_ = 0;
+  std::vector<HullFace> faces_;
+};
+
+}  // namespace
+
+std::vector<HullFace> hull_faces(const std::vector<Vec3>& points) { return Hull(points).faces(); }
+
+HullMass hull_mass(const std::vector<Vec3>& points) {
+  // Tetrahedra from the first point; a tetrahedron's integral of x² is its volume over 20 times
+  // the sum of its corners' squares and the square of their sum.
+  HullMass out;
+  Vec3 first, second;
+  const Vec3 origin = points.at(0);
+  for (const HullFace& face : hull_faces(points)) {
+    for (std::size_t i = 2; i < face.corners.size(); ++i) {
+      const Vec3 a = points[face.corners[0]] - origin, b = points[face.corners[i - 1]] - origin,
+                 c = points[face.corners[i]] - origin;
+      const double volume = dot(a, cross(b, c)) / 6;
+      const Vec3 sum = a + b + c;
+      out.volume += volume;
+      first += sum * (volume / 4);
+      second += (scaled(a, a) + scaled(b, b) + scaled(c, c) + scaled(sum, sum)) * (volume / 20);
+    }
+  }
+  if (out.volume <= 0) return {};
+  const Vec3 centre = first * (1 / out.volume);
+  out.centre = origin + centre;
+  out.squares = second - scaled(centre, centre) * out.volume;
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "controllers/robot_devices.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stig {
+
+namespace {
+
+double towards(double from, double to, double most) {
+  return from + std::clamp(to - from, -most, most);
+}
+
+double cut(double speed, double most) {
+  return std::isfinite(speed) ? std::clamp(speed, -most, most) : 0;
+}
+
+double speed_at(const LiftModel& model, double error) {
+  for (const auto& [above, speed] : model.speeds) {
+    if (std::abs(error) > above) return std::copysign(speed, error);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void command(DriveState& state, const DriveModel& model, double left, double right) {
+  state.left_target = cut(left, model.most_speed);
+  state.right_target = cut(right, model.most_speed);
+}
+
+void step(DriveState& state, const DriveModel& model, double dt) {
+  const double most = model.most_acceleration * dt;
+  state.left = towards(state.left, state.left_target, most);
+  state.right = towards(state.right, state.right_target, most);
+}
+
+void command(LiftState& state, const LiftModel& model, const LiftCommand& command) {
+  switch (command.kind) {
+    case LiftCommand::Kind::none:
+      return;
+    case LiftCommand::Kind::stop:
+      state.mode = LiftMode::rest;
+      return;
+    case LiftCommand::Kind::calibrate:
+      state.mode = LiftMode::calibrating;
+      return;
+    case LiftCommand::Kind::position:
+      if (!std::isfinite(command.position)) return;
+      state.mode = LiftMode::moving;
+      state.target = std::clamp(command.position, model.low, model.high);
+      return;
+  }
+}
+
+void step(LiftState& state, const LiftModel& model, double position) {
+  if (state.mode == LiftMode::calibrating) {
+    state.speed = model.speeds.empty() ? 0 : -model.speeds.back().second;
+    if (position > model.low) return;
+    state.target = model.low;
+    state.mode = LiftMode::rest;
+  }
+  state.speed = state.mode == LiftMode::moving ? speed_at(model, state.target - position) : 0;
+  const bool at_end = state.speed > 0 ? position >= model.high : position <= model.low;
+  if (state.speed == 0 || at_end) {
+    state.mode = LiftMode::rest;
+    state.speed = 0;
+  }
+}
+
+LiftReading reading_of(const LiftState& state, const LiftModel& model, double position) {
+  LiftReading reading;
+  reading.calibrating = state.mode == LiftMode::calibrating;
+  reading.active =
+      reading.calibrating ||
+      (state.mode == LiftMode::moving && std::abs(state.target - position) >= model.inactive_below);
+  reading.position = position;
+  reading.at_top = position >= model.high;
+  reading.at_bottom = position <= model.low;
+  return reading;
+}
+
+void step(MagnetState& state, const MagnetCircuitModel& model, double dt) {
+  const bool flows = state.mode != Discharge::disable;
+  // charge' = gain - loss · charge.
+  const double gain = (flows ? model.sink_rate * model.sink_level : model.charge_per_second) +
+                      model.relax_rate * model.charge_limit;
+  const double loss = model.relax_rate + (flows ? model.discharge_per_second + model.sink_rate : 0);
+  if (loss > 0) {
+    state.charge = gain / loss + (state.charge - gain / loss) * std::exp(-loss * dt);
+  } else {
+    state.charge += gain * dt;
+  }
+  state.charge = std::clamp(state.charge, 0.0, model.charge_limit);
+}
+
+double current_of(const MagnetState& state) {
+  switch (state.mode) {
+    case Discharge::constructive:
+      return state.charge;
+    case Discharge::destructive:
+      return -state.charge;
+    case Discharge::disable:
+      break;
+  }
+  return 0;
+}
+
+}  // namespace stig

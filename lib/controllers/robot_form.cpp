@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "controllers/form_keys.h"
+#include "controllers/robot_forms.h"
+#include "controllers/robot_model.h"
+
+namespace stig {
+
+namespace {
+
+using namespace keys;
+
+constexpr double kFar = 10;         ///< m, of a robot's parts from each other
+constexpr double kHeavy = 1e5;      ///< kg
+constexpr std::size_t kMany = 200;  ///< bodies, joints, devices of a kind
+
+const Form& cylinder_form() {
+  static const Form kForm{
+      "cylinder",
+      {required(above_zero("radius", "Metres.", kFar)),
+       required(above_zero("height", "Metres, along the body's z axis.", kFar))}};
+  return kForm;
+}
+
+const Form& sphere_form() {
+  static const Form kForm{"sphere", {required(above_zero("radius", "Metres.", kFar))}};
+  return kForm;
+}
+
+const Form& point_form() {
+  static const Form kForm{"corner", {required(vector("at", "Metres, body's frame.", kFar))}};
+  return kForm;
+}
+
+const Form& body_form() {
+  static const Form kForm{
+      "body",
+      {required(words("name", FormKind::name, "What joints and devices call it.")),
+       numbers("box", "Its edges along x, y and z, metres.", 3, 3, 1e-6, kFar),
+       part("cylinder", "Round about the body's z axis.", cylinder_form()),
+       part("sphere", "A ball.", sphere_form()),
+       parts("hull", "Corners of a convex body; its hull is taken.", point_form(), 4, 64),
+       required(above_zero("mass", "Kilograms.", kHeavy)),
+       numbers("inertia", "Principal moments about the body's axes, kg·m² (default: a solid's).", 3,
+               3, 1e-12, 1e9),
+       vector(
+           "base",
+           "Where the middle of its lower face is, metres, robot's frame; of a hull: its origin.",
+           kFar),
+       vector("center", "Where its middle is instead.", kFar),
+       vector("turn", "Degrees about z, then about the new y, then about the new x.", 360),
+       words("material", FormKind::name,
+             "Kind of surface, of the scene's table of friction (default: robot)."),
+       vector("axle", "Direction in which a wheel slides sideways, body's frame.", kFar),
+       number("axle_friction", "Part of the friction that acts along the axle (default: 1).", 0, 1),
+       words("rolls_as_sphere", FormKind::boolean,
+             "A cylinder that touches others as a ball of its radius: one point of contact."),
+       words("color", FormKind::colour, "For pictures, \"#rrggbb\".")}};
+  return kForm;
+}
+
+const Form& axis_form() {
+  static const Form kForm{
+      "axis",
+      {vector("turn", "Turns about this direction, robot's frame.", kFar),
+       vector("slide", "Slides along this direction instead.", kFar),
+       numbers("limits", "Lowest and highest position: degrees, or metres.", 2, 2, -1e6, 1e6),
+       choice("actuator", "What its motor is given (default: none, it moves freely).",
+              {"none", "velocity", "position", "force"}),
+       above_zero("most_force", "Of the motor, N·m or N.", 1e6),
+       above_zero("most_speed", "Of a position actuator, degrees or metres a second.", 1e6),
+       number("damping", "Viscous friction, N·m·s/rad or N·s/m (default: 0).", 0, 1e6)}};
+  return kForm;
+}
+
+const Form& joint_form() {
+  static const Form kForm{
+      "joint",
+      {words("name", FormKind::name, "What devices call it (default: its child's name)."),
+       required(words("parent", FormKind::name, "The body that carries.")),
+       required(words("child", FormKind::name, "The body that is carried.")),
+       vector("at", "Where it is, metres, robot's frame (default: where the child is placed).",
+              kFar),
+       parts("axes", "How the child can move; without any it is fixed.", axis_form(), 1, 6)}};
+  return kForm;
+}
+
+}  // namespace
+
+const Form& robot_form() {
+  static const Form kForm{
+      "robot file",
+      {version("stigc_robot", "Version of this format: 1.", 1),
+       required(words("name", FormKind::name, "Short, for reports.")),
+       words("title", FormKind::text, "One line."),
+       words("source", FormKind::text, "Where its figures come from."),
+       above_zero("control_period", "Seconds between two steps of its program (default: 0.2).",
+                  100),
+       words("program", FormKind::name, "Its Lua program, unless the scene names another."),
+       required(parts("bodies", "Its rigid parts.", body_form(), 1, kMany)),
+       parts("joints", "How they hang together: a tree.", joint_form(), 0, kMany),
+       part("differential_drive", "Wheels left and right.", drive_form()),
+       part("lift", "A joint that goes to a set height.", lift_form()),
+       part("electromagnets", "Poles on one circuit.", electromagnets_form()),
+       parts("cameras", "", camera_form(), 0, kMany),
+       parts("rangefinders", "", rangefinder_form(), 0, kMany),
+       parts("radios", "Near-field radios.", radio_form(), 0, kMany),
+       parts("leds", "Lights of any colour, seen from everywhere.", led_form(), 0, kMany),
+       parts("actuators", "Other axes, for the program to drive.", actuator_form(), 0, kMany)}};
+  return kForm;
+}
+
+}  // namespace stig

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "controllers/robot_model.h"
+
+#include "controllers/hull.h"
+
+namespace stig {
+
+double RobotModel::mass() const {
+  double sum = 0;
+  for (const BodyModel& body : bodies) sum += body.mass;
+  return sum;
+}
+
+Vec3 RobotModel::centre_of_mass() const {
+  Vec3 sum;
+  for (const BodyModel& body : bodies) sum += body.mass * body.X_RB.p;
+  return sum * (1 / mass());
+}
+
+std::size_t RobotModel::root() const {
+  std::vector<bool> carried(bodies.size());
+  for (const JointModel& joint : joints) {
+    if (joint.child < bodies.size()) carried[joint.child] = true;
+  }
+  std::size_t root = 0;
+  while (root < bodies.size() && carried[root]) ++root;
+  return root;
+}
+
+Vec3 moments_of(const BodyModel& body) {
+  if (body.inertia) return *body.inertia;
+  const Vec3 s = scaled(body.size, body.size) * body.mass;
+  switch (body.shape) {
+    case ShapeType::cylinder: {
+      const double across = s.x / 16 + s.z / 12;
+      return {across, across, s.x / 8};
+    }
+    case ShapeType::sphere:
+      return Vec3{1, 1, 1} * (s.x / 10);
+    case ShapeType::hull: {
+      const HullMass solid = hull_mass(body.points);
+      const Vec3& q = solid.squares;
+      return Vec3{q.y + q.z, q.x + q.z, q.x + q.y} * (body.mass / solid.volume);
+    }
+    case ShapeType::box:
+      break;
+  }
+  return Vec3{s.y + s.z, s.x + s.z, s.x + s.y} * (1.0 / 12);
+}
+
+}  // namespace stig

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Robot files (robots/*.yaml) as robots. Every problem is found at once: keys and values by the
+// table of keys, names, joints and devices here.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/diagnostic.h"
+#include "controllers/robot_model.h"
+
+namespace stig {
+
+inline constexpr std::size_t kMaxRobotFileBytes = std::size_t{1} << 20;
+
+/// The robot, or nothing when an error was reported.
+std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics);
+/// Reads the file first; a file that cannot be read is a diagnostic too.
+std::optional<RobotModel> read_robot_file(const std::string& path, Diagnostics& diagnostics);
+
+/// JSON Schema of robot files.
+std::string robot_schema();
+
+}  // namespace stig

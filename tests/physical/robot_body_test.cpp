@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: MIT
+// The shipped robots in the world: they weigh what they should, drive, turn, rest, lift, and
+// carry a block.
+#if STIG_WITH_DART
+
+#include "physical/robot_body.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "controllers/robot_reader.h"
+
+using namespace stig;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+RobotModel robot_of(const std::string& name) {
+  Diagnostics diagnostics;
+  const auto robot = read_robot_file(STIG_SOURCE_DIR "/robots/" + name, diagnostics);
+  REQUIRE_MESSAGE(robot, to_text(diagnostics));
+  return *robot;
+}
+
+/// A robot alone on the floor, and what has been commanded.
+struct Stage {
+  RobotModel robot;
+  WorldConfig config;
+  Materials materials;
+  RobotBody body;
+  RobotDevices devices;
+  std::optional<World> world;
+
+  explicit Stage(const std::string& name, const Pose& X_WR = {}) : robot(robot_of(name)) {
+    config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2},
+                        {kBlockMaterial, kFloorMaterial, 0.4}};
+    body = add_robot(config, robot, X_WR, materials);
+  }
+  void begin() {
+    for (const std::string& problem : problems_of(config)) CAPTURE(problem);
+    REQUIRE(problems_of(config).empty());
+    world.emplace(config);
+  }
+  void tell(const RobotCommands& commands) { command(devices, robot, commands); }
+  void wheels(double left, double right) {
+    RobotCommands commands;
+    commands.wheels = {left, right};
+    tell(commands);
+  }
+  void lift_to(double height) {
+    RobotCommands commands;
+    commands.lift = {LiftCommand::Kind::position, height};
+    tell(commands);
+  }
+  void discharge(Discharge mode) {
+    RobotCommands commands;
+    commands.discharge = mode;
+    tell(commands);
+  }
+  void run(double seconds) {
+    const double end = world->time() + seconds - 1e-9;
+    while (world->time() < end) {
+      act(*world, robot, body, devices, config.step);
+      REQUIRE(world->step().ok);
+    }
+  }
+  Pose place() const { return pose_of(*world, robot, body); }
+  RobotReadings readings() const {
+    RobotReadings out;
+    read(*world, robot, body, devices, out);
+    return out;
+  }
+};
+
+double tilt(const Pose& pose) { return std::acos(std::min(1.0, matrix(pose.q).z.z)); }
+
+}  // namespace
+
+TEST_CASE("the robot of 2017 in the world: fifteen bodies of its mass, on its wheels") {
+  Stage stage("bebot.yaml", {{1, 2, 0}, rotation({0, 0, 0.7})});
+  REQUIRE(stage.config.bodies.size() == 15);
+  double mass = 0;
+  for (const BodyDef& body : stage.config.bodies) mass += body.mass;
+  CHECK(mass == doctest::Approx(2.295).epsilon(1e-12));
+  CHECK(stage.body.poles.size() == 4);
+  stage.begin();
+  CHECK(length(stage.place().p - Vec3{1, 2, 0}) < 1e-12);
+  // It neither creeps nor sinks.
+  stage.run(5);
+  CHECK(length(stage.place().p - Vec3{1, 2, 0}) < 1e-4);
+}
+
+TEST_CASE("robots drive a metre straight at cruising speed, without slip or tipping") {
+  for (const char* name : {"bebot.yaml", "builderbot.yaml"}) {
+    CAPTURE(name);
+    Stage stage(name);
+    stage.begin();
+    stage.wheels(0.165, 0.165);
+    stage.run(0.5);
+    const Vec3 from = stage.place().p;
+    stage.run(1 / 0.165);
+    const Pose end = stage.place();
+    CHECK(end.p.x - from.x == doctest::Approx(1).epsilon(0.02));
+    CHECK(std::abs(end.p.y) < 0.01);
+    CHECK(tilt(end) < 0.01);
+    CHECK(stage.readings().left_encoder == doctest::Approx(0.165).epsilon(0.01));
+    stage.wheels(0, 0);
+    for (int i = 0; i < 50; ++i) {
+      stage.run(0.02);
+      CHECK(tilt(stage.place()) < 0.03);
+    }
+    CHECK(std::abs(stage.readings().left_encoder) < 0.001);
+  }
+}
+
+TEST_CASE("robots turn round on the spot as kinematics says") {
+  for (const char* name : {"bebot.yaml", "builderbot.yaml"}) {
+    CAPTURE(name);
+    Stage stage(name);
+    stage.begin();
+    const double speed = 0.082;
+    stage.wheels(-speed, speed);
+    stage.run(0.5);
+    double turned = 0;
+    const auto heading = [&] {
+      const Vec3 x = matrix(stage.place().q).x;
+      return std::atan2(x.y, x.x);
+    };
+    double last = heading();
+    const double begin = stage.world->time();
+    while (turned < 2 * kPi) {
+      REQUIRE(stage.world->time() < 30);
+      stage.run(stage.config.step);
+      const double now = heading();
+      turned += std::remainder(now - last, 2 * kPi);
+      last = now;
+    }
+    const double theory = kPi * stage.robot.drive->track / speed;
+    CHECK(stage.world->time() - begin == doctest::Approx(theory).epsilon(0.02));
+  }
+}
+
+TEST_CASE("the lift goes up, down, and knows its switches") {
+  Stage stage("bebot.yaml");
+  stage.begin();
+  stage.lift_to(0.135);
+  stage.run(0.1);
+  CHECK(stage.readings().lift.active);
+  stage.run(2);
+  CHECK(stage.readings().lift.position == doctest::Approx(0.135).epsilon(0.01));
+  CHECK_FALSE(stage.readings().lift.active);
+  RobotCommands calibrate;
+  calibrate.lift = {LiftCommand::Kind::calibrate, 0};
+  stage.tell(calibrate);
+  stage.run(3);
+  CHECK(stage.readings().lift.at_bottom);
+  CHECK(tilt(stage.place()) < 0.01);
+}
+
+TEST_CASE("magnets pick a block up and hold it through a stop from cruising speed") {
+  Stage stage("bebot.yaml");
+  Diagnostics diagnostics;
+  const auto model = read_block_file(STIG_SOURCE_DIR "/blocks/stigmergic.yaml", diagnostics);
+  REQUIRE(model);
+  const auto block = static_cast<std::uint32_t>(stage.config.bodies.size());
+  stage.config.bodies.push_back(block_body(*model, {{0.093755, 0.001, 0.0275 - 1e-5}, {}}));
+  stage.begin();
+  stage.run(6);  // charges
+  CHECK(stage.readings().magnet_voltage == 250);
+  stage.discharge(Discharge::constructive);
+  stage.run(1);
+  stage.discharge(Discharge::disable);
+  stage.lift_to(0.06);
+  stage.run(2);
+  const auto height = [&] { return stage.world->state(BodyId{block}).X_WB.p.z; };
+  const auto in_robot = [&] {
+    return (inverse(stage.place()) * stage.world->state(BodyId{block}).X_WB).p;
+  };
+  CHECK(height() > 0.0275 + 0.05);
+  const Vec3 held = in_robot();
+  stage.wheels(0.165, 0.165);
+  stage.run(1.5);
+  stage.wheels(0, 0);
+  stage.run(1.5);
+  CHECK(length(in_robot() - held) < 0.003);
+  stage.wheels(-0.082, 0.082);
+  stage.run(2);
+  stage.wheels(0, 0);
+  stage.run(1);
+  CHECK(height() > 0.0275 + 0.05);
+}
+
+TEST_CASE("a cart's arm and fingers follow their commands") {
+  Stage stage("gripper_cart.yaml");
+  stage.begin();
+  RobotCommands commands;
+  commands.joints = {0.5, -0.2, std::nullopt, 1.0};
+  stage.tell(commands);
+  stage.run(3);
+  const RobotReadings readings = stage.readings();
+  REQUIRE(readings.joints.size() == 4);
+  CHECK(readings.joints[0].position == doctest::Approx(0.5).epsilon(0.02));
+  CHECK(readings.joints[1].position == doctest::Approx(-0.2).epsilon(0.02));
+  // Pressed against its stop.
+  CHECK(readings.joints[3].position == doctest::Approx(0.03).epsilon(0.02));
+}
+
+#endif  // STIG_WITH_DART

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+#include "robot_report.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app.h"
+#include "report.h"
+
+namespace stig {
+namespace {
+
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+constexpr std::string_view kShapes[] = {"box", "cylinder", "sphere", "hull"};
+constexpr std::string_view kModes[] = {"free", "velocity", "position", "force"};
+constexpr std::string_view kCalibrations[] = {"metres", "power", "quadratic"};
+
+/// To a tenth of a micrometre, without a sign before zero.
+double rounded(double x) { return std::round(x * 1e7) / 1e7 + 0.0; }
+std::string number(double x) { return fmt::format("{:.6g}", rounded(x)); }
+std::string point(const Vec3& p) {
+  return fmt::format("({}, {}, {})", number(p.x), number(p.y), number(p.z));
+}
+std::string millimetres(double x) { return fmt::format("{:.6g}", rounded(x) * 1000); }
+
+std::string shape(const BodyModel& body) {
+  const std::string x = millimetres(body.size.x), y = millimetres(body.size.y),
+                    z = millimetres(body.size.z);
+  switch (body.shape) {
+    case ShapeType::sphere:
+      return fmt::format("sphere, diameter {}", x);
+    case ShapeType::cylinder:
+      return fmt::format("cylinder, diameter {}, height {}", x, z);
+    case ShapeType::hull:
+      return fmt::format("hull of {} corners, {} x {} x {}", body.points.size(), x, y, z);
+    case ShapeType::box:
+      break;
+  }
+  return fmt::format("box {} x {} x {}", x, y, z);
+}
+
+std::string axis_words(const AxisModel& axis) {
+  std::string out =
+      fmt::format("{} {}", axis.angular ? "turns about" : "slides along", point(axis.axis));
+  const auto shown = [&](double x) {
+    return axis.angular ? fmt::format("{:.6g}", x * kDegrees) : millimetres(x);
+  };
+  if (axis.lower && axis.upper) {
+    out += fmt::format(", {} to {} {}", shown(*axis.lower), shown(*axis.upper),
+                       axis.angular ? "degrees" : "mm");
+  }
+  if (axis.actuator == ActuatorMode::none) return out + ", free";
+  return out + fmt::format(", {} up to {} {}", kModes[static_cast<std::size_t>(axis.actuator)],
+                           number(axis.most_force), axis.angular ? "N·m" : "N");
+}
+
+/// Two columns, the first as wide as its widest entry.
+class Table {
+ public:
+  void add(std::string name, std::string text) {
+    width_ = std::max(width_, name.size());
+    rows_.emplace_back(std::move(name), std::move(text));
+  }
+  std::string text() const {
+    std::string out;
+    for (const auto& [name, text] : rows_) out += fmt::format("  {:<{}}  {}\n", name, width_, text);
+    return out;
+  }
+
+ private:
+  std::size_t width_ = 0;
+  std::vector<std::pair<std::string, std::string>> rows_;
+};
+
+class TextReport {
+ public:
+  TextReport(const RobotModel& robot, bool color) : robot_(robot), color_(color) {}
+
+  std::string print() {
+    out_ = bold(printable(robot_.name), color_) +
+           (robot_.title.empty() ? "" : ": " + printable(robot_.title)) + "\n";
+    out_ += fmt::format("{} kg, centre of mass {} m, a control step every {} s\n",
+                        number(robot_.mass()), point(robot_.centre_of_mass()),
+                        number(robot_.control_period));
+    print_bodies();
+    print_joints();
+    print_devices();
+    return out_;
+  }
+
+ private:
+  void section(std::string_view title, const Table& table) {
+    const std::string text = table.text();
+    if (!text.empty()) out_ += "\n" + bold(title, color_) + "\n" + text;
+  }
+  std::string body(std::size_t i) const { return printable(robot_.bodies[i].name); }
+  std::string in_robot(std::size_t on, const Vec3& p_B) const {
+    return point(robot_.bodies[on].X_RB * p_B);
+  }
+
+  void print_bodies() {
+    Table table;
+    for (const BodyModel& one : robot_.bodies) {
+      table.add(printable(one.name),
+                fmt::format("{} kg at {}, {}", number(one.mass), point(one.X_RB.p), shape(one)));
+    }
+    section(fmt::format("{} bodies: mass, middle in the robot's frame (m), shape (mm)",
+                        robot_.bodies.size()),
+            table);
+  }
+
+  void print_joints() {
+    Table table;
+    for (const JointModel& one : robot_.joints) {
+      std::string text = one.axes.empty() ? fmt::format("fixed to {}", body(one.parent))
+                                          : fmt::format("on {}", body(one.parent));
+      for (const AxisModel& axis : one.axes) text += "; " + axis_words(axis);
+      table.add(printable(one.name), text);
+    }
+    section(fmt::format("{} joints", robot_.joints.size()), table);
+  }
+
+  void print_devices() {
+    Table table;
+    if (robot_.drive) add_drive(table, *robot_.drive);
+    if (robot_.lift) add_lift(table, *robot_.lift);
+    if (robot_.magnets) add_magnets(table, *robot_.magnets);
+    for (const CameraDevice& one : robot_.cameras) add_camera(table, one);
+    for (const RangeDevice& one : robot_.rangefinders) add_rangefinder(table, one);
+    for (const RadioDevice& one : robot_.radios) {
+      table.add("radio " + printable(one.name),
+                fmt::format("on {} at {}, reaches {} mm", body(one.body),
+                            in_robot(one.body, one.p_B), millimetres(one.range)));
+    }
+    for (const LedDevice& one : robot_.leds) {
+      table.add("LED " + printable(one.name),
+                fmt::format("on {} at {}", body(one.body), in_robot(one.body, one.p_B)));
+    }
+    for (const ActuatorDevice& one : robot_.actuators) {
+      table.add("actuator " + printable(one.name),
+                fmt::format("axis {} of {}", one.axis.axis + 1,
+                            printable(robot_.joints[one.axis.joint].name)));
+    }
+    section("devices, places in the robot's frame (m)", table);
+  }
+
+  static void add_drive(Table& table, const DriveModel& drive) {
+    table.add("differential drive",
+              fmt::format("{} + {} wheels of radius {} mm, track {} mm, up to {} m/s and {} m/s²",
+                          drive.left.size(), drive.right.size(), millimetres(drive.wheel_radius),
+                          millimetres(drive.track), number(drive.most_speed),
+                          number(drive.most_acceleration)));
+  }
+
+  void add_lift(Table& table, const LiftModel& lift) {
+    std::string speeds;
+    for (const auto& [above, speed] : lift.speeds) {
+      speeds += fmt::format(", {} m/s above {} mm", number(speed), millimetres(above));
+    }
+    table.add("lift", fmt::format("{}, switches at {} and {} mm{}",
+                                  printable(robot_.joints[lift.axis.joint].name),
+                                  millimetres(lift.low), millimetres(lift.high), speeds));
+  }
+
+  static void add_magnets(Table& table, const MagnetCircuitModel& magnets) {
+    table.add("electromagnets", fmt::format("{} poles, field {} + {} x current, charge up to {}",
+                                            magnets.poles.size(), number(magnets.passive),
+                                            number(magnets.active), number(magnets.charge_limit)));
+  }
+
+  void add_camera(Table& table, const CameraDevice& one) {
+    const Pose X_RC = robot_.bodies[one.body].X_RB * one.X_BC;
+    const CameraIntrinsics& c = one.intrinsics;
+    table.add("camera " + printable(one.name),
+              fmt::format("on {} at {}, looks {}, {} x {} pixels, f {} {}, sees {} to {} m",
+                          body(one.body), point(X_RC.p), point(rotate(X_RC.q, {0, 0, 1})), c.width,
+                          c.height, number(c.fx), number(c.fy), number(one.near), number(one.far)));
+  }
+
+  void add_rangefinder(Table& table, const RangeDevice& one) {
+    const Vec3 way = rotate(robot_.bodies[one.body].X_RB.q, one.direction);
+    table.add("rangefinder " + printable(one.name),
+              fmt::format("on {} at {}, looks {}, {} mm, {}", body(one.body),
+                          in_robot(one.body, one.p_B), point(way), millimetres(one.range),
+                          kCalibrations[static_cast<std::size_t>(one.calibration)]));
+  }
+
+  const RobotModel& robot_;
+  bool color_;
+  std::string out_;
+};
+
+Json json_of(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
+Json json_of(const Quat& q) { return {rounded(q.w), rounded(q.x), rounded(q.y), rounded(q.z)}; }
+
+class JsonReport {
+ public:
+  explicit JsonReport(const RobotModel& robot) : robot_(robot) {}
+
+  Json report() const {
+    Json out{{"name", robot_.name},
+             {"title", robot_.title},
+             {"mass", robot_.mass()},
+             {"center_of_mass", json_of(robot_.centre_of_mass())},
+             {"control_period", robot_.control_period},
+             {"bodies", Json::array()},
+             {"joints", Json::array()},
+             {"devices", Json::array()}};
+    for (const BodyModel& one : robot_.bodies) out["bodies"].push_back(body(one));
+    for (const JointModel& one : robot_.joints) out["joints"].push_back(joint(one));
+    add_devices(out["devices"]);
+    return out;
+  }
+
+ private:
+  static Json body(const BodyModel& one) {
+    return {{"name", one.name},
+            {"shape", kShapes[static_cast<std::size_t>(one.shape)]},
+            {"size", json_of(one.size)},
+            {"mass", one.mass},
+            {"center", json_of(one.X_RB.p)},
+            {"rotation", json_of(one.X_RB.q)},
+            {"material", one.material}};
+  }
+
+  Json joint(const JointModel& one) const {
+    Json out{{"name", one.name},
+             {"parent", robot_.bodies[one.parent].name},
+             {"child", robot_.bodies[one.child].name},
+             {"at", json_of(one.X_RJ.p)},
+             {"axes", Json::array()}};
+    for (const AxisModel& axis : one.axes) {
+      Json json{{"turns", axis.angular},
+                {"axis", json_of(axis.axis)},
+                {"actuator", kModes[static_cast<std::size_t>(axis.actuator)]},
+                {"most_force", axis.most_force},
+                {"lower", nullptr},
+                {"upper", nullptr}};
+      if (axis.lower) json["lower"] = *axis.lower;
+      if (axis.upper) json["upper"] = *axis.upper;
+      out["axes"].push_back(std::move(json));
+    }
+    return out;
+  }
+
+  void add_devices(Json& out) const {
+    if (robot_.drive)
+      out.push_back({{"kind", "differential_drive"}, {"track", robot_.drive->track}});
+    if (robot_.lift) {
+      out.push_back({{"kind", "lift"}, {"switches", {robot_.lift->low, robot_.lift->high}}});
+    }
+    if (robot_.magnets) {
+      out.push_back({{"kind", "electromagnets"}, {"poles", robot_.magnets->poles.size()}});
+    }
+    for (const CameraDevice& one : robot_.cameras) {
+      const Pose X_RC = robot_.bodies[one.body].X_RB * one.X_BC;
+      Json json = device("camera", one, X_RC.p);
+      json["rotation"] = json_of(X_RC.q);
+      json["resolution"] = {one.intrinsics.width, one.intrinsics.height};
+      json["focal_length"] = {one.intrinsics.fx, one.intrinsics.fy};
+      json["near"] = one.near;
+      json["far"] = one.far;
+      out.push_back(std::move(json));
+    }
+    for (const RangeDevice& one : robot_.rangefinders) {
+      Json json = device("rangefinder", one, in_robot(one));
+      json["look"] = json_of(rotate(robot_.bodies[one.body].X_RB.q, one.direction));
+      json["range"] = one.range;
+      out.push_back(std::move(json));
+    }
+    for (const RadioDevice& one : robot_.radios) {
+      Json json = device("radio", one, in_robot(one));
+      json["range"] = one.range;
+      out.push_back(std::move(json));
+    }
+    for (const LedDevice& one : robot_.leds) out.push_back(device("led", one, in_robot(one)));
+    for (const ActuatorDevice& one : robot_.actuators) {
+      out.push_back({{"kind", "actuator"},
+                     {"name", one.name},
+                     {"joint", robot_.joints[one.axis.joint].name},
+                     {"axis", one.axis.axis + 1}});
+    }
+  }
+
+  template <class Device>
+  Vec3 in_robot(const Device& one) const {
+    return robot_.bodies[one.body].X_RB * one.p_B;
+  }
+  template <class Device>
+  Json device(std::string_view kind, const Device& one, const Vec3& at) const {
+    return {{"kind", kind},
+            {"name", one.name},
+            {"body", robot_.bodies[one.body].name},
+            {"at", json_of(at)}};
+  }
+
+  const RobotModel& robot_;
+};
+
+}  // namespace
+
+std::string to_text(const RobotModel& robot, bool color) {
+  return TextReport(robot, color).print();
+}
+
+std::string to_json(const RobotModel& robot) { return dump(JsonReport(robot).report()); }
+
+}  // namespace stig

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// A robot as text and as JSON.
+#pragma once
+
+#include <string>
+
+#include "controllers/robot_model.h"
+
+namespace stig {
+
+std::string to_text(const RobotModel& robot, bool color);
+std::string to_json(const RobotModel& robot);
+
+}  // namespace stig
