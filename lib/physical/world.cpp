@@ -49,19 +49,21 @@ void add_magnets(WorldState& world, const BodyDef& def, std::uint32_t number) {
 /// Tells the bodies of an articulation that they are its links, and where they stand.
 void number_links(WorldState& world, std::size_t number) {
   const Articulation& articulation = world.articulations.all[number];
+  world.groups.resize(world.bodies.size(), -1);
   for (const LinkBody& link : articulation.links) {
-    world.bodies[link.body].articulation = static_cast<std::int32_t>(number);
+    world.bodies[link.body].articulation = world.groups[link.body] =
+        static_cast<std::int32_t>(number);
     world.bodies[link.body].part = static_cast<std::uint32_t>(link.part);
   }
   place_bodies(articulation, world.bodies);
 }
 
-/// Cells a little larger than the median body.
+/// Cells a little larger than most bodies: parts of mechanisms are small, and many.
 double cell_size(const std::vector<BodyDef>& bodies) {
   if (bodies.empty()) return 1;
   std::vector<double> radii;
   for (const BodyDef& def : bodies) radii.push_back(def.shape.radius());
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() * 4 / 5);
   std::nth_element(radii.begin(), middle, radii.end());
   return 1.6 * *middle;
 }

@@ -74,6 +74,7 @@ struct WorldState {
   bool changed = true;
   std::vector<std::uint32_t> awake, resting;
   std::vector<Bounds> bounds;
+  std::vector<std::int32_t> groups;  ///< articulation of each body; empty: none has one
   std::vector<CellEntry> resting_cells;
 };
 
