@@ -175,6 +175,7 @@ class Placer {
     for (std::size_t i = 0; i < scene_.blocks.size(); ++i) add_entry(i);
     for (std::size_t i = 0; i < scene_.robots.size(); ++i) add_robot_entry(i);
     if (out_.has_errors()) return std::nullopt;
+    add_stock();
     if (scene_.sweeps > 0) placed_.config.sweeps = scene_.sweeps;
     report_problems();
     if (out_.has_errors()) return std::nullopt;
@@ -249,8 +250,17 @@ class Placer {
     const RobotModel& model = scene_.robot_models[spawn.model];
     placed_.robots.push_back(add_robot(placed_.config, model, spawn.X_WR, materials_));
     for (const BodyModel& part : model.bodies) {
-      placed_.bodies.push_back(
-          {spawn.name + "/" + part.name, Led::off, entry, false, part.rgb});
+      placed_.bodies.push_back({spawn.name + "/" + part.name, Led::off, entry, false, part.rgb});
+    }
+  }
+
+  /// What caches may drop has a name already, though no place yet.
+  void add_stock() {
+    std::size_t number = 0;
+    for (const CacheSpawn& cache : scene_.caches) {
+      for (std::size_t i = 0; i < cache.stock; ++i) {
+        placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0, true, {}});
+      }
     }
   }
 

@@ -71,9 +71,9 @@ struct RobotSpawn {
 struct CacheSpawn {
   Vec3 at;  ///< where it is dropped; the radius is measured on the floor
   double radius = 0.35;
-  double yaw = 0;            ///< rad
-  std::size_t model = 0;     ///< in Scene::models
-  std::size_t stock = 1000;  ///< blocks that it has
+  double yaw = 0;           ///< rad
+  std::size_t model = 0;    ///< in Scene::models
+  std::size_t stock = 100;  ///< blocks that it has
   SourceRange range;
 };
 
@@ -108,14 +108,16 @@ struct Scene {
 struct SceneBody {
   std::string name;
   Led colour = Led::off;
-  std::size_t entry = 0;  ///< in Scene::blocks, or Scene::robots
-  bool block = true;      ///< otherwise part of a robot
+  std::size_t entry = 0;   ///< in Scene::blocks, or Scene::robots
+  bool block = true;       ///< otherwise part of a robot
   Rgb rgb{176, 180, 186};  ///< of a robot's part
 };
 
 struct PlacedScene {
   WorldConfig config;
-  std::vector<SceneBody> bodies;  ///< as config.bodies
+  /// As config.bodies, and after them those that caches may drop, in the order in which they
+  /// come, whichever cache it is.
+  std::vector<SceneBody> bodies;
   std::vector<RobotBody> robots;  ///< as Scene::robots
   std::uint64_t seed = 1;
 };

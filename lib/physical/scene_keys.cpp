@@ -175,7 +175,7 @@ const Form& cache_keys() {
           above_zero("radius", "m: a block nearer than this keeps the next one back (0.35).", kFar),
           real("yaw", "Degrees, of the blocks.", -360, 360),
           {.name = "file", .kind = text, .doc = "Block file (default: stigmergic.yaml)."},
-          whole("stock", "Blocks that it has (default: 1000).", 0, 10'000),
+          whole("stock", "Blocks that it has (default: 100).", 0, 10'000),
       }};
   return kKeys;
 }
@@ -219,7 +219,8 @@ const Form& scene_keys() {
            .kind = form,
            .doc = "Coefficients of pairs of materials.",
            .form = &friction_keys()},
-          whole("sweeps", "Of the contact solver, in each of its small steps (default: 1).", 1, 10'000),
+          whole("sweeps", "Of the contact solver, in each of its small steps (default: 1).", 1,
+                10'000),
           {.name = "magnets",
            .kind = form,
            .doc = "How magnets are computed.",

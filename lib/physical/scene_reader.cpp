@@ -17,6 +17,7 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
+constexpr std::string_view kDefaultProgram = "stigmergic.lua";
 
 /// The number of a material; a name seen for the first time gets the next.
 Material material_of(const std::string& name, std::vector<std::string>& names) {
@@ -89,8 +90,11 @@ class Reader {
     for (const FormView& entry : root.forms("blocks")) read_entry(entry);
     for (const FormView& entry : root.forms("robots")) read_robot_entry(entry);
     for (const FormView& entry : root.forms("caches")) read_cache(entry);
+    // Robots set blocks' colours by radio, which is for the block's program to obey.
     if (const YamlNode* program = root.find("block_program")) {
       scene_.block_program = program_of(*program, program->text);
+    } else if (!scene_.robots.empty()) {
+      scene_.block_program = program_of(document_.root, std::string(kDefaultProgram));
     }
     scene_.lights = root.flag("lights", true);
     read_noise(root.form("noise"));
@@ -259,10 +263,13 @@ class Reader {
     if (!model) return;
     cache.model = *model;
     const double side = scene_.models[*model].side;
+    if (!scene_.caches.empty() && scene_.caches.front().model != cache.model) {
+      out_.add(Code::S609, cache.range, "all caches of a scene have the same kind of block");
+    }
     cache.at = node.vector("at", {0, 0, side / 2});
     cache.radius = node.number("radius", cache.radius);
     cache.yaw = node.number("yaw") * kDegree;
-    cache.stock = static_cast<std::size_t>(node.number("stock", 1000));
+    cache.stock = static_cast<std::size_t>(node.number("stock", 100));
     scene_.caches.push_back(cache);
   }
 
