@@ -35,6 +35,10 @@ void set_functions(lua_State* state, const LuaEntry (&entries)[n]) {
   set_functions(state, entries, n);
 }
 
+/// Makes every C function of the table on top pay for the texts that it is handed, before it
+/// runs; they may have no upvalues.
+void charge_all(lua_State* state);
+
 /// Raises again, when the box was stopped, what some function caught: the value on top.
 void raise_if_stopped(lua_State* state);
 

@@ -57,6 +57,7 @@ int seed_random(lua_State* state) {
 
 void open_math(lua_State* state) {
   luaL_requiref(state, LUA_MATHLIBNAME, luaopen_math, 1);
+  charge_all(state);  // a text may stand for a number
   set_functions(state, {{"random", random_number}, {"randomseed", seed_random}});
   lua_pop(state, 1);
 }

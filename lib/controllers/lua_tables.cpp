@@ -17,6 +17,14 @@ void pay(lua_State* state, lua_Integer places) {
   if (places > 0) LuaBox::of(state).charge(state, 2 * static_cast<std::uint64_t>(places));
 }
 
+/// What '#' says of the table at index 1; a metatable may make it anything.
+lua_Integer size_of(lua_State* state) {
+  constexpr lua_Integer kMost = lua_Integer{1} << 53;
+  const lua_Integer size = luaL_len(state, 1);
+  if (size < 0 || size > kMost) luaL_error(state, "table: a list cannot have this length");
+  return size;
+}
+
 /// Number of places from one to another, 0 when there are none.
 std::uint64_t span(lua_Integer first, lua_Integer last) {
   if (first > last) return 0;
@@ -26,7 +34,7 @@ std::uint64_t span(lua_Integer first, lua_Integer last) {
 
 int insert(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
-  const lua_Integer end = luaL_len(state, 1) + 1;
+  const lua_Integer end = size_of(state) + 1;
   const int count = lua_gettop(state);
   if (count == 2) {
     lua_seti(state, 1, end);
@@ -45,7 +53,7 @@ int insert(lua_State* state) {
 
 int remove(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
-  const lua_Integer size = luaL_len(state, 1);
+  const lua_Integer size = size_of(state);
   lua_Integer place = size;
   if (lua_gettop(state) > 1) {
     // One past the end, and 0 of an empty list, are allowed and remove what is there.
@@ -67,8 +75,7 @@ int concat(lua_State* state) {
   std::size_t separator_size = 0;
   const char* separator = luaL_optlstring(state, 2, "", &separator_size);
   const lua_Integer first = luaL_optinteger(state, 3, 1);
-  const lua_Integer last =
-      lua_isnoneornil(state, 4) ? luaL_len(state, 1) : luaL_checkinteger(state, 4);
+  const lua_Integer last = lua_isnoneornil(state, 4) ? size_of(state) : luaL_checkinteger(state, 4);
   LuaBox::of(state).charge(state, span(first, last));
   luaL_Buffer buffer;
   luaL_buffinit(state, &buffer);
@@ -100,8 +107,7 @@ int pack(lua_State* state) {
 int unpack(lua_State* state) {
   constexpr std::uint64_t kMostValues = 10'000;
   const lua_Integer first = luaL_optinteger(state, 2, 1);
-  const lua_Integer last =
-      lua_isnoneornil(state, 3) ? luaL_len(state, 1) : luaL_checkinteger(state, 3);
+  const lua_Integer last = lua_isnoneornil(state, 3) ? size_of(state) : luaL_checkinteger(state, 3);
   const std::uint64_t count = span(first, last);
   if (count > kMostValues || lua_checkstack(state, static_cast<int>(count) + 1) == 0) {
     return luaL_error(state, "table.unpack: too many values");
@@ -173,7 +179,7 @@ int sort(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   if (!lua_isnoneornil(state, 2)) luaL_checktype(state, 2, LUA_TFUNCTION);
   lua_settop(state, 2);
-  const lua_Integer size = luaL_len(state, 1);
+  const lua_Integer size = size_of(state);
   pay(state, size);
   lua_newtable(state);
   lua_newtable(state);

@@ -23,21 +23,6 @@ int charged(lua_State* state) {
   return lua_tocfunction(state, lua_upvalueindex(1))(state);
 }
 
-/// Puts `charged` around every function of the table on top.
-void charge_all(lua_State* state) {
-  lua_pushnil(state);
-  while (lua_next(state, -2) != 0) {
-    if (lua_iscfunction(state, -1) != 0) {
-      lua_pushvalue(state, -2);
-      lua_insert(state, -2);
-      lua_pushcclosure(state, charged, 1);
-      lua_rawset(state, -4);
-    } else {
-      lua_pop(state, 1);
-    }
-  }
-}
-
 std::string_view check_text(lua_State* state, int index) {
   std::size_t size = 0;
   const char* text = luaL_checklstring(state, index, &size);
@@ -327,6 +312,20 @@ int gsub(lua_State* state) {
 
 }  // namespace
 
+void charge_all(lua_State* state) {
+  lua_pushnil(state);
+  while (lua_next(state, -2) != 0) {
+    if (lua_iscfunction(state, -1) != 0) {
+      lua_pushvalue(state, -2);
+      lua_insert(state, -2);
+      lua_pushcclosure(state, charged, 1);
+      lua_rawset(state, -4);
+    } else {
+      lua_pop(state, 1);
+    }
+  }
+}
+
 void open_text(lua_State* state) {
   luaL_requiref(state, LUA_UTF8LIBNAME, luaopen_utf8, 1);
   charge_all(state);
@@ -344,6 +343,7 @@ void open_text(lua_State* state) {
   lua_setfield(state, -2, "format");
   // The metatable that all texts share is out of the program's hands.
   lua_getmetatable(state, (lua_pushliteral(state, ""), -1));
+  charge_all(state);  // arithmetic reads numbers out of texts
   lua_pushliteral(state, "string");
   lua_setfield(state, -2, "__metatable");
   lua_pop(state, 4);

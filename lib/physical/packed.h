@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes compressed into one zstd frame, with a checksum, so that no changed byte goes
-// unnoticed.
+// Bytes compressed into one zstd frame, with a checksum of what was compressed.
 #pragma once
 
 #include <cstddef>

@@ -321,13 +321,13 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
       std::upper_bound(trace.chunks.begin(), trace.chunks.end(), tick,
                        [](std::uint64_t t, const TraceChunk& c) { return t < c.first_tick; });
   const TraceChunk& chunk = later == trace.chunks.begin() ? *later : *(later - 1);
-  TraceFrame found;
+  std::optional<TraceFrame> found;
   RecordSinks sinks;
   sinks.frame = [&](const TraceFrame& frame) {
-    if (found.bodies.empty() || frame.tick <= tick) found = frame;
+    if (!found || frame.tick <= tick) found = frame;
   };
   decode(trace, chunk, sinks);
-  return found;
+  return std::move(found).value_or(TraceFrame{});
 }
 
 void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer) {

@@ -89,10 +89,10 @@ TEST_CASE("work of library functions counts") {
            "local s = ('a'):rep(60000) while true do s:find('b', 1, true) end",
            "table.move({}, 1, math.maxinteger - 1, 2)",
            "table.concat(setmetatable({}, {__index = table.concat}), '', 1, math.maxinteger)",
-           "table.insert(setmetatable({}, {__len = function() return math.maxinteger - 1 end}), 1, "
+           "table.insert(setmetatable({}, {__len = function() return 2 ^ 53 | 0 end}), 1, "
            "1)",
-           "table.remove(setmetatable({}, {__len = function() return math.maxinteger - 1 end}), 1)",
-           "table.sort(setmetatable({}, {__len = function() return math.maxinteger - 1 end}))",
+           "table.remove(setmetatable({}, {__len = function() return 2 ^ 53 | 0 end}), 1)",
+           "table.sort(setmetatable({}, {__len = function() return 2 ^ 53 | 0 end}))",
            "local s = ('x'):rep(60000) while true do utf8.len(s) end",
            "local s = (' '):rep(60000) while true do tonumber(s) end",
            "local s = ('x'):rep(60000) while true do local t = s .. 'y' end",
@@ -103,6 +103,17 @@ TEST_CASE("work of library functions counts") {
            "while true do pcall(require, 'nothing') end",
        }) {
     ends(text, kTooLong);
+  }
+}
+
+TEST_CASE("lengths that no list has are refused") {
+  for (const char* call :
+       {"insert(t, 1)", "insert(t, 1, 1)", "remove(t)", "sort(t)", "concat(t)"}) {
+    for (const char* size : {"math.maxinteger", "math.mininteger", "-1"}) {
+      ends("local t = setmetatable({}, {__len = function() return " + std::string(size) +
+               " end}) table." + call,
+           "cannot have this length");
+    }
   }
 }
 

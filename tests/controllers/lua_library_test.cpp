@@ -94,6 +94,7 @@ TEST_CASE("the table library does what Lua's does") {
 
 TEST_CASE("pcall, xpcall, load and coroutines are as Lua has them") {
   CHECK(said(R"(
+    assert('10' + 1 == 11 and '3' * '4' == 12 and not pcall(function() return 'x' + 1 end))
     assert(select('#', pcall(function() return 1, nil end)) == 3)
     local ok, e = pcall(error, {5}) assert(not ok and e[1] == 5)
     assert(select(2, xpcall(error, function(m) return m .. '!' end, 'x')) == 'x!')

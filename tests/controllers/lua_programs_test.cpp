@@ -93,5 +93,20 @@ TEST_CASE("the block fetcher searches, approaches, pulls, lifts, marks and carri
   CHECK(robot.commands.sends.at(0) == std::vector<Message>{"4"});
 }
 
+TEST_CASE("the example of the documentation runs") {
+  FileError error;
+  const auto page = read_file(STIG_SOURCE_DIR "/docs/controllers.md", 1 << 20, error);
+  REQUIRE(page);
+  const std::size_t begin = page->find("```lua\n") + 7;
+  Running robot(page->substr(begin, page->find("```", begin) - begin));
+  REQUIRE(robot.status.error == "");
+  RobotReadings readings = empty_readings();
+  readings.cameras[0].tags.resize(1);
+  readings.cameras[0].tags[0].p_CT = {0.1, 0, 0.3};
+  CHECK(robot.step(readings).error == "");
+  CHECK(robot.commands.wheels->first > robot.commands.wheels->second);
+  CHECK(robot.commands.wheels->second > 0);
+}
+
 }  // namespace
 }  // namespace stig

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Holds the JSON Schema and the reader to the same verdict.
 
-Usage: check_schema.py PROBE FILE...
+Usage: check_schema.py [--scenes] PROBE FILE...
 
 Codes R1xx are about shape: the schema must reject such a file. Codes R2xx and R3xx
 are about meaning, which a schema cannot see: it must accept. Files that are no YAML of
@@ -16,8 +16,9 @@ import jsonschema
 
 
 def main():
-    probe, files = sys.argv[1], sys.argv[2:]
-    out = json.loads(subprocess.run([probe] + files, check=True, capture_output=True).stdout)
+    scenes = sys.argv[1] == "--scenes"
+    probe, files = sys.argv[1 + scenes], sys.argv[2 + scenes:]
+    out = json.loads(subprocess.run([probe] + ["scenes"] * scenes + files, check=True, capture_output=True).stdout)
     jsonschema.Draft7Validator.check_schema(out["schema"])
     validator = jsonschema.Draft7Validator(out["schema"])
     failures = checked = rejected = 0

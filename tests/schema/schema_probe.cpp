@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// What the reader says of rule set files, for check_schema.py: one JSON object with
-// the schema and, for each file named, its codes and its content as JSON.
+// What the readers say of rule sets or, after the word "scenes", of scenes, for
+// check_schema.py: one JSON object with the schema and, for each file named, its codes and
+// its content as JSON.
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
+#include "physical/scene.h"
 #include "rules/rule_reader.h"
 #include "rules/rule_schema.h"
 
@@ -44,14 +46,27 @@ Json to_json(const YamlNode& node) {
   }
 }
 
-Json probe(const std::string& path) {
+void read(const std::shared_ptr<const SourceFile>& source, bool scenes, Diagnostics& diagnostics) {
+  if (!scenes) {
+    read_rule_set(source, diagnostics);
+    return;
+  }
+  // Blocks and poses have forms of their own.
+  const SceneLoader load = [](const std::string&, std::size_t, FileError&) {
+    return std::optional<std::string>(
+        "stigc_block: 1\nname: b\nbody: {side: 0.055, mass: 0.1, friction: 0.5}\n");
+  };
+  read_scene(source, load, diagnostics);
+}
+
+Json probe(const std::string& path, bool scenes) {
   Json out;
   FileError error;
   const auto text = read_file(path, kMaxRuleFileBytes, error);
   if (!text) return {{"error", error.message}};
   const auto source = std::make_shared<SourceFile>(path, *text);
   Diagnostics diagnostics;
-  read_rule_set(source, diagnostics);
+  read(source, scenes, diagnostics);
   out["codes"] = Json::array();
   for (const Diagnostic& d : diagnostics.all()) out["codes"].push_back(info(d.code).name);
   Diagnostics ignored;
@@ -66,9 +81,10 @@ Json probe(const std::string& path) {
 }  // namespace stig
 
 int main(int argc, char** argv) {
+  const bool scenes = argc > 1 && std::string_view(argv[1]) == "scenes";
   nlohmann::json out;
-  out["schema"] = nlohmann::json::parse(stig::json_schema());
-  for (int i = 1; i < argc; ++i) out["files"][argv[i]] = stig::probe(argv[i]);
+  out["schema"] = nlohmann::json::parse(scenes ? stig::scene_schema() : stig::json_schema());
+  for (int i = scenes ? 2 : 1; i < argc; ++i) out["files"][argv[i]] = stig::probe(argv[i], scenes);
   std::printf("%s\n", out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
   return 0;
 }

@@ -94,7 +94,7 @@ std::string frame_lines(const PoseTrace& trace, const TraceFrame& frame) {
   out += structure_in_lines(structure_of(picture_bodies(trace, frame)));
   for (std::size_t i = 0; i < std::min(frame.bodies.size(), kMostBodiesShown); ++i) {
     const Pose pose = frame.bodies[i].pose();
-    out += fmt::format("{:>16}  {:9.5f} {:9.5f} {:9.5f}  {}\n",
+    out += fmt::format("{:>16}  {:8.4f} {:8.4f} {:8.4f}  {}\n",
                        printable(trace.header.bodies[i].name), pose.p.x, pose.p.y, pose.p.z,
                        frame.bodies[i].left    ? "left"
                        : frame.bodies[i].awake ? "awake"

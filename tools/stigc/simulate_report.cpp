@@ -69,6 +69,9 @@ std::pair<double, double> misfit(const ReadLattice& lattice) {
   return {offset, turn};
 }
 
+/// Degrees to a tenth, and no minus before nothing.
+double tenths(double radians) { return std::round(radians / kDegree * 10) / 10 + 0.0; }
+
 Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 }  // namespace
@@ -195,8 +198,8 @@ std::string structure_in_lines(const StructureReading& structure) {
     const auto [offset, turn] = misfit(lattice);
     out += line(i == 0 ? "lattices" : "",
                 fmt::format("{} blocks, {}, yaw {:.1f}°, tilt {:.1f}°, fit {:.2f} mm and {:.2f}°",
-                            lattice.blocks.size(), size_in_words(lattice), lattice.yaw / kDegree,
-                            lattice.tilt / kDegree, offset * 1e3, turn / kDegree));
+                            lattice.blocks.size(), size_in_words(lattice), tenths(lattice.yaw),
+                            tenths(lattice.tilt), offset * 1e3, turn / kDegree));
   }
   if (structure.lattices.size() > kMostLattices) {
     out += line("", fmt::format("and {} more", structure.lattices.size() - kMostLattices));

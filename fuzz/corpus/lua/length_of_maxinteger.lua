@@ -1,0 +1,1 @@
+table.remove(setmetatable({}, {__len = function() return math.maxinteger - 0 end}), 1)

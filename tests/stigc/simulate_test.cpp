@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// stigc simulate and what reads its files.
+#include <doctest/doctest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
+#include "program.h"
+#include "support/golden.h"
+
+namespace stig {
+namespace {
+
+/// What differs from run to run, and what every change of the physics' last digits changes.
+constexpr const char* kSteady =
+    " | sed -E '/^ *speed /d; s/[0-9a-f]{16}(\"?,?)$/HASH\\1/; s/^( *size ).*/\\1X/; "
+    "s/\"(at|seconds|real_time_factor|bytes[a-z_]*|[a-z]*_mm|[a-z]*_degrees)\": "
+    "([0-9.e+-]+|\\[[^]]*\\])/\"\\1\": X/'";
+
+void hold(const Workplace& place, const std::string& name, const std::string& line) {
+  CAPTURE(line);
+  check_golden("tests/stigc/golden/" + name + ".txt", transcript(line, place.shell(line)));
+}
+
+/// The line of a summary that begins with `label`.
+std::string line_of(const std::string& text, const std::string& label) {
+  const std::size_t at = text.find("  " + label + " ");
+  REQUIRE_MESSAGE(at != std::string::npos, text);
+  return text.substr(at, text.find('\n', at) - at);
+}
+
+}  // namespace
+
+TEST_CASE("simulate prints a summary, one object, or a table of runs") {
+  const Workplace place;
+  hold(place, "simulate", "stigc simulate sets/still.yaml" + std::string(kSteady));
+  hold(place, "simulate-json",
+       "stigc simulate sets/still.yaml --duration 0.2 --seed 4 --json" + std::string(kSteady));
+  hold(place, "simulate-runs", "stigc simulate sets/still.yaml --runs 3" + std::string(kSteady));
+  hold(place, "simulate-bad",
+       "stigc simulate sets/stuck.yaml; stigc check sets/stuck.yaml sets/fall.yaml");
+  CHECK(place.stigc({"simulate", "sets/fall.yaml", "--runs", "3", "--threads", "1"}).out ==
+        place.stigc({"simulate", "sets/fall.yaml", "--runs", "3", "--threads", "2"}).out);
+}
+
+TEST_CASE("replay shows a recorded run, any moment of it, and verifies it") {
+  const Workplace place;
+  hold(place, "simulate-replay",
+       "{ stigc simulate -q sets/still.yaml --trace t.stigp > /dev/null; stigc replay t.stigp; "
+       "stigc replay t.stigp --verify; stigc replay t.stigp --at 0.25; }" +
+           std::string(kSteady));
+  hold(place, "simulate-replay-json",
+       "{ stigc replay t.stigp --json; stigc replay t.stigp --verify --json; }" +
+           std::string(kSteady));
+  hold(place, "simulate-damaged",
+       "head -c 400 t.stigp > d.stigp; stigc replay d.stigp; "
+       "stigc simulate -q sets/fall.yaml --duration 0.1 --checkpoint c.stigk > /dev/null; "
+       "head -c 300 c.stigk > d.stigk; stigc simulate --resume d.stigk; "
+       "stigc simulate --resume t.stigp; stigc simulate --resume c.stigk --trace t2.stigp; "
+       "stigc simulate -q sets/fall.yaml --seed 2 --trace t2.stigp > /dev/null; "
+       "stigc simulate --resume c.stigk --trace t2.stigp");
+}
+
+TEST_CASE("a run taken up again ends as if it had never stopped: hash and trace, byte by byte") {
+  const Workplace place;
+  const Outcome whole = place.stigc({"simulate", "sets/fall.yaml", "--trace", "whole.stigp"});
+  REQUIRE(whole.exit_code == 0);
+  REQUIRE(place
+              .stigc({"simulate", "sets/fall.yaml", "--duration", "0.37", "--trace", "part.stigp",
+                      "--checkpoint", "c.stigk"})
+              .exit_code == 0);
+  const Outcome rest =
+      place.stigc({"simulate", "--resume", "c.stigk", "--trace", "part.stigp", "--duration", "1"});
+  CHECK(rest.exit_code == 0);
+  for (const char* label : {"hash", "moved", "contacts", "magnets", "end"}) {
+    CHECK(line_of(rest.out, label) == line_of(whole.out, label));
+  }
+  CHECK(place.file("part.stigp") == place.file("whole.stigp"));
+}
+
+TEST_CASE("pictures of any moment, from a run and from its trace, are the same") {
+  const Workplace place;
+  REQUIRE(
+      place
+          .stigc({"simulate", "sets/fall.yaml", "--trace", "t.stigp", "-o", "a.png", "--at", "0.3"})
+          .exit_code == 0);
+  REQUIRE(place.stigc({"replay", "t.stigp", "-o", "b.png", "--at", "0.3"}).exit_code == 0);
+  CHECK(place.file("a.png").starts_with("\x89PNG"));
+  CHECK(place.file("b.png").starts_with("\x89PNG"));
+  REQUIRE(place.stigc({"replay", "t.stigp", "-o", "c.png"}).exit_code == 0);
+  CHECK(place.file("c.png") != place.file("b.png"));
+}
+
+TEST_CASE("an interrupted run keeps its trace and leaves a checkpoint to go on from") {
+  const Workplace place;
+  const pid_t process = place.start({"simulate", "sets/fall.yaml", "--duration", "1000000",
+                                     "--trace", "t.stigp", "--checkpoint", "c.stigk"});
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  kill(process, SIGINT);
+  const Outcome outcome = place.finish(process);
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.err.find("interrupted after") != std::string::npos);
+  CHECK(place.stigc({"replay", "t.stigp", "--verify"}).exit_code == 0);
+  CHECK(place.files() == std::vector<std::string>{"c.stigk", "t.stigp"});
+  CHECK(place.stigc({"simulate", "--resume", "c.stigk", "--duration", "1"}).exit_code == 0);
+}
+
+TEST_CASE("simulate's usage errors") {
+  const Workplace place;
+  hold(place, "simulate-usage",
+       "{ for words in '' 'sets/fall.yaml --at 1' 'sets/fall.yaml -o x.svg' "
+       "'sets/fall.yaml --runs 2 --trace t' 'sets/fall.yaml --resume c' '--resume c --seed 1' "
+       "'sets/fall.yaml --duration 0' 'sets/fall.yaml --trace no/such/t' "
+       "'sets/none.yaml' 'sets/line.yaml'; do "
+       "echo \"stigc simulate $words\"; stigc simulate $words; echo \"  exit $?\"; done; } 2>&1");
+  REQUIRE(place.stigc({"explore", "sets/line.yaml", "--trace", "l.stigt"}).exit_code == 0);
+  CHECK(place.stigc({"replay", "l.stigt", "--at", "1"}).exit_code == 2);
+}
+
+TEST_CASE("the schema of scenes") {
+  const Workplace place;
+  check_golden("tests/golden/scene-schema.json", place.stigc({"schema", "scene"}).out);
+}
+
+}  // namespace stig
