@@ -33,9 +33,10 @@ std::vector<CellEntry> cells_of(const std::vector<std::uint32_t>& bodies,
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> candidate_pairs(
     const std::vector<CellEntry>& moving, const std::vector<CellEntry>& resting,
-    const std::vector<Bounds>& bounds) {
+    const std::vector<Bounds>& bounds, const std::vector<std::int32_t>& groups) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
   const auto consider = [&](std::uint32_t a, std::uint32_t b) {
+    if (!groups.empty() && groups[a] >= 0 && groups[a] == groups[b]) return;
     if (overlap(bounds[a], bounds[b])) out.push_back(std::minmax(a, b));
   };
   for (auto a = moving.begin(); a != moving.end(); ++a) {

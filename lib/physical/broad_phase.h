@@ -28,9 +28,10 @@ std::vector<CellEntry> cells_of(const std::vector<std::uint32_t>& bodies,
                                 const std::vector<Bounds>& bounds, double cell);
 
 /// Pairs a < b of bodies whose bounds overlap: among `moving`, and between `moving` and
-/// `resting`. Sorted, each once.
+/// `resting`. Sorted, each once. Bodies of one group are no pair, but for group -1; no groups
+/// are given: all pairs.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> candidate_pairs(
     const std::vector<CellEntry>& moving, const std::vector<CellEntry>& resting,
-    const std::vector<Bounds>& bounds);
+    const std::vector<Bounds>& bounds, const std::vector<std::int32_t>& groups = {});
 
 }  // namespace stig

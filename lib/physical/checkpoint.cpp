@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 #include <cstring>
+#include <optional>
 #include <type_traits>
 
 #include "base/hash.h"
@@ -55,6 +56,8 @@ class Taker {
   void operator()(Vec3& v) { (*this)(v.x), (*this)(v.y), (*this)(v.z); }
   void operator()(Quat& q) { (*this)(q.w), (*this)(q.x), (*this)(q.y), (*this)(q.z); }
   bool good() const { return good_; }
+  void fail() { good_ = false; }
+  std::size_t left() const { return in_.size(); }
   bool finished() const { return good_ && in_.empty(); }
 
  private:
@@ -83,17 +86,88 @@ void visit_contact(Each& each, ContactType& contact) {
   }
 }
 
-void write_joint(Writer& out, const JointDef& joint) {
-  out(joint.parent), out(joint.child), out(joint.X_PJ.p), out(joint.X_PJ.q), out(joint.X_CJ.p);
-  out(joint.X_CJ.q), out(joint.dofs.size());
-  for (const DofDef& dof : joint.dofs) {
-    out(dof.linear), out(dof.axis), out(dof.start), out(dof.lower), out(dof.upper);
-    out(dof.actuator), out(dof.effort), out(dof.speed), out(dof.damping);
+template <class Each, class Def>
+void visit_shape_and_mass(Each& each, Def& def) {
+  each(def.shape.kind), each(def.shape.half), each(def.mass), each(def.inertia);
+  each(def.X_WB.p), each(def.X_WB.q), each(def.material), each(def.fixed);
+  each(def.axle), each(def.axle_friction);
+}
+
+template <class Each, class Magnet>
+void visit_magnet_def(Each& each, Magnet& magnet) {
+  each(magnet.p_B), each(magnet.moment), each(magnet.free), each(magnet.direction);
+  each(magnet.active), each(magnet.inertia);
+}
+
+template <class Each, class Joint>
+void visit_joint_frames(Each& each, Joint& joint) {
+  each(joint.parent), each(joint.child), each(joint.X_PJ.p), each(joint.X_PJ.q);
+  each(joint.X_CJ.p), each(joint.X_CJ.q);
+}
+
+template <class Each, class Dof>
+void visit_dof(Each& each, Dof& dof) {
+  each(dof.linear), each(dof.axis), each(dof.start), each(dof.start_speed), each(dof.lower);
+  each(dof.upper), each(dof.actuator), each(dof.effort), each(dof.speed), each(dof.damping);
+}
+
+/// The bodies and joints from some number on.
+void write_definitions(Writer& out, const WorldConfig& config, std::size_t body,
+                       std::size_t body_end, std::size_t joint, std::size_t joint_end) {
+  out(static_cast<std::uint64_t>(body_end - body));
+  for (; body < body_end; ++body) {
+    const BodyDef& def = config.bodies[body];
+    visit_shape_and_mass(out, def);
+    out(static_cast<std::uint64_t>(def.magnets.size()));
+    for (const MagnetDef& magnet : def.magnets) visit_magnet_def(out, magnet);
+  }
+  out(static_cast<std::uint64_t>(joint_end - joint));
+  for (; joint < joint_end; ++joint) {
+    const JointDef& def = config.joints[joint];
+    visit_joint_frames(out, def);
+    out(static_cast<std::uint64_t>(def.dofs.size()));
+    for (const DofDef& dof : def.dofs) visit_dof(out, dof);
   }
 }
 
-/// Of everything in the configuration that a step depends on.
-std::uint64_t hash_of(const WorldConfig& config) {
+/// A list's length, and room for it: 0 when what is left could not hold it, at so many bytes
+/// each.
+template <class T>
+void take_count(Taker& in, std::vector<T>& list, std::size_t bytes) {
+  std::uint64_t count = 0;
+  in(count);
+  if (count > in.left() / bytes) in.fail();
+  list.resize(in.good() ? count : 0);
+}
+
+bool known(const BodyDef& def) {
+  return def.shape.kind == ShapeKind::box || def.shape.kind == ShapeKind::sphere;
+}
+bool known(const DofDef& dof) { return dof.actuator <= Actuator::force; }
+
+bool read_definitions(Taker& in, WorldConfig& out) {
+  take_count(in, out.bodies, 150);
+  for (BodyDef& def : out.bodies) {
+    visit_shape_and_mass(in, def);
+    take_count(in, def.magnets, 60);
+    for (MagnetDef& magnet : def.magnets) visit_magnet_def(in, magnet);
+    if (!in.good() || !known(def)) return false;
+  }
+  take_count(in, out.joints, 120);
+  for (JointDef& def : out.joints) {
+    visit_joint_frames(in, def);
+    take_count(in, def.dofs, 60);
+    for (DofDef& dof : def.dofs) {
+      visit_dof(in, dof);
+      if (!known(dof)) return false;
+    }
+  }
+  return in.good();
+}
+
+/// Of everything in the first configuration that a step depends on.
+std::uint64_t hash_of(const WorldState& world) {
+  const WorldConfig& config = world.config;
   Writer out;
   out(config.step), out(config.gravity), out(config.floor), out(config.arena);
   out(config.friction), out(config.frictions.size());
@@ -107,16 +181,7 @@ std::uint64_t hash_of(const WorldConfig& config) {
   out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time),
       out(sleep.speed), out(sleep.spin);
   out(sleep.waking_speed), out(sleep.waking_spin), out(sleep.waking_force);
-  for (const BodyDef& def : config.bodies) {
-    out(def.shape.kind), out(def.shape.half), out(def.mass), out(def.inertia), out(def.X_WB.p);
-    out(def.X_WB.q), out(def.material), out(def.fixed), out(def.axle), out(def.axle_friction);
-    out(def.magnets.size());
-    for (const MagnetDef& magnet : def.magnets) {
-      out(magnet.p_B), out(magnet.moment), out(magnet.free), out(magnet.direction);
-      out(magnet.active), out(magnet.inertia);
-    }
-  }
-  for (const JointDef& joint : config.joints) write_joint(out, joint);
+  write_definitions(out, config, 0, world.first_bodies, 0, world.first_joints);
   return hash_text(out.take());
 }
 
@@ -172,7 +237,9 @@ bool sound(const Contact& contact, std::size_t bodies) {
 
 std::string write_checkpoint(const WorldState& world) {
   Writer out;
-  out(kMagic), out(hash_of(world.config)), out(world.tick);
+  out(kMagic), out(hash_of(world)), out(world.tick);
+  write_definitions(out, world.config, world.first_bodies, world.config.bodies.size(),
+                    world.first_joints, world.config.joints.size());
   for (const Body& body : world.bodies) visit_body(out, body);
   for (const Articulation& it : world.articulations.all) visit_articulation(out, it);
   for (const Magnet& magnet : world.magnets) visit_magnet(out, magnet);
@@ -184,12 +251,40 @@ std::string write_checkpoint(const WorldState& world) {
   return out.take();
 }
 
+namespace {
+
+/// The world as it was made, with the additions of a checkpoint: untrusted, so they are
+/// checked as new ones are (but for overlaps: they came at different times).
+std::optional<WorldState> with_additions(const WorldState& world, Taker& in) {
+  WorldConfig added = world.config;
+  if (!read_definitions(in, added)) return std::nullopt;
+  WorldConfig all = world.config;
+  all.bodies.resize(world.first_bodies);
+  all.joints.resize(world.first_joints);
+  all.bodies.insert(all.bodies.end(), added.bodies.begin(), added.bodies.end());
+  all.joints.insert(all.joints.end(), added.joints.begin(), added.joints.end());
+  if (!find_problems_apart(all).empty()) return std::nullopt;
+  WorldState out = world;
+  if (world.config.bodies.size() == world.first_bodies && added.bodies.empty()) return out;
+  WorldConfig first = world.config;
+  first.bodies.resize(world.first_bodies);
+  first.joints.resize(world.first_joints);
+  out = make_world_state(first);
+  append(out, added.bodies, added.joints);
+  return out;
+}
+
+}  // namespace
+
 bool read_checkpoint(WorldState& world, std::string_view bytes) {
   Taker in(bytes);
-  WorldState next = world;
-  std::uint64_t magic = 0, config = 0, count = 0;
-  in(magic), in(config), in(next.tick);
-  if (!in.good() || magic != kMagic || config != hash_of(world.config)) return false;
+  std::uint64_t magic = 0, config = 0, tick = 0, count = 0;
+  in(magic), in(config), in(tick);
+  if (!in.good() || magic != kMagic || config != hash_of(world)) return false;
+  std::optional<WorldState> made = with_additions(world, in);
+  if (!made) return false;
+  WorldState& next = *made;
+  next.tick = tick;
   for (std::size_t i = 0; i < next.bodies.size(); ++i) {
     Body& body = next.bodies[i];
     visit_body(in, body);
@@ -197,7 +292,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
     body.r = matrix(body.q);
     MagnetOwner& owner = next.owners[i];
     owner.centre = body.p;
-    const auto magnets = world.config.bodies[i].magnets.size();
+    const auto magnets = next.config.bodies[i].magnets.size();
     owner.end = owner.begin + (body.left ? 0 : static_cast<std::uint32_t>(magnets));
   }
   for (Articulation& it : next.articulations.all) {

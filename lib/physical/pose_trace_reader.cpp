@@ -44,11 +44,11 @@ class ChunkDecoder {
 
   std::uint64_t first_tick() const { return tick_; }
 
-  /// False when the chunk is malformed.
+  /// False when the chunk is malformed, or has no frame.
   bool decode() {
     bool good = in_.good();
     while (good && in_.left() > 0) good = record() && in_.good();
-    return good;
+    return good && begun_;
   }
 
  private:

@@ -49,19 +49,21 @@ void add_magnets(WorldState& world, const BodyDef& def, std::uint32_t number) {
 /// Tells the bodies of an articulation that they are its links, and where they stand.
 void number_links(WorldState& world, std::size_t number) {
   const Articulation& articulation = world.articulations.all[number];
+  world.groups.resize(world.bodies.size(), -1);
   for (const LinkBody& link : articulation.links) {
-    world.bodies[link.body].articulation = static_cast<std::int32_t>(number);
+    world.bodies[link.body].articulation = world.groups[link.body] =
+        static_cast<std::int32_t>(number);
     world.bodies[link.body].part = static_cast<std::uint32_t>(link.part);
   }
   place_bodies(articulation, world.bodies);
 }
 
-/// Cells a little larger than the median body.
+/// Cells a little larger than most bodies: parts of mechanisms are small, and many.
 double cell_size(const std::vector<BodyDef>& bodies) {
   if (bodies.empty()) return 1;
   std::vector<double> radii;
   for (const BodyDef& def : bodies) radii.push_back(def.shape.radius());
-  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() / 2);
+  const auto middle = radii.begin() + static_cast<std::ptrdiff_t>(radii.size() * 4 / 5);
   std::nth_element(radii.begin(), middle, radii.end());
   return 1.6 * *middle;
 }
@@ -181,14 +183,29 @@ WorldState make_world_state(const WorldConfig& config) {
   assert(problems_of(config).empty());
   WorldState world;
   world.config = config;
+  world.config.bodies.clear();
+  world.config.joints.clear();
   world.cell = cell_size(config.bodies);
-  for (const BodyDef& def : config.bodies) {
+  append(world, config.bodies, config.joints);
+  world.first_bodies = config.bodies.size();
+  world.first_joints = config.joints.size();
+  return world;
+}
+
+void append(WorldState& world, const std::vector<BodyDef>& bodies,
+            const std::vector<JointDef>& joints) {
+  const std::size_t first_joint = world.config.joints.size();
+  for (const BodyDef& def : bodies) {
+    world.config.bodies.push_back(def);
     world.bodies.push_back(make_body(def));
     add_magnets(world, def, static_cast<std::uint32_t>(world.bodies.size() - 1));
   }
-  add_articulations(config, 0, world.articulations);
-  for (std::size_t i = 0; i < world.articulations.all.size(); ++i) number_links(world, i);
-  return world;
+  world.config.joints.insert(world.config.joints.end(), joints.begin(), joints.end());
+  std::size_t next = world.articulations.all.size();
+  add_articulations(world.config, first_joint, world.articulations);
+  while (next < world.articulations.all.size()) number_links(world, next++);
+  if (!world.groups.empty()) world.groups.resize(world.bodies.size(), -1);
+  world.changed = true;
 }
 
 Articulation* articulation_of(WorldState& world, std::uint32_t body) {

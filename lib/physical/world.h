@@ -12,7 +12,7 @@
 // depends on threads, addresses or time. Different worlds may step in different threads.
 //
 // Mechanisms (physical/joint.h) need DART: problems_of says so where it is missing.
-// Not here: cylinders and meshes, bodies added while it runs.
+// Not here: cylinders and meshes.
 #pragma once
 
 #include <cstdint>
@@ -64,6 +64,20 @@ struct StepResult {
   BodyId body{};
 };
 
+/// Bodies that come into a world that runs, with the joints among them: numbers in `joints`
+/// are places in `bodies`.
+struct Addition {
+  std::vector<BodyDef> bodies;
+  std::vector<JointDef> joints;
+};
+
+/// Where they went: the first of them, the others follow. With a problem: nowhere.
+struct AddResult {
+  std::string problem;  ///< a sentence, bodies and joints by their places in the addition
+  BodyId body{};
+  JointId joint{};
+};
+
 struct WorldState;
 
 class World {
@@ -89,6 +103,10 @@ class World {
   /// Kinetic (with that of integrated spheres), of gravity and of magnets, J. For tests and
   /// measures: costs a step.
   double energy() const;
+
+  /// Refused, with the world as before, where the definitions are no bodies, or overlap others
+  /// by more than 1 mm. Checkpoints from now on hold the definitions too.
+  AddResult add(const Addition& addition);
 
   /// Acts during the next step alone, at the centre of mass; wakes the body.
   void push(BodyId id, const Vec3& force, const Vec3& torque);

@@ -125,7 +125,8 @@ void check_overlaps(const WorldConfig& config, std::vector<ConfigProblem>& out) 
   for (const auto& [a, b] : candidate_pairs(cells_of(numbers, bounds, 2 * largest), {}, bounds)) {
     if (config.bodies[a].fixed && config.bodies[b].fixed) continue;
     if (mechanism[a] == mechanism[b]) continue;
-    if (deepest(touch(placed(a), placed(b), 0)) > kMostOverlap) {
+    const BodyDef &one = config.bodies[a], &other = config.bodies[b];
+    if (spawns_overlap(one.shape, one.X_WB, other.shape, other.X_WB)) {
       out.push_back({{a, b}, "overlap"});
     }
   }
@@ -168,7 +169,13 @@ BodyDef block_body(const BlockModel& block, const Pose& X_WB) {
   return def;
 }
 
-std::vector<ConfigProblem> find_problems(const WorldConfig& config) {
+bool spawns_overlap(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB) {
+  const Placed one{a, X_WA.p, matrix(X_WA.q)}, other{b, X_WB.p, matrix(X_WB.q)};
+  return length(X_WA.p - X_WB.p) < a.radius() + b.radius() &&
+         deepest(touch(one, other, 0)) > kMostOverlap;
+}
+
+std::vector<ConfigProblem> find_problems_apart(const WorldConfig& config) {
   std::vector<ConfigProblem> out;
   check_settings(config, out);
   if (!out.empty()) return out;
@@ -181,6 +188,11 @@ std::vector<ConfigProblem> find_problems(const WorldConfig& config) {
   for (std::string& problem : problems_of_joints(config)) {
     out.push_back({{}, std::move(problem)});
   }
+  return out;
+}
+
+std::vector<ConfigProblem> find_problems(const WorldConfig& config) {
+  std::vector<ConfigProblem> out = find_problems_apart(config);
   if (out.empty()) check_overlaps(config, out);
   return out;
 }

@@ -106,6 +106,10 @@ struct ConfigProblem {
 };
 /// Empty: nothing is wrong. Spawns may overlap by at most 1 mm.
 std::vector<ConfigProblem> find_problems(const WorldConfig& config);
+/// The same but for bodies that overlap, each other or the floor.
+std::vector<ConfigProblem> find_problems_apart(const WorldConfig& config);
+/// Whether two bodies, where they are defined to be, overlap by more than spawns may.
+bool spawns_overlap(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
 /// The same, each a sentence that names the bodies by their numbers.
 std::vector<std::string> problems_of(const WorldConfig& config);
 

@@ -75,21 +75,17 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
   out.push_back(contact);
 }
 
-bool may_touch(const Body& a, const Body& b) {
-  return !(a.fixed && b.fixed) && (a.articulation < 0 || a.articulation != b.articulation);
-}
-
 /// Contacts in which somebody takes part, in the order of (a, b).
 std::vector<Contact> find_contacts(WorldState& world) {
   for (const std::uint32_t i : world.awake) {
     world.bounds[i] = bounds_of(world, world.bodies[i]);
   }
   const auto pairs = candidate_pairs(cells_of(world.awake, world.bounds, world.cell),
-                                     world.resting_cells, world.bounds);
+                                     world.resting_cells, world.bounds, world.groups);
   std::vector<Contact> out;
   out.reserve(pairs.size() + world.awake.size());
   for (const auto& [a, b] : pairs) {
-    if (!may_touch(world.bodies[a], world.bodies[b])) continue;
+    if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
     const double margin = margin_of(world, world.bodies[a], world.bodies[b]);
     add_contact(world, a, b, touch(placed(world.bodies[a]), placed(world.bodies[b]), margin), out);
   }

@@ -54,7 +54,9 @@ struct Pull {
 };
 
 struct WorldState {
-  WorldConfig config;
+  WorldConfig config;            ///< with what was added since
+  std::size_t first_bodies = 0;  ///< of the configuration that the world was made from
+  std::size_t first_joints = 0;
   std::uint64_t tick = 0;
   std::vector<Body> bodies;
   std::vector<Magnet> magnets;
@@ -74,10 +76,14 @@ struct WorldState {
   bool changed = true;
   std::vector<std::uint32_t> awake, resting;
   std::vector<Bounds> bounds;
+  std::vector<std::int32_t> groups;  ///< articulation of each body; empty: none has one
   std::vector<CellEntry> resting_cells;
 };
 
 WorldState make_world_state(const WorldConfig& config);
+/// Appends bodies and joints whose numbers are already those of the world.
+void append(WorldState& world, const std::vector<BodyDef>& bodies,
+            const std::vector<JointDef>& joints);
 BodyState state_of(const WorldState& world, std::uint32_t body);
 
 /// Its articulation, or null.

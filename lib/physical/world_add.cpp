@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Bodies that come into a world that runs.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "physical/world_state.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::size_t kMostBodies = 20'000;
+constexpr double kMostSizeRatio = 200;  ///< of the largest body to the smallest
+
+/// The addition as a world of its own, under this one's settings.
+WorldConfig alone(const WorldState& world, const Addition& addition) {
+  WorldConfig config = world.config;
+  config.bodies = addition.bodies;
+  config.joints = addition.joints;
+  return config;
+}
+
+std::string overlap_with(const WorldState& world, const Addition& addition) {
+  for (std::size_t i = 0; i < addition.bodies.size(); ++i) {
+    const BodyDef& def = addition.bodies[i];
+    for (std::size_t k = 0; k < world.bodies.size(); ++k) {
+      const Body& other = world.bodies[k];
+      if (other.left || (other.fixed && def.fixed)) continue;
+      if (spawns_overlap(def.shape, def.X_WB, other.shape, {other.p, other.q})) {
+        return fmt::format("body {} overlaps body {} of the world", i, k);
+      }
+    }
+  }
+  return {};
+}
+
+std::string problem_with(const WorldState& world, const Addition& addition) {
+  const std::vector<std::string> problems = problems_of(alone(world, addition));
+  if (!problems.empty()) return problems[0];
+  if (world.bodies.size() + addition.bodies.size() > kMostBodies) {
+    return "there may be at most 20000 bodies";
+  }
+  double least = 1e9, most = 0;
+  for (const auto* bodies : {&world.config.bodies, &addition.bodies}) {
+    for (const BodyDef& def : *bodies) {
+      least = std::min(least, def.shape.radius());
+      most = std::max(most, def.shape.radius());
+    }
+  }
+  if (most > kMostSizeRatio * least) return "the largest body is more than 200 times the smallest";
+  return overlap_with(world, addition);
+}
+
+}  // namespace
+
+AddResult World::add(const Addition& addition) {
+  AddResult out{problem_with(*state_, addition), {}, {}};
+  if (!out.problem.empty()) return out;
+  const auto first = static_cast<std::uint32_t>(state_->bodies.size());
+  out.body = BodyId{first};
+  out.joint = JointId{static_cast<std::uint32_t>(state_->config.joints.size())};
+  std::vector<JointDef> joints = addition.joints;
+  for (JointDef& joint : joints) {
+    joint.child += first;
+    if (joint.parent != kWorldBody) joint.parent += first;
+  }
+  append(*state_, addition.bodies, joints);
+  return out;
+}
+
+}  // namespace stig
