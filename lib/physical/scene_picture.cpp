@@ -119,11 +119,15 @@ void draw_block_face(Painter& painter, const std::vector<Vec3>& corners, const V
   }
 }
 
+std::vector<SolidFace> faces_of(const PictureBody& body) {
+  return body.faces.empty() ? faces_of(body.shape) : body.faces;
+}
+
 void draw_body(Painter& painter, const PictureBody& body) {
   const Mat3 r = matrix(body.X_WB.q);
   const Rgb colour =
       body.block && body.led != Led::off ? blend(body.colour, rgb_of(body.led), 0.6) : body.colour;
-  for (const SolidFace& face : faces_of(body.shape)) {
+  for (const SolidFace& face : faces_of(body)) {
     const std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
     const Vec3 normal = r * face.normal;
     if (!painter.faces_eye(corners[0], normal)) continue;
@@ -138,7 +142,7 @@ void draw_body(Painter& painter, const PictureBody& body) {
 
 /// Along the light onto the floor.
 void draw_shadow(Painter& painter, const PictureBody& body) {
-  for (const SolidFace& face : faces_of(body.shape)) {
+  for (const SolidFace& face : faces_of(body)) {
     std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
     for (Vec3& p : corners) {
       p -= kLight * (std::max(p.z, 0.0) / kLight.z);
@@ -270,7 +274,7 @@ PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLoo
 }
 
 ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
-                         bool floor) {
+                         bool floor, const std::vector<PictureLine>& lines) {
   Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kSky);
   Painter painter(raster, view);
   Extent extent;
@@ -282,6 +286,9 @@ ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureVi
     for (const PictureBody& body : bodies) draw_shadow(painter, body);
   }
   for (const PictureBody& body : bodies) draw_body(painter, body);
+  for (const PictureLine& mark : lines) {
+    painter.line(mark.from, mark.to, mark.width, mark.colour, mark.bias);
+  }
   return {raster.image(kSamples), step};
 }
 

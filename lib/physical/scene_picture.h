@@ -10,6 +10,7 @@
 #include "physical/contact.h"
 #include "physical/led.h"
 #include "physical/raster.h"
+#include "physical/solid_faces.h"
 #include "sensing/camera.h"
 
 namespace stig {
@@ -20,6 +21,15 @@ struct PictureBody {
   Rgb colour{176, 180, 186};
   bool block = false;  ///< tags and LEDs on its faces
   Led led = Led::off;
+  std::vector<SolidFace> faces = {};  ///< drawn in place of the shape's, if there are any
+};
+
+/// A straight mark: `width` in pixels, drawn as if nearer by the share `bias`.
+struct PictureLine {
+  Vec3 from, to;
+  double width = 1;
+  Rgb colour;
+  double bias = 0;
 };
 
 /// An eye: where it is and what it sees. Camera frame: z ahead, x right, y down.
@@ -44,7 +54,7 @@ struct ScenePicture {
   double grid = 0;  ///< m between lines
 };
 ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
-                         bool floor);
+                         bool floor, const std::vector<PictureLine>& lines = {});
 
 /// A PNG file with a caption in its lower left corner; empty when there is no memory for it.
 std::string png_of(const Image& image, const std::string& caption);

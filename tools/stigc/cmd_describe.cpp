@@ -1,18 +1,49 @@
 // SPDX-License-Identifier: MIT
 // stigc describe: what a robot is made of.
+#include <fmt/format.h>
+
+#include "base/file_io.h"
 #include "commands.h"
 #include "controllers/robot_reader.h"
+#include "outputs.h"
+#include "physical/robot_picture.h"
 #include "robot_report.h"
 
 namespace stig {
+namespace {
+
+/// Words of what is wrong with the picture's name, or empty.
+std::string picture_problem(const std::string& path) {
+  if (!path.ends_with(".png")) {
+    return fmt::format("'{}': pictures of robots are .png", printable(path));
+  }
+  return folder_problem(path);
+}
+
+int write_picture(const RobotModel& robot, const std::string& path, const App& app) {
+  FileError error;
+  if (!write_file(path, robot_png(robot), error)) {
+    app.complain(error.message);
+    return kRunFailed;
+  }
+  app.say(fmt::format("wrote {}", printable(path)));
+  return kOk;
+}
+
+}  // namespace
 
 int run(const DescribeOptions& options, App& app) {
+  const std::string problem = options.picture ? picture_problem(*options.picture) : "";
+  if (!problem.empty()) {
+    app.complain(problem);
+    return kUsage;
+  }
   Diagnostics diagnostics;
   const auto robot = read_robot_file(options.robot, diagnostics);
   app.report(diagnostics);
   if (!robot || app.invalid(diagnostics)) return kFailed;
   app.print(options.json ? to_json(*robot) : to_text(*robot, app.color_out()));
-  return kOk;
+  return options.picture ? write_picture(*robot, *options.picture, app) : kOk;
 }
 
 }  // namespace stig

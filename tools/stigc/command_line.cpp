@@ -342,8 +342,10 @@ void add_simulate(CLI::App& app, SimulateOptions& o) {
 void add_describe(CLI::App& app, DescribeOptions& o) {
   CLI::App* sub = command(app, "describe", "show what a robot is made of",
                           "  stigc describe robots/bebot.yaml\n"
-                          "  stigc describe robots/bebot.yaml --json\n");
+                          "  stigc describe robots/bebot.yaml --json\n"
+                          "  stigc describe robots/bebot.yaml -o bebot.png\n");
   file(sub, "ROBOT", o.robot, "the robot's file");
+  path(sub, "-o,--output", o.picture, "draw it, with what its devices reach (.png)");
   sub->add_flag("--json", o.json, "print one JSON object instead of the tables");
 }
 

@@ -122,6 +122,7 @@ struct SimulateOptions {
 
 struct DescribeOptions {
   std::string robot;
+  std::optional<std::string> picture;  ///< .png
   bool json = false;
 };
 

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "physical/robot_picture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "controllers/hull.h"
+#include "physical/scene_picture.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kAround = 32;  ///< facets of a cylinder, sides of a circle
+constexpr Rgb kRed{214, 40, 40}, kGreen{34, 139, 60}, kBlue{38, 84, 200};
+constexpr Rgb kSight{196, 110, 0}, kRay{170, 30, 120}, kRadio{0, 120, 150};
+constexpr double kThrough = 0.6;   ///< bias of what shows through bodies
+constexpr double kSurface = 4e-4;  ///< of what is hidden by them
+
+std::vector<SolidFace> cylinder_faces(double radius, double half) {
+  std::vector<SolidFace> out;
+  SolidFace top{{}, {0, 0, 1}, true}, bottom{{}, {0, 0, -1}, true};
+  const auto rim = [&](int i, double z) {
+    const double a = 2 * kPi * i / kAround;
+    return Vec3{radius * std::cos(a), radius * std::sin(a), z};
+  };
+  for (int i = 0; i < kAround; ++i) {
+    top.corners.push_back(rim(i, half));
+    bottom.corners.push_back(rim(-i, -half));
+    const double a = 2 * kPi * (i + 0.5) / kAround;
+    out.push_back({{rim(i, -half), rim(i + 1, -half), rim(i + 1, half), rim(i, half)},
+                   {std::cos(a), std::sin(a), 0},
+                   false});
+  }
+  out.push_back(std::move(top));
+  out.push_back(std::move(bottom));
+  return out;
+}
+
+std::vector<SolidFace> hull_solid(const std::vector<Vec3>& points) {
+  std::vector<SolidFace> out;
+  for (const HullFace& face : hull_faces(points)) {
+    SolidFace solid{{}, face.normal, true};
+    for (const std::size_t corner : face.corners) solid.corners.push_back(points[corner]);
+    out.push_back(std::move(solid));
+  }
+  return out;
+}
+
+/// Lines of a robot's devices, robot's frame.
+class Marks {
+ public:
+  explicit Marks(const RobotModel& robot) : robot_(robot) {
+    frame({}, 0.04);
+    for (const JointModel& joint : robot.joints) {
+      if (!joint.axes.empty()) axes(joint);
+    }
+    for (const CameraDevice& camera : robot.cameras) sight(camera);
+    for (const RangeDevice& device : robot.rangefinders) ray(device);
+    for (const RadioDevice& device : robot.radios) reach(device);
+  }
+  std::vector<PictureLine> lines;
+
+ private:
+  void line(const Vec3& a, const Vec3& b, double width, Rgb colour, double bias) {
+    lines.push_back({a, b, width, colour, bias});
+  }
+  const Pose& body(std::size_t i) const { return robot_.bodies[i].X_RB; }
+
+  void frame(const Pose& X, double size) {
+    line(X.p, X * Vec3{size, 0, 0}, 2, kRed, kThrough);
+    line(X.p, X * Vec3{0, size, 0}, 2, kGreen, kThrough);
+    line(X.p, X * Vec3{0, 0, size}, 2, kBlue, kThrough);
+  }
+
+  void axes(const JointModel& joint) {
+    for (const AxisModel& axis : joint.axes) {
+      const Vec3 way = rotate(joint.X_RJ.q, axis.axis) * 0.025;
+      line(joint.X_RJ.p - way, joint.X_RJ.p + way, 1.5, axis.angular ? kBlue : kGreen, kThrough);
+    }
+  }
+
+  /// The frustum, with distortion: its corners are where the image's corners look.
+  void sight(const CameraDevice& camera) {
+    const Pose X_RC = body(camera.body) * camera.X_BC;
+    const double w = camera.intrinsics.width - 1, h = camera.intrinsics.height - 1;
+    std::array<Vec3, 4> way;
+    const std::array<ImagePoint, 4> corners = {{{0, 0}, {w, 0}, {w, h}, {0, h}}};
+    for (std::size_t i = 0; i < 4; ++i) {
+      const auto direction = unproject(camera.intrinsics, corners[i]);
+      if (!direction) return;
+      way[i] = *direction;
+    }
+    for (std::size_t i = 0; i < 4; ++i) {
+      const Vec3& next = way[(i + 1) % 4];
+      line(X_RC * (way[i] * camera.near), X_RC * (way[i] * camera.far), 1.2, kSight, kSurface);
+      for (const double z : {camera.near, camera.far}) {
+        line(X_RC * (way[i] * z), X_RC * (next * z), 1.2, kSight, kSurface);
+      }
+    }
+    frame(X_RC, 0.02);
+  }
+
+  void ray(const RangeDevice& device) {
+    const Pose& X = body(device.body);
+    const Vec3 from = X * device.p_B;
+    line(from, from + rotate(X.q, device.direction) * device.range, 1, kRay, kSurface);
+  }
+
+  /// Three circles of the ball that the radio reaches.
+  void reach(const RadioDevice& device) {
+    const Vec3 middle = body(device.body) * device.p_B;
+    const Mat3 axes;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 u = axes.column(axis) * device.range,
+                 v = axes.column((axis + 1) % 3) * device.range;
+      const auto on = [&](int i) {
+        const double a = 2 * kPi * i / kAround;
+        return middle + u * std::cos(a) + v * std::sin(a);
+      };
+      for (int i = 0; i < kAround; ++i) line(on(i), on(i + 1), 1, kRadio, kThrough);
+    }
+  }
+
+  const RobotModel& robot_;
+};
+
+}  // namespace
+
+std::vector<SolidFace> faces_of(const BodyModel& body) {
+  switch (body.shape) {
+    case ShapeType::cylinder:
+      return cylinder_faces(body.size.x / 2, body.size.z / 2);
+    case ShapeType::sphere:
+      return faces_of(Shape::sphere(body.size.x / 2));
+    case ShapeType::hull:
+      return hull_solid(body.points);
+    case ShapeType::box:
+      break;
+  }
+  return faces_of(Shape::box(body.size));
+}
+
+std::string robot_png(const RobotModel& robot) {
+  std::vector<PictureBody> bodies;
+  for (const BodyModel& body : robot.bodies) {
+    PictureBody picture;
+    picture.shape = Shape::box(body.size);
+    picture.X_WB = body.X_RB;
+    picture.colour = body.rgb;
+    picture.faces = faces_of(body);
+    bodies.push_back(std::move(picture));
+  }
+  PictureLook look;
+  look.azimuth = 0.75;
+  const ScenePicture picture =
+      draw_bodies(bodies, fitted_view(bodies, look), true, Marks(robot).lines);
+  return png_of(picture.image, fmt::format("{}, {:.4g} kg; a square is {:g} m", robot.name,
+                                           robot.mass(), picture.grid));
+}
+
+}  // namespace stig

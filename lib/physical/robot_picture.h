@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// A picture of a robot: its bodies, the frames of its joints and cameras, what cameras see, how
+// far rangefinders and radios reach.
+#pragma once
+
+#include <string>
+
+#include "controllers/robot_model.h"
+#include "physical/solid_faces.h"
+
+namespace stig {
+
+/// The faces of a body as its file has it, cylinders and hulls too; body frame.
+std::vector<SolidFace> faces_of(const BodyModel& body);
+
+/// A PNG file; empty when there is no memory for it.
+std::string robot_png(const RobotModel& robot);
+
+}  // namespace stig
