@@ -277,6 +277,10 @@ void Crew::step_block(std::uint64_t tick, std::size_t number) {
   if (!block.begun) {
     block.begun = true;
     status = block.config.controller->init(commands);
+    // A colour that the scene gives is one that it was set to before.
+    if (block.config.led != Led::off) {
+      commands.all_leds = static_cast<std::uint8_t>(block.config.led);
+    }
   }
   if (status.ok) status = block.config.controller->step(readings, commands);
   say(tick, block.config.name, commands.log);
@@ -338,7 +342,13 @@ void Crew::carry_messages(const World& world) {
     }
     return any;
   };
-  for (Robot& robot : robots_) take(robot.inbox);
+  for (Robot& robot : robots_) {
+    take(robot.inbox);
+    // Nobody reads them there.
+    if (robot.failed || !robot.config.controller) {
+      for (auto& messages : robot.inbox) messages.clear();
+    }
+  }
   for (Block& block : blocks_) {
     if (take(block.inbox)) block.quiet = false;
   }

@@ -259,7 +259,7 @@ class Placer {
     std::size_t number = 0;
     for (const CacheSpawn& cache : scene_.caches) {
       for (std::size_t i = 0; i < cache.stock; ++i) {
-        placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0, true, {}});
+        placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0});
       }
     }
   }
