@@ -169,7 +169,7 @@ bool read_definitions(Taker& in, WorldConfig& out) {
 std::uint64_t hash_of(const WorldState& world) {
   const WorldConfig& config = world.config;
   Writer out;
-  out(config.step), out(config.gravity), out(config.floor), out(config.arena);
+  out(config.solver), out(config.step), out(config.gravity), out(config.floor), out(config.arena);
   out(config.friction), out(config.frictions.size());
   for (const FrictionPair& pair : config.frictions) {
     out(pair.a), out(pair.b), out(pair.coefficient);
@@ -318,6 +318,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
   if (!in.finished()) return false;
   next.events.clear();
   next.changed = true;
+  next.stock.reset();
   world = std::move(next);
   return true;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "physical/broad_phase.h"
+#include "physical/stock_step.h"
 
 namespace stig {
 
@@ -185,6 +186,11 @@ std::vector<ConfigProblem> find_problems_apart(const WorldConfig& config) {
   }
   check_sizes(config, out);
   if (!out.empty()) return out;
+  if (config.solver == SolverKind::stock) {
+    if (std::string problem = problem_of_stock(config); !problem.empty()) {
+      return {{{}, std::move(problem)}};
+    }
+  }
   for (std::string& problem : problems_of_joints(config)) {
     out.push_back({{}, std::move(problem)});
   }

@@ -78,8 +78,12 @@ struct SnapRule {
   double force = 1;  ///< N; a block weighs 1.08 N, a face of its magnets holds 9.5 N
 };
 
+/// What turns forces into motion: this library's solver, or DART's (physical/stock_step.h).
+enum class SolverKind : std::uint8_t { fast, stock };
+
 struct WorldConfig {
   double step = 0.005;  ///< s
+  SolverKind solver = SolverKind::fast;
   double gravity = 9.8;
   bool floor = true;      ///< z = 0, of kFloorMaterial
   double arena = 100;     ///< m: bodies farther from the origin along x, y or z have left

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a World is inside, for the files that make its step: world.cpp, world_forces.cpp,
 // world_magnets.cpp, world_snaps.cpp, world_contacts.cpp, world_sleep.cpp, checkpoint.cpp and
-// stock_world.cpp.
+// stock_dart.cpp.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "physical/articulation.h"
 #include "physical/broad_phase.h"
 #include "physical/solver.h"
+#include "physical/stock_step.h"
 #include "physical/world.h"
 
 namespace stig {
@@ -71,6 +73,7 @@ struct WorldState {
   std::vector<WorldEvent> events;
   std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
   double cell = 0.1;
+  std::shared_ptr<StockStep> stock;  ///< made when it is needed, keeps nothing between steps
 
   // Made anew when someone wakes or sleeps.
   bool changed = true;
