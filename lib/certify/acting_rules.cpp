@@ -23,8 +23,8 @@ bool height_holds(const Rule& rule, std::int32_t z) {
 }
 
 /// What the rule asks of the open neighbours, given that it accepts the others.
-Candidate asked(std::uint32_t rule, const Pattern& pattern, const Outlook& site) {
-  Candidate candidate{rule, 0, 0};
+RuleCandidate asked(std::uint32_t rule, const Pattern& pattern, const Outlook& site) {
+  RuleCandidate candidate{rule, 0, 0};
   for (NeighbourSet rest = site.open; rest != 0; rest &= rest - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(rest));
     const NeighbourSet bit = NeighbourSet{1} << i;
@@ -70,7 +70,8 @@ std::uint64_t ActingRules::accepting(std::size_t word, const Outlook& site) cons
   return alive;
 }
 
-void ActingRules::candidates(const Outlook& site, int stage, std::vector<Candidate>& out) const {
+void ActingRules::candidates(const Outlook& site, int stage,
+                             std::vector<RuleCandidate>& out) const {
   out.clear();
   for (std::size_t word = 0; word < words_; ++word) {
     for (std::uint64_t rest = accepting(word, site); rest != 0; rest &= rest - 1) {
@@ -84,9 +85,9 @@ void ActingRules::candidates(const Outlook& site, int stage, std::vector<Candida
 }
 
 NeighbourSet ActingRules::asked_about(const Outlook& site,
-                                      const std::vector<Candidate>& candidates) const {
+                                      const std::vector<RuleCandidate>& candidates) const {
   NeighbourSet asked = 0;
-  for (const Candidate& candidate : candidates) {
+  for (const RuleCandidate& candidate : candidates) {
     asked |= candidate.there | candidate.not_there;
     for (const CountCondition& count : rules_.rules[candidate.rule].counts) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size); ++i) {
@@ -98,7 +99,7 @@ NeighbourSet ActingRules::asked_about(const Outlook& site,
   return asked & site.open;
 }
 
-bool ActingRules::counts_stay(const Outlook& site, const Candidate& candidate,
+bool ActingRules::counts_stay(const Outlook& site, const RuleCandidate& candidate,
                               NeighbourSet there) const {
   const Rule& rule = rules_.rules[candidate.rule];
   if (!counts_hold(rule, site, there)) return false;
@@ -127,11 +128,11 @@ bool ActingRules::counts_hold(const Rule& rule, const Outlook& site, NeighbourSe
   });
 }
 
-Action ActingRules::act(const Outlook& site, const std::vector<Candidate>& candidates,
+Action ActingRules::act(const Outlook& site, const std::vector<RuleCandidate>& candidates,
                         NeighbourSet there, Colour expected) const {
   Action action;
   if (!site.event_possible(there)) return action;
-  for (const Candidate& candidate : candidates) {
+  for (const RuleCandidate& candidate : candidates) {
     if ((candidate.there & ~there) != 0 || (candidate.not_there & there) != 0) continue;
     const Rule& rule = rules_.rules[candidate.rule];
     if (!counts_hold(rule, site, there)) continue;

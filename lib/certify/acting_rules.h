@@ -30,7 +30,7 @@ struct Outlook {
 };
 
 /// An oriented rule that matches for some filling of the open neighbours.
-struct Candidate {
+struct RuleCandidate {
   std::uint32_t rule = 0;
   NeighbourSet there = 0, not_there = 0;  ///< open ones that it asks for
 };
@@ -47,14 +47,14 @@ class ActingRules {
   /// The rule set must outlive it.
   explicit ActingRules(const RuleSet& rules);
   /// By rising rule. `out` is cleared.
-  void candidates(const Outlook& site, int stage, std::vector<Candidate>& out) const;
+  void candidates(const Outlook& site, int stage, std::vector<RuleCandidate>& out) const;
   /// The open neighbours that make a difference to some candidate.
-  NeighbourSet asked_about(const Outlook& site, const std::vector<Candidate>& candidates) const;
+  NeighbourSet asked_about(const Outlook& site, const std::vector<RuleCandidate>& candidates) const;
   /// Do the counts of a rule hold when these are there, and whatever comes besides?
-  bool counts_stay(const Outlook& site, const Candidate& candidate, NeighbourSet there) const;
+  bool counts_stay(const Outlook& site, const RuleCandidate& candidate, NeighbourSet there) const;
   /// What rules do at the site when of its open neighbours just these are there. Beside
   /// no brick at all there is no event, whatever a rule says.
-  Action act(const Outlook& site, const std::vector<Candidate>& candidates, NeighbourSet there,
+  Action act(const Outlook& site, const std::vector<RuleCandidate>& candidates, NeighbourSet there,
              Colour expected) const;
 
  private:

@@ -58,7 +58,7 @@ class StageCheck {
     std::uint32_t position = kNone;  ///< in the order, if it gets one
     Outlook outlook;
     std::vector<Local> locals;  ///< by position
-    std::vector<Candidate> candidates;
+    std::vector<RuleCandidate> candidates;
   };
   /// Of a filling's bricks, those that a site sees.
   struct Seen {

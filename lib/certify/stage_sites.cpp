@@ -159,7 +159,7 @@ bool StageCheck::check_least_states(const Site& site) {
   const NeighbourSet run = brick ? seen_in_run(site) : 0;
   const NeighbourSet before = brick ? stage_.order[site.position].before : 0;
   bool stays = !brick;
-  for (const Candidate& candidate : site.candidates) {
+  for (const RuleCandidate& candidate : site.candidates) {
     ++local_states_;
     const NeighbourSet least = closed(site, candidate.there);
     if ((least & (candidate.not_there | never)) != 0) continue;

@@ -66,22 +66,22 @@ ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   const bool holds = joint.hold > factor * joint.moment && shear > factor * robot.block_weight;
   if (behind && holds) return {};
   const Cell below = cell_from(view.side, {site.u, site.v, site.z - 1});
-  if (!behind) return {Obstacle::unsupported, below, joint.moment, 0};
-  return {Obstacle::unsupported, below, factor * robot.block_weight, shear};
+  if (!behind) return {Obstruction::unsupported, below, joint.moment, 0};
+  return {Obstruction::unsupported, below, factor * robot.block_weight, shear};
 }
 
 ReachResult effector(const View3& view, SideCell site, const Abilities& robot) {
   const double half = robot.block.side / 2;
   const double ahead = robot.effector_front - (robot.carried_x + half);
   if (ahead > robot.magnet_reach && view.filled(site.u - 1, site.v, site.z + 1)) {
-    return {Obstacle::effector_blocked, cell_from(view.side, {site.u - 1, site.v, site.z + 1}),
+    return {Obstruction::effector_blocked, cell_from(view.side, {site.u - 1, site.v, site.z + 1}),
             ahead, robot.magnet_reach};
   }
   const double beside = robot.effector_half_width - half;
   for (const int side : {-1, 1}) {
     if (beside > 0 && view.filled(site.u, site.v + side, site.z + 1)) {
-      return {Obstacle::effector_blocked, cell_from(view.side, {site.u, site.v + side, site.z + 1}),
-              beside, 0};
+      return {Obstruction::effector_blocked,
+              cell_from(view.side, {site.u, site.v + side, site.z + 1}), beside, 0};
     }
   }
   return {};
@@ -132,20 +132,21 @@ ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, 
   const SideCell site = seen_from(side, cell);
   const int level = site.z - target.floor_level();
   if (level >= robot.levels) {
-    return {Obstacle::too_high, cell, level * robot.block.side + robot.clearance,
+    return {Obstruction::too_high, cell, level * robot.block.side + robot.clearance,
             robot.lift_travel};
   }
   if (const auto brick = in_the_way(view, site, robot)) {
-    return {Obstacle::body_blocked, *brick, robot.body_half_width, robot.block.side / 2};
+    return {Obstruction::body_blocked, *brick, robot.body_half_width, robot.block.side / 2};
   }
   if (view.filled(site.u, site.v, site.z + 1)) {
-    return {Obstacle::covered, cell_from(side, {site.u, site.v, site.z + 1}), 0, 0};
+    return {Obstruction::covered, cell_from(side, {site.u, site.v, site.z + 1}), 0, 0};
   }
   if (view.filled(site.u, site.v - 1, site.z) && view.filled(site.u, site.v + 1, site.z)) {
-    return {Obstacle::slot, cell_from(side, {site.u, site.v + 1, site.z}), robot.block.side,
+    return {Obstruction::slot, cell_from(side, {site.u, site.v + 1, site.z}), robot.block.side,
             robot.block.side};
   }
-  if (const ReachResult blocked = effector(view, site, robot); blocked.obstacle != Obstacle::none) {
+  if (const ReachResult blocked = effector(view, site, robot);
+      blocked.obstruction != Obstruction::none) {
     return blocked;
   }
   return support(view, site, robot);
@@ -153,18 +154,18 @@ ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, 
 
 std::string explain(const ReachResult& result) {
   const double mm = 1e3;
-  switch (result.obstacle) {
-    case Obstacle::none:
+  switch (result.obstruction) {
+    case Obstruction::none:
       return "it can be reached";
-    case Obstacle::too_high:
+    case Obstruction::too_high:
       return fmt::format("it needs the lift at {:.0f} mm, which goes to {:.1f} mm",
                          result.figure * mm, result.limit * mm);
-    case Obstacle::body_blocked:
+    case Obstruction::body_blocked:
       return fmt::format(
           "the brick at {} stands where the robot, {:.1f} mm wide to each side, "
           "would have to",
           cell_text(result.where), result.figure * mm);
-    case Obstacle::effector_blocked:
+    case Obstruction::effector_blocked:
       if (result.limit > 0) {
         return fmt::format(
             "the end-effector meets the brick at {} and leaves the block {:.1f} mm off, more than "
@@ -175,12 +176,12 @@ std::string explain(const ReachResult& result) {
           "the end-effector is {:.1f} mm wider to that side than a block and meets "
           "the brick at {}",
           result.figure * mm, cell_text(result.where));
-    case Obstacle::slot:
+    case Obstruction::slot:
       return fmt::format("it is a slot of just a block's width ({:.0f} mm) between two bricks",
                          result.limit * mm);
-    case Obstacle::covered:
+    case Obstruction::covered:
       return fmt::format("the brick at {} lies over it", cell_text(result.where));
-    case Obstacle::unsupported:
+    case Obstruction::unsupported:
       if (result.limit == 0) {
         return fmt::format("nothing is below it at {} nor behind it to hang on",
                            cell_text(result.where));

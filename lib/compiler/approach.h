@@ -43,7 +43,7 @@ struct SideCell {
 SideCell seen_from(ApproachSide side, Cell cell);
 Cell cell_from(ApproachSide side, SideCell cell);
 
-enum class Obstacle : std::uint8_t {
+enum class Obstruction : std::uint8_t {
   none,
   too_high,          ///< the lift does not reach
   body_blocked,      ///< a brick stands where the robot would
@@ -54,7 +54,7 @@ enum class Obstacle : std::uint8_t {
 };
 
 struct ReachResult {
-  Obstacle obstacle = Obstacle::none;
+  Obstruction obstruction = Obstruction::none;
   Cell where;         ///< the brick in the way
   double figure = 0;  ///< what is asked for: m of height, of gap; N·m of hold
   double limit = 0;   ///< what there is

@@ -109,7 +109,8 @@ class Explorer {
     const bool next =
         beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
     if (!next || (kinds_ == PlacementKinds::ahead && cell.dv != 0)) return std::nullopt;
-    if (reach(target_, state, target_.cell(brick), at.side, robot_).obstacle != Obstacle::none) {
+    if (reach(target_, state, target_.cell(brick), at.side, robot_).obstruction !=
+        Obstruction::none) {
       return std::nullopt;
     }
     if (cell.du == 0 && cell.dv == 0) cell.z = 0;

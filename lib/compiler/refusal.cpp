@@ -63,7 +63,7 @@ class Explainer {
     Blocked out;
     for (const ApproachSide side : compiled_.sides) {
       const ReachResult result = reach(target_, state, target_.cell(brick), side, robot_);
-      out.unsupported = out.unsupported && result.obstacle == Obstacle::unsupported;
+      out.unsupported = out.unsupported && result.obstruction == Obstruction::unsupported;
       out.notes.push_back(fmt::format("from {}: {}", to_string(side), stig::explain(result)));
     }
     return out;

@@ -13,7 +13,7 @@ struct TargetStates::Model {
   RuleTable table;
   LatticeWorld before;
   StageModel stage;
-  std::vector<Site> sites;  ///< by brick after the start's
+  std::vector<StageSite> sites;  ///< by brick after the start's
 
   Model(const RuleSet& rules, const std::vector<Deposit>& run)
       : table(rules),
@@ -65,7 +65,7 @@ BrickSet TargetStates::start() const {
 std::optional<std::uint32_t> TargetStates::rule_for(const BrickSet& state,
                                                     std::size_t brick) const {
   if (brick < start_ || state.has(brick)) return std::nullopt;
-  const Site& site = model_->sites[brick - start_];
+  const StageSite& site = model_->sites[brick - start_];
   Mask around = 0;
   for (Mask rest = site.bricks; rest != 0; rest &= rest - 1) {
     const auto k = static_cast<std::size_t>(std::countr_zero(rest));

@@ -183,10 +183,10 @@ class Picture {
     const double bottom =
         layout_.drawing_top + layout_.panel_height +
         static_cast<double>(i / columns) * (layout_.panel_height + layout_.label_height + kGap);
-    const Placement place{layout_.scale,
-                          {left + layout_.panel_width / 2 -
-                               layout_.scale * (scene.frame.low.x + scene.frame.high.x) / 2,
-                           bottom - layout_.scale * scene.frame.high.y}};
+    const PicturePlacement place{layout_.scale,
+                                 {left + layout_.panel_width / 2 -
+                                      layout_.scale * (scene.frame.low.x + scene.frame.high.x) / 2,
+                                  bottom - layout_.scale * scene.frame.high.y}};
     if (scene.faces.size() > kManyFaces) {
       drop_covered(scene, place, layout_.width, layout_.height);
     }

@@ -21,12 +21,12 @@ Point shadow_of(Lattice lattice, double height) {
   return {0.3 * height * along.x, 0.3 * height * along.y, 0};
 }
 
-PagePoint placed(const Placement& place, PagePoint p) {
+PagePoint placed(const PicturePlacement& place, PagePoint p) {
   return {place.origin.x + place.scale * p.x, place.origin.y + place.scale * p.y};
 }
 
-void paint(Canvas& canvas, const Placement& place, const Outline& outline, Rgb fill, Rgb edge,
-           double width) {
+void paint(Canvas& canvas, const PicturePlacement& place, const Outline& outline, Rgb fill,
+           Rgb edge, double width) {
   std::array<PagePoint, 6> corners{};
   for (std::size_t i = 0; i < outline.count; ++i) corners[i] = placed(place, outline.at[i]);
   canvas.polygon(corners.data(), outline.count, fill, edge, width);
@@ -41,7 +41,7 @@ int line_step(double scale) {
   return step;
 }
 
-void paint_cubic_ground(Canvas& canvas, const PictureScene& scene, const Placement& place) {
+void paint_cubic_ground(Canvas& canvas, const PictureScene& scene, const PicturePlacement& place) {
   const auto corners = ground_corners(scene.box);
   const auto at = [&](std::int32_t x, std::int32_t y) {
     return placed(place, on_page(scene.lattice, {x, y, 0}));
@@ -60,7 +60,7 @@ void paint_cubic_ground(Canvas& canvas, const PictureScene& scene, const Placeme
   }
 }
 
-void paint_ground(Canvas& canvas, const PictureScene& scene, const Placement& place) {
+void paint_ground(Canvas& canvas, const PictureScene& scene, const PicturePlacement& place) {
   if (scene.lattice == Lattice::cubic) return paint_cubic_ground(canvas, scene, place);
   const double width = place.scale < 4 ? 0.4 : 0.8;
   const Rgb edge = place.scale < 4 ? kGround : kGroundLine;
@@ -94,7 +94,7 @@ std::vector<PagePoint> convex_hull(std::vector<PagePoint> points) {
 }
 
 // Three sheets with the light a little moved: shadows get softer with height.
-void paint_shadows(Canvas& canvas, const PictureScene& scene, const Placement& place) {
+void paint_shadows(Canvas& canvas, const PictureScene& scene, const PicturePlacement& place) {
   const CellFace& base = cell_faces(scene.lattice)[bottom_face(scene.lattice)];
   for (const double spread : {0.8, 1.0, 1.2}) {
     canvas.begin_group();
@@ -126,7 +126,7 @@ class CoverMap {
   /// Whether some of the face, in canvas units, is uncovered; covers it.
   bool add(const Outline& face) {
     Outline at = face;
-    Frame box;
+    PictureFrame box;
     for (std::size_t i = 0; i < at.count; ++i) {
       at.at[i] = {at.at[i].x * Canvas::kDensity, at.at[i].y * Canvas::kDensity};
       box.add(at.at[i]);
@@ -190,7 +190,7 @@ EdgeLook edge_look(double scale) {
 
 }  // namespace
 
-void drop_covered(PictureScene& scene, const Placement& place, double width, double height) {
+void drop_covered(PictureScene& scene, const PicturePlacement& place, double width, double height) {
   CoverMap map(width, height);
   std::vector<ShownFace> kept;
   for (auto face = scene.faces.rbegin(); face != scene.faces.rend(); ++face) {
@@ -203,7 +203,7 @@ void drop_covered(PictureScene& scene, const Placement& place, double width, dou
   scene.faces.assign(kept.rbegin(), kept.rend());
 }
 
-void paint_scene(Canvas& canvas, const PictureScene& scene, const Placement& place,
+void paint_scene(Canvas& canvas, const PictureScene& scene, const PicturePlacement& place,
                  const std::vector<Brick>& bricks) {
   if (scene.floor) {
     paint_ground(canvas, scene, place);
@@ -221,7 +221,7 @@ void paint_swatch(Canvas& canvas, Lattice lattice, PagePoint centre, double radi
   const Structure cell(lattice, {{{0, 0, 0}, 1}});
   const PagePoint middle = project(lattice, {0, 0, 0.5});
   const double scale = 1.2 * radius;
-  const Placement place{scale, {centre.x - scale * middle.x, centre.y - scale * middle.y}};
+  const PicturePlacement place{scale, {centre.x - scale * middle.x, centre.y - scale * middle.y}};
   for (const ShownFace& face : shown_faces(cell)) {
     const Rgb fill = shaded(colour, face.side);
     paint(canvas, place, outline_of(lattice, face.at, face.face), fill, blend(fill, kBlack, 0.25),

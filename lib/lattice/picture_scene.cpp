@@ -38,7 +38,7 @@ std::vector<Cell> tiles_under(const std::vector<PlacedBrick>& bricks) {
   return wide;
 }
 
-void add_outline(Frame& frame, const Outline& outline) {
+void add_outline(PictureFrame& frame, const Outline& outline) {
   for (std::size_t i = 0; i < outline.count; ++i) frame.add(outline.at[i]);
 }
 
@@ -98,7 +98,7 @@ std::array<Corner, 4> ground_corners(const CellBounds& box) {
            {low.x - 1, high.y + 1, 0}}};
 }
 
-void Frame::add(PagePoint p) {
+void PictureFrame::add(PagePoint p) {
   low = {std::min(low.x, p.x), std::min(low.y, p.y)};
   high = {std::max(high.x, p.x), std::max(high.y, p.y)};
 }

@@ -12,7 +12,7 @@
 namespace stig {
 
 /// A rectangle of the projected page, in cell widths; empty until something is added.
-struct Frame {
+struct PictureFrame {
   PagePoint low{1e300, 1e300}, high{-1e300, -1e300};
   void add(PagePoint p);
   double width() const { return high.x - low.x; }
@@ -26,7 +26,7 @@ struct PictureScene {
   std::vector<Cell> shadowing;  ///< bricks that throw a shadow; none when too many
   CellBounds box{};             ///< of the structure; one cell when empty
   std::vector<Cell> tiles;      ///< hexagonal ground: the cells it consists of
-  Frame frame;
+  PictureFrame frame;
 };
 
 /// The structure must be turned already.
@@ -48,15 +48,15 @@ PagePoint on_page(Lattice lattice, Corner corner);
 std::array<Corner, 4> ground_corners(const CellBounds& box);
 
 /// Where a scene's page lies on the canvas: a point p is drawn at origin + scale·p.
-struct Placement {
+struct PicturePlacement {
   double scale = 1;
   PagePoint origin;
 };
 /// Leaves out faces that nearer ones cover, pixel for pixel, on a canvas of the given
 /// size: of a million loose bricks, nine in ten.
-void drop_covered(PictureScene& scene, const Placement& place, double width, double height);
+void drop_covered(PictureScene& scene, const PicturePlacement& place, double width, double height);
 
-void paint_scene(Canvas& canvas, const PictureScene& scene, const Placement& place,
+void paint_scene(Canvas& canvas, const PictureScene& scene, const PicturePlacement& place,
                  const std::vector<Brick>& bricks);
 
 /// A single cell of the colour around `centre`, `radius` pixels in size.

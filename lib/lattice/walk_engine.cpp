@@ -121,7 +121,7 @@ class AgentRun {
   const std::int32_t* move_ = nullptr;              ///< of this step, by agent
   std::vector<std::uint32_t> strides_;
   std::array<std::uint32_t, 4> order_words_{};
-  Order order_;
+  WalkOrder order_;
   EmptyCells empty_;                 ///< teleport only
   std::size_t agents_in_empty_ = 0;  ///< agents whose cell holds no brick
   std::uint64_t enabled_ = 0;        ///< number of enabled cells

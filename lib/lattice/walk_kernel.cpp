@@ -24,7 +24,7 @@ void draw_moves(std::uint64_t seed, std::uint32_t run, std::uint64_t block, cons
 }
 
 std::uint32_t walk_some(std::uint8_t* flags, std::int32_t* position, const std::int32_t* step,
-                        Order order, std::uint32_t& agent, std::uint32_t count) {
+                        WalkOrder order, std::uint32_t& agent, std::uint32_t count) {
   std::uint32_t who = agent, done = 0;
   for (; done < count; ++done, who = order.next(who)) {
     const std::int32_t from = position[who];

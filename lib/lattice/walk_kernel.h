@@ -30,7 +30,7 @@ struct Moves {
 
 /// The order in which agents act within a step: agent (base + k·stride) mod count
 /// for k = 0, 1, …; stride is coprime to count. Drawn anew for every step.
-struct Order {
+struct WalkOrder {
   std::uint32_t base = 0, stride = 1, count = 1;
   std::uint32_t next(std::uint32_t agent) const {
     const std::uint32_t sum = agent + stride;
@@ -55,6 +55,6 @@ void draw_moves_vector(std::array<std::uint32_t, 4> counter, std::array<std::uin
 /// is stimulated or steps through a portal. Returns how many acted; `agent` is then the
 /// next in the order. `flags` and `position` as in the engine; `step` by agent.
 std::uint32_t walk_some(std::uint8_t* flags, std::int32_t* position, const std::int32_t* step,
-                        Order order, std::uint32_t& agent, std::uint32_t count);
+                        WalkOrder order, std::uint32_t& agent, std::uint32_t count);
 
 }  // namespace stig

@@ -57,7 +57,7 @@ int LinesOfSight::row(double y) const { return tile(y, low_.y, high_.y, kTiles);
 
 /// All tiles for a body that reaches beside or behind the camera.
 LinesOfSight::TileRange LinesOfSight::tiles_of(std::uint32_t obstacle) const {
-  const Obstacle& o = index_.scene.obstacles[obstacle];
+  const SightObstacle& o = index_.scene.obstacles[obstacle];
   double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
   for (const Vec3& corner : box_corners(index_.scene.shapes[o.shape].half)) {
     const Vec3 p_C = r_WC_.transposed(o.X_WS.p + index_.axes[obstacle] * corner - p_WC_);
@@ -74,7 +74,7 @@ LinesOfSight::TileRange LinesOfSight::tiles_of(std::uint32_t obstacle) const {
 }
 
 void LinesOfSight::add(std::uint32_t obstacle) {
-  const Obstacle& o = index_.scene.obstacles[obstacle];
+  const SightObstacle& o = index_.scene.obstacles[obstacle];
   const TileRange range = tiles_of(obstacle);
   const auto candidate = static_cast<std::uint32_t>(candidates_.size());
   candidates_.push_back({obstacle, index_.axes[obstacle].transposed(p_WC_ - o.X_WS.p)});
@@ -96,7 +96,7 @@ bool LinesOfSight::hidden(const Vec3& p_W, std::uint32_t owner) const {
     const Entry& entry = entries_[static_cast<std::size_t>(e)];
     e = entry.next;
     const Candidate& c = candidates_[entry.candidate];
-    const Obstacle& o = index_.scene.obstacles[c.obstacle];
+    const SightObstacle& o = index_.scene.obstacles[c.obstacle];
     if (o.owner == owner) continue;
     const auto meets =
         cut(index_.scene.shapes[o.shape], c.p_SC, index_.axes[c.obstacle].transposed(way_W));

@@ -167,12 +167,15 @@ class Placer {
   Placer(const Scene& scene, std::uint64_t seed, Diagnostics& out) : scene_(scene), out_(out) {
     placed_.seed = seed;
     placed_.config = scene.settings;
+    materials_.names = scene.materials;
   }
 
   std::optional<PlacedScene> place() {
     if (!check_count()) return std::nullopt;
     for (std::size_t i = 0; i < scene_.blocks.size(); ++i) add_entry(i);
+    for (std::size_t i = 0; i < scene_.robots.size(); ++i) add_robot_entry(i);
     if (out_.has_errors()) return std::nullopt;
+    add_stock();
     if (scene_.sweeps > 0) placed_.config.sweeps = scene_.sweeps;
     report_problems();
     if (out_.has_errors()) return std::nullopt;
@@ -242,6 +245,25 @@ class Placer {
     placed_.bodies.push_back({name, spawn.colour, entry});
   }
 
+  void add_robot_entry(std::size_t entry) {
+    const RobotSpawn& spawn = scene_.robots[entry];
+    const RobotModel& model = scene_.robot_models[spawn.model];
+    placed_.robots.push_back(add_robot(placed_.config, model, spawn.X_WR, materials_));
+    for (const BodyModel& part : model.bodies) {
+      placed_.bodies.push_back({spawn.name + "/" + part.name, Led::off, entry, false, part.rgb});
+    }
+  }
+
+  /// What caches may drop has a name already, though no place yet.
+  void add_stock() {
+    std::size_t number = 0;
+    for (const CacheSpawn& cache : scene_.caches) {
+      for (std::size_t i = 0; i < cache.stock; ++i) {
+        placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0});
+      }
+    }
+  }
+
   void report_problems() {
     const auto problems = find_problems(placed_.config);
     for (std::size_t i = 0; i < problems.size() && i < kMostReported; ++i) report(problems[i]);
@@ -254,7 +276,8 @@ class Placer {
   void report(const ConfigProblem& problem) {
     const auto name = [&](std::uint32_t body) { return "'" + placed_.bodies[body].name + "'"; };
     const auto range = [&](std::uint32_t body) {
-      return scene_.blocks[placed_.bodies[body].entry].range;
+      const SceneBody& one = placed_.bodies[body];
+      return one.block ? scene_.blocks[one.entry].range : scene_.robots[one.entry].range;
     };
     if (problem.bodies.empty()) {
       const SourceRange whole = scene_.blocks.empty() ? SourceRange{} : scene_.blocks[0].range;
@@ -276,6 +299,7 @@ class Placer {
   const Scene& scene_;
   Diagnostics& out_;
   PlacedScene placed_;
+  Materials materials_;
 };
 
 }  // namespace

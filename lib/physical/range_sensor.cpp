@@ -17,7 +17,7 @@ std::optional<double> floor_hit(const Vec3& p_W, const Vec3& direction_W) {
 
 std::optional<double> body_hit(const SensorIndex& index, std::uint32_t i, const Vec3& p_W,
                                const Vec3& direction_W) {
-  const Obstacle& o = index.scene.obstacles[i];
+  const SightObstacle& o = index.scene.obstacles[i];
   const auto meets = cut(index.scene.shapes[o.shape], index.axes[i].transposed(p_W - o.X_WS.p),
                          index.axes[i].transposed(direction_W));
   if (!meets || meets->out < 0) return std::nullopt;

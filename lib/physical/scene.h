@@ -21,8 +21,11 @@
 
 #include "base/diagnostic.h"
 #include "base/file_io.h"
+#include "controllers/lua_settings.h"
 #include "physical/block.h"
 #include "physical/led.h"
+#include "physical/robot_body.h"
+#include "physical/sensor_noise.h"
 #include "physical/world_config.h"
 
 namespace stig {
@@ -53,6 +56,27 @@ struct BlockSpawn {
   SourceRange range;
 };
 
+struct RobotSpawn {
+  std::size_t model = 0;  ///< in Scene::robot_models
+  std::string name;
+  Pose X_WR;
+  std::size_t program = kNoProgram;  ///< in Scene::programs
+  std::vector<std::pair<std::string, LuaValue>> params;
+  SourceRange range;
+
+  static constexpr std::size_t kNoProgram = SIZE_MAX;
+};
+
+/// A place where blocks come from: when none lies within `radius`, a new one is dropped.
+struct CacheSpawn {
+  Vec3 at;  ///< where it is dropped; the radius is measured on the floor
+  double radius = 0.35;
+  double yaw = 0;           ///< rad
+  std::size_t model = 0;    ///< in Scene::models
+  std::size_t stock = 100;  ///< blocks that it has
+  SourceRange range;
+};
+
 /// A text that the scene was read from, under the name by which the scene calls it.
 struct SceneFile {
   std::string name, text;
@@ -69,6 +93,14 @@ struct Scene {
   std::vector<std::string> materials{"block", "floor"};
   std::vector<BlockModel> models;
   std::vector<BlockSpawn> blocks;
+  std::vector<RobotModel> robot_models;
+  std::vector<RobotSpawn> robots;
+  std::vector<CacheSpawn> caches;
+  std::vector<LuaProgram> programs;
+  std::size_t block_program = RobotSpawn::kNoProgram;  ///< in `programs`, of every block
+  bool lights = true;                                  ///< false: no LED shines
+  CameraNoise camera_noise;
+  RangeNoise range_noise;
   std::vector<SceneFile> files;  ///< the scene's own first
 };
 
@@ -76,12 +108,17 @@ struct Scene {
 struct SceneBody {
   std::string name;
   Led colour = Led::off;
-  std::size_t entry = 0;  ///< in Scene::blocks
+  std::size_t entry = 0;   ///< in Scene::blocks, or Scene::robots
+  bool block = true;       ///< otherwise part of a robot
+  Rgb rgb{176, 180, 186};  ///< of a robot's part
 };
 
 struct PlacedScene {
   WorldConfig config;
-  std::vector<SceneBody> bodies;  ///< as config.bodies
+  /// As config.bodies, and after them those that caches may drop, in the order in which they
+  /// come, whichever cache it is.
+  std::vector<SceneBody> bodies;
+  std::vector<RobotBody> robots;  ///< as Scene::robots
   std::uint64_t seed = 1;
 };
 

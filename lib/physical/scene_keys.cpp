@@ -147,6 +147,56 @@ const Form& block_keys() {
   return kKeys;
 }
 
+const Form& robot_keys() {
+  static const Form kKeys{
+      "robot entry",
+      {
+          {.name = "file", .kind = text, .required = true, .doc = "Robot file: bebot.yaml."},
+          {.name = "name", .kind = FormKind::name, .doc = "What reports and programs call it."},
+          {.name = "at",
+           .kind = numbers,
+           .doc = "[x, y] in m, on the floor.",
+           .low = -kFar,
+           .high = kFar,
+           .least = 2,
+           .most = 2},
+          real("heading", "Degrees from the x axis, counter-clockwise.", -360, 360),
+          {.name = "program", .kind = text, .doc = "Lua file; without it the robot's own."},
+          {.name = "params", .kind = anything, .doc = "What the program finds in robot.params."},
+      }};
+  return kKeys;
+}
+
+const Form& cache_keys() {
+  static const Form kKeys{
+      "block cache",
+      {
+          vector("at", "[x, y, z] in m: where a block is dropped.", -kFar, kFar),
+          above_zero("radius", "m: a block nearer than this keeps the next one back (0.35).", kFar),
+          real("yaw", "Degrees, of the blocks.", -360, 360),
+          {.name = "file", .kind = text, .doc = "Block file (default: stigmergic.yaml)."},
+          whole("stock", "Blocks that it has (default: 100).", 0, 10'000),
+      }};
+  return kKeys;
+}
+
+const Form& noise_keys() {
+  static const Form kKeys{
+      "noise of sensors",
+      {
+          real("pixels", "Standard deviation of corners and LEDs, in pixels.", 0, 100),
+          real("missed_tags", "Probability.", 0, 1),
+          real("missed_leds", "Probability.", 0, 1),
+          real("false_tags", "Probability, of an image.", 0, 1),
+          real("false_leds", "Probability, of an image.", 0, 1),
+          real("colour", "Standard deviation of Y, U and V, which are 0 to 255.", 0, 255),
+          whole("camera_latency", "Control ticks.", 0, 100),
+          real("distance", "Standard deviation of rangefinders, m.", 0, 1),
+          whole("range_latency", "Control ticks.", 0, 100),
+      }};
+  return kKeys;
+}
+
 }  // namespace
 
 const Form& scene_keys() {
@@ -190,6 +240,24 @@ const Form& scene_keys() {
            .doc = "Blocks and structures of blocks.",
            .form = &block_keys(),
            .most = 20'000},
+          {.name = "robots",
+           .kind = forms,
+           .doc = "Robots and their programs.",
+           .form = &robot_keys(),
+           .most = 1000},
+          {.name = "caches",
+           .kind = forms,
+           .doc = "Where new blocks come from.",
+           .form = &cache_keys(),
+           .most = 1000},
+          {.name = "block_program",
+           .kind = text,
+           .doc = "Lua file that every block runs: stigmergic.lua is the paper's."},
+          flag("lights", "false: no LED shines."),
+          {.name = "noise",
+           .kind = form,
+           .doc = "What sensors get wrong (default: nothing).",
+           .form = &noise_keys()},
       }};
   return kKeys;
 }

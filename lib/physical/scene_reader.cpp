@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/text.h"
+#include "controllers/robot_reader.h"
 #include "physical/poses_file.h"
 #include "physical/scene.h"
 #include "physical/scene_keys.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
+constexpr std::string_view kDefaultProgram = "stigmergic.lua";
 
 /// The number of a material; a name seen for the first time gets the next.
 Material material_of(const std::string& name, std::vector<std::string>& names) {
@@ -86,6 +88,16 @@ class Reader {
     scene_.stop_asleep = root.form("stop").flag("asleep");
     read_settings(root);
     for (const FormView& entry : root.forms("blocks")) read_entry(entry);
+    for (const FormView& entry : root.forms("robots")) read_robot_entry(entry);
+    for (const FormView& entry : root.forms("caches")) read_cache(entry);
+    // Robots set blocks' colours by radio, which is for the block's program to obey.
+    if (const YamlNode* program = root.find("block_program")) {
+      scene_.block_program = program_of(*program, program->text);
+    } else if (!scene_.robots.empty()) {
+      scene_.block_program = program_of(document_.root, std::string(kDefaultProgram));
+    }
+    scene_.lights = root.flag("lights", true);
+    read_noise(root.form("noise"));
     return std::move(scene_);
   }
 
@@ -202,6 +214,104 @@ class Reader {
     }
   }
 
+  void read_robot_entry(const FormView& node) {
+    RobotSpawn spawn;
+    spawn.range = document_.head(node.node());
+    const auto model = robot_model_of(*node.find("file"));
+    if (!model) return;
+    spawn.model = *model;
+    const RobotModel& robot = scene_.robot_models[*model];
+    spawn.name = node.text("name", fmt::format("{} {}", robot.name, scene_.robots.size() + 1));
+    const auto at = node.numbers("at");
+    if (at.size() == 2) spawn.X_WR.p = {at[0], at[1], 0};
+    spawn.X_WR.q = rotation({0, 0, node.number("heading") * kDegree});
+    const YamlNode* program = node.find("program");
+    const std::string path = program == nullptr ? robot.program : program->text;
+    if (!path.empty()) {
+      spawn.program = program_of(program == nullptr ? node.node() : *program, path);
+    }
+    if (const YamlNode* params = node.find("params")) read_params(*params, spawn);
+    scene_.robots.push_back(std::move(spawn));
+  }
+
+  void read_params(const YamlNode& node, RobotSpawn& spawn) {
+    if (node.kind != YamlKind::mapping) {
+      out_.add(Code::R103, document_.head(node), "expected a mapping of parameters");
+      return;
+    }
+    for (const YamlPair& pair : node.pairs) {
+      const YamlNode& value = pair.value;
+      if (value.kind != YamlKind::scalar) {
+        out_.add(Code::R103, document_.head(value),
+                 "a parameter is a number, a text, or true or false");
+        continue;
+      }
+      const bool plain = value.style == YamlStyle::plain;
+      if (const auto number = number_of(value)) {
+        spawn.params.emplace_back(pair.key.text, *number);
+      } else if (plain && (value.text == "true" || value.text == "false")) {
+        spawn.params.emplace_back(pair.key.text, value.text == "true");
+      } else {
+        spawn.params.emplace_back(pair.key.text, value.text);
+      }
+    }
+  }
+
+  void read_cache(const FormView& node) {
+    CacheSpawn cache;
+    cache.range = document_.head(node.node());
+    const auto model = model_of(node);
+    if (!model) return;
+    cache.model = *model;
+    const double side = scene_.models[*model].side;
+    if (!scene_.caches.empty() && scene_.caches.front().model != cache.model) {
+      out_.add(Code::S609, cache.range, "all caches of a scene have the same kind of block");
+    }
+    cache.at = node.vector("at", {0, 0, side / 2});
+    cache.radius = node.number("radius", cache.radius);
+    cache.yaw = node.number("yaw") * kDegree;
+    cache.stock = static_cast<std::size_t>(node.number("stock", 100));
+    scene_.caches.push_back(cache);
+  }
+
+  void read_noise(const FormView& node) {
+    CameraNoise& camera = scene_.camera_noise;
+    camera.pixel = node.number("pixels");
+    camera.missed_tags = node.number("missed_tags");
+    camera.missed_leds = node.number("missed_leds");
+    camera.false_tags = node.number("false_tags");
+    camera.false_leds = node.number("false_leds");
+    camera.colour = node.number("colour");
+    camera.latency = static_cast<int>(node.number("camera_latency"));
+    scene_.range_noise.distance = node.number("distance");
+    scene_.range_noise.latency = static_cast<int>(node.number("range_latency"));
+  }
+
+  std::optional<std::size_t> robot_model_of(const YamlNode& key) {
+    for (const auto& [known, model] : robot_models_) {
+      if (known == key.text) return model;
+    }
+    std::optional<std::size_t> model;
+    if (auto source = load(key, key.text)) {
+      if (auto robot = read_robot(std::move(source), out_)) {
+        model = scene_.robot_models.size();
+        scene_.robot_models.push_back(std::move(*robot));
+      }
+    }
+    robot_models_.emplace_back(key.text, model);
+    return model;
+  }
+
+  std::size_t program_of(const YamlNode& node, const std::string& name) {
+    for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
+      if (scene_.programs[i].path == name) return i;
+    }
+    const SourceRef source = load(node, name);
+    if (!source) return RobotSpawn::kNoProgram;
+    scene_.programs.push_back({name, source->text()});
+    return scene_.programs.size() - 1;
+  }
+
   /// The number of the entry's block among the models; each file is read once.
   std::optional<std::size_t> model_of(const FormView& node) {
     const YamlNode* key = node.find("file");
@@ -238,7 +348,7 @@ class Reader {
   Diagnostics& out_;
   Scene scene_;
   bool magnets_ = true;
-  std::vector<std::pair<std::string, std::optional<std::size_t>>> models_;
+  std::vector<std::pair<std::string, std::optional<std::size_t>>> models_, robot_models_;
 };
 
 }  // namespace

@@ -24,7 +24,7 @@ constexpr std::array<Face, 6> kFaces = {{{{0, 1, 0}, {0, 0, 1}},
 std::vector<Bounds> obstacle_bounds(const SensorScene& scene) {
   std::vector<Bounds> out;
   out.reserve(scene.obstacles.size());
-  for (const Obstacle& o : scene.obstacles) {
+  for (const SightObstacle& o : scene.obstacles) {
     out.push_back(bounds_of(o.X_WS, scene.shapes[o.shape].half));
   }
   return out;
@@ -74,7 +74,7 @@ SensorIndex::SensorIndex(const SensorScene& scene_now)
       obstacles(obstacle_bounds(scene_now), kCell),
       marked(marked_bounds(scene_now), kCell) {
   axes.reserve(scene.obstacles.size());
-  for (const Obstacle& o : scene.obstacles) axes.push_back(matrix(o.X_WS.q));
+  for (const SightObstacle& o : scene.obstacles) axes.push_back(matrix(o.X_WS.q));
 }
 
 }  // namespace stig

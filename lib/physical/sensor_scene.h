@@ -51,7 +51,7 @@ struct FaceMarks {
 /// face: to the right, above, left, below. Tags are numbered by face.
 MarkedKind cube_marks(const FaceMarks& marks);
 
-struct Obstacle {
+struct SightObstacle {
   std::uint32_t shape = 0;  ///< place in SensorScene::shapes
   std::uint32_t owner = 0;
   Pose X_WS;
@@ -68,7 +68,7 @@ struct SensorScene {
   bool floor = true;  ///< z = 0, which rangefinders see
   std::vector<SightShape> shapes;
   std::vector<MarkedKind> kinds;
-  std::vector<Obstacle> obstacles;
+  std::vector<SightObstacle> obstacles;
   std::vector<MarkedBody> marked;
 };
 

@@ -8,6 +8,7 @@
 
 #include "base/bytes.h"
 #include "physical/packed.h"
+#include "physical/scene_crew.h"
 
 namespace stig {
 
@@ -23,22 +24,101 @@ std::uint64_t ticks_in(double seconds, double step) {
 
 BodyId id(std::size_t i) { return BodyId{static_cast<std::uint32_t>(i)}; }
 
-TraceFrame frame_of(const World& world) {
+/// Bodies that have not come yet have left, so to speak.
+TraceFrame frame_of(const World& world, std::size_t bodies) {
   TraceFrame frame{world.tick(), {}};
   for (std::size_t i = 0; i < world.size(); ++i) {
     frame.bodies.push_back(trace_state(world.state(id(i))));
   }
+  BodyState absent;
+  absent.left = true;
+  absent.awake = false;
+  frame.bodies.resize(bodies, trace_state(absent));
   return frame;
+}
+
+constexpr double kCacheSeconds = 0.2;  ///< between looks at a cache
+enum : std::uint32_t { kLedChannel, kLogChannel, kShowChannel };
+
+/// All alike: one digit; otherwise a digit an LED.
+std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
+  std::string out;
+  for (const Led led : leds) out += static_cast<char>('0' + static_cast<int>(led));
+  if (out.find_first_not_of(out[0]) == std::string::npos) out.resize(1);
+  return out;
 }
 
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const PlacedScene& placed)
-    : placed_(placed),
+    : scene_(&scene),
+      placed_(placed),
       stop_asleep_(scene.stop_asleep),
       frame_every_(ticks_in(kFrameSeconds, placed.config.step)),
       hash_every_(ticks_in(kHashSeconds, placed.config.step)),
-      world_(placed.config) {}
+      world_(placed.config),
+      dropped_(scene.caches.size(), 0) {
+  if (!scene.robots.empty() || scene.block_program != RobotSpawn::kNoProgram) {
+    crew_.emplace(crew_of(scene, placed), placed.config);
+  }
+}
+
+Led Simulation::led(std::size_t body) const {
+  if (!crew_ || body >= world_.size()) return placed_.bodies[body].colour;
+  const std::size_t block = crew_->block_of(id(body));
+  return block < crew_->blocks() ? crew_->colour(block) : Led::off;
+}
+
+bool Simulation::blocks_near(const CacheSpawn& cache) const {
+  for (std::size_t i = 0; i < world_.size(); ++i) {
+    if (!placed_.bodies[i].block) continue;
+    const BodyState state = world_.state(id(i));
+    const double x = state.X_WB.p.x - cache.at.x, y = state.X_WB.p.y - cache.at.y;
+    if (!state.left && x * x + y * y < cache.radius * cache.radius) return true;
+  }
+  return false;
+}
+
+void Simulation::refill_caches() {
+  for (std::size_t i = 0; i < scene_->caches.size(); ++i) {
+    const CacheSpawn& cache = scene_->caches[i];
+    if (dropped_[i] == cache.stock || blocks_near(cache)) continue;
+    const BlockModel& model = scene_->models[cache.model];
+    Addition addition;
+    addition.bodies.push_back(block_body(model, {cache.at, rotation({0, 0, cache.yaw})}));
+    const Shape shape = addition.bodies[0].shape;
+    // A robot may stand there: then later.
+    const AddResult added = world_.add(addition);
+    if (!added.problem.empty()) continue;
+    ++dropped_[i];
+    const auto body = static_cast<std::size_t>(added.body);
+    if (crew_) crew_->add(crew_block(*scene_, placed_, body), shape);
+  }
+}
+
+void Simulation::before_step(const RunHooks& hooks) {
+  const std::uint64_t look = ticks_in(kCacheSeconds, placed_.config.step);
+  if (!scene_->caches.empty() && world_.tick() % look == 0) refill_caches();
+  if (!crew_) return;
+  crew_->before_step(world_);
+  note_crew(hooks);
+}
+
+/// What programs said and showed in this tick, into hooks and the trace.
+void Simulation::note_crew(const RunHooks& hooks) {
+  for (const CrewLine& line : crew_->take_log()) {
+    if (hooks.on_line) hooks.on_line(line);
+    if (writer_ != nullptr) {
+      writer_->value({world_.tick(), kLogChannel, 0, line.who + ": " + line.text});
+    }
+  }
+  for (const std::size_t block : crew_->take_changed()) {
+    if (writer_ == nullptr) continue;
+    writer_->value({world_.tick(), kLedChannel,
+                    static_cast<std::uint32_t>(crew_->block_body(block)),
+                    led_bytes(crew_->leds(block))});
+  }
+}
 
 void Simulation::record(PoseTraceWriter& writer) {
   writer_ = &writer;
@@ -49,7 +129,7 @@ void Simulation::record(PoseTraceWriter& writer) {
 void Simulation::write_frame() {
   if (framed_ == world_.tick()) return;
   framed_ = world_.tick();
-  writer_->frame(frame_of(world_));
+  writer_->frame(frame_of(world_, placed_.bodies.size()));
 }
 
 void Simulation::count(const WorldEvent& event) {
@@ -93,6 +173,7 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
     if (hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed)) {
       return RunEnd::interrupted;
     }
+    before_step(hooks);
     const StepResult result = world_.step();
     if (!result.ok) {
       const auto body = static_cast<std::size_t>(result.body);
@@ -154,15 +235,21 @@ PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
   header.frame_every = ticks_in(kFrameSeconds, header.step);
   header.hash_every = ticks_in(kHashSeconds, header.step);
   for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
-    const BodyDef& def = placed.config.bodies[i];
+    const SceneBody& from = placed.bodies[i];
     TraceBody body;
-    body.name = placed.bodies[i].name;
-    body.shape = def.shape;
-    body.block = true;
-    body.led = placed.bodies[i].colour;
-    body.fixed = def.fixed;
+    body.name = from.name;
+    body.block = from.block;
+    body.led = from.colour;
+    body.rgb = from.rgb;
+    if (i < placed.config.bodies.size()) {
+      body.shape = placed.config.bodies[i].shape;
+      body.fixed = placed.config.bodies[i].fixed;
+    } else {
+      body.shape = block_body(scene.models[scene.caches[0].model], {}).shape;
+    }
     header.bodies.push_back(std::move(body));
   }
+  header.channels = {"leds", "log", "show"};
   header.files = scene.files;
   return header;
 }

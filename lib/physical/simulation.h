@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "physical/crew.h"
 #include "physical/pose_trace.h"
 #include "physical/scene.h"
 #include "physical/world.h"
@@ -33,11 +34,13 @@ struct RunTally {
 
 struct RunHooks {
   const std::atomic<bool>* stop = nullptr;
+  std::function<void(const CrewLine&)> on_line;  ///< what robots and blocks say
   std::function<void(const World&)> after_step;
 };
 
 class Simulation {
  public:
+  /// The scene must outlive the run.
   Simulation(const Scene& scene, const PlacedScene& placed);
 
   /// From now on; the writer is given the state as it is, unless the run was resumed and the
@@ -50,9 +53,14 @@ class Simulation {
   void finish(RunEnd end);
 
   const World& world() const { return world_; }
+  /// Null in a scene without programs.
+  const Crew* crew() const { return crew_ ? &*crew_ : nullptr; }
+  /// What a block's LEDs show now; most of them.
+  Led led(std::size_t body) const;
   const RunTally& tally() const { return tally_; }
   /// Of one that diverged: when, and which body.
   const std::string& message() const { return message_; }
+  const Scene& scene() const { return *scene_; }
   const PlacedScene& placed() const { return placed_; }
 
   /// World and tally; holds for this scene and seed alone.
@@ -61,14 +69,21 @@ class Simulation {
   bool resume(std::string_view state);
 
  private:
+  void before_step(const RunHooks& hooks);
+  void refill_caches();
+  bool blocks_near(const CacheSpawn& cache) const;
+  void note_crew(const RunHooks& hooks);
   void count(const WorldEvent& event);
   void after_step();
   void write_frame();
 
+  const Scene* scene_;
   PlacedScene placed_;
   bool stop_asleep_;
   std::uint64_t frame_every_, hash_every_;
   World world_;
+  std::optional<Crew> crew_;
+  std::vector<std::size_t> dropped_;  ///< by each cache
   RunTally tally_;
   std::string message_;
   PoseTraceWriter* writer_ = nullptr;

@@ -43,7 +43,7 @@ std::vector<std::uint32_t> chain_to(const std::map<std::uint32_t, std::uint32_t>
 bool add_far_chains(const StageModel& model, const std::vector<LocalFailure>& failures,
                     Invariant& invariant) {
   bool added = false;
-  Site site;
+  StageSite site;
   for (std::size_t k = 0; k < std::min(kMostSites, failures.size()); ++k) {
     model.look(failures[k].site, site);
     const LocalOrder order = local_order(model, invariant, site);

@@ -57,7 +57,7 @@ std::optional<Groups> grown(const StageModel& model, const Groups& groups,
   const auto take = [&](std::uint32_t brick) {
     if (brick < model.bricks()) bricks.insert(brick);
   };
-  Site site;
+  StageSite site;
   for (const LocalFailure& failure : failures) {
     take(failure.site);
     // A brick alone at first: its window takes in what it needs.

@@ -18,7 +18,7 @@ struct Sorted {
   std::size_t size = 0;
 };
 
-Sorted by_number(const StageModel& model, const Site& site, Mask mask) {
+Sorted by_number(const StageModel& model, const StageSite& site, Mask mask) {
   std::array<std::uint64_t, kMaxNeighbours + 1> keys{};  // number, then index
   Sorted sorted;
   const auto add = [&](std::uint32_t number, int index) {
@@ -36,7 +36,7 @@ Sorted by_number(const StageModel& model, const Site& site, Mask mask) {
 }
 
 /// Where around the site the bricks stand that far chains from a brick lead to.
-std::vector<int> far_from(const Invariant& invariant, const Site& site, std::uint32_t brick) {
+std::vector<int> far_from(const Invariant& invariant, const StageSite& site, std::uint32_t brick) {
   std::vector<int> indices;
   const auto found = invariant.far.find(brick);
   if (found == invariant.far.end()) return indices;
@@ -58,7 +58,7 @@ Mask LocalOrder::closed(Mask some) const {
   return all;
 }
 
-LocalOrder local_order(const StageModel& model, const Invariant& invariant, const Site& site) {
+LocalOrder local_order(const StageModel& model, const Invariant& invariant, const StageSite& site) {
   LocalOrder order;
   Mask below_self = 0;
   const Sorted sorted = by_number(model, site, site.bricks);
@@ -91,7 +91,7 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
   return order;
 }
 
-bool for_each_local_state(const StageModel& model, const Site& site, const LocalOrder& order,
+bool for_each_local_state(const StageModel& model, const StageSite& site, const LocalOrder& order,
                           Mask among, std::uint64_t most, const std::function<bool(Mask)>& visit) {
   const Sorted sorted = by_number(model, site, among);
   // Depth first over "leave out, take in", in an order in which what is below comes first.

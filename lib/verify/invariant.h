@@ -63,12 +63,12 @@ struct LocalOrder {
   /// The smallest state around the site that holds these.
   Mask closed(Mask some) const;
 };
-LocalOrder local_order(const StageModel& model, const Invariant& invariant, const Site& site);
+LocalOrder local_order(const StageModel& model, const Invariant& invariant, const StageSite& site);
 
 /// Calls visit(state) for every local state within `among` that the order allows, until it
 /// returns false or `most` were visited. `among` is a set of neighbours that matter, of
 /// those that the site's order does not put after it. True: all were visited.
-bool for_each_local_state(const StageModel& model, const Site& site, const LocalOrder& order,
+bool for_each_local_state(const StageModel& model, const StageSite& site, const LocalOrder& order,
                           Mask among, std::uint64_t most, const std::function<bool(Mask)>& visit);
 
 }  // namespace stig

@@ -235,7 +235,7 @@ class SiteChecker {
   const StageModel& model_;
   const std::vector<Mask>& first_;
   const Invariant& invariant_;
-  Site site_;
+  StageSite site_;
   LocalOrder order_;
   Mask seen_ = 0;                       ///< neighbours that matter
   Mask run_ = 0;                        ///< those that were there when the run placed the brick

@@ -94,7 +94,7 @@ bool OtherOrders::path_differs(const std::vector<std::uint32_t>& path, std::uint
 /// Tries to bring a failed local state about: only bricks that are before it are placed.
 bool OtherOrders::provokes(const Invariant& invariant, const LocalFailure& failure,
                            std::uint32_t stream) {
-  Site site;
+  StageSite site;
   model_.look(failure.site, site);
   std::set<std::uint32_t> wanted;
   std::vector<std::uint32_t> todo;
@@ -144,7 +144,7 @@ bool OtherOrders::provoked(const Invariant& invariant, const std::vector<LocalFa
 
 /// Does a filling of an exact window lead to the failed state? Then it is real.
 bool OtherOrders::shown_by(const Window& window, const LocalFailure& failure) {
-  Site site;
+  StageSite site;
   model_.look(failure.site, site);
   std::vector<std::pair<std::size_t, bool>> wanted;
   for (Mask left = site.bricks & failure.seen; left != 0; left &= left - 1) {

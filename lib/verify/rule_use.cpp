@@ -27,7 +27,7 @@ class Uses {
   explicit Uses(const RuleSet& rules) : may_(rules.rules.size()) {}
 
   void look_at(const StageModel& model, const Invariant& invariant) {
-    Site site;
+    StageSite site;
     const bool few = model.sites() <= kMostSites;
     for (std::uint32_t number = 0; number < model.sites(); ++number) {
       model.look(number, site);
@@ -52,13 +52,13 @@ class Uses {
   }
 
  private:
-  static const LocalRule* acting(const Site& site, Mask state) {
+  static const LocalRule* acting(const StageSite& site, Mask state) {
     const auto found = std::find_if(site.rules.begin(), site.rules.end(),
                                     [&](const LocalRule& r) { return r.matches(state); });
     return found == site.rules.end() ? nullptr : &*found;
   }
 
-  void look_for_blocking(const StageModel& model, const Site& site, const LocalOrder& order) {
+  void look_for_blocking(const StageModel& model, const StageSite& site, const LocalOrder& order) {
     Mask seen = 0;
     for (const LocalRule& rule : site.rules) seen |= rule.sees();
     seen &= ~order.after;

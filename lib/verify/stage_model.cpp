@@ -80,7 +80,7 @@ void StageModel::number_border() {
   }
 }
 
-void StageModel::look(std::uint32_t number, Site& out) const {
+void StageModel::look(std::uint32_t number, StageSite& out) const {
   const Neighbourhood& n = table_->neighbours();
   out.at = at(number);
   out.number = number;
@@ -115,7 +115,7 @@ void StageModel::look(std::uint32_t number, Site& out) const {
   }
 }
 
-LocalRule StageModel::local_rule(const Entry& entry, const Site& site, const View& fixed,
+LocalRule StageModel::local_rule(const Entry& entry, const StageSite& site, const View& fixed,
                                  const std::array<std::int8_t, kMaxNeighbours>& alias) const {
   const Neighbourhood& n = table_->neighbours();
   LocalRule rule;
@@ -149,7 +149,8 @@ LocalRule StageModel::local_rule(const Entry& entry, const Site& site, const Vie
   return rule;
 }
 
-std::uint64_t colours_placed(const StageModel& model, const Site& site, Mask state, bool beside) {
+std::uint64_t colours_placed(const StageModel& model, const StageSite& site, Mask state,
+                             bool beside) {
   std::uint64_t colours = 0;
   if (!beside && state == 0) return 0;
   for (const LocalRule& rule : site.rules) {

@@ -56,7 +56,7 @@ struct LocalRule {
   Mask sees() const;
 };
 
-struct Site {
+struct StageSite {
   Cell at;
   std::uint32_t number = 0;
   Colour colour = 0;                                  ///< what the run places here; 0: border
@@ -88,7 +88,7 @@ class StageModel {
   std::uint32_t number(Cell cell) const { return numbers_.at(before_->wrap(cell)); }
 
   /// Everything about one site; `out`'s memory is used again.
-  void look(std::uint32_t site, Site& out) const;
+  void look(std::uint32_t site, StageSite& out) const;
   /// The index seen from a site of the cell at index `second` of its neighbour `first`:
   /// kSelf the site itself, -1 none of its neighbours.
   static constexpr int kSelf = kMaxNeighbours;
@@ -100,7 +100,7 @@ class StageModel {
 
  private:
   void number_border();
-  LocalRule local_rule(const Entry& entry, const Site& site, const View& fixed,
+  LocalRule local_rule(const Entry& entry, const StageSite& site, const View& fixed,
                        const std::array<std::int8_t, kMaxNeighbours>& alias) const;
 
   const RuleSet* rules_;
@@ -117,6 +117,7 @@ class StageModel {
 /// Colours that may be placed at a site in a local state, as a set of colours: under
 /// `conflicts: first` that of the first match, else those of all matches. Bit 0 is unused.
 /// Rules act beside bricks alone; `beside`: there is one, whatever the state says.
-std::uint64_t colours_placed(const StageModel& model, const Site& site, Mask state, bool beside);
+std::uint64_t colours_placed(const StageModel& model, const StageSite& site, Mask state,
+                             bool beside);
 
 }  // namespace stig

@@ -18,7 +18,7 @@ struct Seen {
 
 /// A brick of the window with what is needed to say when it may come.
 struct WindowCell {
-  Site site;
+  StageSite site;
   std::vector<Seen> around;         ///< its neighbours in the window
   std::vector<std::size_t> before;  ///< context: what is known to be there first
   bool exact = false;               ///< all its neighbours are in the window
@@ -57,7 +57,7 @@ class Exploration {
   void collect_context() {
     window_.context.clear();
     std::vector<std::uint32_t> found;
-    Site site;
+    StageSite site;
     for (const std::uint32_t brick : window_.group) {
       model_.look(brick, site);
       for (Mask left = site.bricks; left != 0; left &= left - 1) {

@@ -83,7 +83,8 @@ struct Walk {
     bool right = false;
     for (const Match& match : matches) right = right || table.place(match.rule) == placement.colour;
     REQUIRE(right);
-    REQUIRE(reach(*compiled.target, as_set(bricks), cell, side, robot).obstacle == Obstacle::none);
+    REQUIRE(reach(*compiled.target, as_set(bricks), cell, side, robot).obstruction ==
+            Obstruction::none);
     bricks.insert({cell, placement.colour});
     return bricks;
   }
@@ -116,7 +117,7 @@ bool completable(const RuleSet& rules, const TargetStates& target,
     const LatticeWorld world(table, {bricks.begin(), bricks.end()}, std::nullopt);
     for (const Cell site : world.enabled_sites()) {
       const auto from = [&](ApproachSide side) {
-        return reach(target, state, site, side, robot).obstacle == Obstacle::none;
+        return reach(target, state, site, side, robot).obstruction == Obstruction::none;
       };
       if (std::none_of(sides.begin(), sides.end(), from)) continue;
       Bricks more = bricks;

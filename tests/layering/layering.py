@@ -12,6 +12,8 @@ when it configures. Checked, each with path:line and what to do:
   - no headers include each other in a circle;
   - vendor headers stand in .cpp files, of layers that name the vendor; yaml-cpp and
     CLI11, which cost much to compile, in one file each;
+  - no two headers of lib/ define a type of one name: linked into one program, the two
+    would silently be taken for each other;
   - each source begins with its SPDX line.
 
 Exit status: 0 clean, 1 violations, 2 the check could not run.
@@ -128,6 +130,21 @@ def find_cycle(edges):
     return None
 
 
+TYPE = re.compile(r"^(?:struct|class|enum class)\s+(\w+)\s*(?:final\s*)?(?::[^;{]*)?\{", re.MULTILINE)
+
+
+def check_type_names(tree):
+    first = {}
+    for path in sources(tree.root, ["lib"], {".h"}):
+        text = path.read_text(encoding="utf-8")
+        for match in TYPE.finditer(text):
+            name, line = match[1], text.count("\n", 0, match.start()) + 1
+            if name in first:
+                other = first[name].relative_to(tree.root).as_posix()
+                tree.report(path, line, f"type '{name}' is defined in {other} too: rename one")
+            first.setdefault(name, path)
+
+
 def check_graph(tree):
     build_file = tree.root / "lib" / "CMakeLists.txt"
     for name, layer in tree.layers.items():
@@ -234,6 +251,7 @@ def check(root, layers):
         check_library_includes(tree)
     check_one_file(tree)
     check_header_cycles(tree)
+    check_type_names(tree)
     check_spdx(tree)
     return sorted(tree.problems)
 

@@ -33,6 +33,11 @@ class LayeringTest(unittest.TestCase):
             "lib/lattice/a.cpp": '#include "lattice/a.h"\n#include <boost/graph/x.hpp>\n',
             "tools/t/main.cpp": '#include "own.h"\n#include <CLI/CLI.hpp>\n'}))
 
+    def test_type_of_two_layers(self):
+        self.expect(check({"lib/base/a.h": "struct Site {\n};\n",
+                           "lib/rules/b.h": "\nclass Site final : public X {\n};\n"}),
+                    "lib/rules/b.h", 3, "type 'Site' is defined in lib/base/a.h too")
+
     def test_upward_include(self):
         problems = check({"lib/rules/a.h": "",
                           "lib/base/b.cpp": '\n#include "rules/a.h"\n'})

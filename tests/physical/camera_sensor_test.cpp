@@ -31,7 +31,7 @@ Pose some_pose(double spread) {
 
 /// The rule with neither index nor tiles: each line against each body.
 bool free_line(const SensorScene& scene, const Vec3& from, const Vec3& to, std::uint32_t owner) {
-  for (const Obstacle& o : scene.obstacles) {
+  for (const SightObstacle& o : scene.obstacles) {
     if (o.owner == owner) continue;
     const Pose X_SW = inverse(o.X_WS);
     const auto c = cut(scene.shapes[o.shape], X_SW * from, rotate(X_SW.q, to - from));

@@ -51,8 +51,13 @@ void read(const std::shared_ptr<const SourceFile>& source, bool scenes, Diagnost
     read_rule_set(source, diagnostics);
     return;
   }
-  // Blocks and poses have forms of their own.
-  const SceneLoader load = [](const std::string&, std::size_t, FileError&) {
+  // Blocks, robots and poses have forms of their own.
+  const SceneLoader load = [](const std::string& name, std::size_t, FileError&) {
+    if (name.find("bot") != std::string::npos) {
+      return std::optional<std::string>(
+          "stigc_robot: 1\nname: r\nbodies: [{name: b, box: [1, 1, 1], mass: 1, base: [0, 0, "
+          "0]}]\n");
+    }
     return std::optional<std::string>(
         "stigc_block: 1\nname: b\nbody: {side: 0.055, mass: 0.1, friction: 0.5}\n");
   };

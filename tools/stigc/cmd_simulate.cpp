@@ -152,6 +152,7 @@ class OneRun {
   }
 
  private:
+  double step() const { return loaded_.placed.config.step; }
   double duration() const { return options_.duration.value_or(loaded_.scene.duration); }
 
   int begin_trace() {
@@ -172,6 +173,17 @@ class OneRun {
   RunHooks hooks(Progress& progress) {
     RunHooks hooks;
     hooks.stop = &stop_requested();
+    hooks.on_line = [this, &progress](const CrewLine& line) {
+      progress.clear();
+      const std::string text =
+          fmt::format("{:8.2f} s  {}: {}", static_cast<double>(line.tick) * step(),
+                      printable(line.who), printable(line.text));
+      if (line.failure) {
+        app_.complain(text);
+      } else {
+        app_.say(text);
+      }
+    };
     hooks.after_step = [this, &progress](const World& world) {
       if (world.tick() % 16 == 0) {
         progress.show(world.time() / duration(),

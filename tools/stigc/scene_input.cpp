@@ -34,12 +34,14 @@ FileContent content_of(std::string_view text) {
 
 SceneLoader scene_loader(const std::string& scene_path) {
   const fs::path folder = fs::path(scene_path).parent_path();
-  std::vector<std::string> others = {(folder / ".." / "blocks").string()};
+  std::vector<std::string> others;
   const fs::path program = program_folder();
-  if (!program.empty()) {
+  for (const char* kind : {"blocks", "robots"}) {
+    others.push_back((folder / ".." / kind).string());
+    if (program.empty()) continue;
     // Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.
-    others.push_back((program / ".." / "share" / "stig" / "blocks").string());
-    others.push_back((program / ".." / ".." / "blocks").string());
+    others.push_back((program / ".." / "share" / "stig" / kind).string());
+    others.push_back((program / ".." / ".." / kind).string());
   }
   return disk_loader(folder.string(), std::move(others));
 }

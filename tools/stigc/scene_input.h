@@ -15,8 +15,8 @@ namespace stig {
 enum class FileContent : std::uint8_t { rules, scene, robot, block };
 FileContent content_of(std::string_view text);
 
-/// Finds blocks beside the scene, in the folder blocks/ next to the scene's, and where the
-/// program's own are.
+/// Finds blocks and robots beside the scene, in the folders blocks/ and robots/ next to the
+/// scene's, and where the program's own are.
 SceneLoader scene_loader(const std::string& scene_path);
 
 /// Reads and places a scene; its errors are reported.

@@ -79,35 +79,55 @@ Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 std::vector<PictureBody> picture_bodies(const Simulation& run) {
   std::vector<PictureBody> out;
   const PlacedScene& placed = run.placed();
-  for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
+  const PoseTraceHeader header = trace_header(run.scene(), placed);
+  for (std::size_t i = 0; i < run.world().size(); ++i) {
     const BodyState state = run.world().state(BodyId{static_cast<std::uint32_t>(i)});
     if (state.left) continue;
-    PictureBody body;
-    body.shape = placed.config.bodies[i].shape;
-    body.X_WB = state.X_WB;
-    body.block = true;
-    body.led = placed.bodies[i].colour;
-    out.push_back(body);
+    const TraceBody& body = header.bodies[i];
+    out.push_back({body.shape, state.X_WB, body.rgb, body.block, run.led(i)});
   }
   return out;
 }
+
+namespace {
+
+/// What most of a block's LEDs showed at a tick.
+Led led_at(const PoseTrace& trace, std::uint64_t tick, std::size_t body) {
+  Led out = trace.header.bodies[body].led;
+  for (const TraceValue& value : trace.values) {
+    if (value.tick > tick || value.body != body || value.bytes.empty()) continue;
+    if (trace.header.channels[value.channel] != "leds") continue;
+    std::array<int, 5> shown{};
+    for (const char digit : value.bytes) {
+      if (digit >= '0' && digit <= '4') ++shown[static_cast<std::size_t>(digit - '0')];
+    }
+    out = static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+  }
+  return out;
+}
+
+}  // namespace
 
 std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame) {
   std::vector<PictureBody> out;
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
     if (frame.bodies[i].left) continue;
     const TraceBody& body = trace.header.bodies[i];
-    out.push_back({body.shape, frame.bodies[i].pose(), body.rgb, body.block, body.led});
+    out.push_back({body.shape, frame.bodies[i].pose(), body.rgb, body.block,
+                   body.block ? led_at(trace, frame.tick, i) : Led::off});
   }
   return out;
 }
 
 StructureReading structure_of(const std::vector<PictureBody>& bodies) {
   std::vector<PlacedBlock> blocks;
+  double side = 0;
   for (const PictureBody& body : bodies) {
+    if (!body.block) continue;
+    if (side == 0) side = 2 * body.shape.half.x;
     blocks.push_back({body.X_WB, static_cast<std::uint8_t>(body.led)});
   }
-  return bodies.empty() ? StructureReading{} : read_lattices(blocks, 2 * bodies[0].shape.half.x);
+  return blocks.empty() ? StructureReading{} : read_lattices(blocks, side);
 }
 
 SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end, double seconds) {
@@ -126,7 +146,11 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
   r.awake = world.awake_count();
   r.tally = run.tally();
   for (const std::uint32_t body : r.tally.left) r.left.push_back(placed.bodies[body].name);
-  for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
+  for (std::size_t i = 0; i < world.size(); ++i) {
+    if (i >= placed.config.bodies.size()) {
+      r.names.push_back(placed.bodies[i].name);
+      continue;
+    }
     r.fixed += placed.config.bodies[i].fixed ? 1 : 0;
     const BodyState state = world.state(BodyId{static_cast<std::uint32_t>(i)});
     if (state.left) continue;

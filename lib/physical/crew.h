@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Robots and blocks with programs, at work in a world.
+//
+// The order of a control tick:
+//
+//     media     messages sent in the last tick reach the radios near their senders
+//     sense     cameras, rangefinders, radios, encoders: of the world as it stands now
+//     control   every program steps once, on its own readings alone
+//     act       commands go to motors, magnets, LEDs and radios
+//     physics   the world steps until the next tick
+//
+// All robots sense before any acts, so their order does not matter. A program learns about
+// the world only through its readings; what it commands acts only through motors, magnets and
+// radio. One that fails is not called again, and its robot is made safe.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "controllers/controller.h"
+#include "physical/led.h"
+#include "physical/robot_body.h"
+#include "physical/sensor_noise.h"
+#include "physical/sensor_scene.h"
+#include "physical/world.h"
+#include "sensing/camera_view.h"
+
+namespace stig {
+
+inline constexpr std::size_t kBlockLeds = 24, kBlockRadios = 6;
+
+struct CrewRobot {
+  std::string name;
+  const RobotModel* model = nullptr;  ///< must outlive the crew
+  RobotBody body;
+  std::unique_ptr<RobotController> controller;
+  CameraNoise camera_noise;
+  RangeNoise range_noise;
+};
+
+struct CrewBlock {
+  std::string name;
+  BodyId body{};
+  Led led = Led::off;                           ///< of all its LEDs at the start
+  std::unique_ptr<BlockController> controller;  ///< none: its LEDs stay as they are
+};
+
+struct CrewConfig {
+  std::uint64_t seed = 1;
+  double block_period = 0.2;                        ///< s between steps of blocks' programs
+  bool lights = true;                               ///< false: no LED shines
+  FaceMarks faces;                                  ///< of all blocks
+  double radio_depth = 0.005, radio_range = 0.020;  ///< of blocks' radios, m
+  std::vector<CrewRobot> robots;
+  std::vector<CrewBlock> blocks;
+};
+
+/// Something that a program said, or that ended it.
+struct CrewLine {
+  std::uint64_t tick = 0;  ///< of the world
+  std::string who;
+  std::string text;
+  bool failure = false;
+};
+
+class Crew {
+ public:
+  /// The world that it works in, for shapes and steps; of the bodies in `config` no two alike.
+  Crew(CrewConfig config, const WorldConfig& world);
+
+  /// Before every step of the world: a control tick where one is due, and motors.
+  void before_step(World& world);
+
+  std::size_t robots() const { return robots_.size(); }
+  std::size_t blocks() const { return blocks_.size(); }
+  const std::string& robot_name(std::size_t robot) const { return robots_[robot].config.name; }
+  Pose robot_pose(const World& world, std::size_t robot) const;
+  bool failed(std::size_t robot) const { return robots_[robot].failed; }
+  /// What a robot read and commanded in its last step.
+  const RobotReadings& readings(std::size_t robot) const { return robots_[robot].readings; }
+  const RobotCommands& commands(std::size_t robot) const { return robots_[robot].commands; }
+  const std::array<Led, kBlockLeds>& leds(std::size_t block) const { return blocks_[block].leds; }
+  BodyId block_body(std::size_t block) const { return blocks_[block].config.body; }
+  /// The colour that most of its LEDs show.
+  Led colour(std::size_t block) const;
+  /// The block of a body, or none: blocks().
+  std::size_t block_of(BodyId body) const;
+
+  /// A block that was brought in while the world ran.
+  void add(CrewBlock block, const Shape& shape);
+
+  /// Lines since the last call.
+  std::vector<CrewLine> take_log();
+  /// Blocks whose LEDs have changed since the last call, rising.
+  std::vector<std::size_t> take_changed();
+
+ private:
+  struct Robot {
+    CrewRobot config;
+    std::uint64_t period = 1;  ///< world ticks
+    bool begun = false, failed = false;
+    RobotDevices devices;
+    RobotReadings readings;
+    RobotCommands commands;
+    std::vector<CameraView> views;
+    std::vector<bool> enabled;  ///< cameras
+    std::vector<Late<CameraReading>> late_cameras;
+    std::vector<Late<std::vector<RangeReading>>> late_ranges;
+    std::vector<std::vector<Message>> inbox, outbox;  ///< a radio each
+  };
+  struct Block {
+    CrewBlock config;
+    bool begun = false, failed = false;
+    std::array<Led, kBlockLeds> leds{};
+    std::vector<std::vector<Message>> inbox, outbox;
+    bool quiet = true;  ///< nothing in inbox or outbox
+  };
+
+  void control(World& world, std::uint64_t tick);
+  void carry_messages(const World& world);
+  void place_sensor_scene(const World& world);
+  void sense(const World& world, const SensorIndex& index, std::size_t robot);
+  CameraReading see(const World& world, const SensorIndex& index, std::size_t robot,
+                    std::size_t camera);
+  std::vector<RangeReading> feel(const World& world, const SensorIndex& index, std::size_t robot);
+  void step_robot(World& world, std::size_t robot);
+  void step_block(std::uint64_t tick, std::size_t block);
+  void apply(const BlockCommands& commands, std::size_t block);
+  void say(std::uint64_t tick, const std::string& who, std::vector<std::string>& lines);
+  void fail(std::uint64_t tick, const std::string& who, const std::string& error);
+  std::uint32_t shape_of(const Shape& shape);
+
+  CrewConfig config_;
+  double step_ = 0;
+  std::uint64_t block_period_ = 1;
+  std::vector<Robot> robots_;
+  std::vector<Block> blocks_;
+  SensorScene scene_;
+  std::vector<std::uint32_t> obstacle_bodies_;  ///< of each obstacle
+  std::vector<CrewLine> log_;
+  std::vector<bool> changed_;
+  bool sends_ = false;  ///< somebody has sent since messages were carried
+};
+
+}  // namespace stig
