@@ -5,7 +5,8 @@
 // are those of World.
 //
 // DART is told where everything is before each step and keeps nothing, so that a checkpoint
-// of the world is whole. It knows no pairs of materials: a pair slides with the smaller of its
+// of the world is whole; but it orders contacts by their addresses, so that runs agree only as
+// far as its sums round alike. It knows no pairs of materials: a pair slides with the smaller of its
 // two coefficients, each taken against the same kind. Nobody sleeps; wheels grip alike in all
 // directions. Joints, cylinders and hulls are refused.
 //

@@ -51,6 +51,9 @@ struct BodyDef {
 
 /// A solid at rest.
 BodyDef solid_body(const Shape& shape, double mass, const Vec3& place = {});
+/// A solid hull of points that enclose something, in their frame P: about its centre of mass
+/// and along its principal axes, so that it moves exactly.
+BodyDef hull_body(const std::vector<Vec3>& points, double mass, const Pose& X_WP);
 /// The block of a data file as a body.
 BodyDef block_body(const BlockModel& block, const Pose& X_WB);
 /// A solid's moments when the definition leaves them open.

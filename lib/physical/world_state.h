@@ -30,6 +30,7 @@ struct Body {
   Quat q;
   Mat3 r;  ///< of q
   Vec3 v, w;
+  Vec3 last_v, last_w;           ///< before this step's forces
   Vec3 kick_v, kick_w;           ///< what the forces of this step add
   Vec3 way_v, way_w;             ///< of a body in contact: the step's way by its length
   Vec3 force, torque;            ///< of this step
