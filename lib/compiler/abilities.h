@@ -5,9 +5,11 @@
 // Frame R: the robot's, on the floor, x ahead. Lengths in m, forces in N.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "controllers/robot_model.h"
 #include "sensing/camera.h"
 
 namespace stig {
@@ -22,11 +24,21 @@ struct BlockLook {
   double most_angle = 1.309;  ///< rad, between a face's normal and the line to the camera
 };
 
-/// A camera that rides on the lift.
+/// A camera, and whether it rides on the lift.
 struct CarriedCamera {
   CameraIntrinsics intrinsics;
   Pose X_RC;  ///< with the lift at its lowest
   double near = 0.05, far = 0.5;
+  bool lifted = true;
+};
+
+/// Of the block, what its file says and its magnets do.
+struct BlockFigures {
+  BlockLook look;
+  double mass = 0.110;
+  double magnet_offset = 0.0225;  ///< of a magnet from the middle, along each axis
+  double magnet_moment = 0.199;   ///< A·m²
+  double block_friction = 0.2, floor_friction = 0.4;
 };
 
 struct Abilities {
@@ -49,5 +61,10 @@ struct Abilities {
   double friction = 0.2;  ///< block on block
   std::vector<CarriedCamera> cameras;
 };
+
+/// What keeps a robot from building at all, each a sentence; empty: nothing.
+std::vector<std::string> lacking(const RobotModel& robot);
+/// Of a robot that lacks nothing.
+Abilities abilities_of(const RobotModel& robot, const BlockFigures& block);
 
 }  // namespace stig
