@@ -85,7 +85,8 @@ void measure_bodies(const RobotModel& robot, Abilities& out) {
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
     const Extent extent = extent_of(robot.bodies[i]);
     const double width = std::max(extent.high.y, -extent.low.y);
-    const bool over = lifted[i] && extent.high.x > out.carried_x - half + 1e-6;
+    const bool over = lifted[i] && extent.high.x > out.carried_x - half / 2 &&
+                      extent.low.x < out.carried_x + half / 2;
     if (over) {
       out.effector_front = std::max(out.effector_front, extent.high.x);
       out.effector_half_width = std::max(out.effector_half_width, width);
@@ -95,10 +96,9 @@ void measure_bodies(const RobotModel& robot, Abilities& out) {
       if (!lifted[i]) out.body_half_width = std::max(out.body_half_width, width);
     }
   }
-  // With the lift down, this much is under the carried block already.
-  const double under = underside - out.block.side;
+  out.lowest = underside - out.block.side;
   out.levels = 0;
-  while (out.levels * out.block.side + out.clearance <= out.lift_travel + under) ++out.levels;
+  while (out.lift_for(out.levels) <= out.lift_travel) ++out.levels;
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ struct Abilities {
   /// Levels on which it can put down a block: the lift must raise it so far and a little more.
   int levels = 3;
   double lift_travel = 0.1375;
+  double lowest = 0.00075;   ///< of a carried block's bottom above the floor, the lift down
   double clearance = 0.003;  ///< over a support, before a block is let down
   /// The carried block's centre ahead of R, and what of the robot stands behind and beside it.
   double carried_x = 0.0938;
@@ -60,6 +61,9 @@ struct Abilities {
   double face_hold = 9.5;
   double friction = 0.2;  ///< block on block
   std::vector<CarriedCamera> cameras;
+
+  /// Height of the lift at which a carried block clears the bricks below a level.
+  double lift_for(int level) const { return level * block.side + clearance - lowest; }
 };
 
 /// What keeps a robot from building at all, each a sentence; empty: nothing.
