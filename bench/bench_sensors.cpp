@@ -31,7 +31,7 @@ CameraView view_to(double far) {
 
 SensorScene empty_scene() {
   FaceMarks marks;
-  marks.widest = 75 * kDegree;
+  marks.tag_widest = marks.led_widest = 75 * kDegree;
   SensorScene scene;
   scene.kinds = {cube_marks(marks)};
   scene.shapes = {sight_box({kSide, kSide, kSide}), sight_box({0.12, 0.09, 0.1}),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The stigmergic block as physics sees it: a cube of one mass with free magnets in its
-// corners. Blocks are data files (blocks/*.yaml), not code.
+// The stigmergic block as its file says it: a cube of one mass with free magnets in its
+// corners; on each face a tag, four LEDs about it and a radio behind it. Blocks are data files
+// (blocks/*.yaml), not code.
 #pragma once
 
 #include <optional>
@@ -11,6 +12,21 @@
 #include "base/vec.h"
 
 namespace stig {
+
+/// What the six faces bear. Lengths in m, angles in rad.
+struct BlockTags {
+  double side = 0;    ///< 0: there are none
+  double proud = 0;   ///< of the face
+  double widest = 0;  ///< between its normal and the line to a camera that reads it
+};
+struct BlockLights {
+  double offset = 0;  ///< from the face's middle, four ways; 0: there are none
+  double widest = 0;
+};
+struct BlockRadioModel {
+  double depth = 0;  ///< below the face's middle
+  double range = 0;  ///< 0: there are none
+};
 
 /// As the file says it. Lengths in m, masses in kg.
 struct BlockModel {
@@ -23,6 +39,11 @@ struct BlockModel {
   double magnet_mass = 0;    ///< of one of the eight
   double magnet_field = 0;   ///< in the paper's unit, see kMomentPerField
   double magnet_cutoff = 0;  ///< distance beyond which magnets ignore each other
+
+  BlockTags tags;
+  BlockLights leds;
+  BlockRadioModel radios;
+  std::string program;  ///< path of its Lua program as the file says it, or empty
 
   bool has_magnets() const { return magnet_offset > 0; }
   double mass() const { return body_mass + (has_magnets() ? 8 * magnet_mass : 0); }
@@ -39,6 +60,8 @@ struct BlockModel {
 
 /// The block, or nothing when an error was reported. Unknown keys are errors.
 std::optional<BlockModel> read_block(SourceRef source, Diagnostics& diagnostics);
+/// JSON Schema draft 7 of block files, with a newline at the end.
+std::string block_schema();
 /// Reads the file first; a file that cannot be read is a diagnostic too.
 std::optional<BlockModel> read_block_file(const std::string& path, Diagnostics& diagnostics);
 

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <charconv>
-#include <cmath>
-
 #include "base/file_io.h"
-#include "base/text.h"
+#include "base/form.h"
 #include "base/yaml.h"
 #include "physical/block.h"
 
@@ -14,139 +8,138 @@ namespace stig {
 
 namespace {
 
+using enum FormKind;
+
 constexpr std::size_t kMaxBlockFileBytes = std::size_t{1} << 16;
+constexpr double kDegree = 3.14159265358979323846 / 180;
 
-/// A number that a mapping must have, and where it goes.
-struct NumberKey {
-  std::string_view name;
-  double BlockModel::*value;
-  double least, most;
-};
-constexpr NumberKey kBodyNumbers[] = {
-    {"side", &BlockModel::side, 1e-3, 10},
-    {"mass", &BlockModel::body_mass, 1e-6, 1e5},
-    {"friction", &BlockModel::friction, 0, 10},
-};
-constexpr NumberKey kMagnetNumbers[] = {
-    {"offset", &BlockModel::magnet_offset, 1e-6, 10},
-    {"radius", &BlockModel::magnet_radius, 1e-6, 10},
-    {"mass", &BlockModel::magnet_mass, 0, 1e5},
-    {"field", &BlockModel::magnet_field, 0, 1e6},
-    {"cutoff", &BlockModel::magnet_cutoff, 1e-6, 10},
-};
+// Members left out have their defaults.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
-/// The number that a plain scalar is, or nothing.
-std::optional<double> number(const YamlNode& node) {
-  if (node.kind != YamlKind::scalar || node.style != YamlStyle::plain) return std::nullopt;
-  double value = 0;
-  const char* end = node.text.data() + node.text.size();
-  const auto [at, error] = std::from_chars(node.text.data(), end, value);
-  if (error != std::errc() || at != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+/// A number that must be there.
+FormKey needed(std::string_view name, std::string_view doc, double low, double high) {
+  return {.name = name, .kind = number, .required = true, .doc = doc, .low = low, .high = high};
+}
+FormKey part(std::string_view name, std::string_view doc, const Form& form) {
+  return {.name = name, .kind = FormKind::form, .doc = doc, .form = &form};
 }
 
-class Reader {
- public:
-  Reader(const YamlDocument& document, Diagnostics& out) : document_(document), out_(out) {}
+const Form& body_keys() {
+  static const Form kKeys{"block's body",
+                          {needed("side", "Of the cube, m.", 1e-3, 10),
+                           needed("mass", "kg, without magnets.", 1e-6, 1e5),
+                           needed("friction", "Coulomb's coefficient.", 0, 10)}};
+  return kKeys;
+}
 
-  BlockModel read() {
-    const YamlNode& root = document_.root;
-    if (!is_mapping(root, "a block file")) return {};
-    check_keys(root, {"stigc_block", "name", "title", "source", "body", "magnets"});
-    check_version(root);
-    block_.name = text(root, "name", true);
-    block_.title = text(root, "title", false);
-    block_.source = text(root, "source", false);
-    read_numbers(root, "body", kBodyNumbers, true);
-    read_numbers(root, "magnets", kMagnetNumbers, false);
-    check_fit(root);
-    return std::move(block_);
+const Form& magnet_keys() {
+  static const Form kKeys{
+      "block's magnets",
+      {needed("offset", "m: centres at (±offset, ±offset, ±offset).", 1e-6, 10),
+       needed("radius", "m, of the spheres.", 1e-6, 10), needed("mass", "kg, of each.", 0, 1e5),
+       needed("field", "In the paper's unit: 75 is 0.199 A·m².", 0, 1e6),
+       needed("cutoff", "m, beyond which magnets ignore each other.", 1e-6, 10)}};
+  return kKeys;
+}
+
+const Form& tag_keys() {
+  static const Form kKeys{
+      "block's tags",
+      {needed("side", "m, of the square within the white border.", 1e-4, 10),
+       needed("widest", "Degrees off the normal at which it is read still.", 0, 89.9),
+       {.name = "proud", .kind = number, .doc = "m that it stands out.", .low = 0, .high = 0.1}}};
+  return kKeys;
+}
+
+const Form& led_keys() {
+  static const Form kKeys{
+      "block's LEDs",
+      {needed("offset", "m from the face's middle, four ways.", 1e-4, 10),
+       needed("widest", "Degrees off the normal at which they are seen still.", 0, 180)}};
+  return kKeys;
+}
+
+const Form& radio_keys() {
+  static const Form kKeys{
+      "block's radios",
+      {{.name = "depth", .kind = number, .doc = "m below the face's middle.", .low = 0, .high = 1},
+       needed("range", "m.", 1e-4, 10)}};
+  return kKeys;
+}
+
+const Form& block_form() {
+  static const Form kForm{
+      "block file",
+      {{.name = "stigc_block",
+        .kind = version,
+        .required = true,
+        .doc = "Version of the format: 1.",
+        .high = 1},
+       {.name = "name", .kind = FormKind::name, .required = true, .doc = "A short name."},
+       {.name = "title", .kind = text, .doc = "One line for people."},
+       {.name = "source", .kind = text, .doc = "Where the figures are from."},
+       {.name = "body",
+        .kind = form,
+        .required = true,
+        .doc = "A cube of one mass.",
+        .form = &body_keys()},
+       part("magnets", "Eight spheres in the corners, free to turn.", magnet_keys()),
+       part("tags", "One on each face.", tag_keys()),
+       part("leds", "Four on each face, directional.", led_keys()),
+       part("radios", "One behind each face, near field, half duplex.", radio_keys()),
+       {.name = "program",
+        .kind = FormKind::name,
+        .doc = "Lua file that it runs in scenes with robots."}}};
+  return kForm;
+}
+
+#pragma GCC diagnostic pop
+
+BlockModel read_model(const FormView& root) {
+  BlockModel out;
+  out.name = root.text("name");
+  out.title = root.text("title");
+  out.source = root.text("source");
+  out.program = root.text("program");
+  const FormView body = root.form("body"), magnets = root.form("magnets");
+  out.side = body.number("side");
+  out.body_mass = body.number("mass");
+  out.friction = body.number("friction");
+  out.magnet_offset = magnets.number("offset");
+  out.magnet_radius = magnets.number("radius");
+  out.magnet_mass = magnets.number("mass");
+  out.magnet_field = magnets.number("field");
+  out.magnet_cutoff = magnets.number("cutoff");
+  const FormView tags = root.form("tags"), leds = root.form("leds"), radios = root.form("radios");
+  out.tags = {tags.number("side"), tags.number("proud"), tags.number("widest") * kDegree};
+  out.leds = {leds.number("offset"), leds.number("widest") * kDegree};
+  out.radios = {radios.number("depth"), radios.number("range")};
+  return out;
+}
+
+/// Everything lies within its face or body; the block's own magnets ignore each other.
+void check_fit(const YamlDocument& document, const BlockModel& block, Diagnostics& out) {
+  const auto complain = [&](std::string_view part, std::string_view key, std::string message) {
+    const YamlNode& node = *document.root.find(part)->find(key);
+    out.add(Code::R105, document.head(node), std::move(message));
+  };
+  const double half = block.side / 2;
+  if (block.has_magnets() && block.magnet_offset + block.magnet_radius > half) {
+    complain("magnets", "offset",
+             "the magnets stick out of the block: offset and radius together are at most half "
+             "its side");
+  } else if (block.has_magnets() && block.magnet_cutoff > 2 * block.magnet_offset) {
+    complain("magnets", "cutoff",
+             "a block's own magnets would feel each other: the cut-off is at most twice the "
+             "offset");
   }
-
- private:
-  void error(Code code, const YamlNode& node, std::string message) {
-    if (node.kind != YamlKind::broken) out_.add(code, document_.head(node), std::move(message));
+  if (block.tags.side > block.side) {
+    complain("tags", "side", "the tag is larger than the face");
   }
-
-  bool is_mapping(const YamlNode& node, std::string_view what) {
-    if (node.kind == YamlKind::mapping) return true;
-    error(Code::R103, node, fmt::format("{} must be a mapping", what));
-    return false;
-  }
-
-  void check_keys(const YamlNode& node, const std::vector<std::string_view>& known) {
-    for (const YamlPair& pair : node.pairs) {
-      if (std::find(known.begin(), known.end(), pair.key.text) != known.end()) continue;
-      Diagnostic& diagnostic = out_.add(Code::R101, document_.range(pair.key),
-                                        fmt::format("unknown key {}", in_quotes(pair.key.text)));
-      diagnostic.suggest(std::string(nearest(pair.key.text, known)));
-    }
-  }
-
-  const YamlNode* required(const YamlNode& node, std::string_view key) {
-    const YamlNode* value = node.find(key);
-    if (value == nullptr) error(Code::R102, node, fmt::format("the key '{}' is missing", key));
-    return value;
-  }
-
-  void check_version(const YamlNode& root) {
-    const YamlNode* version = required(root, "stigc_block");
-    if (version == nullptr || number(*version) == 1) return;
-    error(Code::R108, *version, "this program reads block files of version 1");
-  }
-
-  std::string text(const YamlNode& node, std::string_view key, bool needed) {
-    const YamlNode* value = needed ? required(node, key) : node.find(key);
-    if (value == nullptr) return {};
-    if (value->kind != YamlKind::scalar) {
-      error(Code::R103, *value, fmt::format("'{}' takes a text", key));
-      return {};
-    }
-    return value->text.substr(0, value->text.find_last_not_of(" \t\r\n") + 1);
-  }
-
-  template <std::size_t N>
-  void read_numbers(const YamlNode& root, std::string_view name, const NumberKey (&keys)[N],
-                    bool needed) {
-    const YamlNode* node = needed ? required(root, name) : root.find(name);
-    if (node == nullptr || !is_mapping(*node, fmt::format("'{}'", name))) return;
-    std::vector<std::string_view> known;
-    for (const NumberKey& key : keys) known.push_back(key.name);
-    check_keys(*node, known);
-    for (const NumberKey& key : keys) {
-      if (const YamlNode* value = required(*node, key.name)) read_number(*value, key);
-    }
-  }
-
-  void read_number(const YamlNode& node, const NumberKey& key) {
-    const std::optional<double> value = number(node);
-    if (!value) return error(Code::R103, node, fmt::format("'{}' takes a number", key.name));
-    if (*value < key.least || *value > key.most) {
-      return error(Code::R105, node,
-                   fmt::format("'{}' is from {} to {}", key.name, key.least, key.most));
-    }
-    block_.*key.value = *value;
-  }
-
-  /// Magnets lie inside the body; the block's own ones ignore each other.
-  void check_fit(const YamlNode& root) {
-    if (!block_.has_magnets() || out_.has_errors()) return;
-    if (block_.magnet_offset + block_.magnet_radius > block_.side / 2) {
-      error(Code::R105, *root.find("magnets")->find("offset"),
-            "the magnets stick out of the block: offset and radius together are at most half "
-            "its side");
-    }
-    if (block_.magnet_cutoff > 2 * block_.magnet_offset) {
-      error(Code::R105, *root.find("magnets")->find("cutoff"),
-            "a block's own magnets would feel each other: the cut-off is at most twice the "
-            "offset");
-    }
-  }
-
-  const YamlDocument& document_;
-  Diagnostics& out_;
-  BlockModel block_;
-};
+  if (block.leds.offset > half) complain("leds", "offset", "the LEDs are beyond the face");
+  if (block.radios.depth > half) complain("radios", "depth", "the radios are beyond the middle");
+}
 
 }  // namespace
 
@@ -154,7 +147,9 @@ std::optional<BlockModel> read_block(SourceRef source, Diagnostics& diagnostics)
   Diagnostics own;
   std::optional<BlockModel> block;
   if (const auto document = parse_yaml(std::move(source), {kMaxBlockFileBytes, 8, 1000}, own)) {
-    block = Reader(*document, own).read();
+    const BadNodes bad = check_form(*document, block_form(), own);
+    if (!own.has_errors()) block = read_model(FormView(document->root, bad));
+    if (block) check_fit(*document, *block, own);
   }
   diagnostics.append(own);
   return own.has_errors() ? std::nullopt : block;
@@ -168,6 +163,11 @@ std::optional<BlockModel> read_block_file(const std::string& path, Diagnostics& 
   diagnostics.add(error.too_large ? Code::R002 : Code::R001, {std::move(source), 0, 0},
                   error.message);
   return std::nullopt;
+}
+
+std::string block_schema() {
+  return form_schema(block_form(), "stigc block, version 1",
+                     "A block: mass, magnets, tags, LEDs, radios. Metres, kilograms, degrees.");
 }
 
 }  // namespace stig

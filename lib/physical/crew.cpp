@@ -30,7 +30,10 @@ Crew::Crew(CrewConfig config, const WorldConfig& world)
       step_(world.step),
       block_period_(ticks_in(config_.block_period, world.step)) {
   scene_.floor = world.floor;
-  scene_.kinds.push_back(cube_marks(config_.faces));
+  for (const BlockModel& model : config_.models) {
+    scene_.kinds.push_back(cube_marks({model.side, model.tags.side, model.tags.proud,
+                                       model.leds.offset, model.tags.widest, model.leds.widest}));
+  }
   std::vector<std::uint32_t> owners(world.bodies.size(), kNobody);
   for (std::size_t i = 0; i < config_.blocks.size(); ++i) {
     owners[number(config_.blocks[i].body)] = static_cast<std::uint32_t>(i);
@@ -98,6 +101,11 @@ void Crew::add(CrewBlock block, const Shape& shape) {
 
 Pose Crew::robot_pose(const World& world, std::size_t robot) const {
   return pose_of(world, *robots_[robot].config.model, robots_[robot].config.body);
+}
+
+bool Crew::all_failed() const {
+  return !robots_.empty() &&
+         std::all_of(robots_.begin(), robots_.end(), [](const Robot& one) { return one.failed; });
 }
 
 BodyId Crew::root_body(std::size_t robot) const {

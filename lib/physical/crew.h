@@ -21,6 +21,7 @@
 #include <vector>
 
 #include "controllers/controller.h"
+#include "physical/block.h"
 #include "physical/led.h"
 #include "physical/reading_history.h"
 #include "physical/robot_body.h"
@@ -45,6 +46,7 @@ struct CrewRobot {
 struct CrewBlock {
   std::string name;
   BodyId body{};
+  std::size_t model = 0;                        ///< in CrewConfig::models
   Led led = Led::off;                           ///< of all its LEDs at the start
   std::unique_ptr<BlockController> controller;  ///< none: its LEDs stay as they are
 };
@@ -54,8 +56,7 @@ struct CrewConfig {
   double block_period = 0.2;  ///< s between steps of blocks' programs
   bool lights = true;         ///< false: no LED shines
   bool resumable = true;      ///< keep what programs read, so that the crew can be brought back
-  FaceMarks faces;            ///< of all blocks
-  double radio_depth = 0.005, radio_range = 0.020;  ///< of blocks' radios, m
+  std::vector<BlockModel> models;  ///< of the blocks
   std::vector<CrewRobot> robots;
   std::vector<CrewBlock> blocks;
 };
@@ -83,6 +84,8 @@ class Crew {
   const std::string& robot_name(std::size_t robot) const { return robots_[robot].config.name; }
   Pose robot_pose(const World& world, std::size_t robot) const;
   bool failed(std::size_t robot) const { return robots_[robot].failed; }
+  /// Every robot; false when there is none.
+  bool all_failed() const;
   /// What a robot read and commanded in its last step.
   const RobotReadings& readings(std::size_t robot) const { return robots_[robot].readings; }
   const RobotCommands& commands(std::size_t robot) const { return robots_[robot].commands; }

@@ -28,11 +28,13 @@ void Crew::carry_messages(const World& world) {
       sends.push_back(std::exchange(robot.outbox[i], {}));
     }
   }
-  const double reach = config_.faces.cube_side / 2 - config_.radio_depth;
+
   for (Block& block : blocks_) {
     const Pose X_WB = world.state(block.config.body).X_WB;
+    const BlockModel& model = config_.models[block.config.model];
+    const double reach = model.side / 2 - model.radios.depth;
     for (std::size_t i = 0; i < kBlockRadios; ++i) {
-      radios.push_back({X_WB * (kFaceNormals[i] * reach), config_.radio_range});
+      radios.push_back({X_WB * (kFaceNormals[i] * reach), model.radios.range});
       sends.push_back(std::exchange(block.outbox[i], {}));
     }
   }

@@ -20,6 +20,7 @@ void Crew::place_sensor_scene(const World& world) {
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
     MarkedBody& marked = scene_.marked[i];
     marked.owner = static_cast<std::uint32_t>(i);
+    marked.kind = static_cast<std::uint32_t>(blocks_[i].config.model);
     marked.X_WB = world.state(blocks_[i].config.body).X_WB;
     marked.leds.clear();
     if (!config_.lights) continue;

@@ -262,6 +262,9 @@ class Placer {
         placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0});
       }
     }
+    for (std::size_t i = 0; i < scene_.stock; ++i) {
+      placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0});
+    }
   }
 
   void report_problems() {

@@ -62,7 +62,7 @@ struct PoseTraceHeader {
   std::vector<SceneFile> files;  ///< of the scene, which so can be run again
 };
 
-enum class RunEnd : std::uint8_t { duration, asleep, interrupted, diverged };
+enum class RunEnd : std::uint8_t { duration, asleep, interrupted, diverged, failed, script };
 std::string_view to_string(RunEnd end);
 
 /// A body in a frame, in whole multiples of the quanta.

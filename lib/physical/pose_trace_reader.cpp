@@ -295,7 +295,7 @@ class Reader {
     const std::uint8_t why = end.u8();
     trace_.end.hash = end.u64();
     trace_.end.message = std::string(end.block());
-    bool good = why <= static_cast<std::uint8_t>(RunEnd::diverged);
+    bool good = why <= static_cast<std::uint8_t>(RunEnd::script);
     trace_.end.why = good ? static_cast<RunEnd>(why) : RunEnd::duration;
     good = good && end.varint() == trace_.chunks.size();
     for (const TraceChunk& chunk : trace_.chunks) {

@@ -70,7 +70,8 @@ void put_state(std::string& out, const TraceState& state, const TraceState& last
 }  // namespace
 
 std::string_view to_string(RunEnd end) {
-  constexpr std::string_view kNames[] = {"duration", "asleep", "interrupted", "diverged"};
+  constexpr std::string_view kNames[] = {"duration", "asleep", "interrupted",
+                                         "diverged", "failed", "script"};
   return kNames[static_cast<std::size_t>(end)];
 }
 

@@ -87,6 +87,7 @@ struct Scene {
   std::uint64_t seed = 1;
   double duration = 10;      ///< s
   bool stop_asleep = false;  ///< it ends as soon as nothing is awake
+  bool stop_failed = false;  ///< it ends as soon as every robot's program has failed
   WorldConfig settings;      ///< without bodies
   int sweeps = 0;            ///< of the contact solver, in each small step; 0: as it chooses
   /// By number; robots' bodies name theirs.
@@ -97,8 +98,11 @@ struct Scene {
   std::vector<RobotSpawn> robots;
   std::vector<CacheSpawn> caches;
   std::vector<LuaProgram> programs;
-  std::size_t block_program = RobotSpawn::kNoProgram;  ///< in `programs`, of every block
-  bool lights = true;                                  ///< false: no LED shines
+  std::vector<std::size_t> block_programs;      ///< in `programs`, one for each of `models`
+  std::size_t script = RobotSpawn::kNoProgram;  ///< in `programs`, of the experiment
+  std::size_t stock = 0;                        ///< blocks that the script may drop
+  std::size_t stock_model = 0;                  ///< of those and of what caches drop
+  bool lights = true;                           ///< false: no LED shines
   CameraNoise camera_noise;
   RangeNoise range_noise;
   std::vector<SceneFile> files;  ///< the scene's own first

@@ -7,8 +7,6 @@ namespace stig {
 
 namespace {
 
-constexpr double kWidestAngle = 75 * 3.14159265358979323846 / 180;
-
 std::unique_ptr<RobotController> robot_program(const Scene& scene, const PlacedScene& placed,
                                                std::size_t robot) {
   const RobotSpawn& spawn = scene.robots[robot];
@@ -29,15 +27,18 @@ CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t 
   out.name = placed.bodies[body].name;
   out.body = BodyId{static_cast<std::uint32_t>(body)};
   out.led = placed.bodies[body].colour;
-  if (scene.block_program == RobotSpawn::kNoProgram) return out;
+  // What a cache drops has no entry of its own.
+  out.model = body < placed.config.bodies.size() ? scene.blocks[placed.bodies[body].entry].model
+                                                 : scene.stock_model;
+  const std::size_t program = scene.block_programs[out.model];
+  if (program == RobotSpawn::kNoProgram) return out;
   LuaSettings settings;
   settings.id = out.name;
   settings.limits = block_limits();
   settings.seed = placed.seed;
   // Robots' streams begin at 0.
   settings.agent = static_cast<std::uint32_t>(scene.robots.size() + body);
-  out.controller =
-      std::make_unique<LuaBlockController>(scene.programs[scene.block_program], settings);
+  out.controller = std::make_unique<LuaBlockController>(scene.programs[program], settings);
   return out;
 }
 
@@ -45,8 +46,7 @@ CrewConfig crew_of(const Scene& scene, const PlacedScene& placed) {
   CrewConfig out;
   out.seed = placed.seed;
   out.lights = scene.lights;
-  out.faces.widest = kWidestAngle;
-  if (!scene.models.empty()) out.faces.cube_side = scene.models.front().side;
+  out.models = scene.models;
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     CrewRobot robot;
     robot.name = scene.robots[i].name;

@@ -97,7 +97,8 @@ const Form& sleep_keys() {
 
 const Form& stop_keys() {
   static const Form kKeys{"stop condition",
-                          {flag("asleep", "The run ends as soon as nothing is awake.")}};
+                          {flag("asleep", "The run ends as soon as nothing is awake."),
+                           flag("failed", "The run ends when every robot's program has failed.")}};
   return kKeys;
 }
 
@@ -161,6 +162,14 @@ const Form& robot_keys() {
            .least = 2,
            .most = 2},
           real("heading", "Degrees from the x axis, counter-clockwise.", -360, 360),
+          {.name = "grid",
+           .kind = integers,
+           .doc = "[x, y]: robots in rows, the middle of which is at `at`.",
+           .low = 1,
+           .high = 100,
+           .least = 2,
+           .most = 2},
+          above_zero("pitch", "m between the robots of a grid (default: 0.4).", kFar),
           {.name = "program", .kind = text, .doc = "Lua file; without it the robot's own."},
           {.name = "params", .kind = anything, .doc = "What the program finds in robot.params."},
       }};
@@ -253,6 +262,10 @@ const Form& scene_keys() {
           {.name = "block_program",
            .kind = text,
            .doc = "Lua file that every block runs: stigmergic.lua is the paper's."},
+          {.name = "script",
+           .kind = text,
+           .doc = "Lua file of the experiment: on_start, on_step, on_end."},
+          whole("stock", "Blocks that the script may drop (default: 0).", 0, 10'000),
           flag("lights", "false: no LED shines."),
           {.name = "noise",
            .kind = form,

@@ -17,7 +17,6 @@ namespace {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
-constexpr std::string_view kDefaultProgram = "stigmergic.lua";
 
 /// The number of a material; a name seen for the first time gets the next.
 Material material_of(const std::string& name, std::vector<std::string>& names) {
@@ -86,16 +85,13 @@ class Reader {
     scene_.seed = static_cast<std::uint64_t>(root.number("seed", 1));
     scene_.duration = root.number("duration", scene_.duration);
     scene_.stop_asleep = root.form("stop").flag("asleep");
+    scene_.stop_failed = root.form("stop").flag("failed");
     read_settings(root);
     for (const FormView& entry : root.forms("blocks")) read_entry(entry);
     for (const FormView& entry : root.forms("robots")) read_robot_entry(entry);
     for (const FormView& entry : root.forms("caches")) read_cache(entry);
-    // Robots set blocks' colours by radio, which is for the block's program to obey.
-    if (const YamlNode* program = root.find("block_program")) {
-      scene_.block_program = program_of(*program, program->text);
-    } else if (!scene_.robots.empty()) {
-      scene_.block_program = program_of(document_.root, std::string(kDefaultProgram));
-    }
+    read_script(root);
+    read_block_programs(root);
     scene_.lights = root.flag("lights", true);
     read_noise(root.form("noise"));
     return std::move(scene_);
@@ -116,6 +112,31 @@ class Reader {
     read_magnets(root.form("magnets"), config);
     magnets_ = root.form("magnets").flag("enabled", true);
     read_sleep(root.form("sleep"), config.sleep);
+  }
+
+  void read_script(const FormView& root) {
+    if (const YamlNode* script = root.find("script")) {
+      scene_.script = program_of(*script, script->text);
+      scene_.stock = static_cast<std::size_t>(root.number("stock"));
+    }
+    if (!scene_.caches.empty()) {
+      scene_.stock_model = scene_.caches.front().model;
+    } else if (scene_.stock > 0) {
+      scene_.stock_model = model_of(root).value_or(0);
+    }
+  }
+
+  /// One for all blocks, or, where robots set their colours by radio, that of their file.
+  void read_block_programs(const FormView& root) {
+    scene_.block_programs.assign(scene_.models.size(), RobotSpawn::kNoProgram);
+    const YamlNode* all = root.find("block_program");
+    if (all == nullptr && scene_.robots.empty()) return;
+    for (std::size_t i = 0; i < scene_.models.size(); ++i) {
+      const std::string& own = scene_.models[i].program;
+      if (all == nullptr && own.empty()) continue;
+      scene_.block_programs[i] =
+          all != nullptr ? program_of(*all, all->text) : program_of(document_.root, own);
+    }
   }
 
   void read_entry(const FormView& node) {
@@ -231,7 +252,22 @@ class Reader {
       spawn.program = program_of(program == nullptr ? node.node() : *program, path);
     }
     if (const YamlNode* params = node.find("params")) read_params(*params, spawn);
-    scene_.robots.push_back(std::move(spawn));
+    add_robots(node, spawn);
+  }
+
+  void add_robots(const FormView& node, const RobotSpawn& spawn) {
+    const auto grid = node.numbers("grid");
+    if (grid.size() != 2) return scene_.robots.push_back(spawn);
+    const double pitch = node.number("pitch", 0.4);
+    for (double y = 0; y < grid[1]; ++y) {
+      for (double x = 0; x < grid[0]; ++x) {
+        RobotSpawn one = spawn;
+        one.X_WR.p += Vec3{x - (grid[0] - 1) / 2, y - (grid[1] - 1) / 2, 0} * pitch;
+        one.name = fmt::format("{} {}", node.text("name", scene_.robot_models[spawn.model].name),
+                               scene_.robots.size() + 1);
+        scene_.robots.push_back(std::move(one));
+      }
+    }
   }
 
   void read_params(const YamlNode& node, RobotSpawn& spawn) {

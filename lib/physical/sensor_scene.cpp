@@ -57,13 +57,14 @@ MarkedKind cube_marks(const FaceMarks& marks) {
     const Face& face = kFaces[f];
     const Vec3 normal = cross(face.right, face.up);
     const Vec3 middle = normal * (marks.cube_side / 2);
-    kind.tags.push_back(
-        {static_cast<int>(f),
-         {middle + normal * marks.tag_proud, quaternion_of({face.right, face.up, normal})},
-         marks.tag_side,
-         marks.widest});
+    const Pose X_BT{middle + normal * marks.tag_proud,
+                    quaternion_of({face.right, face.up, normal})};
+    if (marks.tag_side > 0) {
+      kind.tags.push_back({static_cast<int>(f), X_BT, marks.tag_side, marks.tag_widest});
+    }
+    if (marks.led_offset == 0) continue;
     for (const Vec3& way : {face.right, face.up, -face.right, -face.up}) {
-      kind.leds.push_back({middle + way * marks.led_offset, normal, marks.widest});
+      kind.leds.push_back({middle + way * marks.led_offset, normal, marks.led_widest});
     }
   }
   return finish_kind(std::move(kind));

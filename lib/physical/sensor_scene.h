@@ -44,11 +44,12 @@ struct FaceMarks {
   double cube_side = 0.055;
   double tag_side = 0.024, tag_proud = 0.001;  ///< m
   double led_offset = 0.02;                    ///< m, from the face's middle
-  double widest = 0;                           ///< rad, of both
+  double tag_widest = 0, led_widest = 0;       ///< rad
 };
 /// Faces in the order of the block's radios: +x (north), -y (east), -x, +y, +z (top), -z. On the
 /// four sides a tag's y is the block's z; on top its x is the block's x, and so below. LEDs of a
-/// face: to the right, above, left, below. Tags are numbered by face.
+/// face: to the right, above, left, below. Tags are numbered by face. A side or offset of 0: none
+/// of them.
 MarkedKind cube_marks(const FaceMarks& marks);
 
 struct SightObstacle {

@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "base/bytes.h"
 #include "base/hash.h"
 #include "physical/packed.h"
 #include "physical/scene_crew.h"
+#include "physical/scene_script.h"
 #include "physical/show_json.h"
 
 namespace stig {
@@ -17,6 +19,7 @@ namespace stig {
 namespace {
 
 constexpr double kFrameSeconds = 0.02, kHashSeconds = 1;
+constexpr std::uint32_t kScriptAgent = 0xffffff;  ///< beyond all robots and blocks
 constexpr std::string_view kCheckpointMagic = "stigchk1";
 constexpr std::size_t kMostCheckpoint = std::size_t{1} << 30;
 
@@ -50,6 +53,11 @@ std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
   return out;
 }
 
+bool has_programs(const Scene& scene) {
+  return std::any_of(scene.block_programs.begin(), scene.block_programs.end(),
+                     [](std::size_t program) { return program != RobotSpawn::kNoProgram; });
+}
+
 }  // namespace
 
 Simulation::Simulation(const Scene& scene, const PlacedScene& placed, bool resumable)
@@ -59,8 +67,19 @@ Simulation::Simulation(const Scene& scene, const PlacedScene& placed, bool resum
       frame_every_(ticks_in(kFrameSeconds, placed.config.step)),
       hash_every_(ticks_in(kHashSeconds, placed.config.step)),
       world_(placed.config),
-      dropped_(scene.caches.size(), 0) {
-  if (!scene.robots.empty() || scene.block_program != RobotSpawn::kNoProgram) {
+      dropped_(scene.caches.size() + 1, 0),
+      last_places_(scene.robots.size()),
+      driven_(scene.robots.size(), 0) {
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) last_places_[i] = scene.robots[i].X_WR.p;
+  if (scene.script != RobotSpawn::kNoProgram) {
+    LuaSettings settings;
+    settings.id = "script";
+    settings.limits.instructions *= 10;
+    settings.seed = placed.seed;
+    settings.agent = kScriptAgent;
+    script_.emplace(scene.programs[scene.script], settings);
+  }
+  if (!scene.robots.empty() || has_programs(scene)) {
     CrewConfig crew = crew_of(scene, placed);
     crew.resumable = resumable;
     crew_.emplace(std::move(crew), placed.config);
@@ -87,22 +106,38 @@ void Simulation::refill_caches() {
   for (std::size_t i = 0; i < scene_->caches.size(); ++i) {
     const CacheSpawn& cache = scene_->caches[i];
     if (dropped_[i] == cache.stock || blocks_near(cache)) continue;
-    const BlockModel& model = scene_->models[cache.model];
-    Addition addition;
-    addition.bodies.push_back(block_body(model, {cache.at, rotation({0, 0, cache.yaw})}));
-    const Shape shape = addition.bodies[0].shape;
     // A robot may stand there: then later.
-    const AddResult added = world_.add(addition);
-    if (!added.problem.empty()) continue;
-    ++dropped_[i];
-    const auto body = static_cast<std::size_t>(added.body);
-    if (crew_) crew_->add(crew_block(*scene_, placed_, body), shape);
+    if (add_block({cache.at, rotation({0, 0, cache.yaw})}).problem.empty()) ++dropped_[i];
+  }
+}
+
+AddResult Simulation::add_block(const Pose& X_WB) {
+  Addition addition;
+  addition.bodies.push_back(block_body(scene_->models[scene_->stock_model], X_WB));
+  const Shape shape = addition.bodies[0].shape;
+  const AddResult added = world_.add(addition);
+  if (added.problem.empty() && crew_) {
+    crew_->add(crew_block(*scene_, placed_, static_cast<std::size_t>(added.body)), shape);
+  }
+  return added;
+}
+
+void Simulation::measure_ways() {
+  for (std::size_t i = 0; crew_ && i < driven_.size(); ++i) {
+    Vec3 at = crew_->robot_pose(world_, i).p;
+    at.z = 0;
+    driven_[i] += length(at - last_places_[i]);
+    last_places_[i] = at;
   }
 }
 
 void Simulation::before_step(const RunHooks& hooks) {
   const std::uint64_t look = ticks_in(kCacheSeconds, placed_.config.step);
-  if (!scene_->caches.empty() && world_.tick() % look == 0) refill_caches();
+  const bool now = world_.tick() % look == 0;
+  if (now) measure_ways();
+  if (now && script_ && world_.tick() == 0) run_script(ScriptCall::start, hooks);
+  if (now && script_ && !stop_) run_script(ScriptCall::step, hooks);
+  if (now) refill_caches();
   if (!crew_) return;
   crew_->before_step(world_);
   note_crew(hooks);
@@ -177,6 +212,20 @@ void Simulation::after_step() {
   if (tick % hash_every_ == 0) writer_->hash({tick, hash()});
 }
 
+/// A failure ends the run as a stop does.
+bool Simulation::run_script(ScriptCall which, const RunHooks& hooks) {
+  SceneScript world(*this);
+  std::vector<std::string> log;
+  const ControllerStatus status = script_->call(which, world, log);
+  for (const std::string& line : log) {
+    if (hooks.on_line) hooks.on_line({world_.tick(), "script", {}, line, false});
+  }
+  if (status.ok) return true;
+  script_failed_ = stop_ = true;
+  message_ = status.error;
+  return false;
+}
+
 RunEnd Simulation::until(double duration, const RunHooks& hooks) {
   // A multiple of the step that rounding has put a hair above the duration is its end.
   const auto last = static_cast<std::uint64_t>(std::ceil(duration / placed_.config.step - 1e-6));
@@ -185,6 +234,8 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
       return RunEnd::interrupted;
     }
     before_step(hooks);
+    if (stop_) return RunEnd::script;
+    if (scene_->stop_failed && crew_ && crew_->all_failed()) return RunEnd::failed;
     const StepResult result = world_.step();
     if (!result.ok) {
       const auto body = static_cast<std::size_t>(result.body);
@@ -221,11 +272,17 @@ std::string Simulation::state() const {
   put_varint(out, tally_.left.size());
   for (const std::uint32_t body : tally_.left) put_varint(out, body);
   for (const std::size_t blocks : dropped_) put_varint(out, blocks);
+  for (std::size_t i = 0; i < driven_.size(); ++i) {
+    for (const double value : {driven_[i], last_places_[i].x, last_places_[i].y}) {
+      put(out, std::bit_cast<std::uint64_t>(value));
+    }
+  }
   put_block(out, crew_ ? crew_->checkpoint() : "");
   return out;
 }
 
 bool Simulation::resume(std::string_view state) {
+  if (script_) return false;
   ByteReader in(state);
   World world(placed_.config);
   const bool good = world.resume(in.block());
@@ -246,8 +303,17 @@ bool Simulation::resume(std::string_view state) {
   std::size_t added = placed_.config.bodies.size();
   for (std::size_t i = 0; i < dropped.size(); ++i) {
     dropped[i] = in.varint();
-    if (dropped[i] > scene_->caches[i].stock) return false;
+    if (dropped[i] > (i < scene_->caches.size() ? scene_->caches[i].stock : scene_->stock)) {
+      return false;
+    }
     added += dropped[i];
+  }
+  std::vector<double> driven(driven_.size());
+  std::vector<Vec3> places(driven_.size());
+  for (std::size_t i = 0; i < driven.size(); ++i) {
+    for (double* value : {&driven[i], &places[i].x, &places[i].y}) {
+      *value = std::bit_cast<double>(in.u64());
+    }
   }
   const std::string_view programs = in.block();
   if (!in.good() || in.left() > 0 || added != world.size()) return false;
@@ -258,7 +324,7 @@ bool Simulation::resume(std::string_view state) {
     crew.emplace(std::move(config), placed_.config);
     for (std::size_t i = placed_.config.bodies.size(); i < world.size(); ++i) {
       crew->add(crew_block(*scene_, placed_, i),
-                block_body(scene_->models[scene_->caches[0].model], {}).shape);
+                block_body(scene_->models[scene_->stock_model], {}).shape);
     }
     if (!crew->resume(programs)) return false;
     crew->take_changed();
@@ -268,6 +334,8 @@ bool Simulation::resume(std::string_view state) {
   world_ = std::move(world);
   crew_ = std::move(crew);
   dropped_ = std::move(dropped);
+  driven_ = std::move(driven);
+  last_places_ = std::move(places);
   tally_ = std::move(tally);
   return true;
 }
@@ -290,7 +358,7 @@ PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
       body.shape = placed.config.bodies[i].shape;
       body.fixed = placed.config.bodies[i].fixed;
     } else {
-      body.shape = block_body(scene.models[scene.caches[0].model], {}).shape;
+      body.shape = block_body(scene.models[scene.stock_model], {}).shape;
     }
     header.bodies.push_back(std::move(body));
   }

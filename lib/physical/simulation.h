@@ -12,11 +12,13 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "controllers/lua_script.h"
 #include "physical/crew.h"
 #include "physical/pose_trace.h"
 #include "physical/scene.h"
@@ -52,6 +54,10 @@ class Simulation {
   RunEnd until(double duration, const RunHooks& hooks);
   /// Ends the trace, if there is one.
   void finish(RunEnd end);
+  /// The script's last words: on_end. Once, before finish.
+  void end_script(const RunHooks& hooks) {
+    if (script_ && !script_failed_) run_script(ScriptCall::end, hooks);
+  }
 
   const World& world() const { return world_; }
   /// Null in a scene without programs.
@@ -59,7 +65,15 @@ class Simulation {
   /// What a block's LEDs show now; most of them.
   Led led(std::size_t body) const;
   const RunTally& tally() const { return tally_; }
-  /// Of one that diverged: when, and which body.
+  /// Way that a robot has come since the start, m; seen every 0.2 s.
+  double driven(std::size_t robot) const { return driven_[robot]; }
+  /// What the scene's script has measured, the newest value of each name.
+  const std::map<std::string, double>& measures() const { return measures_; }
+  /// Has the script failed? message() says how.
+  bool script_failed() const { return script_failed_; }
+  /// A script's own state cannot be saved.
+  bool resumable() const { return !script_; }
+  /// Of one that diverged: when, and which body; of one that its script ended: why.
   const std::string& message() const { return message_; }
   const Scene& scene() const { return *scene_; }
   const PlacedScene& placed() const { return placed_; }
@@ -74,7 +88,12 @@ class Simulation {
 
  private:
   void before_step(const RunHooks& hooks);
+  friend class SceneScript;
+
   void refill_caches();
+  AddResult add_block(const Pose& X_WB);
+  void measure_ways();
+  bool run_script(ScriptCall which, const RunHooks& hooks);
   bool blocks_near(const CacheSpawn& cache) const;
   void note_crew(const RunHooks& hooks);
   void count(const WorldEvent& event);
@@ -87,7 +106,12 @@ class Simulation {
   std::uint64_t frame_every_, hash_every_;
   World world_;
   std::optional<Crew> crew_;
-  std::vector<std::size_t> dropped_;  ///< by each cache
+  std::vector<std::size_t> dropped_;  ///< by each cache, and by the script
+  std::vector<Vec3> last_places_;     ///< of robots
+  std::vector<double> driven_;
+  std::optional<LuaScript> script_;
+  bool script_failed_ = false, stop_ = false;
+  std::map<std::string, double> measures_;
   RunTally tally_;
   std::string message_;
   PoseTraceWriter* writer_ = nullptr;

@@ -46,9 +46,11 @@ std::array<std::vector<std::string>, 2> talk(std::uint64_t first, std::uint64_t 
   for (BodyDef& body : config.bodies) body.magnets.clear();
   std::array<std::vector<std::string>, 2> heard;
   CrewConfig crew;
-  crew.blocks.push_back({"a", BodyId{0}, Led::off, std::make_unique<Talker>(first, "A", heard[0])});
+  crew.models = {paper_block()};
   crew.blocks.push_back(
-      {"b", BodyId{1}, Led::off, std::make_unique<Talker>(second, "B", heard[1])});
+      {"a", BodyId{0}, 0, Led::off, std::make_unique<Talker>(first, "A", heard[0])});
+  crew.blocks.push_back(
+      {"b", BodyId{1}, 0, Led::off, std::make_unique<Talker>(second, "B", heard[1])});
   Crew team(std::move(crew), config);
   World world(config);
   for (int i = 0; i < 200; ++i) {

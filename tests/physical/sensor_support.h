@@ -30,7 +30,7 @@ inline CameraView paper_view() {
 
 inline FaceMarks paper_marks() {
   FaceMarks marks;
-  marks.widest = 75 * kDegree;
+  marks.tag_widest = marks.led_widest = 75 * kDegree;
   return marks;
 }
 

@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "controllers/robot_reader.h"
 #include "help.h"
+#include "physical/block.h"
 #include "physical/scene.h"
 #include "rules/rule_schema.h"
 
@@ -15,6 +16,8 @@ std::string schema_of(FileForm form) {
       return scene_schema();
     case FileForm::robot:
       return robot_schema();
+    case FileForm::block:
+      return block_schema();
     case FileForm::rules:
       break;
   }

@@ -133,6 +133,10 @@ class OneRun {
         run_(loaded.scene, loaded.placed, options.checkpoint.has_value()) {}
 
   int run(const std::optional<Checkpoint>& checkpoint) {
+    if (options_.checkpoint && !run_.resumable()) {
+      app_.complain("a scene with a script has no checkpoints: leave --checkpoint out");
+      return kUsage;
+    }
     if (checkpoint && !run_.resume(checkpoint->state)) {
       app_.complain(
           fmt::format("'{}': its state is none of its scene", printable(*options_.resume)));
@@ -144,14 +148,17 @@ class OneRun {
     const RunEnd end = run_.until(duration(), hooks(progress));
     const double seconds = progress.seconds();
     progress.clear();
+    run_.end_script(hooks(progress));
     run_.finish(end);
     const int written = write_files();
     print(report_of(loaded_.scene, run_, end, seconds));
-    if (end == RunEnd::diverged) app_.complain(run_.message());
+    if (end == RunEnd::diverged || run_.script_failed()) app_.complain(printable(run_.message()));
     if (end == RunEnd::interrupted) {
       app_.complain(fmt::format("interrupted after {:.3f} s", run_.world().time()));
     }
-    return end == RunEnd::diverged || end == RunEnd::interrupted ? kRunFailed : written;
+    return run_.script_failed() || end == RunEnd::diverged || end == RunEnd::interrupted
+               ? kRunFailed
+               : written;
   }
 
  private:

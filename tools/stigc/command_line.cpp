@@ -379,11 +379,14 @@ void add_files_out(CLI::App& app, Storage& s) {
   file(graph, "FILE", s.graph.file, "the rule set");
   add_replay(app, s.replay);
   CLI::App* schema =
-      command(app, "schema", "print the JSON Schema of rule set, scene or robot files",
+      command(app, "schema", "print the JSON Schema of rule set, scene, robot or block files",
               "  stigc schema > stigc.schema.json\n"
               "  stigc schema scene > scene.schema.json\n");
   choice(schema, "FORM", s.schema.form,
-         {{"rules", FileForm::rules}, {"scene", FileForm::scene}, {"robot", FileForm::robot}},
+         {{"rules", FileForm::rules},
+          {"scene", FileForm::scene},
+          {"robot", FileForm::robot},
+          {"block", FileForm::block}},
          "what kind of file (default: rules)");
   CLI::App* measure = command(app, "measure", "measure a structure file",
                               "  stigc measure staircase.vox\n"

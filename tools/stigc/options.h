@@ -138,7 +138,7 @@ struct DescribeOptions {
   bool json = false;
 };
 
-enum class FileForm : std::uint8_t { rules, scene, robot };
+enum class FileForm : std::uint8_t { rules, scene, robot, block };
 struct SchemaOptions {
   FileForm form = FileForm::rules;
 };

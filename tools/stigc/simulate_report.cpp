@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app.h"
 #include "base/file_io.h"
@@ -40,6 +41,12 @@ std::string end_in_words(const SimulationReport& r) {
       return fmt::format("asleep after {:.3f} s, {}", r.time, plural(r.ticks, "tick", "ticks"));
     case RunEnd::interrupted:
       return fmt::format("interrupted after {:.3f} s", r.time);
+    case RunEnd::failed:
+      return fmt::format("all robots' programs failed after {:.3f} s", r.time);
+    case RunEnd::script:
+      return fmt::format("{} after {:.3f} s{}",
+                         r.script_failed ? "the script failed" : "stopped by the script", r.time,
+                         r.script_failed || r.message.empty() ? "" : ": " + printable(r.message));
     case RunEnd::diverged:
       break;
   }
@@ -190,6 +197,12 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
     r.farthest_name = placed.bodies[i].name;
   }
   r.structure = structure_of(picture_bodies(run));
+  r.measures = run.measures();
+  r.script_failed = run.script_failed();
+  for (std::size_t i = 0; run.crew() != nullptr && i < run.crew()->robots(); ++i) {
+    r.robots.push_back({run.crew()->robot_name(i), run.crew()->robot_pose(world, i),
+                        run.crew()->failed(i), run.driven(i)});
+  }
   return r;
 }
 
@@ -236,6 +249,14 @@ Json to_json(const SimulationReport& r) {
   json["snapped"] = r.tally.snapped;
   json["let_go"] = r.tally.let_go;
   json["left"] = r.left;
+  json["robots"] = Json::array();
+  for (const ScriptRobot& robot : r.robots) {
+    json["robots"].push_back({{"name", robot.name},
+                              {"at", vec_json(robot.X_WR.p)},
+                              {"driven_m", robot.driven},
+                              {"failed", robot.failed}});
+  }
+  json["measures"] = r.measures;
   json["structure"] = structure_json(r.structure, r.names);
   json["hash"] = to_hex(r.hash);
   json["seconds"] = r.seconds;
@@ -275,6 +296,18 @@ std::string lines_of(const SimulationReport& r, bool speed) {
                                      plural(r.tally.snapped, "time", "times"),
                                      plural(r.tally.let_go, "time", "times")));
   if (!r.left.empty()) out += line("left", printable(some_names(r.left)) + " left the arena");
+  for (std::size_t i = 0; i < std::min(r.robots.size(), kMostNames); ++i) {
+    const ScriptRobot& robot = r.robots[i];
+    out += line(i == 0 ? "robots" : "",
+                fmt::format("{}, {:.3f} m driven{}", printable(robot.name), robot.driven,
+                            robot.failed ? ", its program failed" : ""));
+  }
+  if (r.robots.size() > kMostNames) {
+    out += line("", fmt::format("and {} more", r.robots.size() - kMostNames));
+  }
+  for (const auto& [name, value] : r.measures) {
+    out += line("measure", fmt::format("{} {:g}", printable(name), value));
+  }
   out += structure_in_lines(r.structure);
   out += line("hash", to_hex(r.hash));
   if (speed && r.seconds > 0) {
@@ -282,6 +315,30 @@ std::string lines_of(const SimulationReport& r, bool speed) {
   }
   return out;
 }
+
+namespace {
+
+/// A table of what scripts have measured; empty when they have not.
+std::string measures_of(const std::vector<SimulationReport>& runs) {
+  std::set<std::string> names;
+  for (const SimulationReport& r : runs) {
+    for (const auto& [name, value] : r.measures) names.insert(name);
+  }
+  if (names.empty()) return {};
+  std::string out = fmt::format("\n{:>8}", "seed");
+  for (const std::string& name : names) out += fmt::format("  {:>12}", printable(name));
+  for (const SimulationReport& r : runs) {
+    out += fmt::format("\n{:>8}", r.seed);
+    for (const std::string& name : names) {
+      const auto found = r.measures.find(name);
+      out += found == r.measures.end() ? fmt::format("  {:>12}", "-")
+                                       : fmt::format("  {:>12g}", found->second);
+    }
+  }
+  return out + "\n";
+}
+
+}  // namespace
 
 std::string table_of(const std::vector<SimulationReport>& runs) {
   std::string out =
@@ -294,7 +351,7 @@ std::string table_of(const std::vector<SimulationReport>& runs) {
                        lattices.size(), lattices.empty() ? 0 : lattices[0].blocks.size(),
                        to_hex(r.hash));
   }
-  return out;
+  return out + measures_of(runs);
 }
 
 bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies,

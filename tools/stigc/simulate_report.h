@@ -2,6 +2,7 @@
 // What a simulated run came to, as data, JSON and lines for people.
 #pragma once
 
+#include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct SimulationReport {
   RunTally tally;
   std::vector<std::string> left;  ///< names
   StructureReading structure;
+  std::vector<ScriptRobot> robots;
+  std::map<std::string, double> measures;
+  bool script_failed = false;
   std::vector<std::string> names;  ///< of bodies
 };
 

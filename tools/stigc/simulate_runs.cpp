@@ -24,6 +24,7 @@ std::optional<SimulationReport> one_run(const Scene& scene, std::uint64_t seed, 
   hooks.stop = &stop_requested();
   const auto began = std::chrono::steady_clock::now();
   const RunEnd end = run.until(duration, hooks);
+  run.end_script(hooks);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
   return report_of(scene, run, end, took.count());
 }
@@ -84,7 +85,8 @@ int simulate_runs(const SimulateOptions& options, const Scene& scene, App& app) 
     if (results.diagnostics[i].has_errors()) app.report(results.diagnostics[i]);
     placed = placed && !results.diagnostics[i].has_errors();
     const auto& report = results.reports[i];
-    good = good && report && report->end != RunEnd::diverged && report->end != RunEnd::interrupted;
+    good = good && report && report->end != RunEnd::diverged &&
+           report->end != RunEnd::interrupted && !report->script_failed;
     if (report && report->end != RunEnd::interrupted) finished.push_back(*report);
   }
   if (options.json) {

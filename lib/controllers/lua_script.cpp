@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: MIT
+#include "controllers/lua_script.h"
+
+#include <lua.hpp>
+
+#include "controllers/lua_box.h"
+#include "controllers/lua_interface.h"
+#include "controllers/lua_libraries.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::uint64_t kLookCost = 20;  ///< instructions
+constexpr std::size_t kMostName = 64;
+
+struct ScriptSide : LuaSide {
+  ScriptWorld* world = nullptr;
+};
+
+ScriptWorld& world_of(lua_State* state) {
+  LuaBox::of(state).charge(state, kLookCost);
+  auto* side = static_cast<LuaSide*>(LuaBox::of(state).user());
+  return *static_cast<ScriptSide*>(side)->world;
+}
+
+std::size_t place_argument(lua_State* state, const char* function, std::size_t count) {
+  return static_cast<std::size_t>(
+      integer_argument(state, 1, function, "number", 1, static_cast<std::int64_t>(count)) - 1);
+}
+
+void put_pose(lua_State* state, const Pose& pose) {
+  push_vector(state, pose.p);
+  put(state, "position");
+  push_quaternion(state, pose.q);
+  put(state, "orientation");
+}
+
+int time(lua_State* state) {
+  lua_pushnumber(state, world_of(state).time());
+  return 1;
+}
+int seed(lua_State* state) {
+  lua_pushinteger(state, static_cast<lua_Integer>(world_of(state).seed()));
+  return 1;
+}
+int blocks(lua_State* state) {
+  lua_pushinteger(state, static_cast<lua_Integer>(world_of(state).blocks()));
+  return 1;
+}
+int robots(lua_State* state) {
+  lua_pushinteger(state, static_cast<lua_Integer>(world_of(state).robots()));
+  return 1;
+}
+
+int block(lua_State* state) {
+  const ScriptWorld& world = world_of(state);
+  const ScriptBlock one = world.block(place_argument(state, "world.block", world.blocks()));
+  lua_newtable(state);
+  put(state, "name", one.name);
+  put_pose(state, one.X_WB);
+  put(state, "color", double(one.colour));
+  put(state, "left", one.left);
+  if (one.lattice == 0) return 1;
+  put(state, "lattice", double(one.lattice));
+  put(state, "x", double(one.x));
+  put(state, "y", double(one.y));
+  put(state, "z", double(one.z));
+  return 1;
+}
+
+int robot(lua_State* state) {
+  const ScriptWorld& world = world_of(state);
+  const ScriptRobot one = world.robot(place_argument(state, "world.robot", world.robots()));
+  lua_newtable(state);
+  put(state, "name", one.name);
+  put_pose(state, one.X_WR);
+  put(state, "failed", one.failed);
+  put(state, "driven", one.driven);
+  return 1;
+}
+
+int block_push(lua_State* state) {
+  ScriptWorld& world = world_of(state);
+  const std::size_t place = place_argument(state, "world.push_block", world.blocks());
+  world.push_block(place, vector_argument(state, 2, "world.push_block", "force"));
+  return 0;
+}
+int robot_push(lua_State* state) {
+  ScriptWorld& world = world_of(state);
+  const std::size_t place = place_argument(state, "world.push_robot", world.robots());
+  world.push_robot(place, vector_argument(state, 2, "world.push_robot", "force"));
+  return 0;
+}
+
+/// The new block's number; or nil and the reason.
+int drop(lua_State* state) {
+  const Vec3 at = vector_argument(state, 1, "world.drop", "position");
+  const double yaw = lua_isnoneornil(state, 2) ? 0 : number_argument(state, 2, "world.drop", "yaw");
+  std::string problem;
+  const auto place = world_of(state).drop({at, rotation({0, 0, yaw})}, problem);
+  if (place) {
+    lua_pushinteger(state, static_cast<lua_Integer>(*place) + 1);
+    return 1;
+  }
+  lua_pushnil(state);
+  lua_pushlstring(state, problem.data(), problem.size());
+  return 2;
+}
+
+int stop(lua_State* state) {
+  world_of(state).stop(std::string(text_argument(state, 1, "world.stop", "reason")));
+  return 0;
+}
+
+int measure(lua_State* state) {
+  const std::string_view name = text_argument(state, 1, "world.measure", "name");
+  if (name.size() > kMostName) luaL_error(state, "world.measure: the name is too long");
+  const double value = number_argument(state, 2, "world.measure", "value");
+  world_of(state).measure(std::string(name), value);
+  return 0;
+}
+
+struct Job {
+  ScriptSide* side;
+  const char* function;
+};
+
+int open_and_run(lua_State* state) {
+  push_robot(state);  // for log and print; a script is no robot
+  lua_pop(state, 1);
+  lua_pushnil(state);
+  lua_setglobal(state, "robot");
+  lua_newtable(state);
+  set_functions(state, {{"time", time},
+                        {"seed", seed},
+                        {"blocks", blocks},
+                        {"block", block},
+                        {"robots", robots},
+                        {"robot", robot},
+                        {"push_block", block_push},
+                        {"push_robot", robot_push},
+                        {"drop", drop},
+                        {"stop", stop},
+                        {"measure", measure}});
+  lua_setfield(state, LUA_REGISTRYINDEX, "stig.world");
+  const LuaBox& box = LuaBox::of(state);
+  const std::string chunk = LuaBox::of(state).chunk_name(box.program().path);
+  if (!load_text(state, box.program().text, chunk.c_str())) lua_error(state);
+  lua_call(state, 0, 0);
+  return 0;
+}
+
+int call_function(lua_State* state) {
+  const char* function = static_cast<Job*>(lua_touserdata(state, 1))->function;
+  lua_pushglobaltable(state);
+  lua_pushstring(state, function);
+  const int type = lua_rawget(state, -2);
+  if (type == LUA_TNIL) return 0;
+  if (type != LUA_TFUNCTION) {
+    return luaL_error(state, "'%s' must be a function, and is a %s", function,
+                      lua_typename(state, type));
+  }
+  lua_getfield(state, LUA_REGISTRYINDEX, "stig.world");
+  lua_call(state, 1, 0);
+  return 0;
+}
+
+}  // namespace
+
+struct LuaScript::State {
+  ScriptSide side;
+  LuaBox box;
+  ControllerStatus status;
+  bool begun = false;
+
+  State(LuaProgram program, LuaSettings settings)
+      : box(std::move(program), std::move(settings), static_cast<LuaSide*>(&side)) {}
+};
+
+LuaScript::LuaScript(LuaProgram program, LuaSettings settings)
+    : state_(std::make_unique<State>(std::move(program), std::move(settings))) {}
+LuaScript::~LuaScript() = default;
+LuaScript::LuaScript(LuaScript&&) noexcept = default;
+LuaScript& LuaScript::operator=(LuaScript&&) noexcept = default;
+
+ControllerStatus LuaScript::call(ScriptCall which, ScriptWorld& world,
+                                 std::vector<std::string>& log) {
+  static constexpr const char* kNames[] = {"on_start", "on_step", "on_end"};
+  State& own = *state_;
+  if (!own.status.ok) return own.status;
+  own.side.world = &world;
+  own.side.log = &log;
+  own.side.logged = 0;
+  Job job{&own.side, kNames[static_cast<std::size_t>(which)]};
+  if (!own.begun) own.status = own.box.run(open_and_run, &job);
+  own.begun = true;
+  if (own.status.ok) own.status = own.box.run(call_function, &job);
+  own.side.world = nullptr;
+  own.side.log = nullptr;
+  return own.status;
+}
+
+}  // namespace stig

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "physical/scene_script.h"
+
+namespace stig {
+
+SceneScript::SceneScript(Simulation& run) : run_(run) {
+  for (std::uint32_t i = 0; i < run.world_.size(); ++i) {
+    if (run.placed_.bodies[i].block) bodies_.push_back(BodyId{i});
+  }
+}
+
+double SceneScript::time() const { return run_.world_.time(); }
+std::uint64_t SceneScript::seed() const { return run_.placed_.seed; }
+std::size_t SceneScript::robots() const { return run_.crew_ ? run_.crew_->robots() : 0; }
+
+ScriptBlock SceneScript::block(std::size_t place) const {
+  if (!read_) read();
+  return (*read_)[place];
+}
+
+void SceneScript::read() const {
+  read_.emplace();
+  std::vector<PlacedBlock> there;
+  std::vector<std::size_t> places;
+  for (const BodyId body : bodies_) {
+    const auto number = static_cast<std::size_t>(body);
+    const BodyState state = run_.world_.state(body);
+    const auto colour = static_cast<std::uint8_t>(run_.led(number));
+    if (!state.left) {
+      places.push_back(read_->size());
+      there.push_back({state.X_WB, colour});
+    }
+    read_->push_back({run_.placed_.bodies[number].name, state.X_WB, colour, state.left});
+  }
+  if (there.empty()) return;
+  const auto structure = read_lattices(there, run_.scene_->models.front().side);
+  for (std::size_t i = 0; i < structure.lattices.size(); ++i) {
+    for (const ReadBlock& block : structure.lattices[i].blocks) {
+      ScriptBlock& out = (*read_)[places[block.block]];
+      out.lattice = static_cast<int>(i) + 1;
+      out.x = block.cell.x;
+      out.y = block.cell.y;
+      out.z = block.cell.z;
+    }
+  }
+}
+
+ScriptRobot SceneScript::robot(std::size_t place) const {
+  const Crew& crew = *run_.crew_;
+  return {crew.robot_name(place), crew.robot_pose(run_.world_, place), crew.failed(place),
+          run_.driven_[place]};
+}
+
+void SceneScript::push_block(std::size_t place, const Vec3& force) {
+  run_.world_.push(bodies_[place], force, {});
+}
+void SceneScript::push_robot(std::size_t place, const Vec3& force) {
+  run_.world_.push(run_.crew_->root_body(place), force, {});
+}
+
+std::optional<std::size_t> SceneScript::drop(const Pose& X_WB, std::string& problem) {
+  std::size_t& dropped = run_.dropped_.back();
+  if (dropped == run_.scene_->stock) {
+    problem = "the scene's stock is used up";
+    return std::nullopt;
+  }
+  const AddResult added = run_.add_block(X_WB);
+  problem = added.problem;
+  if (!problem.empty()) return std::nullopt;
+  ++dropped;
+  bodies_.push_back(added.body);
+  read_.reset();
+  return bodies_.size() - 1;
+}
+
+void SceneScript::stop(std::string reason) {
+  run_.stop_ = true;
+  run_.message_ = std::move(reason);
+}
+void SceneScript::measure(std::string name, double value) {
+  run_.measures_[std::move(name)] = value;
+}
+
+}  // namespace stig

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Scripts of experiments: what they see, change, measure, and how they fail.
+#include <doctest/doctest.h>
+
+#include "physical/crew_support.h"
+
+using namespace stig;
+
+namespace {
+
+/// A run of a scene of these blocks under a script.
+struct Scripted {
+  LoadedScene loaded;
+  Simulation run;
+  std::vector<std::string> said;
+  RunEnd end;
+
+  Scripted(const std::string& scene, const std::string& script, double duration)
+      : loaded(crew_scene("stigc_scene: 1\nscript: e.lua\n" + scene, {{"e.lua", script}})),
+        run(loaded.scene, loaded.placed) {
+    RunHooks hooks;
+    hooks.on_line = [this](const CrewLine& line) { said.push_back(line.text); };
+    end = run.until(duration, hooks);
+    run.end_script(hooks);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("callbacks: once, at each control tick, once; they see blocks, colours and cells") {
+  const Scripted out("blocks: [{name: c, column: 2, color: Q3}, {at: [1, 0, 0.0275]}]\n", R"(
+local steps = 0
+function on_start(world) log('start ', world.time(), ' ', world.seed(), ' ', world.blocks()) end
+function on_step(world) steps = steps + 1 end
+function on_end(world)
+  for i = 1, world.blocks() do
+    local b = world.block(i)
+    log(b.name, ' ', b.color, ' ', b.lattice, ' ', b.z, ' ', b.left)
+  end
+  world.measure('steps', steps)
+  world.measure('height', world.block(2).position.z)
+end)",
+                     1);
+  CHECK(out.end == RunEnd::duration);
+  CHECK(out.said == std::vector<std::string>{"start 0.0 1 3", "c 1 3.0 1.0 0.0 false",
+                                             "c 2 3.0 1.0 1.0 false", "block 3 0.0 nil nil false"});
+  CHECK(out.run.measures().at("steps") == 5);
+  CHECK(out.run.measures().at("height") == doctest::Approx(0.0825).epsilon(0.001));
+}
+
+TEST_CASE("a script drops blocks from the scene's stock, pushes, and stops the run") {
+  const Scripted out("stock: 1\n", R"(
+function on_step(world)
+  if world.time() == 0 then
+    log(world.drop(vector3(0, 0, 0.1)))
+    log(world.drop(vector3(0.2, 0, 0.1)))
+  end
+  if world.time() > 0.9 then
+    world.push_block(1, vector3(200, 0, 0))
+    world.stop('enough')
+  end
+end)",
+                     5);
+  CHECK(out.said == std::vector<std::string>{"1", "nilthe scene's stock is used up"});
+  CHECK(out.end == RunEnd::script);
+  CHECK(out.run.message() == "enough");
+  CHECK(out.run.world().time() == doctest::Approx(1));
+  CHECK(out.run.world().size() == 1);
+  CHECK_FALSE(out.run.script_failed());
+}
+
+TEST_CASE("a script that fails, loops or is given nonsense ends the run and says where") {
+  const auto message = [](const std::string& script) {
+    const Scripted out("blocks: [{at: [0, 0, 0.0275]}]\n", script, 1);
+    CHECK(out.end == RunEnd::script);
+    CHECK(out.run.script_failed());
+    return out.run.message();
+  };
+  CHECK(message("x = 1\nfunction on_step(world) world.block(2) end").starts_with("e.lua:2: "));
+  CHECK(message("function on_step(world) while true do end end").find("e.lua:1") == 0);
+  CHECK(message("function on_step(").starts_with("e.lua:1: "));
+  CHECK(message("on_start = 3").find("must be a function") != std::string::npos);
+  CHECK(message("function on_step(w) w.push_block(1, 3) end").find("force") != std::string::npos);
+  CHECK(message("function on_step(w) robot.id = 3 end").find("robot") != std::string::npos);
+}
+
+TEST_CASE("a run with a script cannot be brought back") {
+  const LoadedScene loaded = crew_scene("stigc_scene: 1\nscript: e.lua\n", {{"e.lua", ""}});
+  Simulation run(loaded.scene, loaded.placed);
+  CHECK_FALSE(run.resumable());
+  CHECK_FALSE(run.resume(run.state()));
+}
+
+#if STIG_WITH_DART
+
+TEST_CASE("robots in rows; a run ends when all programs have failed; ways are measured") {
+  const std::string scene =
+      "stigc_scene: 1\nstop: {failed: true}\nscript: e.lua\n"
+      "robots: [{file: bebot.yaml, name: r, program: p.lua, grid: [2, 1], pitch: 1}]\n";
+  const LoadedScene loaded = crew_scene(scene, {{"p.lua", R"(
+local n = 0
+function step()
+  n = n + 1
+  robot.differential_drive.set_target_velocity(0.1, -0.1)
+  if n == 11 then error('done') end
+end)"},
+                                                {"e.lua", R"(
+function on_step(world)
+  world.measure('robots', world.robots())
+  world.measure('x', world.robot(1).position.x)
+end)"}});
+  Simulation run(loaded.scene, loaded.placed);
+  CHECK(run.until(10, {}) == RunEnd::failed);
+  CHECK(run.world().time() == doctest::Approx(2));
+  REQUIRE(run.crew()->robots() == 2);
+  CHECK(run.crew()->robot_name(1) == "r 2");
+  CHECK(run.driven(0) == doctest::Approx(0.19).epsilon(0.1));
+  CHECK(run.measures().at("robots") == 2);
+  CHECK(run.measures().at("x") > -0.4);
+}
+
+#endif  // STIG_WITH_DART
