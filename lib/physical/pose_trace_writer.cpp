@@ -16,13 +16,17 @@ using Json = nlohmann::ordered_json;
 
 Json body_json(const TraceBody& body) {
   const Vec3& half = body.shape.half;
-  return {{"name", body.name},
-          {"shape", kShapeNames[static_cast<std::size_t>(body.shape.kind)]},
-          {"half", {half.x, half.y, half.z}},
-          {"block", body.block},
-          {"led", to_string(body.led)},
-          {"color", to_color(body.rgb)},
-          {"fixed", body.fixed}};
+  Json out{{"name", body.name},
+           {"shape", kShapeNames[static_cast<std::size_t>(body.shape.kind)]},
+           {"half", {half.x, half.y, half.z}},
+           {"block", body.block},
+           {"led", to_string(body.led)},
+           {"color", to_color(body.rgb)},
+           {"fixed", body.fixed}};
+  if (body.shape.kind == ShapeKind::hull) {
+    for (const Vec3& p : body.shape.convex->points) out["points"].push_back({p.x, p.y, p.z});
+  }
+  return out;
 }
 
 std::string header_bytes(const PoseTraceHeader& header) {

@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 
-#include "controllers/hull.h"
 #include "physical/scene_picture.h"
 
 namespace stig {
@@ -15,41 +14,11 @@ namespace stig {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kAround = 32;  ///< facets of a cylinder, sides of a circle
+constexpr int kAround = 32;  ///< sides of a circle
 constexpr Rgb kRed{214, 40, 40}, kGreen{34, 139, 60}, kBlue{38, 84, 200};
 constexpr Rgb kSight{196, 110, 0}, kRay{170, 30, 120}, kRadio{0, 120, 150};
 constexpr double kThrough = 0.6;   ///< bias of what shows through bodies
 constexpr double kSurface = 4e-4;  ///< of what is hidden by them
-
-std::vector<SolidFace> cylinder_faces(double radius, double half) {
-  std::vector<SolidFace> out;
-  SolidFace top{{}, {0, 0, 1}, true}, bottom{{}, {0, 0, -1}, true};
-  const auto rim = [&](int i, double z) {
-    const double a = 2 * kPi * i / kAround;
-    return Vec3{radius * std::cos(a), radius * std::sin(a), z};
-  };
-  for (int i = 0; i < kAround; ++i) {
-    top.corners.push_back(rim(i, half));
-    bottom.corners.push_back(rim(-i, -half));
-    const double a = 2 * kPi * (i + 0.5) / kAround;
-    out.push_back({{rim(i, -half), rim(i + 1, -half), rim(i + 1, half), rim(i, half)},
-                   {std::cos(a), std::sin(a), 0},
-                   false});
-  }
-  out.push_back(std::move(top));
-  out.push_back(std::move(bottom));
-  return out;
-}
-
-std::vector<SolidFace> hull_solid(const std::vector<Vec3>& points) {
-  std::vector<SolidFace> out;
-  for (const HullFace& face : hull_faces(points)) {
-    SolidFace solid{{}, face.normal, true};
-    for (const std::size_t corner : face.corners) solid.corners.push_back(points[corner]);
-    out.push_back(std::move(solid));
-  }
-  return out;
-}
 
 /// Lines of a robot's devices, robot's frame.
 class Marks {
@@ -134,11 +103,11 @@ class Marks {
 std::vector<SolidFace> faces_of(const BodyModel& body) {
   switch (body.shape) {
     case ShapeType::cylinder:
-      return cylinder_faces(body.size.x / 2, body.size.z / 2);
+      return faces_of(Shape::cylinder(body.size.x / 2, body.size.z));
     case ShapeType::sphere:
       return faces_of(Shape::sphere(body.size.x / 2));
     case ShapeType::hull:
-      return hull_solid(body.points);
+      return faces_of(Shape::hull(body.points));
     case ShapeType::box:
       break;
   }

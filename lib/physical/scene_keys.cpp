@@ -219,6 +219,8 @@ const Form& scene_keys() {
            .kind = form,
            .doc = "Coefficients of pairs of materials.",
            .form = &friction_keys()},
+          word("solver", "fast, or stock: DART's own, slow, for comparison (default: fast).",
+               {"fast", "stock"}),
           whole("sweeps", "Of the contact solver, in each of its small steps (default: 1).", 1,
                 10'000),
           {.name = "magnets",

@@ -108,6 +108,7 @@ class Reader {
     config.arena = root.number("arena", config.arena);
     config.gravity = root.number("gravity", config.gravity);
     config.floor = root.flag("floor", config.floor);
+    if (root.text("solver", "fast") == "stock") config.solver = SolverKind::stock;
     scene_.sweeps = static_cast<int>(root.number("sweeps"));
     config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2},
                         {kBlockMaterial, kFloorMaterial, 0.4}};
