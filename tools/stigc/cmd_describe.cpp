@@ -34,7 +34,8 @@ int write_picture(const RobotModel& robot, const std::string& path, const App& a
 }  // namespace
 
 int run(const DescribeOptions& options, App& app) {
-  const std::string problem = options.picture ? picture_problem(*options.picture) : "";
+  std::string problem = options.picture ? picture_problem(*options.picture) : "";
+  if (problem.empty()) problem = same_file_problem({options.picture}, {options.robot});
   if (!problem.empty()) {
     app.complain(problem);
     return kUsage;
