@@ -269,8 +269,13 @@ class Placer {
     for (std::size_t i = 0; i < problems.size() && i < kMostReported; ++i) report(problems[i]);
     if (problems.size() <= kMostReported) return;
     out_.add(
-        Code::S609, scene_.blocks.front().range,
-        fmt::format("{} more blocks are where they cannot be", problems.size() - kMostReported));
+        Code::S609, first_range(),
+        fmt::format("{} more things are where they cannot be", problems.size() - kMostReported));
+  }
+
+  SourceRange first_range() const {
+    if (!scene_.blocks.empty()) return scene_.blocks.front().range;
+    return scene_.robots.empty() ? SourceRange{} : scene_.robots.front().range;
   }
 
   void report(const ConfigProblem& problem) {
@@ -280,8 +285,7 @@ class Placer {
       return one.block ? scene_.blocks[one.entry].range : scene_.robots[one.entry].range;
     };
     if (problem.bodies.empty()) {
-      const SourceRange whole = scene_.blocks.empty() ? SourceRange{} : scene_.blocks[0].range;
-      out_.add(Code::S609, whole, problem.what);
+      out_.add(Code::S609, first_range(), problem.what);
     } else if (problem.bodies.size() == 1) {
       const std::uint32_t body = problem.bodies[0];
       const Code code = problem.what == "is outside of the arena" ? Code::S602

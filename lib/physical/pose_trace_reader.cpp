@@ -355,7 +355,7 @@ void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& 
     if (hash.tick <= up_to) writer.hash(hash);
   };
   sinks.value = [&](const TraceValue& value) {
-    if (value.tick <= up_to) writer.value(value);
+    if (value.tick < up_to) writer.value(value);
   };
   for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);
 }

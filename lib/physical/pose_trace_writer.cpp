@@ -98,6 +98,10 @@ PoseTraceWriter::PoseTraceWriter(const PoseTraceHeader& header, Sink sink)
   sink_(kPoseTraceMagic);
   written_ = kPoseTraceMagic.size();
   put_section(kHeaderTag, header_bytes(header));
+  const auto log = std::find(header.channels.begin(), header.channels.end(), "log");
+  if (log != header.channels.end()) {
+    log_ = static_cast<std::uint32_t>(log - header.channels.begin());
+  }
 }
 
 void PoseTraceWriter::put_section(char tag, std::string_view payload) {
@@ -150,8 +154,8 @@ void PoseTraceWriter::frame(const TraceFrame& frame) {
   chunk_ += changes;
   ++frames_;
   if (!first) return;
-  for (const TraceValue& known : values_) {
-    put_value({frame.tick, known.channel, known.body, known.bytes});
+  for (const auto& [place, bytes] : values_) {
+    put_value({frame.tick, place.first, place.second, bytes});
   }
 }
 
@@ -168,16 +172,11 @@ void PoseTraceWriter::hash(const TraceHash& hash) {
 }
 
 void PoseTraceWriter::value(const TraceValue& value) {
-  const auto known = std::find_if(values_.begin(), values_.end(), [&](const TraceValue& v) {
-    return v.channel == value.channel && v.body == value.body;
-  });
-  if (known != values_.end() && known->bytes == value.bytes) return;
+  if (value.channel == log_) return put_value(value);
+  const auto [known, fresh] = values_.try_emplace({value.channel, value.body}, value.bytes);
+  if (!fresh && known->second == value.bytes) return;
+  known->second = value.bytes;
   put_value(value);
-  if (known != values_.end()) {
-    *known = value;
-  } else {
-    values_.push_back(value);
-  }
 }
 
 void PoseTraceWriter::put_value(const TraceValue& value) {
