@@ -8,9 +8,6 @@ namespace stig {
 
 namespace {
 
-/// Boxes that overlap by no more than this along some axis slide past each other: a block
-/// that is pushed over a seam must not take the next block's side for a wall.
-constexpr double kGraze = 0.2e-3;
 constexpr double kFacePreference = 1e-4;  ///< m, by which edges must be better than faces
 
 /// What one axis says of the way: part 0 is its beginning, 1 its end.
@@ -67,7 +64,7 @@ Way way_of(const Placed& a, const Placed& b, const Vec3& way, double graze) {
 
 }  // namespace
 
-Touch touch_moving_boxes(const Placed& a, const Placed& b, const Motion& motion) {
+Touch touch_moving_boxes(const Placed& a, const Placed& b, const Passing& motion) {
   const Way way = way_of(a, b, motion.way, kGraze - std::min(kGraze, motion.turning));
   if (way.in > way.out) {
     const BoxAxis& axis = way.widest.axis;

@@ -24,6 +24,17 @@ void consider(BoxAxis& best, const Placed& a, const Placed& b, Vec3 n, int kind,
   if (gap > best.gap + preference) best = {n, gap, kind};
 }
 
+/// Whether the other box lies beyond two of this one's faces, but for a graze.
+bool beyond_edge(const Placed& box, const Placed& other) {
+  int beyond = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 n = box.r.column(i);
+    const double gap = std::abs(dot(n, box.p - other.p)) - half_of(box, i) - extent(other, n);
+    beyond += gap > -kGraze ? 1 : 0;
+  }
+  return beyond > 1;
+}
+
 /// The best axis, or one with a gap of at least `margin` as soon as it is found.
 BoxAxis separating_axis(const Placed& a, const Placed& b, double margin) {
   BoxAxis best;
@@ -145,6 +156,7 @@ Touch touch_boxes_along(const Placed& a, const Placed& b, const BoxAxis& axis, d
 Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
   const BoxAxis axis = separating_axis(a, b, margin);
   if (axis.gap >= margin) return {};
+  if (axis.kind < 6 && axis.gap > -kGraze && (beyond_edge(a, b) || beyond_edge(b, a))) return {};
   return touch_boxes_along(a, b, axis, margin);
 }
 

@@ -59,7 +59,7 @@ struct Touch {
 };
 
 /// How two shapes move against each other in a step.
-struct Motion {
+struct Passing {
   Vec3 way;            ///< m, of a against b
   double turning = 0;  ///< m, that their surfaces may come nearer by turning
   double margin = 0;   ///< m: that much apart all the way, they are no contact
@@ -69,7 +69,7 @@ struct Motion {
 /// Boxes where they will meet on their way, with the axis as the normal along which they meet
 /// last, and gaps as they are now; a box that passes beside another does not touch it. They pass
 /// when they overlap by at most 0.2 mm, so that nothing snags on seams.
-Touch touch_moving_boxes(const Placed& a, const Placed& b, const Motion& motion);
+Touch touch_moving_boxes(const Placed& a, const Placed& b, const Passing& motion);
 
 /// Points nearer than `margin`.
 Touch touch(const Placed& a, const Placed& b, double margin);

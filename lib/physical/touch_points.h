@@ -30,6 +30,10 @@ struct BoxAxis {
   double gap = -1e30;
   int kind = 0;  ///< 0…2: face of a, 3…5: face of b, 6…14: edges
 };
+/// Boxes that overlap by no more than this along some axis slide past each other, and edges that
+/// do so along two axes do not touch: a block that is pushed over a seam must not take the
+/// next block's side for a wall.
+inline constexpr double kGraze = 0.2e-3;
 /// Half the box's extent along a unit vector.
 double extent(const Placed& box, const Vec3& n);
 /// The points of contact with that axis as the normal.

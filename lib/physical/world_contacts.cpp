@@ -36,7 +36,7 @@ Touch touch_bodies(const WorldState& world, const Body& a, const Body& b) {
   const bool swept = boxes && squared(velocity) > kSwept * kSwept;
   const double most = margin_of(world, a, b, swept ? kMostWay : kMostMargin);
   if (!swept) return touch(placed(a), placed(b), most);
-  Motion motion;
+  Passing motion;
   motion.way = velocity * world.config.step;
   motion.turning = turning_reach(world, a) + turning_reach(world, b);
   motion.margin = kMargin + motion.turning;
