@@ -145,7 +145,9 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
       return out;
     }
     out.decision = settle(*out.target, out.policy);
-    if (out.decision) return out;
+    if (!out.decision) continue;
+    out.decision = simplify(*out.target, out.policy, std::move(out.decision));
+    return out;
   }
   explain_refusal(rules, robot, out, diagnostics);
   return out;

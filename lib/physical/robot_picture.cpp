@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/glb.h"
 #include "physical/scene_picture.h"
 
 namespace stig {
@@ -130,6 +131,80 @@ std::string robot_png(const RobotModel& robot) {
       draw_bodies(bodies, fitted_view(bodies, look), true, Marks(robot).lines);
   return png_of(picture.image, fmt::format("{}, {:.4g} kg; a square is {:g} m", robot.name,
                                            robot.mass(), picture.grid));
+}
+
+namespace {
+
+std::array<float, 3> floats(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+GlbPrimitive surface_of(const BodyModel& body) {
+  GlbPrimitive out;
+  out.material = body.name;
+  out.rgb = body.rgb;
+  for (const SolidFace& face : faces_of(body)) {
+    const std::uint32_t first = out.vertices;
+    for (const Vec3& corner : face.corners) out.add_vertex(floats(corner), floats(face.normal));
+    for (std::uint32_t i = 2; i < face.corners.size(); ++i) {
+      out.add_triangle(first, first + i - 1, first + i);
+    }
+  }
+  return out;
+}
+
+/// One primitive a colour, in the order in which colours first occur.
+std::vector<GlbPrimitive> lines_of(const std::vector<PictureLine>& lines) {
+  std::vector<GlbPrimitive> out;
+  for (const PictureLine& line : lines) {
+    auto to = std::find_if(out.begin(), out.end(),
+                           [&](const GlbPrimitive& one) { return one.rgb == line.colour; });
+    if (to == out.end()) {
+      out.emplace_back();
+      to = out.end() - 1;
+      to->material = "devices " + to_color(line.colour);
+      to->rgb = line.colour;
+      to->lines = true;
+    }
+    const std::uint32_t a = to->add_vertex(floats(line.from), {});
+    to->add_line(a, to->add_vertex(floats(line.to), {}));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string robot_glb(const RobotModel& robot) {
+  // The robot has z up, the file y.
+  std::vector<GlbNode> nodes(1);
+  nodes[0].name = robot.name;
+  nodes[0].X_PN.q = rotation({-kPi / 2, 0, 0});
+  std::vector<int> node_of(robot.bodies.size(), 0);
+  std::vector<std::size_t> todo = {robot.root()};
+  while (!todo.empty()) {
+    const std::size_t body = todo.back();
+    todo.pop_back();
+    GlbNode node;
+    node.name = robot.bodies[body].name;
+    node.primitives.push_back(surface_of(robot.bodies[body]));
+    node.X_PN = robot.bodies[body].X_RB;
+    node.parent = 0;
+    for (const JointModel& joint : robot.joints) {
+      if (joint.child == body) {
+        node.parent = node_of[joint.parent];
+        node.X_PN = inverse(robot.bodies[joint.parent].X_RB) * node.X_PN;
+      }
+      if (joint.parent == body) todo.push_back(joint.child);
+    }
+    node_of[body] = static_cast<int>(nodes.size());
+    nodes.push_back(std::move(node));
+  }
+  GlbNode devices;
+  devices.name = "devices";
+  devices.primitives = lines_of(Marks(robot).lines);
+  devices.parent = 0;
+  nodes.push_back(std::move(devices));
+  return glb_file(nodes);
 }
 
 }  // namespace stig

@@ -220,7 +220,7 @@ const Form& scene_keys() {
           {.name = "title", .kind = FormKind::name, .doc = "One line for people."},
           whole("seed", "Of all random choices (default: 1).", 0, 9007199254740992.0),
           above_zero("duration", "s of simulated time (default: 10).", kMostSeconds),
-          above_zero("step", "s (default: 0.005).", 0.02),
+          real("step", "s (default: 0.005).", 1e-6, 0.02),
           above_zero("arena", "m: what is farther from the origin has left (default: 100).", kFar),
           real("gravity", "m/s² (default: 9.8).", 0, 1000),
           flag("floor", "Is there a floor at z = 0? (default: true)"),

@@ -145,12 +145,13 @@ TEST_CASE("checkpoints: back and forth, and what is none") {
   CHECK(back->state == run.state);
   CHECK(back->files.size() == 2);
   for (std::size_t i = 0; i < bytes.size(); i += 7) {
-    CAPTURE(i);
     std::string bad = bytes;
     bad[i] = static_cast<char>(bad[i] ^ 0x20);
-    // A bit of the frame's header may say how it was packed and nothing of what.
-    const auto hurt = read_checkpoint_file(bad, problem);
-    CHECK((hurt ? hurt->state == run.state : !problem.empty()));
+    problem.clear();
+    const auto read = read_checkpoint_file(bad, problem);
+    // A bit that no decoder looks at does no harm.
+    if (read) CHECK(read->state == run.state);
+    CHECK(problem.empty() == read.has_value());
     CHECK_FALSE(read_checkpoint_file(bytes.substr(0, i), problem));
   }
   const LoadedScene other = load(kLively, 2);

@@ -65,7 +65,8 @@ int write(const std::string& path, const std::string& text, const App& app) {
 }  // namespace
 
 int run(const CompileFileOptions& options, App& app) {
-  const std::string problem = options.output ? folder_problem(*options.output) : "";
+  std::string problem = options.output ? folder_problem(*options.output) : "";
+  if (problem.empty()) problem = same_file_problem({options.output}, {options.file, options.robot});
   if (!problem.empty()) {
     app.complain(printable(problem));
     return kUsage;

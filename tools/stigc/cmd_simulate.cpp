@@ -62,7 +62,8 @@ std::string usage_problem(const SimulateOptions& o) {
   if (o.runs > 1 && (o.trace || o.picture || o.checkpoint || o.resume)) {
     return "--trace, -o, --checkpoint and --resume are of one run, not of --runs";
   }
-  return {};
+  // A resumed run goes on in its trace, and may leave its checkpoint where the last one was.
+  return same_file_problem({o.trace, o.picture, o.checkpoint}, {o.scene});
 }
 
 /// Can the files be written, as far as can be told beforehand?

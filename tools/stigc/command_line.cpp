@@ -346,7 +346,7 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
                           "  stigc describe robots/bebot.yaml --json\n"
                           "  stigc describe robots/bebot.yaml -o bebot.png\n");
   file(sub, "ROBOT", o.robot, "the robot's file");
-  path(sub, "-o,--output", o.picture, "draw it, with what its devices reach (.png)");
+  path(sub, "-o,--output", o.picture, "draw it, with what its devices reach (.png .glb)");
   sub->add_flag("--json", o.json, "print one JSON object instead of the tables");
 }
 
