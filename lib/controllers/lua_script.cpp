@@ -61,6 +61,12 @@ int block(lua_State* state) {
   put_pose(state, one.X_WB);
   put(state, "color", double(one.colour));
   put(state, "left", one.left);
+  lua_newtable(state);
+  for (std::size_t face = 0; face < one.faces.size(); ++face) {
+    lua_pushinteger(state, one.faces[face]);
+    lua_rawseti(state, -2, static_cast<lua_Integer>(face) + 1);
+  }
+  put(state, "faces");
   if (one.lattice == 0) return 1;
   put(state, "lattice", double(one.lattice));
   put(state, "x", double(one.x));

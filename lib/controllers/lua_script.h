@@ -4,6 +4,7 @@
 // it is in docs/simulate.md. The sandbox is that of robots' programs.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,7 +19,8 @@ namespace stig {
 struct ScriptBlock {
   std::string name;
   Pose X_WB;
-  int colour = 0;  ///< 0 to 4
+  int colour = 0;              ///< 0 to 4, of most LEDs
+  std::array<int, 6> faces{};  ///< likewise, of each face, in the order of its radios
   bool left = false;
   int lattice = 0;  ///< from 1; 0: in none
   int x = 0, y = 0, z = 0;

@@ -30,7 +30,13 @@ void SceneScript::read() const {
       places.push_back(read_->size());
       there.push_back({state.X_WB, colour});
     }
-    read_->push_back({run_.placed_.bodies[number].name, state.X_WB, colour, state.left});
+    ScriptBlock one;
+    one.name = run_.placed_.bodies[number].name;
+    one.X_WB = state.X_WB;
+    one.colour = colour;
+    one.left = state.left;
+    one.faces = run_.faces(number);
+    read_->push_back(std::move(one));
   }
   if (there.empty()) return;
   const auto structure = read_lattices(there, run_.scene_->models.front().side);

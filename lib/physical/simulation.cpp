@@ -92,6 +92,20 @@ Led Simulation::led(std::size_t body) const {
   return block < crew_->blocks() ? crew_->colour(block) : Led::off;
 }
 
+std::array<int, 6> Simulation::faces(std::size_t body) const {
+  std::array<int, 6> out{};
+  out.fill(static_cast<int>(led(body)));
+  const std::size_t block = crew_ ? crew_->block_of(id(body)) : 0;
+  if (!crew_ || block == crew_->blocks()) return out;
+  const auto& leds = crew_->leds(block);
+  for (std::size_t face = 0; face < out.size(); ++face) {
+    std::array<int, 5> shown{};
+    for (std::size_t i = 0; i < 4; ++i) ++shown[static_cast<std::size_t>(leds[4 * face + i])];
+    out[face] = static_cast<int>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+  }
+  return out;
+}
+
 bool Simulation::blocks_near(const CacheSpawn& cache) const {
   for (std::size_t i = 0; i < world_.size(); ++i) {
     if (!placed_.bodies[i].block) continue;

@@ -9,6 +9,7 @@
 // written the same trace as if it had never stopped.
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -64,6 +65,8 @@ class Simulation {
   const Crew* crew() const { return crew_ ? &*crew_ : nullptr; }
   /// What a block's LEDs show now; most of them.
   Led led(std::size_t body) const;
+  /// Likewise of each face, in the order of its radios.
+  std::array<int, 6> faces(std::size_t body) const;
   const RunTally& tally() const { return tally_; }
   /// Way that a robot has come since the start, m; seen every 0.2 s.
   double driven(std::size_t robot) const { return driven_[robot]; }

@@ -91,6 +91,19 @@ TEST_CASE("a run with a script cannot be brought back") {
   CHECK_FALSE(run.resume(run.state()));
 }
 
+TEST_CASE("blocks that talk build a line and a triangle") {
+  const LoadedScene loaded =
+      crew_scene(shipped("scenes/talking-blocks.yaml"),
+                 {{"talking-blocks.lua", shipped("scenes/talking-blocks.lua")},
+                  {"talking.lua", shipped("blocks/talking.lua")}});
+  Simulation run(loaded.scene, loaded.placed);
+  CHECK(run.until(60, {}) == RunEnd::script);
+  run.end_script({});
+  CHECK(run.message() == "nothing is offered any more");
+  CHECK(run.measures().at("largest") == 10);
+  CHECK(run.measures().at("second") == 4);
+}
+
 #if STIG_WITH_DART
 
 TEST_CASE("robots in rows; a run ends when all programs have failed; ways are measured") {
