@@ -37,11 +37,11 @@ local function main()
    handling.go_by(-0.10, 0.1)
    carry(robot.params.carry or 2)
    say('carried ', handling.grip())
-   for _ = 1, 3 do
+   for _ = 1, 5 do
       local base = handling.search(lit)
       if not base then return say('no structure found') end
       good, problem = handling.place(base, 'top', { colour = 2, misjudged = error_on_purpose() })
-      if good then return say('stacked') end
+      if good then return say('done: stacked') end
       say('not stacked: ', problem)
    end
 end

@@ -24,6 +24,7 @@ local SLOW = 0.05              -- m/s, close to blocks
 local STRAIGHT = 0.04          -- m, in which a line is joined
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
 local ATTEMPTS = 4
+local LEG = 0.30               -- m, between two looks round
 
 local behaviour
 
@@ -224,32 +225,66 @@ local function glimpse()
    return false
 end
 
--- Turns about, with the lift up, until `wanted(block)` is true of a block in sight; after a turn in
--- vain moves on. Returns the block, or nil when there was none after `turns`.
+-- Whether something stands right before the wheels.
+local function blocked()
+   for _, name in ipairs { '1', '2', '3', '12' } do
+      local range = robotics.range(name)
+      if range and range < 0.045 and (name ~= '3' and name ~= '12' or robotics.profile.fan)
+      then return true end
+   end
+   return false
+end
+
+-- The nearest of the blocks in memory that is wanted, or nil.
+local function recall(wanted, age)
+   local best
+   for _, block in ipairs(robotics.blocks()) do
+      if (not age or robotics.time - block.time < age) and wanted(block) and
+         (not best or robotics.distance_to(block) < robotics.distance_to(best)) then
+         best = block
+      end
+   end
+   return best
+end
+
+-- Once round on the spot, until `found()` is something.
+local function look_round(found)
+   local rim, turned, before = robotics.profile.search_rim, 0, robotics.pose.yaw
+   local block
+   while turned < 2 * math.pi and not block do
+      -- what is seen for the first time is worth a look
+      local turning = glimpse() and 0 or rim
+      robotics.drive_rims(-turning, turning)
+      coroutine.yield()
+      turned = turned + math.abs(wrap(robotics.pose.yaw - before))
+      before = robotics.pose.yaw
+      block = found()
+   end
+   handling.stop()
+   return block
+end
+
+-- A block of which `wanted(block)` is true: one in memory, or else one that comes in sight. Turns
+-- about with the lift up, and after each turn in vain moves on, in a square spiral. Returns nil
+-- when there was none after `turns`.
 function handling.search(wanted, turns)
+   local block = recall(wanted)
+   if block then return block end
    enter('search')
    handling.lift_to(robotics.profile.lift_top - 0.0015)
-   local rim = robotics.profile.search_rim
-   for turn = 1, turns or 12 do
-      local turned, before = 0, robotics.pose.yaw
-      while turned < 2 * math.pi do
-         -- what is seen for the first time is worth a look
-         local turning = glimpse() and 0 or rim
-         robotics.drive_rims(-turning, turning)
-         for _, block in ipairs(robotics.blocks()) do
-            if robotics.time - block.time < 1 and wanted(block) then
-               handling.stop()
-               return block
-            end
-         end
-         coroutine.yield()
-         turned = turned + math.abs(wrap(robotics.pose.yaw - before))
-         before = robotics.pose.yaw
+   local heading, legs, left = robotics.pose.yaw, 2, 1
+   for _ = 1, turns or 25 do
+      block = look_round(function() return recall(wanted, 1) end)
+      if block then return block end
+      -- legs of 1, 1, 2, 2, 3, 3 ... steps, a quarter turn between them
+      if left == 0 then
+         legs, heading = legs + 1, heading + math.pi / 2
+         left = legs // 2
       end
-      handling.stop()
-      -- somewhere else: to the side that the last turns did not see
-      handling.turn_by((turn % 3 == 0) and 2 or 0.7)
-      handling.go_by(0.2)
+      left = left - 1
+      handling.turn_to(heading)
+      local pose = robotics.pose
+      handling.follow({ x = pose.x, y = pose.y, yaw = heading }, LEG, 0.12, blocked)
    end
    return nil
 end
@@ -298,6 +333,10 @@ local function approach(block, options)
       lift_for_sight(block, options.lowest)
       handling.wait(0.6)
       local seen = look_at(block, 4)
+      if not seen and attempt == 1 then
+         robotics.forget(block)
+         return false, 'it is not there'
+      end
       local function now_line()
          local known = robotics.again(block)
          if not known then return nil end
