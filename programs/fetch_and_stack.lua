@@ -37,7 +37,7 @@ local function main()
    handling.go_by(-0.10, 0.1)
    carry(robot.params.carry or 2)
    say('carried ', handling.grip())
-   for _ = 1, 5 do
+   for _ = 1, 8 do
       local base = handling.search(lit)
       if not base then return say('no structure found') end
       good, problem = handling.place(base, 'top', { colour = 2, misjudged = error_on_purpose() })

@@ -52,7 +52,11 @@ handling.wait_until = wait_until
 
 local function enter(state)
    handling.state = state
-   if robot.params.verbose then log(string.format('%.1f s: %s', robotics.time, state)) end
+   if robot.params.verbose then
+      local pose = robotics.pose
+      log(string.format('%.1f s: %s at %.3f %.3f %.1f', robotics.time, state, pose.x, pose.y,
+                        math.deg(pose.yaw)))
+   end
    if robot.show then robot.show.text('state', state) end
 end
 handling.enter = enter

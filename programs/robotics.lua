@@ -15,7 +15,7 @@ local MERGE = HALF                -- detections nearer than this are one block
 local GATE = 0.050                -- a block moves less than this between two pictures
 local LINK = 1.25 * SIDE          -- nearer blocks are of one structure
 local SEEN_OFTEN, MISSED_OFTEN = 3, 3
-local MEMORY = 120                -- s, of a block out of sight
+local MEMORY = 60                 -- s, of a block out of sight
 local LED_OFFSET = 0.020
 
 -- Figures that the interface does not tell. `grip`: the middle of a carried block, ahead of the
@@ -23,7 +23,7 @@ local LED_OFFSET = 0.020
 -- support to a carried block's face; `fan`: the front rangefinders are 12, 1 and 2, a fan; `zero`: the charge at which the magnets' field vanishes.
 local PROFILES = {
    ['vertical link'] = {
-      name = 'bebot', track = 0.071, acceleration = 1.0, cruise = 0.165, grip = 0.093755,
+      name = 'bebot', track = 0.07106, acceleration = 1.0, cruise = 0.165, grip = 0.093755,
       under = 0.05575, gap = 0.008455, reach = 0.1298, lift_top = 0.1365, lift_slack = 0.001,
       zero = 165, full = 250,
       anchor = { 0.055755, 0, 0.079 }, focal = 883.961, counts = true, search_rim = 0.050,

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// Driving as kinematics without slip says, and standing still.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "behaviour/support.h"
+
+using namespace stig;
+using namespace stig::behaviour;
+
+namespace {
+
+constexpr double kCruise = 0.165;
+
+std::string probe(const std::string& params) {
+  return fmt::format(
+      "stigc_scene: 1\nrobots:\n"
+      "  - {{file: bebot.yaml, program: drive_probe.lua, params: {{{}, speed: {}}}}}\n",
+      params, kCruise);
+}
+
+/// Where the program believes that it is, in the frame of its start: x, y, yaw.
+std::array<double, 3> believed(const Trial& trial) {
+  std::array<double, 3> out{};
+  const std::string log = trial.log();
+  const auto at = log.find("done ");
+  REQUIRE(at != log.npos);
+  REQUIRE(std::sscanf(log.c_str() + at, "done %lf %lf %lf", &out[0], &out[1], &out[2]) == 3);
+  return out;
+}
+
+struct Drift {
+  double ahead = 0, aside = 0, turned = 0;  ///< truth less belief, m, rad
+};
+Drift drift(const Trial& trial) {
+  const auto [x, y, yaw] = believed(trial);
+  const Pose X_WR = trial.robot();
+  return {X_WR.p.x - x, X_WR.p.y - y, std::remainder(heading(X_WR) - yaw, 360 * kDegree)};
+}
+
+}  // namespace
+
+TEST_CASE("a straight metre and a full turn at cruising speed are within 2 % of kinematics") {
+  Trial metre(probe("ahead: 1"));
+  REQUIRE(metre.until(60, "done"));
+  const Drift way = drift(metre);
+  MESSAGE(fmt::format("a metre: {:.2f} mm long, {:.2f} mm aside, {:.2f} degrees turned",
+                      way.ahead * 1e3, way.aside * 1e3, way.turned / kDegree));
+  CHECK(std::abs(metre.robot().p.x - 1) < 0.02);
+  CHECK(std::abs(way.aside) < 0.02);
+  Trial round(probe("turn: 360"));
+  REQUIRE(round.until(60, "done"));
+  const Drift turn = drift(round);
+  MESSAGE(fmt::format("a full turn: {:.2f} degrees, {:.2f} mm off the spot", turn.turned / kDegree,
+                      std::hypot(turn.ahead, turn.aside) * 1e3));
+  CHECK(std::abs(turn.turned) < 0.02 * 360 * kDegree);
+  CHECK(std::hypot(turn.ahead, turn.aside) < 0.005);
+}
+
+TEST_CASE("twice round a square: odometry drifts by little") {
+  Trial trial(probe("ahead: 0.5, turn: 90, times: 8"));
+  REQUIRE(trial.until(120, "done"));
+  const Drift off = drift(trial);
+  MESSAGE(fmt::format("4 m and 8 turns: {:.2f} mm, {:.2f} degrees",
+                      std::hypot(off.ahead, off.aside) * 1e3, off.turned / kDegree));
+  CHECK(std::hypot(off.ahead, off.aside) < 0.02 * 4);
+}
