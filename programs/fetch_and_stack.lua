@@ -20,10 +20,15 @@ local function say(...)
    log(string.format('%.1f s: ', robotics.time), ...)
 end
 
+-- In legs with a quarter turn between them; away from what stands in the way.
 local function carry(way)
    handling.enter('carry')
-   for _ = 1, 4 do
-      handling.go_by(way / 4)
+   local start = robotics.travelled
+   while robotics.travelled - start < way do
+      local pose, leg = robotics.pose, math.min(way / 4, way - (robotics.travelled - start))
+      local line = { x = pose.x, y = pose.y, yaw = pose.yaw }
+      handling.follow(line, leg, robotics.profile.cruise, handling.blocked)
+      if handling.blocked() then handling.go_by(-0.10) end
       handling.turn_by(math.pi / 2)
    end
 end
@@ -36,7 +41,7 @@ local function main()
    say('picked up')
    handling.go_by(-0.10, 0.1)
    carry(robot.params.carry or 2)
-   say('carried ', handling.grip())
+   say(handling.holds() and 'carried' or 'lost')
    for _ = 1, 8 do
       local base = handling.search(lit)
       if not base then return say('no structure found') end

@@ -18,13 +18,15 @@ local wrap, wrap_quarter, clamp = robotics.wrap, robotics.wrap_quarter, robotics
 local LOOK = 0.015             -- over a block's top: clear of it, and its magnets are not drawn
 local PULSE, LOWER = 0.006, 0.003
 local CARRY = 0.058
+local CARRY_FAR = 0.080         -- passes over a block without being drawn to it
 local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
 local LET_GO = 0.030           -- up from a block that was put down
 local SLOW = 0.05              -- m/s, close to blocks
 local STRAIGHT = 0.04          -- m, in which a line is joined
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
 local ATTEMPTS = 4
-local LEG = 0.30               -- m, between two looks round
+local LEG = 0.33               -- m, between two looks round
+local NEAR_LOOK = 0.070        -- height of the lift; what it carries passes over a block
 
 local behaviour
 
@@ -238,6 +240,7 @@ local function blocked()
    end
    return false
 end
+handling.blocked = blocked
 
 -- The nearest of the blocks in memory that is wanted, or nil.
 local function recall(wanted, age)
@@ -268,18 +271,21 @@ local function look_round(found)
    return block
 end
 
--- A block of which `wanted(block)` is true: one in memory, or else one that comes in sight. Turns
--- about with the lift up, and after each turn in vain moves on, in a square spiral. Returns nil
+-- A block of which `wanted(block)` is true: one in memory, or else one that comes in sight. Looks
+-- round with the lift up, then lower, and after that in vain moves on, in a square spiral. Returns nil
 -- when there was none after `turns`.
 function handling.search(wanted, turns)
    local block = recall(wanted)
    if block then return block end
    enter('search')
-   handling.lift_to(robotics.profile.lift_top - 0.0015)
    local heading, legs, left = robotics.pose.yaw, 2, 1
    for _ = 1, turns or 25 do
-      block = look_round(function() return recall(wanted, 1) end)
-      if block then return block end
+      -- far, then near: each height sees a ring
+      for _, height in ipairs { robotics.profile.lift_top - 0.0015, NEAR_LOOK } do
+         handling.lift_to(height)
+         block = look_round(function() return recall(wanted, 1) end)
+         if block then return block end
+      end
       -- legs of 1, 1, 2, 2, 3, 3 ... steps, a quarter turn between them
       if left == 0 then
          legs, heading = legs + 1, heading + math.pi / 2
@@ -412,6 +418,13 @@ local function pull()
    magnets.set_discharge_mode('disable')
    handling.wait(0.4)
    handling.carrying = underneath_within(0.005)
+   if handling.carrying then handling.lift_to(CARRY_FAR) end
+   return handling.carrying
+end
+
+-- Whether the carried block is still there.
+function handling.holds()
+   handling.carrying = handling.carrying and underneath_within(0.010)
    return handling.carrying
 end
 
@@ -482,6 +495,7 @@ end
 -- the block, or on the floor), height (levels to pass over on the way; default: the place's).
 function handling.place(block, where, options)
    options = options or {}
+   if not handling.holds() then return false, 'the block was lost' end
    local front = where == 'front'
    local level = options.level or (front and 0 or (block.level or 0) + 1)
    local back, yaw = handling.grip()
@@ -491,10 +505,7 @@ function handling.place(block, where, options)
       ahead = front and -SIDE or 0,
    })
    if not near then return false, seen end
-   if not underneath_within(0.010) then
-      handling.carrying = false
-      return false, 'the block was lost'
-   end
+   if not handling.holds() then return false, 'the block was lost' end
    if math.abs(yaw) > 0.004 then handling.turn_by(-yaw, 0.01) end
    return handling.release(level, options.colour)
 end

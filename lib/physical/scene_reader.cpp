@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
-constexpr std::size_t kMostModules = 64;  ///< of one program
+constexpr std::size_t kMostModules = 64;                     ///< of one program
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
 constexpr std::string_view kDefaultProgram = "stigmergic.lua";
 

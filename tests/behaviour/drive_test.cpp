@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -67,4 +68,41 @@ TEST_CASE("twice round a square: odometry drifts by little") {
   MESSAGE(fmt::format("4 m and 8 turns: {:.2f} mm, {:.2f} degrees",
                       std::hypot(off.ahead, off.aside) * 1e3, off.turned / kDegree));
   CHECK(std::hypot(off.ahead, off.aside) < 0.02 * 4);
+}
+
+TEST_CASE("a start and a stop at twice cruising speed do not tip the robot") {
+  Trial trial(
+      "stigc_scene: 1\nrobots:\n"
+      "  - {file: bebot.yaml, program: drive_probe.lua, params: {ahead: 0.6, speed: 0.33}}\n");
+  double most = 0;
+  for (int i = 0; i < 600 && !trial.said("done"); ++i) {
+    trial.until(0.02);
+    most = std::max(most, tilt(trial.robot()));
+  }
+  REQUIRE(trial.said("done"));
+  MESSAGE(fmt::format("tilted by {:.2f} degrees at most", most / kDegree));
+  CHECK(most < 1 * kDegree);
+  CHECK(trial.robot().p.x == doctest::Approx(0.6).epsilon(0.01));
+}
+
+TEST_CASE("a robot at rest stays where it is for twenty minutes, asleep or not") {
+  for (const std::string sleep : {"true", "false"}) {
+    CAPTURE(sleep);
+    // Without sleep it takes long: a minute says whether it creeps.
+    const double minutes = sleep == "true" ? 20 : 1;
+    Trial trial(
+        fmt::format("stigc_scene: 1\nsleep: {{enabled: {}}}\nrobots:\n"
+                    "  - {{file: bebot.yaml, at: [0.3, 0.2], heading: 30}}\n"
+                    "blocks: [{{at: [0, 0, 0.0275]}}]\n",
+                    sleep));
+    trial.until(0.5);
+    const Pose before = trial.robot();
+    trial.until(minutes * 60);
+    const Pose after = trial.robot();
+    MESSAGE(fmt::format("{} min, sleep {}: moved {:.4f} mm, turned {:.4f} degrees", minutes, sleep,
+                        length(after.p - before.p) * 1e3,
+                        (heading(after) - heading(before)) / kDegree));
+    CHECK(length(after.p - before.p) < 0.1e-3 * minutes / 20);
+    CHECK(std::abs(heading(after) - heading(before)) < 0.05 * kDegree);
+  }
 }

@@ -79,7 +79,7 @@ void stack(std::uint64_t seed, bool noise, Misfit& worst) {
 
 TEST_CASE("picked up, carried 2 m and stacked, misjudged by up to 3 mm and 3 degrees") {
   Misfit worst;
-  const int count = trials(4);
+  const int count = trials(3);
   for (int seed = 1; seed <= count; ++seed) stack(static_cast<std::uint64_t>(seed), false, worst);
   MESSAGE(fmt::format("{} stacked; at worst {:.2f} mm and {:.2f} degrees off, tilted {:.2f}", count,
                       worst.aside, worst.turned, worst.tilted));
@@ -87,7 +87,7 @@ TEST_CASE("picked up, carried 2 m and stacked, misjudged by up to 3 mm and 3 deg
 
 TEST_CASE("the same with a camera that is half a pixel off and misses tags") {
   Misfit worst;
-  const int count = trials(4);
+  const int count = trials(2);
   for (int seed = 1; seed <= count; ++seed) stack(static_cast<std::uint64_t>(seed), true, worst);
   MESSAGE(fmt::format("{} stacked; at worst {:.2f} mm and {:.2f} degrees off, tilted {:.2f}", count,
                       worst.aside, worst.turned, worst.tilted));

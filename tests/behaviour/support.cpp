@@ -10,11 +10,11 @@ LoadedScene scene_of(const std::string& text, std::uint64_t seed) {
   const std::string root = STIG_SOURCE_DIR;
   Diagnostics diagnostics;
   const auto source = std::make_shared<const SourceFile>("trial.yaml", text);
-  auto scene = read_scene(source,
-                          disk_loader(root + "/scenes", {root + "/blocks", root + "/robots",
-                                                         root + "/programs",
-                                                         root + "/tests/controllers"}),
-                          diagnostics);
+  auto scene =
+      read_scene(source,
+                 disk_loader(root + "/scenes", {root + "/blocks", root + "/robots",
+                                                root + "/programs", root + "/tests/controllers"}),
+                 diagnostics);
   std::optional<PlacedScene> placed;
   if (scene) placed = place_scene(*scene, seed, diagnostics);
   INFO(to_text(diagnostics));
@@ -63,6 +63,10 @@ std::size_t Trial::body(const std::string& name) const {
 
 Pose Trial::block(const std::string& name) const {
   return world().state(BodyId{static_cast<std::uint32_t>(body(name))}).X_WB;
+}
+
+Pose Trial::block(std::size_t number) const {
+  return world().state(run_.crew()->block_body(number)).X_WB;
 }
 
 Led Trial::led(const std::string& name) const { return run_.led(body(name)); }

@@ -26,6 +26,10 @@ class Trial {
   Pose robot(std::size_t number = 0) const;
   Pose block(const std::string& name) const;
   Led led(const std::string& name) const;
+  /// By number, with those that caches have dropped.
+  std::size_t blocks() const { return run_.crew()->blocks(); }
+  Pose block(std::size_t number) const;
+  Led block_led(std::size_t number) const { return run_.crew()->colour(number); }
   const World& world() const { return run_.world(); }
 
  private:
