@@ -8,9 +8,6 @@
 #include "base/random.h"
 #include "physical/trials.h"
 #include "physics_rows.h"
-#if STIG_WITH_DART
-#include "physical/stock_world.h"
-#endif
 
 namespace stig::bench {
 namespace {
@@ -41,18 +38,18 @@ Rows axial_force(const BlockModel& block) {
            in_percent(worst), "", within(worst, 0.01)}};
 }
 
-template <class AnyWorld>
 std::string click_time(const BlockModel& block, double friction) {
   WorldConfig config = pair_scene(block, 0.010, friction);
+  config.solver = SolverKind::stock;
   config.frictions.push_back({kFloorMaterial, kFloorMaterial, friction});
-  const Click out = click<AnyWorld>(config, block.side);
+  const Click out = click(config, block.side);
   return out.time < 0 ? "never" : fmt::format("{:.3f} s", out.time);
 }
 
 std::string stock_click_time([[maybe_unused]] const BlockModel& block,
                              [[maybe_unused]] double friction) {
 #if STIG_WITH_DART
-  return click_time<StockWorld>(block, friction);
+  return click_time(block, friction);
 #else
   return "";
 #endif
@@ -69,7 +66,7 @@ Rows clicks(const BlockModel& block) {
                {"paper's strength", block, 0.5, 0.25},  {"0.117 A·m²", real, 0.05, 1},
                {"0.117 A·m²", real, 0.15, 1},           {"0.117 A·m²", real, 0.185, 1}};
   for (const auto& one : cases) {
-    const Click out = click<World>(pair_scene(one.block, 0.010, one.friction), one.block.side);
+    const Click out = click(pair_scene(one.block, 0.010, one.friction), one.block.side);
     rows.push_back({fmt::format("click from 10 mm, {}, μ {}", one.name, one.friction),
                     fmt::format("< {} s", one.bound),
                     out.time < 0 ? "never" : fmt::format("{:.3f} s", out.time),
@@ -116,13 +113,13 @@ Rows sliding(const BlockModel& block) {
   double worst = 0;
   [[maybe_unused]] double stock = 0;
   for (int degrees = 0; degrees < 360; degrees += 15) {
-    const double way = sliding_stop<World>(block, 0.3, degrees * kDegree);
+    const double way = sliding_stop(block, 0.3, degrees * kDegree);
     worst = std::max(worst, std::abs(way / theory - 1));
   }
   std::string other;
 #if STIG_WITH_DART
   for (int degrees = 0; degrees < 90; degrees += 15) {
-    const double way = sliding_stop<StockWorld>(block, 0.3, degrees * kDegree);
+    const double way = sliding_stop(block, 0.3, degrees * kDegree, SolverKind::stock);
     stock = std::max(stock, std::abs(way / theory - 1));
   }
   other = in_percent(stock);

@@ -6,9 +6,6 @@
 
 #include "physical/trials.h"
 #include "physics_rows.h"
-#if STIG_WITH_DART
-#include "physical/stock_world.h"
-#endif
 
 namespace stig::bench {
 namespace {
@@ -21,8 +18,7 @@ struct Pace {
 };
 
 /// Mean of at most so many steps, ending early after that much processor time.
-template <class AnyWorld>
-Pace pace(AnyWorld& world, int steps, double most_seconds) {
+Pace pace(World& world, int steps, double most_seconds) {
   const double start = processor_seconds();
   Pace out;
   while (out.steps < steps && processor_seconds() - start < most_seconds && world.step().ok) {
@@ -33,10 +29,11 @@ Pace pace(AnyWorld& world, int steps, double most_seconds) {
 }
 
 /// Milliseconds a step of DART on the scene's first steps, and the ratio to `own`.
-std::string stock_pace([[maybe_unused]] const WorldConfig& config, [[maybe_unused]] int steps,
+std::string stock_pace([[maybe_unused]] WorldConfig config, [[maybe_unused]] int steps,
                        [[maybe_unused]] double own) {
 #if STIG_WITH_DART
-  StockWorld world(config);
+  config.solver = SolverKind::stock;
+  World world(config);
   const Pace stock = pace(world, steps, kStockSeconds);
   if (stock.steps < steps) {
     return fmt::format("{:.0f} ms, gave up after {} steps", stock.ms, stock.steps);

@@ -5,9 +5,11 @@
 // Frame R: the robot's, on the floor, x ahead. Lengths in m, forces in N.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "base/vec.h"
+#include "controllers/robot_model.h"
 #include "sensing/camera.h"
 
 namespace stig {
@@ -22,11 +24,21 @@ struct BlockLook {
   double most_angle = 1.309;  ///< rad, between a face's normal and the line to the camera
 };
 
-/// A camera that rides on the lift.
+/// A camera, and whether it rides on the lift.
 struct CarriedCamera {
   CameraIntrinsics intrinsics;
   Pose X_RC;  ///< with the lift at its lowest
   double near = 0.05, far = 0.5;
+  bool lifted = true;
+};
+
+/// Of the block, what its file says and its magnets do.
+struct BlockFigures {
+  BlockLook look;
+  double mass = 0.110;
+  double magnet_offset = 0.0225;  ///< of a magnet from the middle, along each axis
+  double magnet_moment = 0.199;   ///< A·m²
+  double block_friction = 0.2, floor_friction = 0.4;
 };
 
 struct Abilities {
@@ -35,6 +47,7 @@ struct Abilities {
   /// Levels on which it can put down a block: the lift must raise it so far and a little more.
   int levels = 3;
   double lift_travel = 0.1375;
+  double lowest = 0.00075;   ///< of a carried block's bottom above the floor, the lift down
   double clearance = 0.003;  ///< over a support, before a block is let down
   /// The carried block's centre ahead of R, and what of the robot stands behind and beside it.
   double carried_x = 0.0938;
@@ -48,6 +61,14 @@ struct Abilities {
   double face_hold = 9.5;
   double friction = 0.2;  ///< block on block
   std::vector<CarriedCamera> cameras;
+
+  /// Height of the lift at which a carried block clears the bricks below a level.
+  double lift_for(int level) const { return level * block.side + clearance - lowest; }
 };
+
+/// What keeps a robot from building at all, each a sentence; empty: nothing.
+std::vector<std::string> lacking(const RobotModel& robot);
+/// Of a robot that lacks nothing.
+Abilities abilities_of(const RobotModel& robot, const BlockFigures& block);
 
 }  // namespace stig

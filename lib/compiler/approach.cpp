@@ -132,8 +132,7 @@ ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, 
   const SideCell site = seen_from(side, cell);
   const int level = site.z - target.floor_level();
   if (level >= robot.levels) {
-    return {Obstruction::too_high, cell, level * robot.block.side + robot.clearance,
-            robot.lift_travel};
+    return {Obstruction::too_high, cell, robot.lift_for(level), robot.lift_travel};
   }
   if (const auto brick = in_the_way(view, site, robot)) {
     return {Obstruction::body_blocked, *brick, robot.body_half_width, robot.block.side / 2};

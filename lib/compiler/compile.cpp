@@ -84,8 +84,7 @@ bool report_height(const RuleSet& rules, const Abilities& robot, const TargetSta
             fmt::format("rule '{}' places a brick on level {}, and the robot reaches level {}",
                         rules.rules[deposit.match.rule].name, level, robot.levels - 1))
         .note(fmt::format("the lift would have to go to {:.0f} mm, it goes to {:.1f} mm",
-                          1e3 * (level * robot.block.side + robot.clearance),
-                          1e3 * robot.lift_travel));
+                          1e3 * robot.lift_for(level), 1e3 * robot.lift_travel));
     return false;
   }
   return true;
@@ -146,7 +145,9 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
       return out;
     }
     out.decision = settle(*out.target, out.policy);
-    if (out.decision) return out;
+    if (!out.decision) continue;
+    out.decision = simplify(*out.target, out.policy, std::move(out.decision));
+    return out;
   }
   explain_refusal(rules, robot, out, diagnostics);
   return out;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <set>
 #include <tuple>
 
@@ -56,13 +57,16 @@ std::vector<Question> all_questions(std::size_t cells) {
 
 using Parts = std::map<int, std::vector<Case>>;
 
-/// Nothing when some case does not see the answer, or all have the same.
+/// Where the answer is not seen, only nothing can be done.
+constexpr int kNotSeen = -1;
+
+/// Nothing when some case does not see the answer and wants something, or all have the same.
 std::optional<Parts> split(const std::vector<Case>& cases, const Question& question) {
   Parts parts;
   for (const Case& one : cases) {
     const std::optional<int> got = answer(question, *one.seen);
-    if (!got) return std::nullopt;
-    parts[*got].push_back(one);
+    if (!got && !one.choices.contains(std::nullopt)) return std::nullopt;
+    parts[got.value_or(kNotSeen)].push_back(one);
   }
   if (parts.size() < 2) return std::nullopt;
   return parts;
@@ -110,7 +114,7 @@ class Builder {
     auto node = std::make_unique<DecisionNode>();
     node->question = best->first;
     for (const auto& [got, part] : best->second) {
-      auto child = build(part);
+      auto child = got == kNotSeen ? leaf(part, {std::nullopt}) : build(part);
       if (!child) return nullptr;
       const auto alike = std::find_if(node->branches.begin(), node->branches.end(),
                                       [&](const auto& b) { return same(*b.second, *child); });
@@ -208,6 +212,89 @@ std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy)
     prune(target, policy);
   }
   return nullptr;
+}
+
+namespace {
+
+std::size_t size_of(const DecisionNode& node) {
+  std::size_t out = 1;
+  for (const auto& [answers, child] : node.branches) out += size_of(*child);
+  return out;
+}
+
+bool asks_cells(const DecisionNode& node) {
+  if (!node.question) return false;
+  if (node.question->kind == Question::Kind::cell) return true;
+  return std::any_of(node.branches.begin(), node.branches.end(),
+                     [](const auto& branch) { return asks_cells(*branch.second); });
+}
+
+/// Observations under nodes below the questions about the top, where cells are asked.
+void gather_groups(const DecisionNode& node, std::vector<std::vector<std::uint32_t>>& out) {
+  if (!node.question || !asks_cells(node)) return;
+  if (node.question->kind == Question::Kind::cell) {
+    DecisionNode all;
+    const std::function<void(const DecisionNode&)> take = [&](const DecisionNode& one) {
+      all.observations.insert(all.observations.end(), one.observations.begin(),
+                              one.observations.end());
+      for (const auto& [answers, child] : one.branches) take(*child);
+    };
+    take(node);
+    out.push_back(std::move(all.observations));
+    return;
+  }
+  for (const auto& [answers, child] : node.branches) gather_groups(*child, out);
+}
+
+/// The policy without what the group's observations allow, but where the cell shows this.
+Policy only_where(const Policy& policy, const std::vector<std::uint32_t>& group,
+                  const Question& question, int shown) {
+  Policy out = policy;
+  for (const std::uint32_t observation : group) {
+    if (answer(question, out.observations[observation]) == shown) continue;
+    out.allowed[observation].clear();
+  }
+  return out;
+}
+
+/// The best of all single questions for a group; false when none makes the tree smaller.
+bool ask_once(const TargetStates& target, Policy& policy, std::unique_ptr<DecisionNode>& root,
+              const std::vector<std::uint32_t>& group) {
+  std::size_t fewest = size_of(*root);
+  bool found = false;
+  const Policy before = policy;
+  for (const Question& question : all_questions(policy.observations.front().cells.size())) {
+    if (question.kind != Question::Kind::cell) continue;
+    std::set<int> shown;
+    for (const std::uint32_t observation : group) {
+      if (before.allowed[observation].empty()) continue;
+      if (const auto got = answer(question, before.observations[observation])) shown.insert(*got);
+    }
+    for (const int one : shown) {
+      Policy tried = only_where(before, group, question, one);
+      auto tree = settle(target, tried);
+      if (!tree || size_of(*tree) >= fewest) continue;
+      fewest = size_of(*tree);
+      policy = std::move(tried);
+      root = std::move(tree);
+      found = true;
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+std::unique_ptr<DecisionNode> simplify(const TargetStates& target, Policy& policy,
+                                       std::unique_ptr<DecisionNode> root, std::size_t most) {
+  if (policy.states.size() > most) return root;
+  for (bool better = true; better;) {
+    better = false;
+    std::vector<std::vector<std::uint32_t>> groups;
+    gather_groups(*root, groups);
+    for (const auto& group : groups) better = better || ask_once(target, policy, root, group);
+  }
+  return root;
 }
 
 std::optional<Placement> decide(const DecisionNode& root, const Observation& seen) {

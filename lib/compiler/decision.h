@@ -7,7 +7,7 @@
 //     └─ Q1: nothing
 //
 // Every observation that can arise under the policy ends in a leaf that the policy allows
-// there. A question is asked only where its answer is seen in every case that is still open.
+// there. Where a question's answer is not seen, nothing is done.
 #pragma once
 
 #include <cstdint>
@@ -52,6 +52,12 @@ Decision make_decision(const Policy& policy);
 /// Prunes the policy and makes its tree; where cases cannot be told apart, what only some of
 /// them allow is withdrawn, and it begins again. Null when the policy is not complete then.
 std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy);
+
+/// Looks for a smaller tree: where columns with one top take several questions, nothing is to
+/// be done but where one cell shows one thing, if work completes all the same. Policies of
+/// more than `most` structures are left as they are.
+std::unique_ptr<DecisionNode> simplify(const TargetStates& target, Policy& policy,
+                                       std::unique_ptr<DecisionNode> root, std::size_t most = 2000);
 
 /// The leaf's placement that an observation leads to; nothing too where a question's answer is
 /// not seen or has no branch.

@@ -30,7 +30,7 @@ class Scene {
         const Stance& stance)
       : around_(around), robot_(robot), camera_(camera) {
     X_RC_ = camera.X_RC;
-    X_RC_.p.z += stance.lift;
+    if (camera.lifted) X_RC_.p.z += stance.lift;
     column_x_ = X_RC_.p.x + stance.distance + robot.block.side / 2;
     X_CR_ = inverse(X_RC_);
   }

@@ -6,7 +6,7 @@
 #include <array>
 
 #include "base/text.h"
-#include "controllers/hull.h"
+#include "base/hull.h"
 #include "controllers/robot_parts.h"
 
 namespace stig {

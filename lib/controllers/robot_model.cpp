@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "controllers/robot_model.h"
 
-#include "controllers/hull.h"
+#include "base/hull.h"
 
 namespace stig {
 

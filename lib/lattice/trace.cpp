@@ -7,8 +7,8 @@
 #include <cassert>
 #include <nlohmann/json.hpp>
 
-#include "base/hash.h"
 #include "base/bytes.h"
+#include "base/hash.h"
 #include "rules/rule_printer.h"
 
 namespace stig {

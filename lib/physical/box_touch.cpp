@@ -131,12 +131,7 @@ Vec3 edges_meet(const Placed& a, const Placed& b, const Axis& axis) {
   const int ia = (axis.kind - 6) / 3, ib = (axis.kind - 6) % 3;
   const Vec3 pa = edge_middle(a, ia, -axis.n), pb = edge_middle(b, ib, axis.n);
   const Vec3 ua = a.r.column(ia), ub = b.r.column(ib);
-  const double uu = dot(ua, ub);
-  const Vec3 d = pb - pa;
-  const double det = 1 - uu * uu;  // not small: parallel edges were left out
-  const double sa = (dot(ua, d) - uu * dot(ub, d)) / det;
-  const double sb = (uu * dot(ua, d) - dot(ub, d)) / det;
-  return (pa + ua * sa + pb + ub * sb) * 0.5;
+  return lines_meet(pa, ua, pb, ub);
 }
 
 }  // namespace
@@ -144,8 +139,11 @@ Vec3 edges_meet(const Placed& a, const Placed& b, const Axis& axis) {
 Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
   const Axis axis = separating_axis(a, b, margin);
   if (axis.gap >= margin) return {};
-  if (axis.kind < 3) return reduced(axis.n, face_points(a, axis.kind, -axis.n, b, margin));
-  if (axis.kind < 6) return reduced(axis.n, face_points(b, axis.kind - 3, axis.n, a, margin));
+  if (axis.kind < 6) {
+    const PointList all = axis.kind < 3 ? face_points(a, axis.kind, -axis.n, b, margin)
+                                        : face_points(b, axis.kind - 3, axis.n, a, margin);
+    return reduced(axis.n, all.points.data(), all.count);
+  }
   Touch out;
   out.normal = axis.n;
   out.points[0] = {edges_meet(a, b, axis), axis.gap};

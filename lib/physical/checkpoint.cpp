@@ -87,8 +87,8 @@ void visit_contact(Each& each, ContactType& contact) {
 }
 
 template <class Each, class Def>
-void visit_shape_and_mass(Each& each, Def& def) {
-  each(def.shape.kind), each(def.shape.half), each(def.mass), each(def.inertia);
+void visit_mass_and_place(Each& each, Def& def) {
+  each(def.mass), each(def.inertia);
   each(def.X_WB.p), each(def.X_WB.q), each(def.material), each(def.fixed);
   each(def.axle), each(def.axle_friction);
 }
@@ -111,13 +111,21 @@ void visit_dof(Each& each, Dof& dof) {
   each(dof.upper), each(dof.actuator), each(dof.effort), each(dof.speed), each(dof.damping);
 }
 
+void write_shape(Writer& out, const Shape& shape) {
+  out(shape.kind), out(shape.half);
+  if (shape.kind != ShapeKind::hull) return;
+  out(static_cast<std::uint64_t>(shape.convex->points.size()));
+  for (const Vec3& p : shape.convex->points) out(p);
+}
+
 /// The bodies and joints from some number on.
 void write_definitions(Writer& out, const WorldConfig& config, std::size_t body,
                        std::size_t body_end, std::size_t joint, std::size_t joint_end) {
   out(static_cast<std::uint64_t>(body_end - body));
   for (; body < body_end; ++body) {
     const BodyDef& def = config.bodies[body];
-    visit_shape_and_mass(out, def);
+    write_shape(out, def.shape);
+    visit_mass_and_place(out, def);
     out(static_cast<std::uint64_t>(def.magnets.size()));
     for (const MagnetDef& magnet : def.magnets) visit_magnet_def(out, magnet);
   }
@@ -140,18 +148,31 @@ void take_count(Taker& in, std::vector<T>& list, std::size_t bytes) {
   list.resize(in.good() ? count : 0);
 }
 
-bool known(const BodyDef& def) {
-  return def.shape.kind == ShapeKind::box || def.shape.kind == ShapeKind::sphere;
+/// False: no shape.
+bool read_shape(Taker& in, Shape& shape) {
+  in(shape.kind), in(shape.half);
+  if (!in.good() || shape.kind > ShapeKind::hull || !is_finite(shape.half)) return false;
+  if (shape.kind == ShapeKind::cylinder) {
+    shape = Shape::cylinder(shape.half.x, shape.half.z * 2);
+  } else if (shape.kind == ShapeKind::hull) {
+    std::vector<Vec3> points;
+    take_count(in, points, 24);
+    for (Vec3& p : points) in(p);
+    shape = Shape::hull(points);
+  }
+  return in.good();
 }
+
 bool known(const DofDef& dof) { return dof.actuator <= Actuator::force; }
 
 bool read_definitions(Taker& in, WorldConfig& out) {
   take_count(in, out.bodies, 150);
   for (BodyDef& def : out.bodies) {
-    visit_shape_and_mass(in, def);
+    if (!read_shape(in, def.shape)) return false;
+    visit_mass_and_place(in, def);
     take_count(in, def.magnets, 60);
     for (MagnetDef& magnet : def.magnets) visit_magnet_def(in, magnet);
-    if (!in.good() || !known(def)) return false;
+    if (!in.good()) return false;
   }
   take_count(in, out.joints, 120);
   for (JointDef& def : out.joints) {
@@ -169,7 +190,7 @@ bool read_definitions(Taker& in, WorldConfig& out) {
 std::uint64_t hash_of(const WorldState& world) {
   const WorldConfig& config = world.config;
   Writer out;
-  out(config.step), out(config.gravity), out(config.floor), out(config.arena);
+  out(config.solver), out(config.step), out(config.gravity), out(config.floor), out(config.arena);
   out(config.friction), out(config.frictions.size());
   for (const FrictionPair& pair : config.frictions) {
     out(pair.a), out(pair.b), out(pair.coefficient);
@@ -318,6 +339,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
   if (!in.finished()) return false;
   next.events.clear();
   next.changed = true;
+  next.stock.reset();
   world = std::move(next);
   return true;
 }

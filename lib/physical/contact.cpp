@@ -2,6 +2,7 @@
 #include "physical/contact.h"
 
 #include <algorithm>
+#include <cmath>
 #include <tuple>
 #include <utility>
 
@@ -11,26 +12,19 @@ namespace stig {
 
 namespace {
 
+constexpr double kPi = 3.14159265358979323846;
+constexpr int kSides = 20;  ///< of the prism that stands for a cylinder
+
 /// Index of the point for which `score` is largest.
 template <class Score>
-int best(const PointList& all, Score score) {
+int best(const TouchPoint* points, int count, Score score) {
   int at = 0;
-  double most = score(all.points[0]);
-  for (int i = 1; i < all.count; ++i) {
-    const double value = score(all.points[static_cast<std::size_t>(i)]);
+  double most = score(points[0]);
+  for (int i = 1; i < count; ++i) {
+    const double value = score(points[i]);
     if (value > most) std::tie(most, at) = std::pair(value, i);
   }
   return at;
-}
-
-Touch single(const Vec3& normal, const Vec3& p, double gap, double margin) {
-  Touch out;
-  out.normal = normal;
-  if (gap < margin) {
-    out.points[0] = {p, gap};
-    out.count = 1;
-  }
-  return out;
 }
 
 Touch touch_spheres(const Placed& a, const Placed& b, double margin) {
@@ -38,7 +32,7 @@ Touch touch_spheres(const Placed& a, const Placed& b, double margin) {
   const double distance = length(d);
   const Vec3 n = distance > 0 ? d * (1 / distance) : Vec3{0, 0, 1};
   const double gap = distance - a.shape.half.x - b.shape.half.x;
-  return single(n, b.p + n * (b.shape.half.x + gap / 2), gap, margin);
+  return single_touch(n, b.p + n * (b.shape.half.x + gap / 2), gap, margin);
 }
 
 /// The sphere is a.
@@ -51,44 +45,116 @@ Touch touch_sphere_box(const Placed& a, const Placed& b, double margin) {
   if (outside > 0) {
     const Vec3 n = b.r * ((c - nearest) * (1 / outside));
     const double gap = outside - a.shape.half.x;
-    return single(n, b.p + b.r * nearest + n * (gap / 2), gap, margin);
+    return single_touch(n, b.p + b.r * nearest + n * (gap / 2), gap, margin);
   }
   // The centre is inside: out through the nearest face.
   const std::array<double, 3> depth{h.x - std::abs(c.x), h.y - std::abs(c.y), h.z - std::abs(c.z)};
   const auto axis = static_cast<int>(std::min_element(depth.begin(), depth.end()) - depth.begin());
   const double side = axis == 0 ? c.x : axis == 1 ? c.y : c.z;
   const Vec3 n = b.r.column(axis) * (side < 0 ? -1.0 : 1.0);
-  return single(n, a.p, -depth[static_cast<std::size_t>(axis)] - a.shape.half.x, margin);
+  return single_touch(n, a.p, -depth[static_cast<std::size_t>(axis)] - a.shape.half.x, margin);
 }
 
 }  // namespace
 
-Touch reduced(const Vec3& normal, const PointList& all) {
-  Touch out;
-  out.normal = normal;
-  if (all.count <= 4) {
-    out.count = all.count;
-    std::copy_n(all.points.begin(), all.count, out.points.begin());
-    return out;
+Shape Shape::cylinder(double radius, double height) {
+  Shape out{ShapeKind::cylinder, {radius, radius, height / 2}, {}};
+  std::vector<Vec3> corners;
+  for (int i = 0; i < kSides; ++i) {
+    const double a = 2 * kPi * i / kSides;
+    const Vec3 rim{radius * std::cos(a), radius * std::sin(a), height / 2};
+    corners.push_back(rim);
+    corners.push_back({rim.x, rim.y, -rim.z});
   }
-  const auto keep = [&](int i) -> const TouchPoint& {
-    return out.points[static_cast<std::size_t>(out.count++)] =
-               all.points[static_cast<std::size_t>(i)];
-  };
-  const Vec3 first = keep(best(all, [](const TouchPoint& t) { return -t.gap; })).p;
-  const Vec3 second = keep(best(all, [&](const TouchPoint& t) { return squared(t.p - first); })).p;
-  const Vec3 side = cross(normal, second - first);
-  keep(best(all, [&](const TouchPoint& t) { return dot(side, t.p - first); }));
-  keep(best(all, [&](const TouchPoint& t) { return -dot(side, t.p - first); }));
+  out.convex = convex_of(corners);
   return out;
 }
 
+Shape Shape::hull(const std::vector<Vec3>& points) {
+  Shape out{ShapeKind::hull, {}, convex_of(points)};
+  if (out.convex) out.half = out.convex->half;
+  return out;
+}
+
+double Shape::radius() const {
+  if (kind == ShapeKind::sphere) return half.x;
+  if (kind == ShapeKind::cylinder) return std::hypot(half.x, half.z);
+  return kind == ShapeKind::hull && convex ? convex->radius : length(half);
+}
+
+Touch single_touch(const Vec3& normal, const Vec3& p, double gap, double margin) {
+  Touch out;
+  out.normal = normal;
+  if (gap < margin) {
+    out.points[0] = {p, gap};
+    out.count = 1;
+  }
+  return out;
+}
+
+Vec3 lines_meet(const Vec3& pa, const Vec3& ua, const Vec3& pb, const Vec3& ub) {
+  const double uu = dot(ua, ub);
+  const Vec3 d = pb - pa;
+  const double det = 1 - uu * uu;
+  const double sa = (dot(ua, d) - uu * dot(ub, d)) / det;
+  const double sb = (uu * dot(ua, d) - dot(ub, d)) / det;
+  return (pa + ua * sa + pb + ub * sb) * 0.5;
+}
+
+Touch reduced(const Vec3& normal, const TouchPoint* all, int count) {
+  Touch out;
+  out.normal = normal;
+  if (count <= 4) {
+    out.count = count;
+    std::copy_n(all, count, out.points.begin());
+    return out;
+  }
+  const auto keep = [&](int i) -> const TouchPoint& {
+    return out.points[static_cast<std::size_t>(out.count++)] = all[i];
+  };
+  const Vec3 first = keep(best(all, count, [](const TouchPoint& t) { return -t.gap; })).p;
+  const Vec3 second =
+      keep(best(all, count, [&](const TouchPoint& t) { return squared(t.p - first); })).p;
+  const Vec3 side = cross(normal, second - first);
+  keep(best(all, count, [&](const TouchPoint& t) { return dot(side, t.p - first); }));
+  keep(best(all, count, [&](const TouchPoint& t) { return -dot(side, t.p - first); }));
+  return out;
+}
+
+namespace {
+
+Touch touch_sphere(const Placed& ball, const Placed& b, double margin) {
+  switch (b.shape.kind) {
+    case ShapeKind::box:
+      return touch_sphere_box(ball, b, margin);
+    case ShapeKind::sphere:
+      return touch_spheres(ball, b, margin);
+    case ShapeKind::cylinder:
+      return touch_sphere_cylinder(ball, b, margin);
+    case ShapeKind::hull:
+      break;
+  }
+  return touch_sphere_hull(ball, b, margin);
+}
+
+Touch floor_corners(const Placed& a, double margin) {
+  std::array<TouchPoint, kMostHullPoints> points;
+  int count = 0;
+  for (const Vec3& corner : a.shape.convex->points) {
+    const Vec3 p = a.p + a.r * corner;
+    if (p.z < margin) points[static_cast<std::size_t>(count++)] = {{p.x, p.y, p.z / 2}, p.z};
+  }
+  return reduced({0, 0, 1}, points.data(), count);
+}
+
+}  // namespace
+
 Touch touch(const Placed& a, const Placed& b, double margin) {
-  const bool box_a = a.shape.kind == ShapeKind::box, box_b = b.shape.kind == ShapeKind::box;
-  if (box_a && box_b) return touch_boxes(a, b, margin);
-  if (!box_a && !box_b) return touch_spheres(a, b, margin);
-  if (!box_a) return touch_sphere_box(a, b, margin);
-  Touch out = touch_sphere_box(b, a, margin);
+  const ShapeKind ka = a.shape.kind, kb = b.shape.kind;
+  if (ka == ShapeKind::box && kb == ShapeKind::box) return touch_boxes(a, b, margin);
+  if (ka == ShapeKind::sphere) return touch_sphere(a, b, margin);
+  if (kb != ShapeKind::sphere) return touch_hulls(a, b, margin);
+  Touch out = touch_sphere(b, a, margin);
   out.normal = -out.normal;
   return out;
 }
@@ -97,15 +163,17 @@ Touch touch_floor(const Placed& a, double margin) {
   const Vec3 up{0, 0, 1};
   if (a.shape.kind == ShapeKind::sphere) {
     const double gap = a.p.z - a.shape.half.x;
-    return single(up, {a.p.x, a.p.y, gap / 2}, gap, margin);
+    return single_touch(up, {a.p.x, a.p.y, gap / 2}, gap, margin);
   }
+  if (a.shape.kind == ShapeKind::cylinder) return touch_floor_cylinder(a, margin);
+  if (a.shape.kind == ShapeKind::hull) return floor_corners(a, margin);
   PointList corners;
   for (int i = 0; i < 8; ++i) {
     const auto sign = [i](int bit) { return (i >> bit & 1) == 1 ? 1.0 : -1.0; };
     const Vec3 p = a.p + a.r * scaled(a.shape.half, {sign(0), sign(1), sign(2)});
     if (p.z < margin) corners.add({p.x, p.y, p.z / 2}, p.z);
   }
-  return reduced(up, corners);
+  return reduced(up, corners.points.data(), corners.count);
 }
 
 }  // namespace stig

@@ -1,29 +1,42 @@
 // SPDX-License-Identifier: MIT
-// Where two shapes touch, or are about to: boxes, spheres and the floor z = 0.
+// Where two shapes touch, or are about to: boxes, spheres, cylinders, convex hulls and the
+// floor z = 0.
 //
 // Boxes are told apart by the separating-axis test (Gottschalk, Lin and Manocha 1996); the
 // axis of least overlap becomes the normal, and the face that lies most against it is
 // clipped against the other's. Faces are preferred to edges by a hair, so that resting
-// boxes keep the same points from step to step.
+// boxes keep the same points from step to step. Hulls do the same. A cylinder is exact against the
+// floor and spheres, so that it rolls smoothly; against the rest it is a prism of 20 sides,
+// whose corners are on it.
 #pragma once
 
 #include <array>
 #include <cstdint>
+#include <memory>
 
 #include "base/vec.h"
+#include "physical/convex.h"
 
 namespace stig {
 
-enum class ShapeKind : std::uint8_t { box, sphere };
+enum class ShapeKind : std::uint8_t { box, sphere, cylinder, hull };
 
 struct Shape {
   ShapeKind kind = ShapeKind::box;
-  Vec3 half;  ///< half the edges of a box; of a sphere: its radius in x
+  /// Half the edges of a box, also of the one about a cylinder (along z) or a hull; of a
+  /// sphere: its radius, thrice.
+  Vec3 half;
+  std::shared_ptr<const Convex> convex = {};  ///< of a cylinder: its prism; of a hull: itself
 
-  static Shape box(const Vec3& edges) { return {ShapeKind::box, edges * 0.5}; }
-  static Shape sphere(double radius) { return {ShapeKind::sphere, {radius, radius, radius}}; }
+  static Shape box(const Vec3& edges) { return {ShapeKind::box, edges * 0.5, {}}; }
+  static Shape sphere(double radius) { return {ShapeKind::sphere, {radius, radius, radius}, {}}; }
+  /// Along z.
+  static Shape cylinder(double radius, double height);
+  /// The hull of 4 to 64 points about the body's origin, its centre of mass. Points that enclose
+  /// nothing give a shape without extent, which no world takes.
+  static Shape hull(const std::vector<Vec3>& points);
   /// Of the ball around its centre that holds it.
-  double radius() const { return kind == ShapeKind::box ? length(half) : half.x; }
+  double radius() const;
 };
 
 /// A shape where it is.

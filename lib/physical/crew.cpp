@@ -6,9 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "physical/camera_reading.h"
-#include "physical/radio_medium.h"
-#include "physical/range_sensor.h"
+#include "physical/crew_history.h"
 
 namespace stig {
 
@@ -20,19 +18,10 @@ std::uint64_t ticks_in(double seconds, double step) {
 
 std::uint32_t number(BodyId id) { return static_cast<std::uint32_t>(id); }
 
-/// Owners of obstacles and marks: blocks and robots count in one row, loose bodies have none.
-constexpr std::uint32_t kNobody = 0xffffffff;
-
 SightShape sight_of(const Shape& shape) {
   if (shape.kind == ShapeKind::sphere) return sight_sphere(shape.half.x);
   return sight_box(shape.half * 2);
 }
-
-/// Middles of a cube's faces, as its radios are numbered: see cube_marks.
-constexpr std::array<Vec3, kBlockRadios> kFaceNormals = {
-    Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}};
-
-Rgb light_of(Led led) { return led == Led::off ? Rgb{} : rgb_of(led); }
 
 }  // namespace
 
@@ -48,7 +37,7 @@ Crew::Crew(CrewConfig config, const WorldConfig& world)
   }
   for (std::size_t i = 0; i < config_.robots.size(); ++i) {
     for (const BodyId body : config_.robots[i].body.bodies) {
-      owners[number(body)] = kNobody - 1 - static_cast<std::uint32_t>(i);
+      owners[number(body)] = crew_owner(i);
     }
   }
   for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
@@ -111,6 +100,15 @@ Pose Crew::robot_pose(const World& world, std::size_t robot) const {
   return pose_of(world, *robots_[robot].config.model, robots_[robot].config.body);
 }
 
+BodyId Crew::root_body(std::size_t robot) const {
+  return robots_[robot].config.body.bodies[robots_[robot].config.model->root()];
+}
+
+Pose Crew::root_pose(std::size_t robot) const {
+  const RobotModel& model = *robots_[robot].config.model;
+  return model.bodies[model.root()].X_RB;
+}
+
 Led Crew::colour(std::size_t block) const {
   std::array<int, 5> shown{};
   for (const Led led : blocks_[block].leds) ++shown[static_cast<std::size_t>(led)];
@@ -133,6 +131,8 @@ std::vector<std::size_t> Crew::take_changed() {
   changed_.assign(blocks_.size(), false);
   return out;
 }
+
+std::vector<std::size_t> Crew::take_stepped() { return std::exchange(stepped_, {}); }
 
 void Crew::before_step(World& world) {
   control(world, world.tick());
@@ -159,109 +159,43 @@ void Crew::control(World& world, std::uint64_t tick) {
   for (std::size_t i = 0; i < blocks_.size(); ++i) step_block(tick, i);
 }
 
-void Crew::place_sensor_scene(const World& world) {
-  for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-    scene_.obstacles[i].X_WS = world.state(BodyId{obstacle_bodies_[i]}).X_WB;
-  }
-  scene_.marked.resize(blocks_.size());
-  for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    MarkedBody& marked = scene_.marked[i];
-    marked.owner = static_cast<std::uint32_t>(i);
-    marked.X_WB = world.state(blocks_[i].config.body).X_WB;
-    marked.leds.clear();
-    if (!config_.lights) continue;
-    for (const Led led : blocks_[i].leds) marked.leds.push_back(light_of(led));
-  }
-}
-
-void Crew::sense(const World& world, const SensorIndex& index, std::size_t number) {
-  Robot& robot = robots_[number];
-  if (robot.failed) return;
+/// Its next step, or its first.
+ControllerStatus Crew::call(Robot& robot, RobotCommands& commands) const {
   const RobotModel& model = *robot.config.model;
-  RobotReadings& out = robot.readings;
-  out.tick = world.tick() / robot.period;
-  out.time = world.time();
-  out.cameras.resize(model.cameras.size());
-  for (std::size_t i = 0; i < model.cameras.size(); ++i) {
-    out.cameras[i] =
-        robot.late_cameras[i].pass(see(world, index, number, i), robot.config.camera_noise.latency);
-  }
-  out.rangefinders =
-      robot.late_ranges[0].pass(feel(world, index, number), robot.config.range_noise.latency);
-  out.rangefinders.resize(model.rangefinders.size());
-  out.radios = std::exchange(robot.inbox, std::vector<std::vector<Message>>(model.radios.size()));
-  read(world, model, robot.config.body, robot.devices, out);
-}
-
-CameraReading Crew::see(const World& world, const SensorIndex& index, std::size_t number,
-                        std::size_t camera) {
-  const Robot& robot = robots_[number];
-  const CameraDevice& device = robot.config.model->cameras[camera];
-  const Pose X_WC = pose_of(world, robot.config.body, device.body) * device.X_BC;
-  CameraReading out;
-  if (robot.enabled[camera]) {
-    const NoiseAddress address{config_.seed, static_cast<std::uint32_t>(number),
-                               static_cast<std::uint32_t>(camera), world.tick()};
-    out = read_camera(scene_, look(index, robot.views[camera], X_WC), robot.views[camera],
-                      robot.config.camera_noise, address);
-  }
-  out.enabled = robot.enabled[camera];
-  out.timestamp = world.time();
-  out.X_RC = inverse(robot_pose(world, number)) * X_WC;
-  return out;
-}
-
-std::vector<RangeReading> Crew::feel(const World& world, const SensorIndex& index,
-                                     std::size_t number) {
-  const Robot& robot = robots_[number];
-  const RobotModel& model = *robot.config.model;
-  std::vector<RangeReading> out;
-  for (std::size_t i = 0; i < model.rangefinders.size(); ++i) {
-    const RangeDevice& device = model.rangefinders[i];
-    const NoiseAddress address{config_.seed, static_cast<std::uint32_t>(number),
-                               static_cast<std::uint32_t>(model.cameras.size() + i), world.tick()};
-    const auto owner = kNobody - 1 - static_cast<std::uint32_t>(number);
-    out.push_back({read_range(index, device, pose_of(world, robot.config.body, device.body), owner,
-                              robot.config.range_noise, address),
-                   0});
-  }
-  return out;
+  commands.camera_enabled.resize(model.cameras.size());
+  commands.sends.resize(model.radios.size());
+  commands.joints.resize(model.actuators.size());
+  ControllerStatus status;
+  if (!std::exchange(robot.begun, true)) status = robot.config.controller->init(commands);
+  if (status.ok) status = robot.config.controller->step(robot.readings, commands);
+  return status;
 }
 
 void Crew::step_robot(World& world, std::size_t number) {
   Robot& robot = robots_[number];
   if (robot.failed || !robot.config.controller) return;
-  const RobotModel& model = *robot.config.model;
+  if (config_.resumable) robot.history.add(bytes_of(robot.readings));
   RobotCommands commands;
-  commands.camera_enabled.resize(model.cameras.size());
-  commands.sends.resize(model.radios.size());
-  commands.joints.resize(model.actuators.size());
-  ControllerStatus status;
-  if (!robot.begun) {
-    robot.begun = true;
-    status = robot.config.controller->init(commands);
-  }
-  if (status.ok) status = robot.config.controller->step(robot.readings, commands);
-  say(world.tick(), robot.config.name, commands.log);
+  const ControllerStatus status = call(robot, commands);
+  say({world.tick(), robot.config.name, root_body(number), {}, false}, commands.log, status);
+  stepped_.push_back(number);
   if (!status.ok) {
     robot.failed = true;
     make_safe(robot.devices);
     robot.commands = {};
-    return fail(world.tick(), robot.config.name, status.error);
+    return;
   }
-  command(robot.devices, model, commands);
+  command(robot.devices, *robot.config.model, commands);
   for (std::size_t i = 0; i < commands.camera_enabled.size(); ++i) {
     if (commands.camera_enabled[i]) robot.enabled[i] = *commands.camera_enabled[i];
   }
   robot.outbox = commands.sends;
-  robot.outbox.resize(model.radios.size());
+  robot.outbox.resize(robot.inbox.size());
   for (const auto& messages : robot.outbox) sends_ = sends_ || !messages.empty();
   robot.commands = std::move(commands);
 }
 
-void Crew::step_block(std::uint64_t tick, std::size_t number) {
-  Block& block = blocks_[number];
-  if (block.failed || !block.config.controller) return;
+ControllerStatus Crew::call(Block& block, std::uint64_t tick, BlockCommands& commands) const {
   BlockReadings readings;
   readings.tick = tick / block_period_;
   readings.time = static_cast<double>(tick) * step_;
@@ -271,11 +205,9 @@ void Crew::step_block(std::uint64_t tick, std::size_t number) {
     for (auto& messages : block.outbox) messages.clear();
     block.quiet = true;
   }
-  BlockCommands commands;
   commands.sends.resize(kBlockRadios);
   ControllerStatus status;
-  if (!block.begun) {
-    block.begun = true;
+  if (!std::exchange(block.begun, true)) {
     status = block.config.controller->init(commands);
     // A colour that the scene gives is one that it was set to before.
     if (block.config.led != Led::off) {
@@ -283,10 +215,20 @@ void Crew::step_block(std::uint64_t tick, std::size_t number) {
     }
   }
   if (status.ok) status = block.config.controller->step(readings, commands);
-  say(tick, block.config.name, commands.log);
+  return status;
+}
+
+void Crew::step_block(std::uint64_t tick, std::size_t number) {
+  Block& block = blocks_[number];
+  if (block.failed || !block.config.controller) return;
+  if (config_.resumable) block.history.add(bytes_of(block.inbox, tick - block.last));
+  block.last = tick;
+  BlockCommands commands;
+  const ControllerStatus status = call(block, tick, commands);
+  say({tick, block.config.name, block.config.body, {}, false}, commands.log, status);
   if (!status.ok) {
     block.failed = true;
-    return fail(tick, block.config.name, status.error);
+    return;
   }
   apply(commands, number);
 }
@@ -311,57 +253,18 @@ void Crew::apply(const BlockCommands& commands, std::size_t number) {
   }
 }
 
-/// Messages reach radios where they are now, at the end of the tick in which they were sent.
-void Crew::carry_messages(const World& world) {
-  std::vector<Radio> radios;
-  std::vector<std::vector<Message>> sends;
-  for (Robot& robot : robots_) {
-    const RobotModel& model = *robot.config.model;
-    for (std::size_t i = 0; i < model.radios.size(); ++i) {
-      const RadioDevice& device = model.radios[i];
-      radios.push_back({pose_of(world, robot.config.body, device.body) * device.p_B, device.range});
-      sends.push_back(std::exchange(robot.outbox[i], {}));
-    }
+/// What a step has logged, and why it failed if it did.
+void Crew::say(const CrewLine& about, const std::vector<std::string>& lines,
+               const ControllerStatus& status) {
+  CrewLine line = about;
+  for (const std::string& text : lines) {
+    line.text = text;
+    log_.push_back(line);
   }
-  const double reach = config_.faces.cube_side / 2 - config_.radio_depth;
-  for (Block& block : blocks_) {
-    const Pose X_WB = world.state(block.config.body).X_WB;
-    for (std::size_t i = 0; i < kBlockRadios; ++i) {
-      radios.push_back({X_WB * (kFaceNormals[i] * reach), config_.radio_range});
-      sends.push_back(std::exchange(block.outbox[i], {}));
-    }
-  }
-  const auto heard = carry(radios, sends);
-  auto next = heard.begin();
-  const auto take = [&next](std::vector<std::vector<Message>>& inbox) {
-    bool any = false;
-    for (auto& messages : inbox) {
-      any = any || !next->empty();
-      messages.insert(messages.end(), next->begin(), next->end());
-      ++next;
-    }
-    return any;
-  };
-  for (Robot& robot : robots_) {
-    take(robot.inbox);
-    // Nobody reads them there.
-    if (robot.failed || !robot.config.controller) {
-      for (auto& messages : robot.inbox) messages.clear();
-    }
-  }
-  for (Block& block : blocks_) {
-    if (take(block.inbox)) block.quiet = false;
-  }
-  sends_ = false;
-}
-
-void Crew::say(std::uint64_t tick, const std::string& who, std::vector<std::string>& lines) {
-  for (std::string& line : lines) log_.push_back({tick, who, std::move(line), false});
-  lines.clear();
-}
-
-void Crew::fail(std::uint64_t tick, const std::string& who, const std::string& error) {
-  log_.push_back({tick, who, error, true});
+  if (status.ok) return;
+  line.text = status.error;
+  line.failure = true;
+  log_.push_back(line);
 }
 
 }  // namespace stig

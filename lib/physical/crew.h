@@ -22,6 +22,7 @@
 
 #include "controllers/controller.h"
 #include "physical/led.h"
+#include "physical/reading_history.h"
 #include "physical/robot_body.h"
 #include "physical/sensor_noise.h"
 #include "physical/sensor_scene.h"
@@ -50,9 +51,10 @@ struct CrewBlock {
 
 struct CrewConfig {
   std::uint64_t seed = 1;
-  double block_period = 0.2;                        ///< s between steps of blocks' programs
-  bool lights = true;                               ///< false: no LED shines
-  FaceMarks faces;                                  ///< of all blocks
+  double block_period = 0.2;  ///< s between steps of blocks' programs
+  bool lights = true;         ///< false: no LED shines
+  bool resumable = true;      ///< keep what programs read, so that the crew can be brought back
+  FaceMarks faces;            ///< of all blocks
   double radio_depth = 0.005, radio_range = 0.020;  ///< of blocks' radios, m
   std::vector<CrewRobot> robots;
   std::vector<CrewBlock> blocks;
@@ -62,6 +64,7 @@ struct CrewConfig {
 struct CrewLine {
   std::uint64_t tick = 0;  ///< of the world
   std::string who;
+  BodyId body{};  ///< of a block, or a robot's root
   std::string text;
   bool failure = false;
 };
@@ -74,6 +77,7 @@ class Crew {
   /// Before every step of the world: a control tick where one is due, and motors.
   void before_step(World& world);
 
+  bool resumable() const { return config_.resumable; }
   std::size_t robots() const { return robots_.size(); }
   std::size_t blocks() const { return blocks_.size(); }
   const std::string& robot_name(std::size_t robot) const { return robots_[robot].config.name; }
@@ -83,6 +87,9 @@ class Crew {
   const RobotReadings& readings(std::size_t robot) const { return robots_[robot].readings; }
   const RobotCommands& commands(std::size_t robot) const { return robots_[robot].commands; }
   const std::array<Led, kBlockLeds>& leds(std::size_t block) const { return blocks_[block].leds; }
+  /// The body that a robot's file takes for its root, and its pose in the robot's frame.
+  BodyId root_body(std::size_t robot) const;
+  Pose root_pose(std::size_t robot) const;
   BodyId block_body(std::size_t block) const { return blocks_[block].config.body; }
   /// The colour that most of its LEDs show.
   Led colour(std::size_t block) const;
@@ -96,6 +103,19 @@ class Crew {
   std::vector<CrewLine> take_log();
   /// Blocks whose LEDs have changed since the last call, rising.
   std::vector<std::size_t> take_changed();
+  /// Robots whose programs have stepped since the last call, rising.
+  std::vector<std::size_t> take_stepped();
+
+  /// Devices, LEDs, messages and readings on their way; all that the next tick depends on but
+  /// the programs' own states.
+  std::string state() const;
+  /// With what the programs have read, from which they can be brought back. Asserts that the
+  /// crew is resumable.
+  std::string checkpoint() const;
+  /// Of a crew as it was made, with blocks that came later added again: feeds its programs what
+  /// they have read, without carrying out what they command. False when the bytes are no
+  /// checkpoint of this crew; it is then of no use any more.
+  bool resume(std::string_view checkpoint);
 
  private:
   struct Robot {
@@ -110,13 +130,16 @@ class Crew {
     std::vector<Late<CameraReading>> late_cameras;
     std::vector<Late<std::vector<RangeReading>>> late_ranges;
     std::vector<std::vector<Message>> inbox, outbox;  ///< a radio each
+    ReadingHistory history;
   };
   struct Block {
     CrewBlock config;
     bool begun = false, failed = false;
     std::array<Led, kBlockLeds> leds{};
     std::vector<std::vector<Message>> inbox, outbox;
-    bool quiet = true;  ///< nothing in inbox or outbox
+    bool quiet = true;       ///< nothing in inbox or outbox
+    std::uint64_t last = 0;  ///< tick of the world in which it stepped last
+    ReadingHistory history;
   };
 
   void control(World& world, std::uint64_t tick);
@@ -128,10 +151,24 @@ class Crew {
   std::vector<RangeReading> feel(const World& world, const SensorIndex& index, std::size_t robot);
   void step_robot(World& world, std::size_t robot);
   void step_block(std::uint64_t tick, std::size_t block);
+  ControllerStatus call(Robot& robot, RobotCommands& commands) const;
+  ControllerStatus call(Block& block, std::uint64_t tick, BlockCommands& commands) const;
+  bool bring_back(Robot& robot) const;
+  bool bring_back(Block& block) const;
+  template <class Each>
+  static void robot_members(Each& each, auto& robot);
+  template <class Each>
+  static void block_members(Each& each, auto& block);
+  bool fits(const Robot& robot) const;
   void apply(const BlockCommands& commands, std::size_t block);
-  void say(std::uint64_t tick, const std::string& who, std::vector<std::string>& lines);
-  void fail(std::uint64_t tick, const std::string& who, const std::string& error);
+  void say(const CrewLine& about, const std::vector<std::string>& lines,
+           const ControllerStatus& status);
   std::uint32_t shape_of(const Shape& shape);
+  /// Owner of a robot's obstacles; blocks' are their numbers, and loose bodies have none.
+  static std::uint32_t crew_owner(std::size_t robot) {
+    return kNobody - 1 - static_cast<std::uint32_t>(robot);
+  }
+  static constexpr std::uint32_t kNobody = 0xffffffff;
 
   CrewConfig config_;
   double step_ = 0;
@@ -142,6 +179,7 @@ class Crew {
   std::vector<std::uint32_t> obstacle_bodies_;  ///< of each obstacle
   std::vector<CrewLine> log_;
   std::vector<bool> changed_;
+  std::vector<std::size_t> stepped_;
   bool sends_ = false;  ///< somebody has sent since messages were carried
 };
 

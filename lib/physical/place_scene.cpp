@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <unordered_map>
 
 #include "base/random.h"
@@ -254,10 +255,20 @@ class Placer {
     }
   }
 
+  void check_cache(const CacheSpawn& cache) {
+    const double arena = placed_.config.arena, half = scene_.models[cache.model].side / 2;
+    if (std::max({std::abs(cache.at.x), std::abs(cache.at.y), std::abs(cache.at.z)}) > arena) {
+      out_.add(Code::S602, cache.range, "the cache drops its blocks outside of the arena");
+    } else if (placed_.config.floor && cache.at.z < half - 1e-3) {
+      out_.add(Code::S603, cache.range, "the cache drops its blocks in the floor");
+    }
+  }
+
   /// What caches may drop has a name already, though no place yet.
   void add_stock() {
     std::size_t number = 0;
     for (const CacheSpawn& cache : scene_.caches) {
+      check_cache(cache);
       for (std::size_t i = 0; i < cache.stock; ++i) {
         placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0});
       }
@@ -265,12 +276,25 @@ class Placer {
   }
 
   void report_problems() {
-    const auto problems = find_problems(placed_.config);
+    std::vector<ConfigProblem> problems = find_problems(placed_.config);
+    // Two robots in one place overlap in dozens of parts: once is enough.
+    std::set<std::pair<std::size_t, std::size_t>> robots;
+    std::erase_if(problems, [&](const ConfigProblem& problem) {
+      if (problem.bodies.size() != 2) return false;
+      const SceneBody &a = placed_.bodies[problem.bodies[0]],
+                      &b = placed_.bodies[problem.bodies[1]];
+      return !a.block && !b.block && !robots.emplace(a.entry, b.entry).second;
+    });
     for (std::size_t i = 0; i < problems.size() && i < kMostReported; ++i) report(problems[i]);
     if (problems.size() <= kMostReported) return;
     out_.add(
-        Code::S609, scene_.blocks.front().range,
-        fmt::format("{} more blocks are where they cannot be", problems.size() - kMostReported));
+        Code::S609, first_range(),
+        fmt::format("{} more things are where they cannot be", problems.size() - kMostReported));
+  }
+
+  SourceRange first_range() const {
+    if (!scene_.blocks.empty()) return scene_.blocks.front().range;
+    return scene_.robots.empty() ? SourceRange{} : scene_.robots.front().range;
   }
 
   void report(const ConfigProblem& problem) {
@@ -280,8 +304,7 @@ class Placer {
       return one.block ? scene_.blocks[one.entry].range : scene_.robots[one.entry].range;
     };
     if (problem.bodies.empty()) {
-      const SourceRange whole = scene_.blocks.empty() ? SourceRange{} : scene_.blocks[0].range;
-      out_.add(Code::S609, whole, problem.what);
+      out_.add(Code::S609, first_range(), problem.what);
     } else if (problem.bodies.size() == 1) {
       const std::uint32_t body = problem.bodies[0];
       const Code code = problem.what == "is outside of the arena" ? Code::S602

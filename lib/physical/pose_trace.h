@@ -5,7 +5,8 @@
 // Layout, version 1: the 8 bytes "stigpos1", then sections of a tag byte, the size as
 // u32, and one zstd frame with a checksum each:
 //   H  header, once: JSON with title, seed, step, frame_every, hash_every, channels and
-//      bodies (name, shape, half extents, block, LEDs, colour, fixed), then the files of the scene
+//      bodies (name, shape, half extents, block, LEDs, colour, fixed, points of a hull), then the
+//      files of the scene
 //   C  a chunk of records, which can be decoded alone. A record is a tag byte and the ticks
 //      since the record before as varint, then
 //        1 frame   number of bodies that changed; of each: distance of its number from the
@@ -24,8 +25,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -108,7 +111,8 @@ class PoseTraceWriter {
   void frame(const TraceFrame& frame);
   void event(const TraceEvent& event);
   void hash(const TraceHash& hash);
-  /// Nothing when it is what the channel said of the body last.
+  /// Nothing when it is what the channel said of the body last; in the channel "log" everything
+  /// counts, but a chunk does not begin with the lines of those before.
   void value(const TraceValue& value);
   void finish(const TraceEnd& end);
 
@@ -123,7 +127,9 @@ class PoseTraceWriter {
   std::uint64_t written_ = 0, tick_ = 0, first_tick_ = 0;
   std::size_t frames_ = 0;
   std::vector<TraceState> last_;
-  std::vector<TraceValue> values_;  ///< the newest of each channel and body
+  /// The newest of each channel and body.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> values_;
+  std::uint32_t log_ = UINT32_MAX;  ///< the channel whose values are happenings, not states
   std::string index_;
   std::uint64_t chunks_ = 0;
 };
@@ -152,8 +158,9 @@ std::optional<PoseTrace> read_pose_trace(const std::string& path, std::string by
 /// The last frame at or before a tick; the first when there is none.
 TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick);
 
-/// Writes the records of a trace up to a tick into another, those of an early end left out:
-/// what follows continues the run as if it had never stopped.
+/// Writes the records of a trace up to a tick into another, those of an early end left out, and
+/// values of the tick itself, which the tick's control writes anew: what follows continues the
+/// run as if it had never stopped.
 void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer);
 
 }  // namespace stig

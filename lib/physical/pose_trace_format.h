@@ -14,7 +14,8 @@ inline constexpr char kHeaderTag = 'H', kChunkTag = 'C', kEndTag = 'E';
 enum TraceRecord : std::uint8_t { kFrameRecord = 1, kEventRecord, kHashRecord, kValueRecord };
 
 /// By ShapeKind.
-inline constexpr std::array<std::string_view, 2> kShapeNames = {"box", "sphere"};
+inline constexpr std::array<std::string_view, 4> kShapeNames = {"box", "sphere", "cylinder",
+                                                                "hull"};
 
 /// Of a body in a frame: which differences follow, and its state.
 enum TraceFlags : std::uint8_t { kMoved = 1, kTurned = 2, kAwake = 4, kLeft = 8 };

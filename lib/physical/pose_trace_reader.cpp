@@ -160,10 +160,23 @@ ShapeKind shape_from(const std::string& name) {
   throw std::range_error("shape");
 }
 
+Shape shape_from(const nlohmann::json& json, const Vec3& half) {
+  const ShapeKind kind = shape_from(json.at("shape").get<std::string>());
+  if (kind == ShapeKind::cylinder) return Shape::cylinder(half.x, half.z * 2);
+  if (kind != ShapeKind::hull) return {kind, half, {}};
+  if (json.at("points").size() > kMostHullPoints) throw std::range_error("points");
+  std::vector<Vec3> points;
+  for (const auto& p : json.at("points").get<std::vector<std::array<double, 3>>>()) {
+    points.push_back({p[0], p[1], p[2]});
+  }
+  Shape hull = Shape::hull(points);
+  if (!hull.convex || !(hull.radius() <= 1000)) throw std::range_error("points");
+  return hull;
+}
+
 TraceBody body_from(const nlohmann::json& json) {
   TraceBody body;
   body.name = json.at("name").get<std::string>();
-  body.shape.kind = shape_from(json.at("shape").get<std::string>());
   const auto half = json.at("half").get<std::array<double, 3>>();
   const auto led = led_of(json.at("led").get<std::string>());
   const auto rgb = parse_color(json.at("color").get<std::string>());
@@ -171,7 +184,7 @@ TraceBody body_from(const nlohmann::json& json) {
   for (const double x : half) {
     if (!(x > 0 && x <= 1000)) throw std::range_error("half");
   }
-  body.shape.half = {half[0], half[1], half[2]};
+  body.shape = shape_from(json, {half[0], half[1], half[2]});
   body.led = *led;
   body.rgb = *rgb;
   body.block = json.at("block").get<bool>();
@@ -342,7 +355,7 @@ void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& 
     if (hash.tick <= up_to) writer.hash(hash);
   };
   sinks.value = [&](const TraceValue& value) {
-    if (value.tick <= up_to) writer.value(value);
+    if (value.tick < up_to) writer.value(value);
   };
   for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);
 }

@@ -16,13 +16,17 @@ using Json = nlohmann::ordered_json;
 
 Json body_json(const TraceBody& body) {
   const Vec3& half = body.shape.half;
-  return {{"name", body.name},
-          {"shape", kShapeNames[static_cast<std::size_t>(body.shape.kind)]},
-          {"half", {half.x, half.y, half.z}},
-          {"block", body.block},
-          {"led", to_string(body.led)},
-          {"color", to_color(body.rgb)},
-          {"fixed", body.fixed}};
+  Json out{{"name", body.name},
+           {"shape", kShapeNames[static_cast<std::size_t>(body.shape.kind)]},
+           {"half", {half.x, half.y, half.z}},
+           {"block", body.block},
+           {"led", to_string(body.led)},
+           {"color", to_color(body.rgb)},
+           {"fixed", body.fixed}};
+  if (body.shape.kind == ShapeKind::hull) {
+    for (const Vec3& p : body.shape.convex->points) out["points"].push_back({p.x, p.y, p.z});
+  }
+  return out;
 }
 
 std::string header_bytes(const PoseTraceHeader& header) {
@@ -94,6 +98,10 @@ PoseTraceWriter::PoseTraceWriter(const PoseTraceHeader& header, Sink sink)
   sink_(kPoseTraceMagic);
   written_ = kPoseTraceMagic.size();
   put_section(kHeaderTag, header_bytes(header));
+  const auto log = std::find(header.channels.begin(), header.channels.end(), "log");
+  if (log != header.channels.end()) {
+    log_ = static_cast<std::uint32_t>(log - header.channels.begin());
+  }
 }
 
 void PoseTraceWriter::put_section(char tag, std::string_view payload) {
@@ -146,8 +154,8 @@ void PoseTraceWriter::frame(const TraceFrame& frame) {
   chunk_ += changes;
   ++frames_;
   if (!first) return;
-  for (const TraceValue& known : values_) {
-    put_value({frame.tick, known.channel, known.body, known.bytes});
+  for (const auto& [place, bytes] : values_) {
+    put_value({frame.tick, place.first, place.second, bytes});
   }
 }
 
@@ -164,16 +172,11 @@ void PoseTraceWriter::hash(const TraceHash& hash) {
 }
 
 void PoseTraceWriter::value(const TraceValue& value) {
-  const auto known = std::find_if(values_.begin(), values_.end(), [&](const TraceValue& v) {
-    return v.channel == value.channel && v.body == value.body;
-  });
-  if (known != values_.end() && known->bytes == value.bytes) return;
+  if (value.channel == log_) return put_value(value);
+  const auto [known, fresh] = values_.try_emplace({value.channel, value.body}, value.bytes);
+  if (!fresh && known->second == value.bytes) return;
+  known->second = value.bytes;
   put_value(value);
-  if (known != values_.end()) {
-    *known = value;
-  } else {
-    values_.push_back(value);
-  }
 }
 
 void PoseTraceWriter::put_value(const TraceValue& value) {

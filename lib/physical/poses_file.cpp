@@ -36,6 +36,11 @@ std::optional<std::array<double, 6>> row_of(std::string_view line) {
   return row;
 }
 
+/// Words alone: a line with a digit in it is a row gone wrong.
+bool is_header(std::string_view line) {
+  return line.find_first_of("0123456789") == std::string_view::npos;
+}
+
 SourceRange range_of_line(const SourceRef& source, std::size_t number) {
   const std::size_t begin = source->line_start(number);
   return {source, static_cast<std::uint32_t>(begin),
@@ -58,7 +63,7 @@ std::optional<std::vector<Pose>> read_poses_file(SourceRef source, Diagnostics& 
     if (row && poses.size() < kMostPoses) {
       const auto& [x, y, z, rz, ry, rx] = *row;
       poses.push_back({{x, y, z}, turned({rz, ry, rx})});
-    } else if (row || number > 1) {
+    } else if (row || number > 1 || !is_header(line)) {
       diagnostics.add(Code::S607, range_of_line(source, number),
                       row ? fmt::format("there are more than {} poses", kMostPoses)
                           : "this line is not six numbers x,y,z,rz,ry,rx");

@@ -14,7 +14,8 @@ Shape shape_of(const BodyModel& body) {
   if (body.shape == ShapeType::sphere || body.rolls_as_sphere) {
     return Shape::sphere(body.size.x / 2);
   }
-  return Shape::box(body.size);
+  if (body.shape == ShapeType::cylinder) return Shape::cylinder(body.size.x / 2, body.size.z);
+  return body.shape == ShapeType::hull ? Shape::hull(body.points) : Shape::box(body.size);
 }
 
 BodyDef body_def(const BodyModel& body, const Pose& X_WR, Materials& materials) {

@@ -12,8 +12,8 @@
 //     world.step();
 //
 // All bodies of the file are bodies of the world, fixed ones too: joints without axes, whose
-// masses and inertias the world adds up exactly. What physics has no shape for is a box of the
-// same extent, with the mass and moments of the true shape: cylinders that do not roll, hulls.
+// masses and inertias the world adds up exactly. All have their true shapes, but wheels that the
+// file has as balls.
 #pragma once
 
 #include <string>

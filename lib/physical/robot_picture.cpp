@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "controllers/hull.h"
+#include "base/glb.h"
 #include "physical/scene_picture.h"
 
 namespace stig {
@@ -15,41 +15,11 @@ namespace stig {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kAround = 32;  ///< facets of a cylinder, sides of a circle
+constexpr int kAround = 32;  ///< sides of a circle
 constexpr Rgb kRed{214, 40, 40}, kGreen{34, 139, 60}, kBlue{38, 84, 200};
 constexpr Rgb kSight{196, 110, 0}, kRay{170, 30, 120}, kRadio{0, 120, 150};
 constexpr double kThrough = 0.6;   ///< bias of what shows through bodies
 constexpr double kSurface = 4e-4;  ///< of what is hidden by them
-
-std::vector<SolidFace> cylinder_faces(double radius, double half) {
-  std::vector<SolidFace> out;
-  SolidFace top{{}, {0, 0, 1}, true}, bottom{{}, {0, 0, -1}, true};
-  const auto rim = [&](int i, double z) {
-    const double a = 2 * kPi * i / kAround;
-    return Vec3{radius * std::cos(a), radius * std::sin(a), z};
-  };
-  for (int i = 0; i < kAround; ++i) {
-    top.corners.push_back(rim(i, half));
-    bottom.corners.push_back(rim(-i, -half));
-    const double a = 2 * kPi * (i + 0.5) / kAround;
-    out.push_back({{rim(i, -half), rim(i + 1, -half), rim(i + 1, half), rim(i, half)},
-                   {std::cos(a), std::sin(a), 0},
-                   false});
-  }
-  out.push_back(std::move(top));
-  out.push_back(std::move(bottom));
-  return out;
-}
-
-std::vector<SolidFace> hull_solid(const std::vector<Vec3>& points) {
-  std::vector<SolidFace> out;
-  for (const HullFace& face : hull_faces(points)) {
-    SolidFace solid{{}, face.normal, true};
-    for (const std::size_t corner : face.corners) solid.corners.push_back(points[corner]);
-    out.push_back(std::move(solid));
-  }
-  return out;
-}
 
 /// Lines of a robot's devices, robot's frame.
 class Marks {
@@ -134,11 +104,11 @@ class Marks {
 std::vector<SolidFace> faces_of(const BodyModel& body) {
   switch (body.shape) {
     case ShapeType::cylinder:
-      return cylinder_faces(body.size.x / 2, body.size.z / 2);
+      return faces_of(Shape::cylinder(body.size.x / 2, body.size.z));
     case ShapeType::sphere:
       return faces_of(Shape::sphere(body.size.x / 2));
     case ShapeType::hull:
-      return hull_solid(body.points);
+      return faces_of(Shape::hull(body.points));
     case ShapeType::box:
       break;
   }
@@ -161,6 +131,80 @@ std::string robot_png(const RobotModel& robot) {
       draw_bodies(bodies, fitted_view(bodies, look), true, Marks(robot).lines);
   return png_of(picture.image, fmt::format("{}, {:.4g} kg; a square is {:g} m", robot.name,
                                            robot.mass(), picture.grid));
+}
+
+namespace {
+
+std::array<float, 3> floats(const Vec3& v) {
+  return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
+}
+
+GlbPrimitive surface_of(const BodyModel& body) {
+  GlbPrimitive out;
+  out.material = body.name;
+  out.rgb = body.rgb;
+  for (const SolidFace& face : faces_of(body)) {
+    const std::uint32_t first = out.vertices;
+    for (const Vec3& corner : face.corners) out.add_vertex(floats(corner), floats(face.normal));
+    for (std::uint32_t i = 2; i < face.corners.size(); ++i) {
+      out.add_triangle(first, first + i - 1, first + i);
+    }
+  }
+  return out;
+}
+
+/// One primitive a colour, in the order in which colours first occur.
+std::vector<GlbPrimitive> lines_of(const std::vector<PictureLine>& lines) {
+  std::vector<GlbPrimitive> out;
+  for (const PictureLine& line : lines) {
+    auto to = std::find_if(out.begin(), out.end(),
+                           [&](const GlbPrimitive& one) { return one.rgb == line.colour; });
+    if (to == out.end()) {
+      out.emplace_back();
+      to = out.end() - 1;
+      to->material = "devices " + to_color(line.colour);
+      to->rgb = line.colour;
+      to->lines = true;
+    }
+    const std::uint32_t a = to->add_vertex(floats(line.from), {});
+    to->add_line(a, to->add_vertex(floats(line.to), {}));
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string robot_glb(const RobotModel& robot) {
+  // The robot has z up, the file y.
+  std::vector<GlbNode> nodes(1);
+  nodes[0].name = robot.name;
+  nodes[0].X_PN.q = rotation({-kPi / 2, 0, 0});
+  std::vector<int> node_of(robot.bodies.size(), 0);
+  std::vector<std::size_t> todo = {robot.root()};
+  while (!todo.empty()) {
+    const std::size_t body = todo.back();
+    todo.pop_back();
+    GlbNode node;
+    node.name = robot.bodies[body].name;
+    node.primitives.push_back(surface_of(robot.bodies[body]));
+    node.X_PN = robot.bodies[body].X_RB;
+    node.parent = 0;
+    for (const JointModel& joint : robot.joints) {
+      if (joint.child == body) {
+        node.parent = node_of[joint.parent];
+        node.X_PN = inverse(robot.bodies[joint.parent].X_RB) * node.X_PN;
+      }
+      if (joint.parent == body) todo.push_back(joint.child);
+    }
+    node_of[body] = static_cast<int>(nodes.size());
+    nodes.push_back(std::move(node));
+  }
+  GlbNode devices;
+  devices.name = "devices";
+  devices.primitives = lines_of(Marks(robot).lines);
+  devices.parent = 0;
+  nodes.push_back(std::move(devices));
+  return glb_file(nodes);
 }
 
 }  // namespace stig

@@ -15,5 +15,8 @@ std::vector<SolidFace> faces_of(const BodyModel& body);
 
 /// A PNG file; empty when there is no memory for it.
 std::string robot_png(const RobotModel& robot);
+/// A binary glTF file: a node for each body under the one whose joint carries it, y up, and the
+/// lines of the picture.
+std::string robot_glb(const RobotModel& robot);
 
 }  // namespace stig

@@ -83,6 +83,7 @@ struct SceneFile {
 };
 
 struct Scene {
+  SourceRef source;
   std::string title;
   std::uint64_t seed = 1;
   double duration = 10;      ///< s

@@ -82,6 +82,7 @@ class Reader {
 
   Scene read() {
     const FormView root(document_.root, bad_);
+    scene_.source = document_.source;
     scene_.files.push_back({document_.source->path(), document_.source->text()});
     scene_.title = root.text("title");
     scene_.seed = static_cast<std::uint64_t>(root.number("seed", 1));
@@ -109,6 +110,7 @@ class Reader {
     config.arena = root.number("arena", config.arena);
     config.gravity = root.number("gravity", config.gravity);
     config.floor = root.flag("floor", config.floor);
+    if (root.text("solver", "fast") == "stock") config.solver = SolverKind::stock;
     scene_.sweeps = static_cast<int>(root.number("sweeps"));
     config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2},
                         {kBlockMaterial, kFloorMaterial, 0.4}};
@@ -134,6 +136,12 @@ class Reader {
     spawn.velocity = node.vector("velocity");
     spawn.spin = node.vector("spin") * kDegree;
     read_structure(node, spawn);
+    for (const char* key : {"velocity", "spin"}) {
+      const YamlNode* value = node.find(key);
+      if (!spawn.fixed || value == nullptr) continue;
+      out_.add(Code::S608, document_.head(*value),
+               fmt::format("'{}' has no use: the block is fixed", key));
+    }
     scene_.blocks.push_back(std::move(spawn));
   }
 

@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "base/bytes.h"
+#include "base/hash.h"
 #include "physical/packed.h"
 #include "physical/scene_crew.h"
+#include "physical/show_json.h"
 
 namespace stig {
 
@@ -50,7 +52,7 @@ std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
 
 }  // namespace
 
-Simulation::Simulation(const Scene& scene, const PlacedScene& placed)
+Simulation::Simulation(const Scene& scene, const PlacedScene& placed, bool resumable)
     : scene_(&scene),
       placed_(placed),
       stop_asleep_(scene.stop_asleep),
@@ -59,7 +61,9 @@ Simulation::Simulation(const Scene& scene, const PlacedScene& placed)
       world_(placed.config),
       dropped_(scene.caches.size(), 0) {
   if (!scene.robots.empty() || scene.block_program != RobotSpawn::kNoProgram) {
-    crew_.emplace(crew_of(scene, placed), placed.config);
+    CrewConfig crew = crew_of(scene, placed);
+    crew.resumable = resumable;
+    crew_.emplace(std::move(crew), placed.config);
   }
 }
 
@@ -109,7 +113,8 @@ void Simulation::note_crew(const RunHooks& hooks) {
   for (const CrewLine& line : crew_->take_log()) {
     if (hooks.on_line) hooks.on_line(line);
     if (writer_ != nullptr) {
-      writer_->value({world_.tick(), kLogChannel, 0, line.who + ": " + line.text});
+      writer_->value({world_.tick(), kLogChannel, static_cast<std::uint32_t>(line.body),
+                      line.who + ": " + line.text});
     }
   }
   for (const std::size_t block : crew_->take_changed()) {
@@ -117,6 +122,12 @@ void Simulation::note_crew(const RunHooks& hooks) {
     writer_->value({world_.tick(), kLedChannel,
                     static_cast<std::uint32_t>(crew_->block_body(block)),
                     led_bytes(crew_->leds(block))});
+  }
+  for (const std::size_t robot : crew_->take_stepped()) {
+    if (writer_ == nullptr) continue;
+    writer_->value({world_.tick(), kShowChannel,
+                    static_cast<std::uint32_t>(crew_->root_body(robot)),
+                    show_json(crew_->commands(robot).user, inverse(crew_->root_pose(robot)))});
   }
 }
 
@@ -163,7 +174,7 @@ void Simulation::after_step() {
   }
   if (writer_ == nullptr) return;
   if (tick % frame_every_ == 0) write_frame();
-  if (tick % hash_every_ == 0) writer_->hash({tick, world_.hash()});
+  if (tick % hash_every_ == 0) writer_->hash({tick, hash()});
 }
 
 RunEnd Simulation::until(double duration, const RunHooks& hooks) {
@@ -191,8 +202,13 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
 void Simulation::finish(RunEnd end) {
   if (writer_ == nullptr) return;
   if (world_.tick() % frame_every_ != 0) write_frame();
-  writer_->finish({world_.tick(), end, world_.hash(), message_});
+  writer_->finish({world_.tick(), end, hash(), message_});
   writer_ = nullptr;
+}
+
+std::uint64_t Simulation::hash() const {
+  if (!crew_) return world_.hash();
+  return combine(world_.hash(), hash_text(crew_->state()));
 }
 
 std::string Simulation::state() const {
@@ -204,25 +220,54 @@ std::string Simulation::state() const {
   }
   put_varint(out, tally_.left.size());
   for (const std::uint32_t body : tally_.left) put_varint(out, body);
+  for (const std::size_t blocks : dropped_) put_varint(out, blocks);
+  put_block(out, crew_ ? crew_->checkpoint() : "");
   return out;
 }
 
 bool Simulation::resume(std::string_view state) {
   ByteReader in(state);
-  const std::string_view world = in.block();
+  World world(placed_.config);
+  const bool good = world.resume(in.block());
+  if (!good || world.size() > placed_.bodies.size()) return false;
   RunTally tally;
   for (std::uint64_t* n :
        {&tally.contacts, &tally.slept, &tally.woke, &tally.snapped, &tally.let_go}) {
     *n = in.varint();
   }
   const std::uint64_t left = in.varint();
-  if (left > world_.size()) return false;
+  if (left > world.size()) return false;
   for (std::uint64_t i = 0; i < left; ++i) {
     const std::uint64_t body = in.varint();
-    if (body >= world_.size()) return false;
+    if (body >= world.size()) return false;
     tally.left.push_back(static_cast<std::uint32_t>(body));
   }
-  if (!in.good() || in.left() > 0 || !world_.resume(world)) return false;
+  std::vector<std::size_t> dropped(dropped_.size());
+  std::size_t added = placed_.config.bodies.size();
+  for (std::size_t i = 0; i < dropped.size(); ++i) {
+    dropped[i] = in.varint();
+    if (dropped[i] > scene_->caches[i].stock) return false;
+    added += dropped[i];
+  }
+  const std::string_view programs = in.block();
+  if (!in.good() || in.left() > 0 || added != world.size()) return false;
+  std::optional<Crew> crew;
+  if (crew_) {
+    CrewConfig config = crew_of(*scene_, placed_);
+    config.resumable = crew_->resumable();
+    crew.emplace(std::move(config), placed_.config);
+    for (std::size_t i = placed_.config.bodies.size(); i < world.size(); ++i) {
+      crew->add(crew_block(*scene_, placed_, i),
+                block_body(scene_->models[scene_->caches[0].model], {}).shape);
+    }
+    if (!crew->resume(programs)) return false;
+    crew->take_changed();
+  } else if (!programs.empty()) {
+    return false;
+  }
+  world_ = std::move(world);
+  crew_ = std::move(crew);
+  dropped_ = std::move(dropped);
   tally_ = std::move(tally);
   return true;
 }
@@ -305,7 +350,7 @@ std::optional<LoadedScene> load_scene(const std::vector<SceneFile>& files, std::
 VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
                           const RunHooks& hooks) {
   VerifyReport report;
-  Simulation run(loaded.scene, loaded.placed);
+  Simulation run(loaded.scene, loaded.placed, false);
   const double step = loaded.placed.config.step;
   const auto compare = [&](const TraceHash& expected) {
     const RunEnd end = run.until(static_cast<double>(expected.tick) * step, hooks);
@@ -314,7 +359,7 @@ VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
     } else if (run.world().tick() != expected.tick) {
       report.difference =
           fmt::format("it ends in tick {}, before tick {}", run.world().tick(), expected.tick);
-    } else if (run.world().hash() != expected.hash) {
+    } else if (run.hash() != expected.hash) {
       report.difference = fmt::format("the state in tick {} is another", expected.tick);
     } else {
       ++report.compared;

@@ -40,8 +40,9 @@ struct RunHooks {
 
 class Simulation {
  public:
-  /// The scene must outlive the run.
-  Simulation(const Scene& scene, const PlacedScene& placed);
+  /// The scene must outlive the run. One that is not resumable keeps no account of what its
+  /// programs read, which saves memory.
+  Simulation(const Scene& scene, const PlacedScene& placed, bool resumable = true);
 
   /// From now on; the writer is given the state as it is, unless the run was resumed and the
   /// writer has the records up to here already. It must outlive the run.
@@ -63,7 +64,10 @@ class Simulation {
   const Scene& scene() const { return *scene_; }
   const PlacedScene& placed() const { return placed_; }
 
-  /// World and tally; holds for this scene and seed alone.
+  /// Of the world's state, and of robots and blocks with programs.
+  std::uint64_t hash() const;
+  /// World, programs and tally; holds for this scene and seed alone. Asserts that the run is
+  /// resumable.
   std::string state() const;
   /// False, and nothing changed, when the bytes are no state of this scene.
   bool resume(std::string_view state);

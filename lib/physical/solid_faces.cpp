@@ -6,7 +6,7 @@ namespace stig {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr int kAround = 32, kUp = 16;  ///< facets of a ball
+constexpr int kAround = 32, kUp = 16;  ///< facets of what is round
 
 /// One side of a box: axis 0 to 2, sign ±1.
 SolidFace box_face(const Vec3& half, int axis, double sign) {
@@ -52,10 +52,50 @@ std::vector<SolidFace> ball_faces(double radius) {
   return out;
 }
 
+std::vector<SolidFace> cylinder_faces(double radius, double half) {
+  std::vector<SolidFace> out;
+  SolidFace top{{}, {0, 0, 1}, true}, bottom{{}, {0, 0, -1}, true};
+  const auto rim = [&](int i, double z) {
+    const double a = 2 * kPi * i / kAround;
+    return Vec3{radius * std::cos(a), radius * std::sin(a), z};
+  };
+  for (int i = 0; i < kAround; ++i) {
+    top.corners.push_back(rim(i, half));
+    bottom.corners.push_back(rim(-i, -half));
+    const double a = 2 * kPi * (i + 0.5) / kAround;
+    out.push_back({{rim(i, -half), rim(i + 1, -half), rim(i + 1, half), rim(i, half)},
+                   {std::cos(a), std::sin(a), 0},
+                   false});
+  }
+  out.push_back(std::move(top));
+  out.push_back(std::move(bottom));
+  return out;
+}
+
+std::vector<SolidFace> hull_solid(const Convex& hull) {
+  std::vector<SolidFace> out;
+  for (const ConvexFace& face : hull.faces) {
+    SolidFace solid{{}, face.normal, true};
+    for (const std::uint16_t corner : face.corners) solid.corners.push_back(hull.points[corner]);
+    out.push_back(std::move(solid));
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<SolidFace> faces_of(const Shape& shape) {
-  return shape.kind == ShapeKind::sphere ? ball_faces(shape.half.x) : box_faces(shape.half);
+  switch (shape.kind) {
+    case ShapeKind::sphere:
+      return ball_faces(shape.half.x);
+    case ShapeKind::cylinder:
+      return cylinder_faces(shape.half.x, shape.half.z);
+    case ShapeKind::hull:
+      return hull_solid(*shape.convex);
+    case ShapeKind::box:
+      break;
+  }
+  return box_faces(shape.half);
 }
 
 }  // namespace stig

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// From the points of a clipped face to the four that a Touch keeps. Used by contact.cpp
-// and box_touch.cpp.
+// From the points of a clipped face to the four that a Touch keeps, and the kinds of pairs that
+// contact.cpp tells apart: box_touch.cpp, convex_touch.cpp, round_touch.cpp.
 #pragma once
 
 #include "physical/contact.h"
@@ -16,8 +16,18 @@ struct PointList {
 };
 
 /// All when there are four or fewer; otherwise the deepest and those that span most.
-Touch reduced(const Vec3& normal, const PointList& all);
+Touch reduced(const Vec3& normal, const TouchPoint* points, int count);
+/// The point, when it is nearer than the margin.
+Touch single_touch(const Vec3& normal, const Vec3& p, double gap, double margin);
+/// Midway between two lines, where they are nearest; the directions are unit and not parallel.
+Vec3 lines_meet(const Vec3& pa, const Vec3& ua, const Vec3& pb, const Vec3& ub);
 
 Touch touch_boxes(const Placed& a, const Placed& b, double margin);
+/// Of boxes, hulls and cylinders as prisms.
+Touch touch_hulls(const Placed& a, const Placed& b, double margin);
+// The sphere is a.
+Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin);
+Touch touch_sphere_cylinder(const Placed& ball, const Placed& cylinder, double margin);
+Touch touch_floor_cylinder(const Placed& a, double margin);
 
 }  // namespace stig

@@ -123,6 +123,7 @@ void leave(WorldState& world, std::uint32_t i) {
   body.v = body.w = {};
   world.owners[i].end = world.owners[i].begin;
   world.changed = true;
+  world.stock.reset();
   world.events.push_back({EventKind::left_arena, BodyId{i}, kFloorId});
 }
 
@@ -146,13 +147,25 @@ void note_leavers(WorldState& world) {
 void update_velocities(WorldState& world) {
   gather_forces(world);
   refresh_lists(world);
-  for (const std::uint32_t i : world.awake) integrate_velocity(world, i);
+  const bool stock = world.config.solver == SolverKind::stock;
+  for (const std::uint32_t i : world.awake) {
+    if (!stock) integrate_velocity(world, i);
+  }
   if (diverged(world) < world.bodies.size()) return;
   update_contacts(world);
-  solve_world(world);
+  if (stock) {
+    if (!world.stock) world.stock = std::make_shared<StockStep>(world);
+    world.stock->solve(world);
+  } else {
+    solve_world(world);
+  }
 }
 
-void finish_step(WorldState& world) {
+void move_all(WorldState& world) {
+  if (world.stock) {
+    world.stock->move(world);
+    return;
+  }
   for (const std::uint32_t i : world.awake) {
     if (world.bodies[i].articulation < 0) move(world, world.bodies[i]);
   }
@@ -161,9 +174,13 @@ void finish_step(WorldState& world) {
     move(articulation, world.config.step);
     place_bodies(articulation, world.bodies);
   }
+}
+
+void finish_step(WorldState& world) {
+  move_all(world);
   report_contacts(world);
   report_snaps(world);
-  put_to_sleep(world);
+  if (!world.stock) put_to_sleep(world);
   for (const std::uint32_t i : world.awake) {
     world.bodies[i].user_force = world.bodies[i].user_torque = {};
   }
@@ -206,6 +223,7 @@ void append(WorldState& world, const std::vector<BodyDef>& bodies,
   while (next < world.articulations.all.size()) number_links(world, next++);
   if (!world.groups.empty()) world.groups.resize(world.bodies.size(), -1);
   world.changed = true;
+  world.stock.reset();
 }
 
 Articulation* articulation_of(WorldState& world, std::uint32_t body) {

@@ -12,7 +12,6 @@
 // depends on threads, addresses or time. Different worlds may step in different threads.
 //
 // Mechanisms (physical/joint.h) need DART: problems_of says so where it is missing.
-// Not here: cylinders and meshes.
 #pragma once
 
 #include <cstdint>

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "physical/broad_phase.h"
+#include "physical/stock_step.h"
 
 namespace stig {
 
@@ -34,13 +35,28 @@ bool moments_possible(const Vec3& i) {
                          2 * most <= (i.x + i.y + i.z) * (1 + 1e-9));
 }
 
+/// Whether the moments of a solid of this shape are those about its frame's axes.
+bool is_principal(const Shape& shape) {
+  if (shape.kind != ShapeKind::hull) return true;
+  const Convex& hull = *shape.convex;
+  const double squares = hull.squares.x + hull.squares.y + hull.squares.z;
+  return length(hull.centre) <= 1e-6 * hull.radius && length(hull.products) <= 1e-6 * squares;
+}
+
 /// What is wrong with one body; empty: nothing.
 std::string problem_of(const BodyDef& def, const WorldConfig& config) {
   const Vec3& h = def.shape.half;
   if (!positive(h.x) || !positive(h.y) || !positive(h.z)) return "has no extent";
+  const bool needs_hull =
+      def.shape.kind == ShapeKind::hull || def.shape.kind == ShapeKind::cylinder;
+  if (needs_hull && !def.shape.convex) return "has no extent";
   if (def.shape.radius() > 10) return "is larger than 10 m";
   if (!positive(def.mass)) return "has a mass that is not positive";
   if (!moments_possible(def.inertia)) return "has moments of inertia that no body has";
+  if (def.inertia == Vec3{} && !is_principal(def.shape)) {
+    return "has a hull that is not about its centre of mass and along its principal axes, and no "
+           "moments of inertia";
+  }
   if (!is_finite(def.X_WB.p) || !is_unit(def.X_WB.q)) return "has a pose that is none";
   if (!inside(def.X_WB.p, config.arena)) return "is outside of the arena";
   if (!(squared(def.velocity) <= kMostSpeed * kMostSpeed)) return "is too fast";
@@ -144,6 +160,14 @@ Vec3 inertia_of(const BodyDef& def) {
   if (!(def.inertia == Vec3{})) return def.inertia;
   const Vec3& h = def.shape.half;
   if (def.shape.kind == ShapeKind::sphere) return Vec3{1, 1, 1} * (0.4 * def.mass * h.x * h.x);
+  if (def.shape.kind == ShapeKind::cylinder) {
+    const double across = def.mass * (h.x * h.x / 4 + h.z * h.z / 3);
+    return {across, across, def.mass * h.x * h.x / 2};
+  }
+  if (def.shape.kind == ShapeKind::hull) {
+    const Vec3& q = def.shape.convex->squares;
+    return Vec3{q.y + q.z, q.x + q.z, q.x + q.y} * (def.mass / def.shape.convex->volume);
+  }
   const double m = def.mass / 3;
   return {m * (h.y * h.y + h.z * h.z), m * (h.x * h.x + h.z * h.z), m * (h.x * h.x + h.y * h.y)};
 }
@@ -153,6 +177,14 @@ BodyDef solid_body(const Shape& shape, double mass, const Vec3& place) {
   def.shape = shape;
   def.mass = mass;
   def.X_WB.p = place;
+  return def;
+}
+
+BodyDef hull_body(const std::vector<Vec3>& points, double mass, const Pose& X_WP) {
+  const PrincipalHull hull = principal_hull(points);
+  BodyDef def = solid_body(Shape::hull(hull.points), mass);
+  def.inertia = hull.inertia * (mass / hull.volume);
+  def.X_WB = X_WP * hull.X_PB;
   return def;
 }
 
@@ -185,6 +217,11 @@ std::vector<ConfigProblem> find_problems_apart(const WorldConfig& config) {
   }
   check_sizes(config, out);
   if (!out.empty()) return out;
+  if (config.solver == SolverKind::stock) {
+    if (std::string problem = problem_of_stock(config); !problem.empty()) {
+      return {{{}, std::move(problem)}};
+    }
+  }
   for (std::string& problem : problems_of_joints(config)) {
     out.push_back({{}, std::move(problem)});
   }

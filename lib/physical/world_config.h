@@ -51,6 +51,9 @@ struct BodyDef {
 
 /// A solid at rest.
 BodyDef solid_body(const Shape& shape, double mass, const Vec3& place = {});
+/// A solid hull of points that enclose something, in their frame P: about its centre of mass
+/// and along its principal axes, so that it moves exactly.
+BodyDef hull_body(const std::vector<Vec3>& points, double mass, const Pose& X_WP);
 /// The block of a data file as a body.
 BodyDef block_body(const BlockModel& block, const Pose& X_WB);
 /// A solid's moments when the definition leaves them open.
@@ -78,8 +81,12 @@ struct SnapRule {
   double force = 1;  ///< N; a block weighs 1.08 N, a face of its magnets holds 9.5 N
 };
 
+/// What turns forces into motion: this library's solver, or DART's (physical/stock_step.h).
+enum class SolverKind : std::uint8_t { fast, stock };
+
 struct WorldConfig {
   double step = 0.005;  ///< s
+  SolverKind solver = SolverKind::fast;
   double gravity = 9.8;
   bool floor = true;      ///< z = 0, of kFloorMaterial
   double arena = 100;     ///< m: bodies farther from the origin along x, y or z have left

@@ -28,7 +28,7 @@ Placed placed(const Body& body) { return {body.shape, body.p, body.r}; }
 /// All that the body may reach in this step, and half the margin.
 Bounds bounds_of(const WorldState& world, const Body& body) {
   Vec3 h = body.shape.half;
-  if (body.shape.kind == ShapeKind::box) {
+  if (body.shape.kind != ShapeKind::sphere) {
     const Vec3 x = body.r.x * h.x, y = body.r.y * h.y, z = body.r.z * h.z;
     h = {std::abs(x.x) + std::abs(y.x) + std::abs(z.x),
          std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
@@ -115,9 +115,11 @@ std::vector<Contact> merged(const WorldState& world, std::vector<Contact> found)
   return found;
 }
 
+/// By its speed before this step's forces: with them, everything at rest seems to fall.
 bool wakes_others(const Body& body, const SleepRules& rules) {
-  return body.awake && (body.fixed || squared(body.v) > rules.waking_speed * rules.waking_speed ||
-                        squared(body.w) > rules.waking_spin * rules.waking_spin);
+  return body.awake &&
+         (body.fixed || squared(body.last_v) > rules.waking_speed * rules.waking_speed ||
+          squared(body.last_w) > rules.waking_spin * rules.waking_spin);
 }
 
 bool sleeps(const WorldState& world, std::uint32_t i) {

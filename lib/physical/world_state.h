@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What a World is inside, for the files that make its step: world.cpp, world_forces.cpp,
 // world_magnets.cpp, world_snaps.cpp, world_contacts.cpp, world_sleep.cpp, checkpoint.cpp and
-// stock_world.cpp.
+// stock_dart.cpp.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "physical/articulation.h"
 #include "physical/broad_phase.h"
 #include "physical/solver.h"
+#include "physical/stock_step.h"
 #include "physical/world.h"
 
 namespace stig {
@@ -28,6 +30,7 @@ struct Body {
   Quat q;
   Mat3 r;  ///< of q
   Vec3 v, w;
+  Vec3 last_v, last_w;           ///< before this step's forces
   Vec3 kick_v, kick_w;           ///< what the forces of this step add
   Vec3 way_v, way_w;             ///< of a body in contact: the step's way by its length
   Vec3 force, torque;            ///< of this step
@@ -71,6 +74,7 @@ struct WorldState {
   std::vector<WorldEvent> events;
   std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
   double cell = 0.1;
+  std::shared_ptr<StockStep> stock;  ///< made when it is needed, keeps nothing between steps
 
   // Made anew when someone wakes or sleeps.
   bool changed = true;

@@ -47,6 +47,20 @@ TEST_CASE("the same rules from four sides are the pyramid, and need no direction
   REQUIRE(pyramid.result.decision);
   CHECK(pyramid.result.directions == KnownDirections::symmetric);
   CHECK(pyramid.result.sides.size() == 4);
+  // Wings are built when the middle has its height: seen behind them, on level 2.
+  CHECK(decision_text(pyramid.rules, *pyramid.result.decision) ==
+        "colour of the column's top?\n"
+        "  Q1: nothing\n"
+        "  Q2: level of the column's top?\n"
+        "    0: the cell behind the column, level 2?\n"
+        "      empty: nothing\n"
+        "      Q3: raise with Q2\n"
+        "    1: the cell behind the column, level 2?\n"
+        "      empty: nothing\n"
+        "      Q3: extend with Q1\n"
+        "  Q3: level of the column's top?\n"
+        "    0, 1: raise with Q3\n"
+        "    2: extend with Q2\n");
 }
 
 TEST_CASE("a line and a column") {

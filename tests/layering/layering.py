@@ -51,6 +51,7 @@ VENDORS = [
     Vendor("Random123/", "Random123::Random123"),
     Vendor("CLI/", "CLI11::CLI11", one_file=True),
     Vendor("dart/", "dart"),
+    Vendor("Eigen/", "dart"),  # which brings it
     Vendor("cadical", "Cadical::Cadical", one_file=True),
     Vendor("lua", "PkgConfig::LUA"),
 ]

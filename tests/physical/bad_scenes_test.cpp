@@ -37,8 +37,9 @@ Diagnostics read_bad(const std::string& name) {
   Diagnostics diagnostics;
   const auto source =
       std::make_shared<const SourceFile>(name, text_of(std::string(kFolder) + "/" + name));
-  const auto scene =
-      read_scene(source, disk_loader(kFolder, {STIG_SOURCE_DIR "/blocks"}), diagnostics);
+  const auto scene = read_scene(
+      source, disk_loader(kFolder, {STIG_SOURCE_DIR "/blocks", STIG_SOURCE_DIR "/robots"}),
+      diagnostics);
   if (scene) CHECK_FALSE(place_scene(*scene, 1, diagnostics));
   return diagnostics;
 }

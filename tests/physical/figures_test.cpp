@@ -12,7 +12,7 @@ namespace {
 constexpr double kPaper = 0.5, kSmoothFloor = 0.05;  // friction
 
 bool clicks(const BlockModel& block, double friction) {
-  const Click out = click<World>(pair_scene(block, 0.010, friction), block.side);
+  const Click out = click(pair_scene(block, 0.010, friction), block.side);
   return out.time >= 0 && out.time < 0.25 && out.end.p.x - block.side < 1e-4;
 }
 
@@ -21,7 +21,7 @@ bool clicks(const BlockModel& block, double friction) {
 TEST_CASE("two blocks 10 mm apart click together in a quarter of a second") {
   for (const double friction : {0.05, 0.2, kPaper}) {
     CAPTURE(friction);
-    const Click out = click<World>(pair_scene(paper_block(), 0.010, friction), 0.055);
+    const Click out = click(pair_scene(paper_block(), 0.010, friction), 0.055);
     CHECK(out.time > 0);
     CHECK(out.time < 0.25);
     CHECK(std::abs(out.end.p.x - 0.055) < 1e-4);
@@ -101,7 +101,7 @@ TEST_CASE("a sliding block stops where friction says, in every direction") {
   const double theory = 0.25 / (2 * 0.3 * 9.8);
   for (const double degrees : {0.0, 20.0, 45.0, 70.0, 90.0, 225.0}) {
     CAPTURE(degrees);
-    const double way = sliding_stop<World>(paper_block(), 0.3, degrees * kDegree);
+    const double way = sliding_stop(paper_block(), 0.3, degrees * kDegree);
     CHECK(way == doctest::Approx(theory).epsilon(0.04));
   }
 }

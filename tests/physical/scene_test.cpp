@@ -56,8 +56,10 @@ TEST_CASE("settings come from the file, and otherwise are the world's") {
       "friction: {default: 0.3, pairs: [{of: [floor, block], is: 0.1}, {of: [wheel, floor], is: "
       "1}]}\n"
       "magnets: {cutoff: 0.03, relaxation_sweeps: 4}\nsleep: {enabled: false, spin: 90}\n"
-      "stop: {asleep: true}\n");
+      "stop: {asleep: true}\nsolver: stock\n");
   CHECK(scene.title == "x");
+  CHECK(scene.settings.solver == SolverKind::stock);
+  CHECK(read("solver: fast\n").settings.solver == SolverKind::fast);
   CHECK(scene.seed == 7);
   CHECK(scene.duration == 3);
   CHECK(scene.stop_asleep);

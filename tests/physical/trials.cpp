@@ -110,10 +110,10 @@ ModelGap compare_magnet_models(const BlockModel& block, double friction,
     for (int i = 0; i < 9; ++i) {
       WorldConfig config =
           settled_pair(block, 0.006 + 0.002 * (i % 3), friction, angle * kDegree, i / 3 + 1);
-      const Click fast = click<World>(config, block.side);
+      const Click fast = click(config, block.side);
       config.magnets = MagnetModel::integrated;
       config.step = 0.0002;
-      const Click reference = click<World>(config, block.side);
+      const Click reference = click(config, block.side);
       const bool both = fast.time > 0 && reference.time > 0;
       const double time = both ? std::abs(fast.time / reference.time - 1) : 1;
       worst.time = std::max(worst.time, time);

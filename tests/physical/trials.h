@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Trials that tests hold to bounds and bench_physics prints: a scene that is run, and what
-// came of it. Those that are templates run on World and, for comparison, on StockWorld.
+// came of it. Those with a solver as argument run on DART's step too, for comparison.
 #pragma once
 
 #include <cmath>
@@ -19,8 +19,7 @@ BlockModel without_magnets(BlockModel block);
 BlockModel with_moment(BlockModel block, double moment);
 
 /// Steps until then, or until the world gives up.
-template <class AnyWorld>
-void run_for(AnyWorld& world, const WorldConfig& config, double seconds) {
+inline void run_for(World& world, const WorldConfig& config, double seconds) {
   const auto steps = static_cast<int>(std::lround(seconds / config.step));
   for (int i = 0; i < steps && world.step().ok; ++i) continue;
 }
@@ -33,8 +32,7 @@ struct Misfit {
 Misfit misfit(const Pose& X_WA, const Pose& X_WB);
 
 /// Largest distance of a body from where it was spawned, m.
-template <class AnyWorld>
-double largest_drift(const AnyWorld& world, const WorldConfig& config) {
+inline double largest_drift(const World& world, const WorldConfig& config) {
   double most = 0;
   for (std::uint32_t i = 0; i < config.bodies.size(); ++i) {
     most = std::max(most, length(world.state(BodyId{i}).X_WB.p - config.bodies[i].X_WB.p));
@@ -50,9 +48,8 @@ struct Click {
 };
 
 /// Of pair_scene and scenes like it.
-template <class AnyWorld>
-Click click(const WorldConfig& config, double side) {
-  AnyWorld world(config);
+inline Click click(const WorldConfig& config, double side) {
+  World world(config);
   Click out;
   const auto now = [&] { return misfit(world.state(BodyId{0}).X_WB, world.state(BodyId{1}).X_WB); };
   const auto steps = static_cast<int>(std::lround(1 / config.step));
@@ -85,14 +82,15 @@ ModelGap compare_magnet_models(const BlockModel& block, double friction,
                                const std::vector<double>& degrees);
 
 /// Way of a block that slides with 0.5 m/s until it stops, m.
-template <class AnyWorld>
-double sliding_stop(const BlockModel& block, double friction, double angle) {
+inline double sliding_stop(const BlockModel& block, double friction, double angle,
+                           SolverKind solver = SolverKind::fast) {
   WorldConfig config = scene_settings({friction, friction});
   config.frictions.push_back({kFloorMaterial, kFloorMaterial, friction});
   BodyDef def = block_body(without_magnets(block), {{0, 0, block.side / 2 - 1e-5}, {}});
   def.velocity = Vec3{std::cos(angle), std::sin(angle), 0} * 0.5;
   config.bodies = {def};
-  AnyWorld world(config);
+  config.solver = solver;
+  World world(config);
   run_for(world, config, 1);
   const Vec3 way = world.state(BodyId{0}).X_WB.p - def.X_WB.p;
   return std::hypot(way.x, way.y);

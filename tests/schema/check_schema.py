@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: MIT
 """Holds the JSON Schema and the reader to the same verdict.
 
-Usage: check_schema.py [--scenes] PROBE FILE...
+Usage: check_schema.py PROBE rules|scenes|robots FILE...
 
-Codes R1xx are about shape: the schema must reject such a file. Codes R2xx and R3xx
+Codes R1xx are about shape: the schema must reject such a file. All other codes
 are about meaning, which a schema cannot see: it must accept. Files that are no YAML of
 this language (R0xx) have no JSON to check.
 """
@@ -16,9 +16,7 @@ import jsonschema
 
 
 def main():
-    scenes = sys.argv[1] == "--scenes"
-    probe, files = sys.argv[1 + scenes], sys.argv[2 + scenes:]
-    out = json.loads(subprocess.run([probe] + ["scenes"] * scenes + files, check=True, capture_output=True).stdout)
+    out = json.loads(subprocess.run(sys.argv[1:], check=True, capture_output=True).stdout)
     jsonschema.Draft7Validator.check_schema(out["schema"])
     validator = jsonschema.Draft7Validator(out["schema"])
     failures = checked = rejected = 0

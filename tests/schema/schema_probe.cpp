@@ -2,10 +2,12 @@
 // What the readers say of rule sets or, after the word "scenes", of scenes, for
 // check_schema.py: one JSON object with the schema and, for each file named, its codes and
 // its content as JSON.
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
+#include "controllers/robot_reader.h"
 #include "physical/scene.h"
 #include "rules/rule_reader.h"
 #include "rules/rule_schema.h"
@@ -46,11 +48,7 @@ Json to_json(const YamlNode& node) {
   }
 }
 
-void read(const std::shared_ptr<const SourceFile>& source, bool scenes, Diagnostics& diagnostics) {
-  if (!scenes) {
-    read_rule_set(source, diagnostics);
-    return;
-  }
+void read_scene_alone(const std::shared_ptr<const SourceFile>& source, Diagnostics& diagnostics) {
   // Blocks, robots and poses have forms of their own.
   const SceneLoader load = [](const std::string& name, std::size_t, FileError&) {
     if (name.find("bot") != std::string::npos) {
@@ -64,14 +62,25 @@ void read(const std::shared_ptr<const SourceFile>& source, bool scenes, Diagnost
   read_scene(source, load, diagnostics);
 }
 
-Json probe(const std::string& path, bool scenes) {
+/// A kind of file: its name on the command line, its reader and its schema.
+struct FileKind {
+  std::string_view name;
+  void (*read)(const std::shared_ptr<const SourceFile>&, Diagnostics&);
+  std::string (*schema)();
+};
+const FileKind kKinds[] = {
+    {"rules", [](const auto& source, auto& out) { read_rule_set(source, out); }, json_schema},
+    {"scenes", read_scene_alone, scene_schema},
+    {"robots", [](const auto& source, auto& out) { read_robot(source, out); }, robot_schema}};
+
+Json probe(const std::string& path, const FileKind& kind) {
   Json out;
   FileError error;
   const auto text = read_file(path, kMaxRuleFileBytes, error);
   if (!text) return {{"error", error.message}};
   const auto source = std::make_shared<SourceFile>(path, *text);
   Diagnostics diagnostics;
-  read(source, scenes, diagnostics);
+  kind.read(source, diagnostics);
   out["codes"] = Json::array();
   for (const Diagnostic& d : diagnostics.all()) out["codes"].push_back(info(d.code).name);
   Diagnostics ignored;
@@ -83,13 +92,24 @@ Json probe(const std::string& path, bool scenes) {
 
 }  // namespace
 
+/// All files with what the reader says of them, and the schema.
+nlohmann::json probe_all(const std::vector<std::string>& arguments) {
+  const auto kind = std::find_if(std::begin(kKinds), std::end(kKinds),
+                                 [&](const FileKind& one) { return one.name == arguments.at(0); });
+  nlohmann::json out;
+  if (kind == std::end(kKinds)) return out;
+  out["schema"] = nlohmann::json::parse(kind->schema());
+  for (std::size_t i = 1; i < arguments.size(); ++i) {
+    out["files"][arguments[i]] = probe(arguments[i], *kind);
+  }
+  return out;
+}
+
 }  // namespace stig
 
 int main(int argc, char** argv) {
-  const bool scenes = argc > 1 && std::string_view(argv[1]) == "scenes";
-  nlohmann::json out;
-  out["schema"] = nlohmann::json::parse(scenes ? stig::scene_schema() : stig::json_schema());
-  for (int i = scenes ? 2 : 1; i < argc; ++i) out["files"][argv[i]] = stig::probe(argv[i], scenes);
+  if (argc < 2) return 2;
+  const nlohmann::json out = stig::probe_all({argv + 1, argv + argc});
   std::printf("%s\n", out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).c_str());
-  return 0;
+  return out.is_null() ? 2 : 0;
 }

@@ -154,7 +154,7 @@ bool improve(Vector& p, double& damping,
 /// The sheet's pose in a view, as a turn and a place.
 std::array<double, 6> sheet_pose(std::size_t view) {
   const double a = 2 * std::numbers::pi * double(view) / kViews;
-  return {0.45 * std::cos(a),     0.45 * std::sin(a),     0.2 * std::sin(3 * a),
+  return {0.45 * std::cos(a),     0.45 * std::sin(a),      0.2 * std::sin(3 * a),
           0.03 * std::sin(2 * a), 0.005 * std::cos(5 * a), 0.27 + 0.02 * std::cos(a)};
 }
 Pose pose_of(const std::array<double, 6>& v) {

@@ -122,5 +122,21 @@ TEST_CASE("a failed write leaves the old file as it was") {
   CHECK(place.files() == std::vector<std::string>{"out.txt"});
 }
 
+TEST_CASE("nothing is written over what is read, or over another output") {
+  const Workplace place;
+  place.write("scene.yaml", "stigc_scene: 1\nduration: 0.1\n");
+  place.write("x.txt", "a a\n");
+  for (const std::string line :
+       {"stigc simulate scene.yaml --trace scene.yaml",
+        "stigc simulate scene.yaml --trace a --checkpoint ./a",
+        "ln -s scene.yaml link; stigc simulate scene.yaml --checkpoint link",
+        "stigc compile sets/line.yaml -o sets/line.yaml"}) {
+    CAPTURE(line);
+    CHECK(place.shell(line).exit_code == 2);
+  }
+  CHECK(place.shell("stigc synth x.txt -o x.txt").exit_code == 3);
+  CHECK(place.shell("stigc check scene.yaml").exit_code == 0);
+}
+
 }  // namespace
 }  // namespace stig

@@ -16,9 +16,9 @@ void hold(const Workplace& place, const std::string& name, const std::string& li
 TEST_CASE("help of the program and of every command") {
   const Workplace place;
   hold(place, "help", "stigc --help");
-  for (const char* command :
-       {"check", "fmt", "explore", "explain", "test", "verify", "certify", "graph", "replay",
-        "schema", "measure", "draw", "synth", "simulate", "describe", "completions", "doctor"}) {
+  for (const char* command : {"check", "fmt", "explore", "explain", "test", "verify", "certify",
+                              "graph", "replay", "schema", "measure", "draw", "synth", "simulate",
+                              "describe", "compile", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
   }
 }
@@ -41,6 +41,22 @@ TEST_CASE("describe lists a robot's parts") {
   hold(place, "describe-cart", "stigc describe cart.yaml");
   hold(place, "describe-json", "stigc describe cart.yaml --json");
   hold(place, "describe-bad", "stigc describe bad.yaml; stigc check cart.yaml bad.yaml");
+}
+
+TEST_CASE("compile prints decisions, or why there are none") {
+  const Workplace place;
+  place.write("staircase.yaml", project_file("rulesets/staircase.yaml"));
+  place.write("exact.yaml", project_file("rulesets/staircase-exact.yaml"));
+  place.write("high.yaml", project_file("tests/compiler/refused/P705-too-high.yaml"));
+  place.write("stuck.yaml", project_file("tests/compiler/refused/P711-deadlock.yaml"));
+  place.write("cart.yaml", project_file("robots/gripper_cart.yaml"));
+  hold(place, "compile", "stigc compile staircase.yaml");
+  hold(place, "compile-dot", "stigc compile staircase.yaml --target dot");
+  hold(place, "compile-ir", "stigc compile staircase.yaml --target ir");
+  hold(place, "compile-refused",
+       "stigc compile exact.yaml; stigc compile high.yaml; stigc compile stuck.yaml");
+  hold(place, "compile-cart", "stigc compile staircase.yaml --robot cart.yaml");
+  hold(place, "compile-usage", "stigc compile staircase.yaml --sides up");
 }
 
 TEST_CASE("explore prints a summary or one object") {

@@ -14,15 +14,16 @@ namespace {
 
 /// Words of what is wrong with the picture's name, or empty.
 std::string picture_problem(const std::string& path) {
-  if (!path.ends_with(".png")) {
-    return fmt::format("'{}': pictures of robots are .png", printable(path));
+  if (!path.ends_with(".png") && !path.ends_with(".glb")) {
+    return fmt::format("'{}': pictures of robots are .png or .glb", printable(path));
   }
   return folder_problem(path);
 }
 
 int write_picture(const RobotModel& robot, const std::string& path, const App& app) {
   FileError error;
-  if (!write_file(path, robot_png(robot), error)) {
+  const bool model = path.ends_with(".glb");
+  if (!write_file(path, model ? robot_glb(robot) : robot_png(robot), error)) {
     app.complain(error.message);
     return kRunFailed;
   }
@@ -33,7 +34,8 @@ int write_picture(const RobotModel& robot, const std::string& path, const App& a
 }  // namespace
 
 int run(const DescribeOptions& options, App& app) {
-  const std::string problem = options.picture ? picture_problem(*options.picture) : "";
+  std::string problem = options.picture ? picture_problem(*options.picture) : "";
+  if (problem.empty()) problem = same_file_problem({options.picture}, {options.robot});
   if (!problem.empty()) {
     app.complain(problem);
     return kUsage;

@@ -62,7 +62,8 @@ std::string usage_problem(const SimulateOptions& o) {
   if (o.runs > 1 && (o.trace || o.picture || o.checkpoint || o.resume)) {
     return "--trace, -o, --checkpoint and --resume are of one run, not of --runs";
   }
-  return {};
+  // A resumed run goes on in its trace, and may leave its checkpoint where the last one was.
+  return same_file_problem({o.trace, o.picture, o.checkpoint}, {o.scene});
 }
 
 /// Can the files be written, as far as can be told beforehand?
@@ -127,7 +128,10 @@ std::optional<PoseTrace> earlier_trace(const std::string& path, const PoseTraceH
 class OneRun {
  public:
   OneRun(const SimulateOptions& options, const LoadedScene& loaded, App& app)
-      : options_(options), loaded_(loaded), app_(app), run_(loaded.scene, loaded.placed) {}
+      : options_(options),
+        loaded_(loaded),
+        app_(app),
+        run_(loaded.scene, loaded.placed, options.checkpoint.has_value()) {}
 
   int run(const std::optional<Checkpoint>& checkpoint) {
     if (checkpoint && !run_.resume(checkpoint->state)) {
@@ -195,7 +199,7 @@ class OneRun {
     return hooks;
   }
 
-  void take_moment() { moment_ = {run_.world().time(), picture_bodies(run_)}; }
+  void take_moment() { moment_ = {run_.world().time(), picture_bodies(run_), picture_lines(run_)}; }
 
   int write_files() {
     int code = options_.trace ? trace_.commit(app_) : kOk;
@@ -210,8 +214,9 @@ class OneRun {
     }
     if (!moment_) take_moment();
     std::string error;
-    const bool good = write_picture(*options_.picture, moment_->bodies, loaded_.placed.config.floor,
-                                    loaded_.scene.title, moment_->time, error);
+    const bool good =
+        write_picture(*options_.picture, moment_->bodies, moment_->lines,
+                      loaded_.placed.config.floor, loaded_.scene.title, moment_->time, error);
     return said(good, *options_.picture, error);
   }
 
@@ -239,6 +244,7 @@ class OneRun {
   struct Moment {
     double time = 0;
     std::vector<PictureBody> bodies;
+    std::vector<PictureLine> lines;
   };
 
   const SimulateOptions& options_;

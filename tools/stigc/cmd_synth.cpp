@@ -334,7 +334,10 @@ bool outputs_are_writable(const SynthOptions& options, const App& app) {
     app.complain(printable(problem));
     return false;
   }
-  return true;
+  const std::string problem =
+      same_file_problem({options.output, options.certificate, options.proof}, {options.target});
+  if (!problem.empty()) app.complain(printable(problem));
+  return problem.empty();
 }
 
 /// Tries to do with fewer colours by means of a scaffold.

@@ -65,7 +65,7 @@ std::string usage_problem(const VerifyFileOptions& options) {
     const std::string problem = path ? name_problem(*path, options.file) : "";
     if (!problem.empty()) return problem;
   }
-  return {};
+  return same_file_problem({options.certificate}, {options.file});
 }
 
 int complain(const std::string& problem, const App& app) {

@@ -34,6 +34,7 @@ struct Storage {
   SynthOptions synth;
   SimulateOptions simulate;
   DescribeOptions describe;
+  CompileFileOptions compile;
 };
 
 /// An option whose text is read by `parse`, which returns what is wrong.
@@ -345,8 +346,31 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
                           "  stigc describe robots/bebot.yaml --json\n"
                           "  stigc describe robots/bebot.yaml -o bebot.png\n");
   file(sub, "ROBOT", o.robot, "the robot's file");
-  path(sub, "-o,--output", o.picture, "draw it, with what its devices reach (.png)");
+  path(sub, "-o,--output", o.picture, "draw it, with what its devices reach (.png .glb)");
   sub->add_flag("--json", o.json, "print one JSON object instead of the tables");
+}
+
+void add_compile(CLI::App& app, CompileFileOptions& o) {
+  CLI::App* sub =
+      command(app, "compile", "turn a rule set into the decisions of a robot",
+              "  stigc compile staircase.yaml\n"
+              "  stigc compile line.yaml --sides +x --robot robots/builderbot.yaml\n"
+              "  stigc compile staircase.yaml --target dot | dot -Tsvg > decisions.svg\n");
+  file(sub, "FILE", o.file, "the rule set; - is standard input");
+  path(sub, "--robot", o.robot, "the robot's file (default: bebot.yaml, the paper's)");
+  sub->add_option("--sides", o.sides,
+                  "the sides that robots work from, in place of the file's: +x -x +y -y")
+      ->type_name("SIDE")
+      ->expected(1, 4)
+      ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
+  choice(sub, "--target", o.target,
+         {{"table", CompileTarget::table}, {"dot", CompileTarget::dot}, {"ir", CompileTarget::ir}},
+         "what to print (default: table)");
+  path(sub, "-o,--output", o.output, "write it to a file");
+  parsed(sub, "--budget", "S", "seconds for the proof of the rule set (default: 60)",
+         [&o](const std::string& text) { return parse_seconds(text, o.budget); });
+  integer(sub, "--states", o.states, 1, std::int64_t{1} << 24,
+          "structures on the way that are walked at most (default: 100000)");
 }
 
 void add_files_out(CLI::App& app, Storage& s) {
@@ -481,6 +505,7 @@ void build(CLI::App& app, Storage& s) {
   add_synth(app, s.synth);
   add_simulate(app, s.simulate);
   add_describe(app, s.describe);
+  add_compile(app, s.compile);
   add_about_itself(app, s);
 }
 
@@ -513,12 +538,12 @@ CommandInfo describe_command(const CLI::App& sub) {
 
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
-      {"check", s.check},       {"fmt", s.fmt},          {"explore", s.explore},
-      {"explain", s.explain},   {"test", s.test},        {"verify", s.verify},
-      {"certify", s.certify},   {"graph", s.graph},      {"replay", s.replay},
-      {"schema", s.schema},     {"measure", s.measure},  {"draw", s.draw},
-      {"synth", s.synth},       {"doctor", s.doctor},    {"completions", s.completions},
-      {"simulate", s.simulate}, {"describe", s.describe}};
+      {"check", s.check},       {"fmt", s.fmt},           {"explore", s.explore},
+      {"explain", s.explain},   {"test", s.test},         {"verify", s.verify},
+      {"certify", s.certify},   {"graph", s.graph},       {"replay", s.replay},
+      {"schema", s.schema},     {"measure", s.measure},   {"draw", s.draw},
+      {"synth", s.synth},       {"doctor", s.doctor},     {"completions", s.completions},
+      {"simulate", s.simulate}, {"describe", s.describe}, {"compile", s.compile}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

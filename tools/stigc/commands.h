@@ -25,4 +25,6 @@ int run(const SynthOptions& options, App& app);
 int run(const SimulateOptions& options, App& app);
 int run(const DescribeOptions& options, App& app);
 
+int run(const CompileFileOptions& options, App& app);
+
 }  // namespace stig

@@ -120,6 +120,18 @@ struct SimulateOptions {
   bool json = false;
 };
 
+/// What `stigc compile` prints.
+enum class CompileTarget : std::uint8_t { table, dot, ir };
+struct CompileFileOptions {
+  std::string file;
+  std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
+  std::vector<std::string> sides;    ///< "+x" "-x" "+y" "-y"; empty: the file's
+  CompileTarget target = CompileTarget::table;
+  std::optional<std::string> output;
+  double budget = 60;  ///< s, of the proof
+  std::uint64_t states = 100'000;
+};
+
 struct DescribeOptions {
   std::string robot;
   std::optional<std::string> picture;  ///< .png
@@ -178,7 +190,7 @@ using CommandOptions =
     std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
-                 SimulateOptions, DescribeOptions>;
+                 SimulateOptions, DescribeOptions, CompileFileOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 #include <iterator>
 #include <set>
 
@@ -58,6 +59,32 @@ std::string folder_problem(const std::string& path) {
   }
   if (access(folder.c_str(), W_OK | X_OK) == 0) return {};
   return fmt::format("cannot write '{}': {}", path, strerror(errno));
+}
+
+std::string same_file_problem(const std::vector<std::optional<std::string>>& written,
+                              const std::vector<std::optional<std::string>>& read) {
+  namespace fs = std::filesystem;
+  const auto same = [](const std::string& a, const std::string& b) {
+    std::error_code error;
+    if (fs::equivalent(a, b, error)) return true;
+    const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
+    const fs::path second = fs::weakly_canonical(fs::absolute(b, error), error);
+    return !error && first == second;
+  };
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    if (!written[i] || *written[i] == "-") continue;
+    for (const auto& other : read) {
+      if (other && *other != "-" && same(*written[i], *other)) {
+        return fmt::format("'{}' would be written over what is read", *written[i]);
+      }
+    }
+    for (std::size_t k = 0; k < i; ++k) {
+      if (written[k] && same(*written[i], *written[k])) {
+        return fmt::format("'{}' and '{}' are one file", *written[k], *written[i]);
+      }
+    }
+  }
+  return {};
 }
 
 std::string path_of_run(const std::string& path, std::uint32_t run) {

@@ -30,6 +30,11 @@ int plan_outputs(const std::vector<std::string>& paths, const std::optional<std:
 /// Is the folder there and may it be written to? The words of what is wrong, or empty.
 std::string folder_problem(const std::string& path);
 
+/// Would one of these be written over another, or over what is read? Paths that are not given
+/// are left out; links are followed. The words of what is wrong, or empty.
+std::string same_file_problem(const std::vector<std::optional<std::string>>& written,
+                              const std::vector<std::optional<std::string>>& read);
+
 /// `path` with {run} replaced.
 std::string path_of_run(const std::string& path, std::uint32_t run);
 

@@ -166,8 +166,9 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   }
   if (!options.picture) return kOk;
   std::string error;
-  if (write_picture(*options.picture, picture_bodies(*trace, frame), true, trace->header.title,
-                    static_cast<double>(frame.tick) * trace->header.step, error)) {
+  if (write_picture(*options.picture, picture_bodies(*trace, frame), picture_lines(*trace, frame),
+                    true, trace->header.title, static_cast<double>(frame.tick) * trace->header.step,
+                    error)) {
     app.say("wrote " + printable(*options.picture));
     return kOk;
   }

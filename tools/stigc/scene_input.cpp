@@ -42,6 +42,7 @@ SceneLoader scene_loader(const std::string& scene_path) {
     // Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.
     others.push_back((program / ".." / "share" / "stig" / kind).string());
     others.push_back((program / ".." / ".." / kind).string());
+    others.push_back((program / kind).string());
   }
   return disk_loader(folder.string(), std::move(others));
 }

@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "app.h"
 #include "base/file_io.h"
 #include "base/hash.h"
+#include "physical/show_json.h"
 #include "report.h"
 
 namespace stig {
@@ -119,6 +121,32 @@ std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame
   return out;
 }
 
+std::vector<PictureLine> picture_lines(const Simulation& run) {
+  std::vector<PictureLine> out;
+  for (std::size_t i = 0; run.crew() != nullptr && i < run.crew()->robots(); ++i) {
+    const Crew& crew = *run.crew();
+    const std::string shown = show_json(crew.commands(i).user, inverse(crew.root_pose(i)));
+    const auto lines = show_lines(shown, run.world().state(crew.root_body(i)).X_WB);
+    out.insert(out.end(), lines.begin(), lines.end());
+  }
+  return out;
+}
+
+std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame) {
+  std::map<std::uint32_t, const std::string*> shown;  // by body, the newest
+  for (const TraceValue& value : trace.values) {
+    if (value.tick > frame.tick || trace.header.channels[value.channel] != "show") continue;
+    shown[value.body] = &value.bytes;
+  }
+  std::vector<PictureLine> out;
+  for (const auto& [body, json] : shown) {
+    if (body >= frame.bodies.size()) continue;
+    const auto lines = show_lines(*json, frame.bodies[body].pose());
+    out.insert(out.end(), lines.begin(), lines.end());
+  }
+  return out;
+}
+
 StructureReading structure_of(const std::vector<PictureBody>& bodies) {
   std::vector<PlacedBlock> blocks;
   double side = 0;
@@ -137,7 +165,7 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
   r.title = scene.title;
   r.seed = placed.seed;
   r.ticks = world.tick();
-  r.hash = world.hash();
+  r.hash = run.hash();
   r.time = world.time();
   r.seconds = seconds;
   r.end = end;
@@ -269,10 +297,11 @@ std::string table_of(const std::vector<SimulationReport>& runs) {
   return out;
 }
 
-bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies, bool floor,
-                   const std::string& title, double time, std::string& error) {
+bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies,
+                   const std::vector<PictureLine>& lines, bool floor, const std::string& title,
+                   double time, std::string& error) {
   PictureLook look;
-  const ScenePicture picture = draw_bodies(bodies, fitted_view(bodies, look), floor);
+  const ScenePicture picture = draw_bodies(bodies, fitted_view(bodies, look), floor, lines);
   std::string caption = title.empty() ? "" : printable(title) + " · ";
   caption += fmt::format("{:.2f} s", time);
   if (floor) caption += fmt::format(" · grid {:g} m", picture.grid);

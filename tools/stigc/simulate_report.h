@@ -49,10 +49,14 @@ std::string table_of(const std::vector<SimulationReport>& runs);
 /// What a picture or a reading takes of a moment of a trace or of a world.
 std::vector<PictureBody> picture_bodies(const Simulation& run);
 std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame);
+/// The arrows that robots' programs show.
+std::vector<PictureLine> picture_lines(const Simulation& run);
+std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame);
 StructureReading structure_of(const std::vector<PictureBody>& bodies);
 
 /// Draws and writes; false with `error` set.
-bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies, bool floor,
-                   const std::string& title, double time, std::string& error);
+bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies,
+                   const std::vector<PictureLine>& lines, bool floor, const std::string& title,
+                   double time, std::string& error);
 
 }  // namespace stig

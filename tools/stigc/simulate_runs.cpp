@@ -19,7 +19,7 @@ std::optional<SimulationReport> one_run(const Scene& scene, std::uint64_t seed, 
                                         Diagnostics& diagnostics) {
   const auto placed = place_scene(scene, seed, diagnostics);
   if (!placed) return std::nullopt;
-  Simulation run(scene, *placed);
+  Simulation run(scene, *placed, false);
   RunHooks hooks;
   hooks.stop = &stop_requested();
   const auto began = std::chrono::steady_clock::now();

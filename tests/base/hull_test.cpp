@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/hull.h"
+#include "base/hull.h"
 
 #include <doctest/doctest.h>
 

@@ -23,7 +23,8 @@ std::vector<HullFace> hull_faces(const std::vector<Vec3>& points);
 struct HullMass {
   double volume = 0;
   Vec3 centre;
-  Vec3 squares;  ///< integrals of x², y², z² about the centre
+  Vec3 squares;   ///< integrals of x², y², z² about the centre
+  Vec3 products;  ///< of yz, zx, xy, likewise
 };
 HullMass hull_mass(const std::vector<Vec3>& points);
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/stock_world.h"
-
-#include <cassert>
+#include <Eigen/Geometry>
 #include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/constraint/ConstraintSolver.hpp>
 #include <dart/dynamics/BodyNode.hpp>
@@ -13,6 +11,7 @@
 #include <dart/simulation/World.hpp>
 
 #include "physical/dart_lock.h"
+#include "physical/stock_step.h"
 #include "physical/world_state.h"
 
 namespace stig {
@@ -52,94 +51,91 @@ BodyNode* add_welded(dart::simulation::World& world, const std::string& name,
   return body;
 }
 
-BodyNode* add_free(dart::simulation::World& world, const std::string& name, const BodyDef& def) {
+/// A fixed body moves as it is told, whatever is in its way.
+BodyNode* add_body(dart::simulation::World& world, const std::string& name, const Body& body) {
   const SkeletonPtr skeleton = Skeleton::create(name);
-  const auto [joint, body] = skeleton->createJointAndBodyNodePair<FreeJoint>();
-  const Vec3 i = inertia_of(def);
-  body->setInertia(Inertia(def.mass, Eigen::Vector3d::Zero(), eigen(i).asDiagonal()));
-  FreeJoint::setTransformOf(body, eigen(def.X_WB));
-  joint->setLinearVelocity(eigen(def.velocity));
-  joint->setAngularVelocity(eigen(def.spin));
+  const auto [joint, node] = skeleton->createJointAndBodyNodePair<FreeJoint>();
+  node->setInertia(Inertia(body.mass, Eigen::Vector3d::Zero(), eigen(body.inertia).asDiagonal()));
+  if (body.fixed) joint->setActuatorType(Joint::VELOCITY);
   world.addSkeleton(skeleton);
-  return body;
+  return node;
+}
+
+FreeJoint& joint_of(BodyNode& node) { return static_cast<FreeJoint&>(*node.getParentJoint()); }
+
+/// Before a step.
+void set_state(BodyNode& node, const Body& body) {
+  FreeJoint& joint = joint_of(node);
+  FreeJoint::setTransformOf(&node, eigen(Pose{body.p, body.q}));
+  joint.setLinearVelocity(eigen(body.v));
+  joint.setAngularVelocity(eigen(body.w));
+  if (body.fixed) {
+    joint.setCommands(joint.getVelocities());
+    return;
+  }
+  node.addExtForce(eigen(body.force), Eigen::Vector3d::Zero(), false, true);
+  node.addExtTorque(eigen(body.torque), false);
 }
 
 }  // namespace
 
-struct StockWorld::Dart {
+struct StockStep::Dart {
   dart::simulation::WorldPtr world;
-  std::vector<BodyNode*> nodes;
-  WorldState state;  ///< for forces alone; its poses follow DART's
+  std::vector<BodyNode*> nodes;  ///< null: has left
 };
 
-StockWorld::StockWorld(const WorldConfig& config) {
+StockStep::StockStep(const WorldState& state) {
   const std::lock_guard lock(dart_lock());
+  const WorldConfig& config = state.config;
   dart_ = std::make_unique<Dart>();
-  dart_->state = make_world_state(config);
   dart_->world = dart::simulation::World::create();
   dart::simulation::World& world = *dart_->world;
   world.setTimeStep(config.step);
   world.setGravity(Eigen::Vector3d::Zero());  // among the forces already
   auto* solver = world.getConstraintSolver();
   solver->setCollisionDetector(dart::collision::DARTCollisionDetector::create());
-  solver->getCollisionOption().maxNumContacts = 100 * (config.bodies.size() + 1);
-  for (std::size_t i = 0; i < config.bodies.size(); ++i) {
-    const BodyDef& def = config.bodies[i];
-    const std::string name = std::to_string(i);
-    dart_->nodes.push_back(def.fixed ? add_welded(world, name, eigen(def.X_WB))
-                                     : add_free(world, name, def));
-    add_shape(*dart_->nodes.back(), shape_of(def.shape),
-              friction_of(config, def.material, def.material));
+  solver->getCollisionOption().maxNumContacts = 100 * (state.bodies.size() + 1);
+  for (std::size_t i = 0; i < state.bodies.size(); ++i) {
+    const Body& body = state.bodies[i];
+    dart_->nodes.push_back(body.left ? nullptr : add_body(world, std::to_string(i), body));
+    if (body.left) continue;
+    add_shape(*dart_->nodes.back(), shape_of(body.shape),
+              friction_of(config, body.material, body.material));
   }
   if (!config.floor) return;
   BodyNode* floor = add_welded(world, "floor", eigen(Pose{{0, 0, -kFloorHalf}, {}}));
-  add_shape(*floor, shape_of({ShapeKind::box, {kFloorHalf, kFloorHalf, kFloorHalf}}),
+  add_shape(*floor, shape_of(Shape::box(Vec3{2, 2, 2} * kFloorHalf)),
             friction_of(config, kFloorMaterial, kFloorMaterial));
 }
 
-StockWorld::~StockWorld() {
+StockStep::~StockStep() {
   const std::lock_guard lock(dart_lock());
   dart_.reset();
 }
 
-StepResult StockWorld::step() {
-  WorldState& state = dart_->state;
-  refresh_lists(state);
-  gather_forces(state);
+void StockStep::solve(WorldState& world) {
   for (std::size_t i = 0; i < dart_->nodes.size(); ++i) {
-    Body& body = state.bodies[i];
-    // DART's library aborts on what is not finite.
-    if (!is_finite(body.force) || !is_finite(body.torque) || !is_finite(body.p)) {
-      return {false, BodyId{static_cast<std::uint32_t>(i)}};
-    }
-    if (body.fixed) continue;
-    dart_->nodes[i]->addExtForce(eigen(body.force), Eigen::Vector3d::Zero(), false, true);
-    dart_->nodes[i]->addExtTorque(eigen(body.torque), false);
-    body.user_force = body.user_torque = {};
+    if (dart_->nodes[i] != nullptr) set_state(*dart_->nodes[i], world.bodies[i]);
   }
   dart_->world->step();
-  for (std::size_t i = 0; i < dart_->nodes.size(); ++i) {
-    Body& body = state.bodies[i];
+  for (const std::uint32_t i : world.awake) {
+    Body& body = world.bodies[i];
+    body.free = false;
+    if (body.fixed) continue;
+    body.v = vec3(dart_->nodes[i]->getLinearVelocity());
+    body.w = vec3(dart_->nodes[i]->getAngularVelocity());
+  }
+}
+
+void StockStep::move(WorldState& world) const {
+  for (const std::uint32_t i : world.awake) {
+    Body& body = world.bodies[i];
     const Eigen::Isometry3d pose = dart_->nodes[i]->getWorldTransform();
     const Eigen::Quaterniond q(pose.linear());
     body.p = vec3(pose.translation());
     body.q = normalised(Quat{q.w(), q.x(), q.y(), q.z()});
     body.r = matrix(body.q);
-    body.v = vec3(dart_->nodes[i]->getLinearVelocity());
-    body.w = vec3(dart_->nodes[i]->getAngularVelocity());
   }
-  ++state.tick;
-  return {};
-}
-
-BodyState StockWorld::state(BodyId id) const {
-  return state_of(dart_->state, static_cast<std::uint32_t>(id));
-}
-
-void StockWorld::push(BodyId id, const Vec3& force, const Vec3& torque) {
-  Body& body = dart_->state.bodies.at(static_cast<std::size_t>(id));
-  body.user_force += force;
-  body.user_torque += torque;
 }
 
 }  // namespace stig

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/hull.h"
+#include "base/hull.h"
 
 #include <algorithm>
 #include <cmath>
@@ -85,11 +85,17 @@ class Hull {
 
 std::vector<HullFace> hull_faces(const std::vector<Vec3>& points) { return Hull(points).faces(); }
 
+namespace {
+
+Vec3 products(const Vec3& a) { return {a.y * a.z, a.z * a.x, a.x * a.y}; }
+
+}  // namespace
+
 HullMass hull_mass(const std::vector<Vec3>& points) {
   // Tetrahedra from the first point; a tetrahedron's integral of x² is its volume over 20 times
   // the sum of its corners' squares and the square of their sum.
   HullMass out;
-  Vec3 first, second;
+  Vec3 first, second, mixed;
   const Vec3 origin = points.at(0);
   for (const HullFace& face : hull_faces(points)) {
     for (std::size_t i = 2; i < face.corners.size(); ++i) {
@@ -100,12 +106,14 @@ HullMass hull_mass(const std::vector<Vec3>& points) {
       out.volume += volume;
       first += sum * (volume / 4);
       second += (scaled(a, a) + scaled(b, b) + scaled(c, c) + scaled(sum, sum)) * (volume / 20);
+      mixed += (products(a) + products(b) + products(c) + products(sum)) * (volume / 20);
     }
   }
   if (out.volume <= 0) return {};
   const Vec3 centre = first * (1 / out.volume);
   out.centre = origin + centre;
   out.squares = second - scaled(centre, centre) * out.volume;
+  out.products = mixed - products(centre) * out.volume;
   return out;
 }
 

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+#include "base/glb.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/bytes.h"
+
+namespace stig {
+
+namespace {
+
+using nlohmann::json;
+
+// Numbers of the glTF specification.
+constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
+constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
+constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963;
+constexpr int kLines = 1;
+
+class Document {
+ public:
+  Document() {
+    json_["asset"] = {{"version", "2.0"}, {"generator", "stigc"}};
+    json_["scene"] = 0;
+    json_["scenes"] = json::array({json::object()});
+  }
+
+  void add(const std::vector<GlbNode>& nodes, std::size_t number) {
+    const GlbNode& node = nodes[number];
+    json out = {{"name", node.name}};
+    if (!node.primitives.empty()) {
+      out["mesh"] = json_.contains("meshes") ? json_["meshes"].size() : 0;
+      json mesh = {{"primitives", json::array()}};
+      for (const GlbPrimitive& primitive : node.primitives) {
+        mesh["primitives"].push_back(add(primitive));
+      }
+      json_["meshes"].push_back(std::move(mesh));
+    }
+    if (node.X_PN != Pose{}) {
+      const Pose& X = node.X_PN;
+      out["translation"] = {X.p.x, X.p.y, X.p.z};
+      out["rotation"] = {X.q.x, X.q.y, X.q.z, X.q.w};
+    }
+    for (std::size_t i = number + 1; i < nodes.size(); ++i) {
+      if (nodes[i].parent == static_cast<int>(number)) out["children"].push_back(i);
+    }
+    json_["nodes"].push_back(std::move(out));
+    if (node.parent < 0) json_["scenes"][0]["nodes"].push_back(number);
+  }
+
+  std::string finish() {
+    if (!binary_.empty()) json_["buffers"] = json::array({{{"byteLength", binary_.size()}}});
+    std::string text = json_.dump(-1, ' ', false, json::error_handler_t::replace);
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t total = 12 + 8 + text.size() + (binary_.empty() ? 0 : 8 + binary_.size());
+    assert(total <= std::numeric_limits<std::uint32_t>::max());
+    std::string out;
+    for (const std::size_t value : {std::size_t{kMagic}, std::size_t{2}, total, text.size()}) {
+      put(out, static_cast<std::uint32_t>(value));
+    }
+    put(out, kJsonChunk);
+    out += text;
+    if (binary_.empty()) return out;
+    put(out, static_cast<std::uint32_t>(binary_.size()));
+    put(out, kBinaryChunk);
+    return out + binary_;
+  }
+
+ private:
+  json add(const GlbPrimitive& primitive) {
+    json& positions = accessor(primitive.positions, kVertices, kFloat, primitive.vertices, "VEC3");
+    positions["min"] = primitive.low;
+    positions["max"] = primitive.high;
+    json out = {{"attributes", {{"POSITION", last()}}}};
+    if (!primitive.lines) {
+      accessor(primitive.normals, kVertices, kFloat, primitive.vertices, "VEC3");
+      out["attributes"]["NORMAL"] = last();
+    }
+    accessor(primitive.indices, kIndices, kUnsignedInt, primitive.corners, "SCALAR");
+    out["indices"] = last();
+    out["material"] = json_.contains("materials") ? json_["materials"].size() : 0;
+    if (primitive.lines) out["mode"] = kLines;
+    json_["materials"].push_back(material(primitive));
+    return out;
+  }
+
+  std::size_t last() const { return json_["accessors"].size() - 1; }
+
+  // All parts are of whole 4-byte numbers, so every view starts aligned.
+  json& accessor(const std::string& bytes, int target, int type, std::uint32_t count,
+                 const char* shape) {
+    json_["bufferViews"].push_back({{"buffer", 0},
+                                    {"byteOffset", binary_.size()},
+                                    {"byteLength", bytes.size()},
+                                    {"target", target}});
+    binary_ += bytes;
+    json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
+                                  {"componentType", type},
+                                  {"count", count},
+                                  {"type", shape}});
+    return json_["accessors"].back();
+  }
+
+  static json material(const GlbPrimitive& of) {
+    return {{"name", of.material},
+            {"pbrMetallicRoughness",
+             {{"baseColorFactor",
+               {linear_light(of.rgb.r), linear_light(of.rgb.g), linear_light(of.rgb.b), 1.0}},
+              {"metallicFactor", 0.0},
+              {"roughnessFactor", 0.8}}}};
+  }
+
+  json json_;
+  std::string binary_;
+};
+
+}  // namespace
+
+std::uint32_t GlbPrimitive::add_vertex(const std::array<float, 3>& at,
+                                       const std::array<float, 3>& normal) {
+  if (vertices == 0) low = high = at;
+  for (std::size_t i = 0; i < 3; ++i) {
+    low[i] = std::min(low[i], at[i]);
+    high[i] = std::max(high[i], at[i]);
+    put(positions, at[i]);
+    if (!lines) put(normals, normal[i]);
+  }
+  return vertices++;
+}
+
+void GlbPrimitive::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  for (const std::uint32_t corner : {a, b, c}) put(indices, corner);
+  corners += 3;
+}
+
+void GlbPrimitive::add_line(std::uint32_t a, std::uint32_t b) {
+  put(indices, a);
+  put(indices, b);
+  corners += 2;
+}
+
+std::string glb_file(const std::vector<GlbNode>& nodes) {
+  Document document;
+  for (std::size_t i = 0; i < nodes.size(); ++i) document.add(nodes, i);
+  return document.finish();
+}
+
+}  // namespace stig

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: MIT
+// Hulls against hulls, boxes and balls: separating axes and clipping, as boxes among themselves
+// (box_touch.cpp), for any number of faces.
+#include <algorithm>
+#include <limits>
+
+#include "physical/touch_points.h"
+
+namespace stig {
+
+namespace {
+
+/// An edge's axis wins over the faces' best only by more than this, m; so does a later face.
+constexpr double kFacePreference = 1e-4;
+
+/// The cube of edge 2, of which every box is a stretched copy.
+const Convex& cube() {
+  static const std::shared_ptr<const Convex> kCube = convex_of({{1, 1, 1},
+                                                                {1, 1, -1},
+                                                                {1, -1, 1},
+                                                                {1, -1, -1},
+                                                                {-1, 1, 1},
+                                                                {-1, 1, -1},
+                                                                {-1, -1, 1},
+                                                                {-1, -1, -1}});
+  return *kCube;
+}
+
+/// A hull in its place.
+struct Solid {
+  const Convex& convex;
+  const Placed& placed;
+  std::array<Vec3, kMostHullPoints> points;
+
+  explicit Solid(const Placed& p)
+      : convex(p.shape.kind == ShapeKind::box ? cube() : *p.shape.convex), placed(p) {
+    for (std::size_t i = 0; i < convex.points.size(); ++i) {
+      points[i] =
+          p.p + p.r * (is_box() ? scaled(convex.points[i], p.shape.half) : convex.points[i]);
+    }
+  }
+  bool is_box() const { return placed.shape.kind == ShapeKind::box; }
+  std::size_t count() const { return convex.points.size(); }
+  Vec3 normal(const ConvexFace& face) const { return placed.r * face.normal; }
+  double level(const ConvexFace& face, const Vec3& n) const {
+    return dot(n, points[face.corners[0]]);
+  }
+};
+
+/// Where a solid begins along a direction, and ends.
+struct Span {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+};
+Span span_along(const Solid& solid, const Vec3& n) {
+  Span out;
+  for (std::size_t i = 0; i < solid.count(); ++i) {
+    const double at = dot(n, solid.points[i]);
+    out.low = std::min(out.low, at);
+    out.high = std::max(out.high, at);
+  }
+  return out;
+}
+
+struct Axis {
+  Vec3 n;  ///< unit, from b to a
+  double gap = -std::numeric_limits<double>::infinity();
+  const ConvexFace* face = nullptr;  ///< null: two edges
+  bool of_a = false;                 ///< the face is
+  Vec3 ua, ub;                       ///< of edges: their directions
+};
+
+/// Faces of `one`, as far as they part it from `other`.
+void consider_faces(Axis& best, const Solid& one, const Solid& other, bool of_a, double margin) {
+  for (const ConvexFace& face : one.convex.faces) {
+    const Vec3 n = one.normal(face);
+    const double gap = span_along(other, n).low - one.level(face, n);
+    const double preference = best.face == nullptr ? 0 : of_a ? 1e-9 : kFacePreference / 10;
+    if (gap > best.gap + preference) best = {of_a ? -n : n, gap, &face, of_a, {}, {}};
+    if (best.gap >= margin) return;
+  }
+}
+
+void consider_edges(Axis& best, const Solid& a, const Solid& b, double margin) {
+  Axis edges;
+  for (const Vec3& da : a.convex.directions) {
+    const Vec3 ua = a.placed.r * da;
+    for (const Vec3& db : b.convex.directions) {
+      const Vec3 ub = b.placed.r * db, across = cross(ua, ub);
+      if (squared(across) < 1e-6) continue;  // parallel edges: a face says the same
+      const Vec3 n = normalised(across);
+      const Span sa = span_along(a, n), sb = span_along(b, n);
+      const double ahead = sa.low - sb.high, behind = sb.low - sa.high;
+      const double gap = std::max(ahead, behind);
+      if (gap > edges.gap) edges = {ahead >= behind ? n : -n, gap, nullptr, false, ua, ub};
+      if (edges.gap >= margin) break;
+    }
+  }
+  if (edges.gap > best.gap + kFacePreference) best = edges;
+}
+
+/// The part of the polygon where n·p <= limit.
+void clip(std::vector<Vec3>& polygon, const Vec3& n, double limit) {
+  std::vector<Vec3> out;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec3& p = polygon[i];
+    const Vec3& q = polygon[(i + 1) % polygon.size()];
+    const double dp = dot(n, p) - limit, dq = dot(n, q) - limit;
+    if (dp <= 0) out.push_back(p);
+    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) out.push_back(p + (q - p) * (dp / (dp - dq)));
+  }
+  polygon = std::move(out);
+}
+
+/// The face of `other` that looks at `reference`'s, clipped by that one's sides.
+Touch touch_face(const Vec3& normal, const Solid& reference, const ConvexFace& face,
+                 const Solid& other, double margin) {
+  const Vec3 outward = reference.normal(face);
+  const ConvexFace* against = nullptr;
+  double least = 2;
+  for (const ConvexFace& one : other.convex.faces) {
+    const double facing = dot(outward, other.normal(one));
+    if (facing < least - 1e-9) least = facing, against = &one;
+  }
+  std::vector<Vec3> polygon;
+  for (const std::uint16_t corner : against->corners) polygon.push_back(other.points[corner]);
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    const Vec3 p = reference.points[face.corners[i]];
+    const Vec3 q = reference.points[face.corners[(i + 1) % face.corners.size()]];
+    const Vec3 side = normalised(cross(q - p, outward));
+    clip(polygon, side, dot(side, p));
+  }
+  std::vector<TouchPoint> points;
+  for (const Vec3& p : polygon) {
+    const double gap = dot(outward, p) - reference.level(face, outward);
+    if (gap < margin) points.push_back({p - outward * (gap / 2), gap});
+  }
+  return reduced(normal, points.data(), static_cast<int>(points.size()));
+}
+
+/// The middle of the edge along u that lies farthest along n.
+Vec3 edge_middle(const Solid& solid, const Vec3& u, const Vec3& n) {
+  Vec3 out;
+  double most = -std::numeric_limits<double>::infinity();
+  for (const auto& [i, k] : solid.convex.edges) {
+    const Vec3 p = solid.points[i], q = solid.points[k];
+    if (squared(cross(q - p, u)) > 1e-10 * squared(q - p)) continue;
+    if (dot(n, p + q) > most) most = dot(n, p + q), out = (p + q) * 0.5;
+  }
+  return out;
+}
+
+Touch touch_edges(const Solid& a, const Solid& b, const Axis& axis) {
+  const Vec3 pa = edge_middle(a, axis.ua, -axis.n), pb = edge_middle(b, axis.ub, axis.n);
+  Touch out;
+  out.normal = axis.n;
+  out.points[0] = {lines_meet(pa, axis.ua, pb, axis.ub), axis.gap};
+  out.count = 1;
+  return out;
+}
+
+/// The point of a face that is nearest to p.
+Vec3 nearest_on(const Solid& solid, const ConvexFace& face, const Vec3& p) {
+  const Vec3 n = solid.normal(face);
+  const Vec3 below = p - n * (dot(n, p) - solid.level(face, n));
+  Vec3 best = below;
+  double least = -1;  // the face's inside, until an edge is passed
+  for (std::size_t i = 0; i < face.corners.size(); ++i) {
+    const Vec3 from = solid.points[face.corners[i]];
+    const Vec3 way = solid.points[face.corners[(i + 1) % face.corners.size()]] - from;
+    if (dot(cross(way, below - from), n) >= 0) continue;
+    const double part = std::clamp(dot(below - from, way) / squared(way), 0.0, 1.0);
+    const Vec3 on = from + way * part;
+    if (least < 0 || squared(on - p) < least) least = squared(on - p), best = on;
+  }
+  return best;
+}
+
+}  // namespace
+
+Touch touch_hulls(const Placed& a, const Placed& b, double margin) {
+  const Solid one(a), other(b);
+  Axis axis;
+  consider_faces(axis, one, other, true, margin);
+  if (axis.gap < margin) consider_faces(axis, other, one, false, margin);
+  if (axis.gap < margin) consider_edges(axis, one, other, margin);
+  if (axis.gap >= margin) return {};
+  if (axis.face == nullptr) return touch_edges(one, other, axis);
+  return axis.of_a ? touch_face(axis.n, one, *axis.face, other, margin)
+                   : touch_face(axis.n, other, *axis.face, one, margin);
+}
+
+Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin) {
+  const Solid solid(hull);
+  const ConvexFace* nearest = nullptr;  // the one that the centre is least behind
+  double outside = -std::numeric_limits<double>::infinity();
+  for (const ConvexFace& face : solid.convex.faces) {
+    const Vec3 n = solid.normal(face);
+    const double above = dot(n, ball.p) - solid.level(face, n);
+    if (above > outside) outside = above, nearest = &face;
+  }
+  const double r = ball.shape.half.x;
+  if (outside <= 0) return single_touch(solid.normal(*nearest), ball.p, outside - r, margin);
+  Vec3 best;
+  double least = std::numeric_limits<double>::infinity();
+  for (const ConvexFace& face : solid.convex.faces) {
+    const Vec3 n = solid.normal(face);
+    if (dot(n, ball.p) < solid.level(face, n)) continue;
+    const Vec3 p = nearest_on(solid, face, ball.p);
+    if (squared(p - ball.p) < least) least = squared(p - ball.p), best = p;
+  }
+  const double distance = std::sqrt(least);
+  if (!(distance > 0)) return single_touch(solid.normal(*nearest), ball.p, -r, margin);
+  const Vec3 n = (ball.p - best) * (1 / distance);
+  const double gap = distance - r;
+  return single_touch(n, best + n * (gap / 2), gap, margin);
+}
+
+}  // namespace stig

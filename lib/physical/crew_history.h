@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Records of a crew's histories: what one program read before one step.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/bytes.h"
+#include "controllers/robot_io.h"
+
+namespace stig {
+
+std::string bytes_of(const RobotReadings& readings);
+/// `since`: ticks of the world since the block's step before.
+std::string bytes_of(const std::vector<std::vector<Message>>& inbox, std::uint64_t since);
+
+/// The reader is bad after bytes that are none.
+RobotReadings take_readings(ByteReader& in);
+void take_inbox(ByteReader& in, std::vector<std::vector<Message>>& inbox, std::uint64_t& since);
+
+}  // namespace stig

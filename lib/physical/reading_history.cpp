@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "physical/reading_history.h"
+
+#include <algorithm>
+
+#include "physical/packed.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::size_t kChunk = std::size_t{1} << 16;
+/// One record may be long: as many messages as there are senders.
+constexpr std::size_t kMostChunk = std::size_t{1} << 28;
+
+bool read_all(std::string_view bytes, const std::function<bool(ByteReader&)>& next) {
+  ByteReader in(bytes);
+  while (in.left() > 0) {
+    if (!next(in) || !in.good()) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+void ReadingHistory::add(std::string_view record) {
+  last_ += record;
+  if (last_.size() < kChunk) return;
+  packed_.push_back(packed(last_));
+  last_.clear();
+}
+
+std::string ReadingHistory::bytes() const {
+  std::string out;
+  put_varint(out, packed_.size());
+  for (const std::string& chunk : packed_) put_block(out, chunk);
+  put_block(out, last_);
+  return out;
+}
+
+bool ReadingHistory::take(ByteReader& in) {
+  packed_.clear();
+  const std::uint64_t chunks = in.varint();
+  for (std::uint64_t i = 0; i < chunks && in.good(); ++i) packed_.emplace_back(in.block());
+  last_ = in.block();
+  return in.good();
+}
+
+bool ReadingHistory::each(const std::function<bool(ByteReader&)>& next) const {
+  const auto whole = [&](const std::string& chunk) {
+    const auto bytes = unpacked(chunk, kMostChunk);
+    return bytes && read_all(*bytes, next);
+  };
+  return std::all_of(packed_.begin(), packed_.end(), whole) && read_all(last_, next);
+}
+
+}  // namespace stig

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include "controllers/robot_reader.h"
+#include "support.h"
+
+namespace stig {
+namespace {
+
+RobotModel robot_file(const std::string& name) {
+  Diagnostics diagnostics;
+  auto robot = read_robot_file(STIG_SOURCE_DIR "/robots/" + name + ".yaml", diagnostics);
+  REQUIRE_MESSAGE(robot, to_text(diagnostics));
+  return *robot;
+}
+
+TEST_CASE("the paper's robot, measured from its file, is the one of the published figures") {
+  const Abilities robot = abilities_of(robot_file("bebot"), {});
+  const Abilities paper = paper_robot();
+  CHECK(robot.levels == 3);
+  CHECK(robot.carried_x == doctest::Approx(paper.carried_x).epsilon(0.001));
+  CHECK(robot.body_front == doctest::Approx(0.057755));
+  CHECK(robot.body_half_width == doctest::Approx(0.04375));
+  CHECK(robot.effector_front == doctest::Approx(0.129755));
+  CHECK(robot.effector_half_width == doctest::Approx(0.033).epsilon(0.1));
+  CHECK(robot.face_hold == doctest::Approx(9.5).epsilon(0.01));
+  CHECK(robot.magnet_reach > 0.010);
+  CHECK(robot.magnet_reach < 0.014);
+  REQUIRE(robot.cameras.size() == 1);
+  CHECK(robot.cameras[0].lifted);
+  CHECK(length(robot.cameras[0].X_RC.p - paper.cameras[0].X_RC.p) < 1e-9);
+  const Vec3 ahead = rotate(robot.cameras[0].X_RC.q, {0, 0, 1});
+  CHECK(length(ahead - rotate(paper.cameras[0].X_RC.q, {0, 0, 1})) < 1e-9);
+}
+
+TEST_CASE("a robot that cannot build says what it lacks") {
+  CHECK(lacking(robot_file("bebot")).empty());
+  CHECK(lacking(robot_file("builderbot")).empty());
+  CHECK(lacking(RobotModel{}).size() == 5);
+}
+
+}  // namespace
+}  // namespace stig

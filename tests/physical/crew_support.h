@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Scenes with programs, from texts.
+#pragma once
+
+#include <map>
+
+#include "physical/simulation.h"
+#include "physical/support.h"
+
+namespace stig {
+
+inline std::string shipped(const std::string& path) {
+  FileError error;
+  auto text = read_file(STIG_SOURCE_DIR "/" + path, kMaxSceneBytes, error);
+  REQUIRE_MESSAGE(text, error.message);
+  return *text;
+}
+
+/// A scene with the shipped block and its program, the robot of 2017, and these programs.
+inline LoadedScene crew_scene(const std::string& text,
+                              const std::map<std::string, std::string>& programs = {},
+                              std::uint64_t seed = 1) {
+  std::vector<SceneFile> files = {{"s.yaml", text},
+                                  {"stigmergic.yaml", shipped("blocks/stigmergic.yaml")},
+                                  {"stigmergic.lua", shipped("blocks/stigmergic.lua")},
+                                  {"bebot.yaml", shipped("robots/bebot.yaml")}};
+  for (const auto& [name, program] : programs) files.push_back({name, program});
+  Diagnostics diagnostics;
+  auto loaded = load_scene(files, seed, diagnostics);
+  INFO(to_text(diagnostics));
+  REQUIRE(loaded);
+  return std::move(*loaded);
+}
+
+/// What a run said, wrote and came to.
+struct CrewRun {
+  std::vector<CrewLine> lines;
+  std::string trace, state;
+  std::uint64_t hash = 0;
+  RunTally tally;
+  RunEnd end = RunEnd::duration;
+
+  /// Of one robot or block, without failures.
+  std::vector<std::string> said(const std::string& who) const {
+    std::vector<std::string> out;
+    for (const CrewLine& line : lines) {
+      if (line.who == who && !line.failure) out.push_back(line.text);
+    }
+    return out;
+  }
+  std::vector<CrewLine> failures() const {
+    std::vector<CrewLine> out;
+    for (const CrewLine& line : lines) {
+      if (line.failure) out.push_back(line);
+    }
+    return out;
+  }
+};
+
+/// Goes on from `run`, whose trace `earlier` is, if there is one.
+inline CrewRun recorded(Simulation& run, const LoadedScene& loaded, double duration,
+                        const std::string& earlier = {}) {
+  CrewRun out;
+  PoseTraceWriter writer(trace_header(loaded.scene, loaded.placed),
+                         [&](std::string_view bytes) { out.trace += bytes; });
+  if (!earlier.empty()) {
+    Diagnostics diagnostics;
+    const auto trace = read_pose_trace("t.stigp", earlier, diagnostics);
+    REQUIRE(trace);
+    copy_records(*trace, run.world().tick(), writer);
+  }
+  run.record(writer);
+  RunHooks hooks;
+  hooks.on_line = [&](const CrewLine& line) { out.lines.push_back(line); };
+  out.end = run.until(duration, hooks);
+  run.finish(out.end);
+  out.hash = run.hash();
+  out.tally = run.tally();
+  out.state = run.state();
+  return out;
+}
+
+inline CrewRun recorded(const LoadedScene& loaded, double duration) {
+  Simulation run(loaded.scene, loaded.placed);
+  return recorded(run, loaded, duration);
+}
+
+/// The values of a channel of a trace, with their ticks.
+inline std::vector<TraceValue> values_of(const std::string& bytes, std::string_view channel) {
+  Diagnostics diagnostics;
+  const auto trace = read_pose_trace("t.stigp", bytes, diagnostics);
+  REQUIRE(trace);
+  std::vector<TraceValue> out;
+  for (const TraceValue& value : trace->values) {
+    if (trace->header.channels[value.channel] == channel) out.push_back(value);
+  }
+  return out;
+}
+
+}  // namespace stig
