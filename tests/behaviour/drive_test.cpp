@@ -85,6 +85,29 @@ TEST_CASE("a start and a stop at twice cruising speed do not tip the robot") {
   CHECK(trial.robot().p.x == doctest::Approx(0.6).epsilon(0.01));
 }
 
+TEST_CASE(
+    "carrying, it starts, turns and stops without tipping, and the block stays in its place") {
+  Trial trial(
+      "stigc_scene: 1\nrobots:\n"
+      "  - {file: bebot.yaml, program: fetch_and_stack.lua, params: {carry: 1}}\n"
+      "blocks: [{name: load, at: [0.33, 0, 0.0275]}]\n");
+  REQUIRE(trial.until(60, "picked up"));
+  trial.until(0.5);
+  const auto hangs = [&] { return (inverse(trial.robot()) * trial.block("load")).p; };
+  const Vec3 before = hangs();
+  double most = 0, moved = 0;
+  while (!trial.said("carried") && trial.world().time() < 60) {
+    trial.until(0.05);
+    most = std::max(most, tilt(trial.robot()));
+    moved = std::max(moved, length(hangs() - before));
+  }
+  REQUIRE(trial.said("carried"));
+  MESSAGE(fmt::format("tilted by {:.3f} degrees, the block moved by {:.2f} mm at most",
+                      most / kDegree, moved * 1e3));
+  CHECK(most < 1 * kDegree);
+  CHECK(moved < 1e-3);
+}
+
 TEST_CASE("a robot at rest stays where it is for twenty minutes, asleep or not") {
   for (const std::string sleep : {"true", "false"}) {
     CAPTURE(sleep);
