@@ -11,42 +11,40 @@ namespace {
 /// An axis wins over the faces' best only by more than this, m.
 constexpr double kFacePreference = 1e-4;
 
-/// Where the boxes are farthest apart, or overlap least.
-struct Axis {
-  Vec3 n;  ///< unit, from b to a
-  double gap = -1e30;
-  int kind = 0;  ///< 0…2: face of a, 3…5: face of b, 6…14: edges
-};
-
 double half_of(const Placed& box, int i) {
   return i == 0 ? box.shape.half.x : i == 1 ? box.shape.half.y : box.shape.half.z;
 }
 
-/// Half the box's extent along a unit vector.
-double extent(const Placed& box, const Vec3& n) {
-  return std::abs(dot(n, box.r.x)) * box.shape.half.x +
-         std::abs(dot(n, box.r.y)) * box.shape.half.y +
-         std::abs(dot(n, box.r.z)) * box.shape.half.z;
-}
-
 /// Takes the axis when it parts the boxes by `preference` more than the best so far.
-void consider(Axis& best, const Placed& a, const Placed& b, Vec3 n, int kind, double preference) {
+void consider(BoxAxis& best, const Placed& a, const Placed& b, Vec3 n, int kind,
+              double preference) {
   const double along = dot(n, a.p - b.p);
   if (along < 0) n = -n;
   const double gap = std::abs(along) - extent(a, n) - extent(b, n);
   if (gap > best.gap + preference) best = {n, gap, kind};
 }
 
+/// Whether the other box lies beyond two of this one's faces, but for a graze.
+bool beyond_edge(const Placed& box, const Placed& other) {
+  int beyond = 0;
+  for (int i = 0; i < 3; ++i) {
+    const Vec3 n = box.r.column(i);
+    const double gap = std::abs(dot(n, box.p - other.p)) - half_of(box, i) - extent(other, n);
+    beyond += gap > -kGraze ? 1 : 0;
+  }
+  return beyond > 1;
+}
+
 /// The best axis, or one with a gap of at least `margin` as soon as it is found.
-Axis separating_axis(const Placed& a, const Placed& b, double margin) {
-  Axis best;
+BoxAxis separating_axis(const Placed& a, const Placed& b, double margin) {
+  BoxAxis best;
   for (int i = 0; i < 3 && best.gap < margin; ++i) {
     consider(best, a, b, a.r.column(i), i, i == 0 ? 0 : 1e-9);
   }
   for (int i = 0; i < 3 && best.gap < margin; ++i) {
     consider(best, a, b, b.r.column(i), 3 + i, kFacePreference / 10);
   }
-  Axis edges;
+  BoxAxis edges;
   for (int i = 0; i < 9 && best.gap < margin; ++i) {
     const Vec3 n = cross(a.r.column(i / 3), b.r.column(i % 3));
     if (squared(n) < 1e-6) continue;  // parallel edges: a face says the same
@@ -127,7 +125,7 @@ Vec3 edge_middle(const Placed& box, int axis, const Vec3& n) {
 }
 
 /// Midway between the two edges where they are nearest.
-Vec3 edges_meet(const Placed& a, const Placed& b, const Axis& axis) {
+Vec3 edges_meet(const Placed& a, const Placed& b, const BoxAxis& axis) {
   const int ia = (axis.kind - 6) / 3, ib = (axis.kind - 6) % 3;
   const Vec3 pa = edge_middle(a, ia, -axis.n), pb = edge_middle(b, ib, axis.n);
   const Vec3 ua = a.r.column(ia), ub = b.r.column(ib);
@@ -136,9 +134,13 @@ Vec3 edges_meet(const Placed& a, const Placed& b, const Axis& axis) {
 
 }  // namespace
 
-Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
-  const Axis axis = separating_axis(a, b, margin);
-  if (axis.gap >= margin) return {};
+double extent(const Placed& box, const Vec3& n) {
+  return std::abs(dot(n, box.r.x)) * box.shape.half.x +
+         std::abs(dot(n, box.r.y)) * box.shape.half.y +
+         std::abs(dot(n, box.r.z)) * box.shape.half.z;
+}
+
+Touch touch_boxes_along(const Placed& a, const Placed& b, const BoxAxis& axis, double margin) {
   if (axis.kind < 6) {
     const PointList all = axis.kind < 3 ? face_points(a, axis.kind, -axis.n, b, margin)
                                         : face_points(b, axis.kind - 3, axis.n, a, margin);
@@ -149,6 +151,13 @@ Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
   out.points[0] = {edges_meet(a, b, axis), axis.gap};
   out.count = 1;
   return out;
+}
+
+Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
+  const BoxAxis axis = separating_axis(a, b, margin);
+  if (axis.gap >= margin) return {};
+  if (axis.kind < 6 && axis.gap > -kGraze && (beyond_edge(a, b) || beyond_edge(b, a))) return {};
+  return touch_boxes_along(a, b, axis, margin);
 }
 
 }  // namespace stig

@@ -195,9 +195,9 @@ std::uint64_t hash_of(const WorldState& world) {
   for (const FrictionPair& pair : config.frictions) {
     out(pair.a), out(pair.b), out(pair.coefficient);
   }
-  out(config.magnet_cutoff), out(config.magnet_contact), out(config.relaxation.time),
-      out(config.relaxation.sweeps), out(config.magnets), out(config.bearing_damping),
-      out(config.snap.force);
+  out(config.damping), out(config.angular_damping), out(config.magnet_cutoff),
+      out(config.magnet_contact), out(config.relaxation.time), out(config.relaxation.sweeps),
+      out(config.magnets), out(config.bearing_damping), out(config.snap.force);
   const SleepRules& sleep = config.sleep;
   out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time),
       out(sleep.speed), out(sleep.spin);

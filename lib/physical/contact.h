@@ -58,6 +58,19 @@ struct Touch {
   int count = 0;
 };
 
+/// How two shapes move against each other in a step.
+struct Passing {
+  Vec3 way;            ///< m, of a against b
+  double turning = 0;  ///< m, that their surfaces may come nearer by turning
+  double margin = 0;   ///< m: that much apart all the way, they are no contact
+  double most = 0;     ///< m: points nearer than this count
+  double share = 0.5;  ///< of the way, that a moves
+};
+/// Boxes where they will meet on their way, with the axis as the normal along which they meet
+/// last, and gaps as they are now; a box that passes beside another does not touch it. They pass
+/// when they overlap by at most 0.2 mm, so that nothing snags on seams.
+Touch touch_moving_boxes(const Placed& a, const Placed& b, const Passing& motion);
+
 /// Points nearer than `margin`.
 Touch touch(const Placed& a, const Placed& b, double margin);
 Touch touch_floor(const Placed& a, double margin);

@@ -6,8 +6,8 @@
 //
 // DART is told where everything is before each step and keeps nothing, so that a checkpoint
 // of the world is whole; but it orders contacts by their addresses, so that runs agree only as
-// far as its sums round alike. It knows no pairs of materials: a pair slides with the smaller of its
-// two coefficients, each taken against the same kind. Nobody sleeps; wheels grip alike in all
+// far as its sums round alike. It knows no pairs of materials: a pair slides with the smaller of
+// its two coefficients, each taken against the same kind. Nobody sleeps; wheels grip alike in all
 // directions. Joints, cylinders and hulls are refused.
 //
 // DART's objects are made and destroyed under one lock, since it is not safe to do so in several

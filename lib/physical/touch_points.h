@@ -23,6 +23,21 @@ Touch single_touch(const Vec3& normal, const Vec3& p, double gap, double margin)
 Vec3 lines_meet(const Vec3& pa, const Vec3& ua, const Vec3& pb, const Vec3& ub);
 
 Touch touch_boxes(const Placed& a, const Placed& b, double margin);
+
+/// Where two boxes are farthest apart, or overlap least.
+struct BoxAxis {
+  Vec3 n;  ///< unit, from b to a
+  double gap = -1e30;
+  int kind = 0;  ///< 0…2: face of a, 3…5: face of b, 6…14: edges
+};
+/// Boxes that overlap by no more than this along some axis slide past each other, and edges that
+/// do so along two axes do not touch: a block that is pushed over a seam must not take the
+/// next block's side for a wall.
+inline constexpr double kGraze = 0.2e-3;
+/// Half the box's extent along a unit vector.
+double extent(const Placed& box, const Vec3& n);
+/// The points of contact with that axis as the normal.
+Touch touch_boxes_along(const Placed& a, const Placed& b, const BoxAxis& axis, double margin);
 /// Of boxes, hulls and cylinders as prisms.
 Touch touch_hulls(const Placed& a, const Placed& b, double margin);
 // The sphere is a.

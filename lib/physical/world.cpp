@@ -145,8 +145,6 @@ void note_leavers(WorldState& world) {
 
 /// Velocities of the step, with contacts. Stops before them when forces are beyond measure.
 void update_velocities(WorldState& world) {
-  gather_forces(world);
-  refresh_lists(world);
   const bool stock = world.config.solver == SolverKind::stock;
   for (const std::uint32_t i : world.awake) {
     if (!stock) integrate_velocity(world, i);
@@ -253,6 +251,9 @@ StepResult World::step() {
   world.early.clear();
   refresh_lists(world);
   if (!world.awake.empty()) {
+    gather_forces(world);
+    refresh_lists(world);
+    add_user_forces();
     update_velocities(world);
     const std::uint32_t bad = diverged(world);
     if (bad < world.bodies.size()) return {false, BodyId{bad}};
@@ -292,6 +293,24 @@ double World::energy() const {
     energy += dot(spin, scaled(body.inertia, spin)) / 2;
   }
   return energy;
+}
+
+void World::add_force(ForceFunction function) { functions_.push_back(std::move(function)); }
+
+void World::add_user_forces() {
+  Forces forces(*state_);
+  for (const ForceFunction& function : functions_) function(*this, forces);
+}
+
+void Forces::add(BodyId id, const Vec3& force, const Vec3& torque) {
+  Body& body = world_.bodies.at(static_cast<std::size_t>(id));
+  if (body.fixed || body.left || !body.awake) return;
+  body.force += force;
+  body.torque += torque;
+}
+
+void Forces::add_at(BodyId id, const Vec3& force, const Vec3& p_W) {
+  add(id, force, cross(p_W - world_.bodies.at(static_cast<std::size_t>(id)).p, force));
 }
 
 void World::push(BodyId id, const Vec3& force, const Vec3& torque) {

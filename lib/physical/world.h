@@ -15,6 +15,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -78,6 +79,25 @@ struct AddResult {
 };
 
 struct WorldState;
+class World;
+
+/// Takes up what a force function adds.
+class Forces {
+ public:
+  explicit Forces(WorldState& world) : world_(world) {}
+  /// Acts on the body during this step, the force at its centre of mass; adds to what others
+  /// do. Without effect on bodies that are fixed, asleep or have left.
+  void add(BodyId id, const Vec3& force, const Vec3& torque);
+  /// The force at a place of the world.
+  void add_at(BodyId id, const Vec3& force, const Vec3& p_W);
+
+ private:
+  WorldState& world_;
+};
+
+/// Reads the world as it was at the beginning of the step and adds forces. For runs that can be
+/// repeated it must depend on nothing else.
+using ForceFunction = std::function<void(const World& world, Forces& forces)>;
 
 class World {
  public:
@@ -107,6 +127,10 @@ class World {
   /// by more than 1 mm. Checkpoints from now on hold the definitions too.
   AddResult add(const Addition& addition);
 
+  /// Called in each step from now on in which something is awake, after gravity, damping and
+  /// magnets, in the order in which they were added. No part of checkpoints: a world that
+  /// resumes one must have been given the same functions.
+  void add_force(ForceFunction function);
   /// Acts during the next step alone, at the centre of mass; wakes the body.
   void push(BodyId id, const Vec3& force, const Vec3& torque);
   /// Not of a link. Of a fixed body: it moves so from now on, whatever is in its way. Wakes the
@@ -131,7 +155,10 @@ class World {
   std::uint64_t hash() const;
 
  private:
+  void add_user_forces();
+
   std::unique_ptr<WorldState> state_;
+  std::vector<ForceFunction> functions_;
 };
 
 }  // namespace stig

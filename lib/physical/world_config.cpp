@@ -87,6 +87,8 @@ void check_settings(const WorldConfig& config, std::vector<ConfigProblem>& out) 
   for (const FrictionPair& pair : config.frictions) {
     need(not_negative(pair.coefficient), "friction must not be negative");
   }
+  need(not_negative(config.damping) && not_negative(config.angular_damping),
+       "damping must not be negative");
   need(positive(config.magnet_cutoff) && config.magnet_cutoff <= 10,
        "the magnets' cut-off must be from 0 to 10 m");
   need(positive(config.magnet_contact) && config.magnet_contact <= config.magnet_cutoff,

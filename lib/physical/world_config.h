@@ -92,6 +92,8 @@ struct WorldConfig {
   double arena = 100;     ///< m: bodies farther from the origin along x, y or z have left
   double friction = 0.5;  ///< of pairs that are not listed
   std::vector<FrictionPair> frictions;
+  double damping = 0;          ///< 1/s: free motion decays as exp(-damping · t)
+  double angular_damping = 0;  ///< 1/s, likewise of spins
   double magnet_cutoff = 0.04;
   double magnet_contact = 0.006;  ///< m: magnets nearer than this pull as at this distance
   MagnetModel magnets = MagnetModel::quasi_static;

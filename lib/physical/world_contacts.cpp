@@ -9,7 +9,9 @@ namespace stig {
 namespace {
 
 constexpr double kMargin = 0.2e-3;     ///< m: contacts are seen from here on
-constexpr double kMostMargin = 50e-3;  ///< m: for fast bodies
+constexpr double kMostMargin = 50e-3;  ///< m: for fast bodies that are no boxes
+constexpr double kMostWay = 0.5;       ///< m, of a step, that is looked along
+constexpr double kSwept = 5e-3;        ///< m/s: faster boxes are followed along their way
 constexpr double kTouching = 50e-6;    ///< m: below, a contact has begun
 
 /// How far turning may bring the surface in a step.
@@ -18,12 +20,30 @@ double turning_reach(const WorldState& world, const Body& body) {
 }
 
 /// Gap below which two bodies may touch in this step.
-double margin_of(const WorldState& world, const Body& a, const Body& b) {
+double margin_of(const WorldState& world, const Body& a, const Body& b, double most) {
   const double way = length(a.v - b.v) * world.config.step;
-  return std::min(kMostMargin, kMargin + way + turning_reach(world, a) + turning_reach(world, b));
+  return std::min(most, kMargin + way + turning_reach(world, a) + turning_reach(world, b));
 }
 
 Placed placed(const Body& body) { return {body.shape, body.p, body.r}; }
+
+/// Before this step's forces: of what lies on something, they come to nothing.
+Vec3 steady(const Body& body) { return body.fixed || !body.awake ? body.v : body.last_v; }
+
+Touch touch_bodies(const WorldState& world, const Body& a, const Body& b) {
+  const bool boxes = a.shape.kind == ShapeKind::box && b.shape.kind == ShapeKind::box;
+  const Vec3 velocity = steady(a) - steady(b);
+  const bool swept = boxes && squared(velocity) > kSwept * kSwept;
+  const double most = margin_of(world, a, b, swept ? kMostWay : kMostMargin);
+  if (!swept) return touch(placed(a), placed(b), most);
+  Passing motion;
+  motion.way = velocity * world.config.step;
+  motion.turning = turning_reach(world, a) + turning_reach(world, b);
+  motion.margin = kMargin + motion.turning;
+  motion.most = most;
+  motion.share = a.fixed || !a.awake ? 0 : b.fixed || !b.awake ? 1 : 0.5;
+  return touch_moving_boxes(placed(a), placed(b), motion);
+}
 
 /// All that the body may reach in this step, and half the margin.
 Bounds bounds_of(const WorldState& world, const Body& body) {
@@ -36,7 +56,7 @@ Bounds bounds_of(const WorldState& world, const Body& body) {
   }
   const double reach = kMargin / 2 + std::min(kMostMargin, turning_reach(world, body));
   const auto way = [&world](double speed) {
-    return std::clamp(speed * world.config.step, -kMostMargin, kMostMargin);
+    return std::clamp(speed * world.config.step, -kMostWay, kMostWay);
   };
   const Vec3 step{way(body.v.x), way(body.v.y), way(body.v.z)};
   const auto down = [reach](double x) { return std::min(x, 0.0) - reach; };
@@ -86,13 +106,12 @@ std::vector<Contact> find_contacts(WorldState& world) {
   out.reserve(pairs.size() + world.awake.size());
   for (const auto& [a, b] : pairs) {
     if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
-    const double margin = margin_of(world, world.bodies[a], world.bodies[b]);
-    add_contact(world, a, b, touch(placed(world.bodies[a]), placed(world.bodies[b]), margin), out);
+    add_contact(world, a, b, touch_bodies(world, world.bodies[a], world.bodies[b]), out);
   }
   if (world.config.floor) {
     for (const std::uint32_t i : world.awake) {
       if (world.bodies[i].fixed) continue;
-      const double margin = margin_of(world, world.bodies[i], kAtRest);
+      const double margin = margin_of(world, world.bodies[i], kAtRest, kMostWay);
       add_contact(world, i, kFloorBody, touch_floor(placed(world.bodies[i]), margin), out);
     }
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include <cmath>
+
 #include "physical/world_state.h"
 
 namespace stig {
@@ -10,6 +12,18 @@ void remember(Body& body) {
   body.last_w = body.w;
 }
 
+/// The force whose impulse over a step is what the decay takes, for any rate.
+void add_damping(WorldState& world) {
+  const double dt = world.config.step;
+  const double linear = -std::expm1(-world.config.damping * dt) / dt;
+  const double angular = -std::expm1(-world.config.angular_damping * dt) / dt;
+  for (const std::uint32_t i : world.awake) {
+    Body& body = world.bodies[i];
+    body.force -= body.v * (linear * body.mass);
+    body.torque -= body.r * scaled(body.inertia, body.r.transposed(body.w)) * angular;
+  }
+}
+
 }  // namespace
 
 void gather_forces(WorldState& world) {
@@ -18,6 +32,7 @@ void gather_forces(WorldState& world) {
     body.force = body.user_force + Vec3{0, 0, -world.config.gravity * body.mass};
     body.torque = body.user_torque;
   }
+  if (world.config.damping > 0 || world.config.angular_damping > 0) add_damping(world);
   if (!world.magnets.empty()) add_magnet_forces(world);
 }
 

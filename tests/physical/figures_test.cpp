@@ -167,3 +167,11 @@ TEST_CASE("dropped blocks: same bytes in two threads, and resumed at any tick") 
     CHECK(second.hash() == ends[0]);
   }
 }
+
+TEST_CASE("a row pushed along another does not snag on its seams") {
+  const Slide slide = row_along_row(paper_block());
+  CHECK(slide.moved > 0.1);
+  CHECK(slide.drawn < 1e-4);
+  CHECK(slide.rise < 1e-4);
+  CHECK(slide.pitch < 0.1 * kDegree);
+}
