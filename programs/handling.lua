@@ -20,6 +20,8 @@ local PULSE, LOWER = 0.006, 0.003
 local CARRY = 0.058
 local CARRY_FAR = 0.080         -- passes over a block without being drawn to it
 local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
+local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
+local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
 local LET_GO = 0.030           -- up from a block that was put down
 local SLOW = 0.05              -- m/s, close to blocks
 local STRAIGHT = 0.04          -- m, in which a line is joined
@@ -173,8 +175,13 @@ function handling.lift_to(height)
    end
    robot.lift_system.set_position(sent)
    coroutine.yield()
+   -- there, or held up by something
+   local before, still = position, 0
    local reached = wait_until(function()
-      return math.abs(robot.lift_system.position - sent) <= 1.05 * robotics.profile.lift_slack
+      local now = robot.lift_system.position
+      still = math.abs(now - before) < 1e-4 and still + 1 or 0
+      before = now
+      return still >= 3 or math.abs(now - sent) <= 1.05 * robotics.profile.lift_slack
    end, 20)
    if handling.carrying then
       coroutine.yield()
@@ -325,9 +332,12 @@ end
 
 -- Drives until the gripping point is over the target: the block's middle, or a place `ahead` and
 -- `left` of it as seen on the way in. From STAND_OFF on the way is straight; it is watched as long
--- as the camera sees the block, and blind from there. `lowest` is the least height of the lift.
+-- as the camera sees the block, and blind from there. `lowest` is the least height of the lift; it
+-- is higher where the block is seen only from there.
 local function approach(block, options)
    local grip = robotics.profile.grip
+   local lowest = math.max(options.lowest, SIDE * (block.level or 0) + LOOK)
+   lowest = math.min(lowest, robotics.profile.lift_top - 0.0005)
    for attempt = 1, ATTEMPTS do
       enter('approach')
       local heading = options.heading or heading_to(block)
@@ -340,7 +350,7 @@ local function approach(block, options)
          handling.go_to(robotics.out_of(line, -away, 0))
       end
       handling.turn_to(line.yaw)
-      lift_for_sight(block, options.lowest)
+      lift_for_sight(block, lowest)
       handling.wait(0.6)
       local seen = look_at(block, 4)
       if not seen and attempt == 1 then
@@ -351,14 +361,14 @@ local function approach(block, options)
          local known = robotics.again(block)
          if not known then return nil end
          block = known
-         lift_for_sight(known, options.lowest)
+         lift_for_sight(known, lowest)
          return line_to(known, heading, options)
       end
       if seen then
-         local sight = nearest_in_sight(options.lowest, block.level or 0) + (options.ahead or 0)
+         local sight = nearest_in_sight(lowest, block.level or 0) + (options.ahead or 0)
          local near = math.max(sight, 0.170)
          if handling.follow(now_line, -near, 0.08) then
-            handling.lift_to(options.lowest)
+            handling.lift_to(lowest)
             seen = look_at(block, 6)
          else
             seen = nil
@@ -476,7 +486,7 @@ end
 -- Puts the carried block down on `level`, over the gripping point; `colour` is set before.
 function handling.release(level, colour)
    enter('release')
-   handling.lift_to(SIDE * level + 0.0005)
+   handling.lift_to(SIDE * level + REST)
    handling.wait(0.4)
    if colour then handling.colour(colour) end
    for _ = 1, 3 do
@@ -485,9 +495,23 @@ function handling.release(level, colour)
          handling.go_by(-0.15, 0.08)
          return true
       end
-      handling.lift_to(SIDE * level + 0.0005)
+      handling.lift_to(SIDE * level + REST)
    end
    return false, 'it does not let go'
+end
+
+-- From DRAW before a face, where magnets begin to draw the carried block, down to the level and
+-- on to the face; or until the effector, which is longer than the block, is at a higher column.
+local function slide_in(level)
+   enter('slide in')
+   handling.lift_to(SIDE * level + REST)
+   robot.electromagnet_system.set_discharge_mode('constructive')
+   local pose = robotics.pose
+   handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, DRAW - SHY, 0.02, function()
+      local ahead = robotics.range('front')
+      return ahead and ahead < 0.003
+   end)
+   robot.electromagnet_system.set_discharge_mode('disable')
 end
 
 -- Stacks the carried block on top of `block`, or with where = 'front' puts it down in front of it,
@@ -501,12 +525,13 @@ function handling.place(block, where, options)
    local back, yaw = handling.grip()
    local lowest = math.min(SIDE * level + CLEAR, robotics.profile.lift_top - 0.0005)
    local near, seen = approach(block, {
-      heading = options.heading, lowest = lowest, short = -back, misjudged = options.misjudged,
-      ahead = front and -SIDE or 0,
+      heading = options.heading, lowest = lowest, short = (front and -DRAW or 0) - back,
+      misjudged = options.misjudged, ahead = front and -SIDE or 0,
    })
    if not near then return false, seen end
    if not handling.holds() then return false, 'the block was lost' end
    if math.abs(yaw) > 0.004 then handling.turn_by(-yaw, 0.01) end
+   if front then slide_in(level) end
    return handling.release(level, options.colour)
 end
 
