@@ -16,14 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLoaded = "stig.loaded";
 
-bool is_plain(std::string_view name) {
-  const auto fits = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-';
-  };
-  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), fits);
-}
-
 /// The file, if it really is in the program's folder: a link may not lead out of it.
 std::optional<std::string> find_beside(const std::string& program, const std::string& name) {
   std::error_code error;
@@ -35,9 +27,12 @@ std::optional<std::string> find_beside(const std::string& program, const std::st
 }
 
 /// The text of a module, or nothing with `problem` set.
-std::optional<std::string> read_module(const std::string& program, const std::string& name,
+std::optional<std::string> read_module(const LuaProgram& program, const std::string& name,
                                        std::string& problem) {
-  const auto path = find_beside(program, name);
+  for (const auto& [known, text] : program.modules) {
+    if (known == name) return text;
+  }
+  const auto path = program.whole ? std::nullopt : find_beside(program.path, name);
   if (!path) {
     problem = "there is no file '" + name + ".lua' beside the program";
     return std::nullopt;
@@ -55,7 +50,7 @@ std::string beside(const std::string& program, const std::string& name) {
 int require(lua_State* state) {
   LuaBox& box = LuaBox::of(state);
   const std::string name(text_argument(state, 1, "require", "name"));
-  if (!is_plain(name)) {
+  if (!is_module_name(name)) {
     return luaL_error(state,
                       "require: a name of letters, digits, _ and - is needed, of a file "
                       "beside the program");
@@ -69,7 +64,7 @@ int require(lua_State* state) {
   }
   box.charge(state, 10'000);  // files are slow
   std::string problem;
-  const auto text = read_module(box.program().path, name, problem);
+  const auto text = read_module(box.program(), name, problem);
   if (!text) return luaL_error(state, "require: %s", problem.c_str());
   const std::string chunk = box.chunk_name(beside(box.program().path, name));
   if (!load_text(state, *text, chunk.c_str())) return lua_error(state);
@@ -98,6 +93,31 @@ int require(lua_State* state) {
 }
 
 }  // namespace
+
+bool is_module_name(std::string_view name) {
+  const auto fits = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+           c == '-';
+  };
+  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), fits);
+}
+
+std::vector<std::string> required_names(std::string_view text) {
+  constexpr std::string_view kWord = "require";
+  std::vector<std::string> out;
+  for (auto at = text.find(kWord); at != text.npos; at = text.find(kWord, at)) {
+    at += kWord.size();
+    const auto open = text.find_first_not_of(" \t(", at);
+    if (open == text.npos || (text[open] != '\'' && text[open] != '"')) continue;
+    const auto close = text.find(text[open], open + 1);
+    if (close == text.npos) break;
+    const std::string name(text.substr(open + 1, close - open - 1));
+    if (is_module_name(name) && std::find(out.begin(), out.end(), name) == out.end()) {
+      out.push_back(name);
+    }
+  }
+  return out;
+}
 
 void open_require(lua_State* state) {
   lua_pushcfunction(state, require);

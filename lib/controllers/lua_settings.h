@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -31,7 +32,14 @@ LuaLimits block_limits();
 struct LuaProgram {
   std::string path;  ///< as messages say it; `require` looks beside it
   std::string text;
+  /// What `require` finds, by name, without looking for files: a scene's programs bring theirs.
+  std::vector<std::pair<std::string, std::string>> modules{};
+  bool whole = false;  ///< `require` knows `modules` and no files
 };
+/// Names that a text's `require 'name'` asks for, as far as they are written out; each once.
+std::vector<std::string> required_names(std::string_view text);
+/// Whether `require` takes the name: letters, digits, _ and -.
+bool is_module_name(std::string_view name);
 inline constexpr std::size_t kMostLuaSource = std::size_t{256} << 10;
 std::optional<LuaProgram> read_lua_program(const std::string& path, FileError& error);
 

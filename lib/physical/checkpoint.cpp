@@ -69,7 +69,8 @@ template <class Each, class BodyType>
 void visit_body(Each& each, BodyType& body) {
   each(body.p), each(body.q), each(body.v), each(body.w);
   each(body.force), each(body.torque), each(body.user_force), each(body.user_torque);
-  each(body.awake), each(body.left), each(body.rest);
+  each(body.awake), each(body.left), each(body.rest), each(body.rest_X_WB.p),
+      each(body.rest_X_WB.q);
 }
 
 template <class Each, class MagnetType>

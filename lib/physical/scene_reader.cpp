@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
+constexpr std::size_t kMostModules = 64;                     ///< of one program
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
 
 /// The number of a material; a name seen for the first time gets the next.
@@ -351,8 +352,29 @@ class Reader {
     }
     const SourceRef source = load(node, name);
     if (!source) return RobotSpawn::kNoProgram;
-    scene_.programs.push_back({name, source->text()});
+    LuaProgram program{name, source->text(), {}, true};
+    add_modules(program, program.text);
+    scene_.programs.push_back(std::move(program));
     return scene_.programs.size() - 1;
+  }
+
+  /// What a program requires comes with the scene, so that traces can run it again. A file that
+  /// is not there is the program's business: it may ask for it in vain.
+  void add_modules(LuaProgram& program, const std::string& text) {
+    for (const std::string& name : required_names(text)) {
+      const bool known = std::any_of(program.modules.begin(), program.modules.end(),
+                                     [&](const auto& module) { return module.first == name; });
+      if (known || program.modules.size() == kMostModules) continue;
+      const std::string path = program.path.substr(0, program.path.rfind('/') + 1) + name + ".lua";
+      FileError error;
+      const auto module = load_(path, kMostLuaSource, error);
+      if (!module) continue;
+      const bool kept = std::any_of(scene_.files.begin(), scene_.files.end(),
+                                    [&](const SceneFile& file) { return file.name == path; });
+      if (!kept) scene_.files.push_back({path, *module});
+      program.modules.emplace_back(name, *module);
+      add_modules(program, *module);
+    }
   }
 
   /// The number of the entry's block among the models; each file is read once.

@@ -8,6 +8,8 @@ namespace stig {
 
 namespace {
 
+constexpr double kTrembling = 10;  ///< times the limits of speed, for moments
+
 bool mobile(const WorldState& world, std::uint32_t i) {
   return i != kFloorBody && !world.bodies[i].fixed && !world.bodies[i].left;
 }
@@ -39,6 +41,15 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   if (Articulation* it = articulation_of(world, i)) std::fill(it->v.begin(), it->v.end(), 0.0);
   world.changed = true;
   world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
+}
+
+/// Within what the limits of speed allow in the time asked for. A high column trembles faster
+/// than that without going anywhere.
+bool stays(const Body& body, const SleepRules& rules) {
+  const auto below = [](const Vec3& v, double most) { return squared(v) < most * most; };
+  return below(body.p - body.rest_X_WB.p, rules.speed * rules.time) &&
+         angle_of(body.q * conjugate(body.rest_X_WB.q)) < rules.spin * rules.time &&
+         below(body.v, kTrembling * rules.speed) && below(body.w, kTrembling * rules.spin);
 }
 
 }  // namespace
@@ -86,10 +97,13 @@ void put_to_sleep(WorldState& world) {
   std::vector<bool> restless(world.bodies.size(), false);
   for (const std::uint32_t i : world.awake) {
     Body& body = world.bodies[i];
-    const bool slow =
-        squared(body.v) < rules.speed * rules.speed && squared(body.w) < rules.spin * rules.spin;
     const bool pushed = !(body.user_force == Vec3{}) || !(body.user_torque == Vec3{});
-    body.rest = slow && !body.free && !pushed ? body.rest + world.config.step : 0;
+    if (stays(body, rules) && !body.free && !pushed) {
+      body.rest += world.config.step;
+    } else {
+      body.rest = 0;
+      body.rest_X_WB = {body.p, body.q};
+    }
     if (mobile(world, i) && body.rest < rules.time) restless[islands.root(i)] = true;
   }
   for (Articulation& articulation : world.articulations.all) {

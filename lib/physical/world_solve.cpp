@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // From bodies and contacts to the solver's task, and back.
+#include <algorithm>
+#include <cmath>
+
 #include "physical/world_state.h"
 
 namespace stig {
@@ -84,6 +87,37 @@ class TaskMaker {
   std::vector<std::uint32_t> slot_, mechanism_;
 };
 
+/// The most bodies one upon the other, as contacts lead up from what does not move.
+int storeys(const SolverTask& task) {
+  std::vector<int> level(task.bodies.size(), -1);
+  std::vector<std::vector<std::uint32_t>> above(task.bodies.size());
+  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
+    const auto [a, b] = task.slots[c];
+    // Side by side is no storey.
+    if (std::abs(task.contacts[c].normal.z) < 0.5) continue;
+    above[a].push_back(b);
+    above[b].push_back(a);
+  }
+  std::vector<std::uint32_t> todo;
+  for (std::uint32_t i = 0; i < task.bodies.size(); ++i) {
+    if (task.bodies[i].inverse_mass > 0 || task.bodies[i].link >= 0) continue;
+    level[i] = 0;
+    todo.push_back(i);
+  }
+  int most = 0;
+  for (std::size_t next = 0; next < todo.size(); ++next) {
+    for (const std::uint32_t other : above[todo[next]]) {
+      if (level[other] >= 0) continue;
+      most = std::max(most, level[other] = level[todo[next]] + 1);
+      todo.push_back(other);
+    }
+  }
+  return most;
+}
+
+/// High columns need more sweeps: with one they sway for ever, and turn by it.
+int sweeps_for(int storeys) { return storeys <= 6 ? 1 : storeys <= 10 ? 2 : 8; }
+
 void take_over(WorldState& world, const TaskMaker& maker) {
   for (const std::uint32_t i : world.awake) {
     Body& body = world.bodies[i];
@@ -117,7 +151,8 @@ void solve_world(WorldState& world) {
   task.dt = world.config.step;
   task.small_steps = world.config.small_steps;
   // What is spawned at rest finds its forces at once, instead of sinking while they grow.
-  task.sweeps = world.config.sweeps * (world.tick == 0 ? kFirstSweeps : 1);
+  task.sweeps =
+      world.config.sweeps * sweeps_for(storeys(task)) * (world.tick == 0 ? kFirstSweeps : 1);
   solve(task);
   auto solved = task.contacts.begin();
   for (Contact& contact : world.contacts) {

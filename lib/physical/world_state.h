@@ -38,7 +38,8 @@ struct Body {
   bool awake = true;             ///< of fixed ones: whether they move
   bool left = false;
   bool free = false;               ///< without contact in this step
-  double rest = 0;                 ///< s, for which it has been slow
+  double rest = 0;                 ///< s, for which it has stayed where it is
+  Pose rest_X_WB;                  ///< where that is
   std::int32_t articulation = -1;  ///< that it is a link of
   std::uint32_t part = 0;          ///< of that
 

@@ -3,7 +3,8 @@
 -- transport and carries it a while. Written for the BuilderBot's interface; the steps and figures
 -- are those that Allwright et al. 2017 describe. Lengths in metres, times in seconds.
 -- Parameters, all optional: turn, speed, search_height, contact (reading of the rangefinder
--- 'underneath' that means contact), counts (true when readings grow as things come near).
+-- 'underneath' that means contact), face (of 'left' and 'right' that means that the block is
+-- where it is to be picked up), counts (true when readings grow as things come near).
 
 local BLOCK_SIDE = 0.055
 local IN_TRANSPORT = '4'
@@ -57,6 +58,20 @@ local function touches()
    return finder.proximity > 0 and finder.proximity <= contact
 end
 
+-- The block is wholly under the effector when its face is near what holds the effector.
+local function at_face()
+   for _, name in ipairs { 'left', 'right' } do
+      local finder = robot.rangefinders[name]
+      if finder then
+         local face = robot.params.face or (robot.params.counts and 2490 or 0.006)
+         local near = finder.proximity > 0 and finder.proximity <= face
+         if robot.params.counts then near = finder.proximity >= face end
+         if near then return true end
+      end
+   end
+   return not robot.rangefinders.left and not robot.rangefinders.right
+end
+
 local states = {}
 
 function states.search()
@@ -77,16 +92,20 @@ function states.approach()
    local width, height = robot.camera_system.resolution.x, robot.camera_system.resolution.y
    local aside = (tag.center.x - width / 2) / (width / 2)        -- positive: to the right
    local low = (tag.center.y - height / 2) / (height / 2)        -- positive: below the middle
-   local speed = robot.params.speed * (1 - 0.5 * math.abs(aside))
+   -- slower near the image's edges, so that neither wheels nor lift lose the tag
+   local speed = robot.params.speed * (1 - 0.5 * math.abs(aside)) *
+                 (1 - math.max(0, math.min(0.8, low)))
    drive(speed + aside * robot.params.speed, speed - aside * robot.params.speed)
-   local wanted = robot.lift_system.position - 0.01 * low
+   local wanted = robot.lift_system.position - 0.02 * low
    robot.lift_system.set_position(math.max(0, math.min(0.135, wanted)))
    robot.show.arrow(vector3(), vector3(tag.position.z, -tag.position.x, 0), 'orange')
 end
 
+-- A little higher, so that the magnets do not catch the block by its near edge.
 function states.reach()
-   drive(0.3 * robot.params.speed, 0.3 * robot.params.speed)
-   if touches() then enter('pull') elseif elapsed() > 7.5 then enter('back') end
+   robot.lift_system.set_position(0.009)
+   drive(0.5 * robot.params.speed, 0.5 * robot.params.speed)
+   if touches() and at_face() then enter('pull') elseif elapsed() > 7.5 then enter('back') end
 end
 
 function states.back()

@@ -36,7 +36,7 @@ SceneLoader scene_loader(const std::string& scene_path) {
   const fs::path folder = fs::path(scene_path).parent_path();
   std::vector<std::string> others;
   const fs::path program = program_folder();
-  for (const char* kind : {"blocks", "robots"}) {
+  for (const char* kind : {"blocks", "robots", "programs"}) {
     others.push_back((folder / ".." / kind).string());
     if (program.empty()) continue;
     // Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.

@@ -1,0 +1,556 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot does: drives along lines, approaches blocks, picks them up and puts them down.
+--
+-- Behaviours are functions that return when they are done, true or false and a reason. They run
+-- in a coroutine, one step of it a control step:
+--
+--     function init()  handling.start(function() handling.pick_up(...) end)  end
+--     function step()  handling.step()  end
+
+local robotics = require 'robotics'
+local handling = { carrying = false, state = '' }
+
+local SIDE = robotics.SIDE
+local TIME_OUT = 7.5
+local wrap, wrap_quarter, clamp = robotics.wrap, robotics.wrap_quarter, robotics.clamp
+
+-- Lift heights over the floor, for a block on it.
+local LOOK = 0.015             -- over a block's top: clear of it, and its magnets are not drawn
+local PULSE, LOWER = 0.006, 0.003
+local CARRY = 0.058
+local CARRY_FAR = 0.080         -- passes over a block without being drawn to it
+local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
+local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
+local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
+local LET_GO = 0.030           -- up from a block that was put down
+local SLOW = 0.05              -- m/s, close to blocks
+local STRAIGHT = 0.04          -- m, in which a line is joined
+local STAND_OFF = 0.30         -- m, from a block, where its approach begins
+local ATTEMPTS = 4
+local LEG = 0.33               -- m, between two looks round
+local NEAR_LOOK = 0.070        -- height of the lift; what it carries passes over a block
+
+local behaviour
+
+-- Time ----------------------------------------------------------------------------------------
+
+function handling.yield()
+   coroutine.yield()
+end
+
+function handling.wait(seconds)
+   local start = robotics.time
+   while robotics.time - start < seconds - 1e-6 do coroutine.yield() end
+end
+
+-- Until `done()`, or false after a time.
+local function wait_until(done, seconds)
+   local start = robotics.time
+   while not done() do
+      if robotics.time - start > (seconds or TIME_OUT) then return false end
+      coroutine.yield()
+   end
+   return true
+end
+handling.wait_until = wait_until
+
+local function enter(state)
+   handling.state = state
+   if robot.params.verbose then
+      local pose = robotics.pose
+      log(string.format('%.1f s: %s at %.3f %.3f %.1f', robotics.time, state, pose.x, pose.y,
+                        math.deg(pose.yaw)))
+   end
+   if robot.show then robot.show.text('state', state) end
+end
+handling.enter = enter
+
+-- Driving -------------------------------------------------------------------------------------
+
+-- The speed, at most `most`, for the next step so that a rim that now runs at `now` can still
+-- stop `way` ahead; way, now and the result have the same sign when all is well.
+local function speed_for(way, now, most)
+   local sign = way < 0 and -1 or 1
+   way, now = way * sign, now * sign
+   -- far from the end brake gently; on the last millimetres exactly as the ramp does
+   local brake = robotics.profile.acceleration * (way > 0.010 and 0.4 or 1)
+   local low, high = 0, most
+   for _ = 1, 24 do
+      local middle = (low + high) / 2
+      local needed = robotics.way_of(now, middle, robotics.period) + middle * middle / (2 * brake)
+      if needed > way then high = middle else low = middle end
+   end
+   return sign * low
+end
+
+function handling.stop()
+   robotics.drive(0, 0)
+   wait_until(function()
+      return math.abs(robotics.left) < 1e-4 and math.abs(robotics.right) < 1e-4
+   end, 1)
+end
+
+-- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims.
+function handling.turn_to(yaw, rim)
+   local radius = robotics.profile.track / 2
+   local start = robotics.time
+   while robotics.time - start < 20 do
+      local way = wrap(yaw - robotics.pose.yaw) * radius
+      local now = (robotics.right - robotics.left) / 2
+      if math.abs(way) < 1e-5 and math.abs(now) < 1e-3 then break end
+      local speed = speed_for(way, now, rim or 0.06)
+      robotics.drive_rims(-speed, speed)
+      coroutine.yield()
+   end
+   handling.stop()
+   return math.abs(wrap(yaw - robotics.pose.yaw)) < 0.01
+end
+
+function handling.turn_by(angle, rim)
+   return handling.turn_to(robotics.pose.yaw + angle, rim)
+end
+
+-- Place along and beside a line {x, y, yaw}, and the angle to it.
+function handling.on_line(line)
+   local along, aside = robotics.into(line, robotics.pose.x, robotics.pose.y)
+   return along, aside, wrap(robotics.pose.yaw - line.yaw)
+end
+
+-- Along a line to its point `to` (0: where the line begins), forward or backward, as the way
+-- there asks; joins it within some 4 STRAIGHT. `line` may be a function that says it anew in each
+-- step; nil ends the drive. `each` is called in every step and may end it by returning true.
+function handling.follow(line, to, speed, each)
+   local start = robotics.time
+   while robotics.time - start < 60 do
+      local now_line = line
+      if type(line) == 'function' then now_line = line() end
+      if not now_line then
+         handling.stop()
+         return false, 'target lost'
+      end
+      local along, aside, angle = handling.on_line(now_line)
+      local way, now = to - along, (robotics.left + robotics.right) / 2
+      if (math.abs(way) < 1e-4 and math.abs(now) < 1e-3) or (each and each()) then break end
+      local v = speed_for(way, now, speed)
+      -- critically damped over the way: e'' = -2 e'/L - e/L²
+      local back = way < 0 and -1 or 1
+      local bend = -back * aside / STRAIGHT ^ 2 - 2 * angle / STRAIGHT
+      robotics.drive(v, math.abs(v) * clamp(bend, -15, 15))
+      coroutine.yield()
+   end
+   handling.stop()
+   return true
+end
+
+-- Straight on by so much; back when negative.
+function handling.go_by(way, speed)
+   local pose = robotics.pose
+   return handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, way,
+                          speed or robotics.profile.cruise)
+end
+
+-- To a place of the odometry frame: turns to it, and drives.
+function handling.go_to(x, y, speed)
+   local dx, dy = x - robotics.pose.x, y - robotics.pose.y
+   if dx * dx + dy * dy < 1e-4 then return true end
+   local yaw = math.atan(dy, dx)
+   handling.turn_to(yaw)
+   return handling.follow({ x = x, y = y, yaw = yaw }, 0, speed or robotics.profile.cruise)
+end
+
+-- The lift -----------------------------------------------------------------------------------
+
+-- It rests within `lift_slack` of where it is sent, on the side that it came from; so it is
+-- sent that much further. What it carries would come off in the jolt of starting or stopping: the
+-- magnets hold harder meanwhile.
+function handling.lift_to(height)
+   local slack = 0.8 * robotics.profile.lift_slack
+   local position = robot.lift_system.position
+   if math.abs(height - position) < slack then return true end
+   local sent = height + (height > position and slack or -slack)
+   sent = clamp(sent, 0, robotics.profile.lift_top)
+   if handling.carrying then
+      robot.electromagnet_system.set_discharge_mode('constructive')
+      coroutine.yield()
+   end
+   robot.lift_system.set_position(sent)
+   coroutine.yield()
+   -- there, or held up by something
+   local before, still = position, 0
+   local reached = wait_until(function()
+      local now = robot.lift_system.position
+      still = math.abs(now - before) < 1e-4 and still + 1 or 0
+      before = now
+      return still >= 3 or math.abs(now - sent) <= 1.05 * robotics.profile.lift_slack
+   end, 20)
+   if handling.carrying then
+      coroutine.yield()
+      robot.electromagnet_system.set_discharge_mode('disable')
+   end
+   return reached
+end
+
+-- Looking ------------------------------------------------------------------------------------
+
+-- The lift's height at which a block of a level, `ahead` of the robot, is in the picture's middle.
+local function height_for(ahead, level)
+   local eye = robotics.profile.anchor
+   local at = robot.camera_system.transform.position
+   return ahead - (at.x + eye[1]) + SIDE * (level + 1) - (at.z + eye[3])
+end
+
+-- The least distance ahead at which its upper tag is wholly in the picture, at a lift's height.
+local function nearest_in_sight(height, level)
+   local at, anchor = robot.camera_system.transform.position, robotics.profile.anchor
+   local half = 0.92 * robot.camera_system.resolution.y / 2 / robotics.profile.focal
+   local above = at.z + anchor[3] + height - SIDE * (level + 1)
+   return at.x + anchor[1] + above * (1 - half) / (1 + half) + 0.016
+end
+
+local function lift_for_sight(block, lowest)
+   local ahead = robotics.into(robotics.pose, block.x, block.y)
+   local height = clamp(height_for(ahead, block.level or 0), lowest, robotics.profile.lift_top)
+   if math.abs(height - robot.lift_system.position) > 0.003 then
+      robot.lift_system.set_position(height)
+   end
+end
+
+-- Stands and looks until a block was seen `often` more times; the block as it is now, or nil.
+local function look_at(block, often)
+   local known = robotics.again(block)
+   if not known then return nil end
+   local before = known.seen
+   local function seen()
+      known = robotics.again(block)
+      return not known or known.seen >= before + often
+   end
+   if not wait_until(seen, 4) then return nil end
+   return known
+end
+
+-- Whether something is in sight that was not seen often enough to be sure of.
+local function glimpse()
+   for _, known in ipairs(robotics.tracks) do
+      if known.missed == 0 and known.seen < 8 and robotics.time - known.time < 0.1 then
+         return true
+      end
+   end
+   return false
+end
+
+-- Whether something stands right before the wheels.
+local function blocked()
+   for _, name in ipairs { '1', '2', '3', '12' } do
+      local range = robotics.range(name)
+      if range and range < 0.045 and (name ~= '3' and name ~= '12' or robotics.profile.fan)
+      then return true end
+   end
+   return false
+end
+handling.blocked = blocked
+
+-- The nearest of the blocks in memory that is wanted, or nil.
+local function recall(wanted, age)
+   local best
+   for _, block in ipairs(robotics.blocks()) do
+      if (not age or robotics.time - block.time < age) and wanted(block) and
+         (not best or robotics.distance_to(block) < robotics.distance_to(best)) then
+         best = block
+      end
+   end
+   return best
+end
+
+-- Once round on the spot, until `found()` is something.
+local function look_round(found)
+   local rim, turned, before = robotics.profile.search_rim, 0, robotics.pose.yaw
+   local block
+   while turned < 2 * math.pi and not block do
+      -- what is seen for the first time is worth a look
+      local turning = glimpse() and 0 or rim
+      robotics.drive_rims(-turning, turning)
+      coroutine.yield()
+      turned = turned + math.abs(wrap(robotics.pose.yaw - before))
+      before = robotics.pose.yaw
+      block = found()
+   end
+   handling.stop()
+   return block
+end
+
+-- A block of which `wanted(block)` is true: one in memory, or else one that comes in sight. Looks
+-- round with the lift up, then lower, and after that in vain moves on, in a square spiral. Returns nil
+-- when there was none after `turns`.
+function handling.search(wanted, turns)
+   local block = recall(wanted)
+   if block then return block end
+   enter('search')
+   local heading, legs, left = robotics.pose.yaw, 2, 1
+   for _ = 1, turns or 25 do
+      -- far, then near: each height sees a ring
+      for _, height in ipairs { robotics.profile.lift_top - 0.0015, NEAR_LOOK } do
+         handling.lift_to(height)
+         block = look_round(function() return recall(wanted, 1) end)
+         if block then return block end
+      end
+      -- legs of 1, 1, 2, 2, 3, 3 ... steps, a quarter turn between them
+      if left == 0 then
+         legs, heading = legs + 1, heading + math.pi / 2
+         left = legs // 2
+      end
+      left = left - 1
+      handling.turn_to(heading)
+      local pose = robotics.pose
+      handling.follow({ x = pose.x, y = pose.y, yaw = heading }, LEG, 0.12, blocked)
+   end
+   return nil
+end
+
+-- Approach -----------------------------------------------------------------------------------
+
+-- The heading, of the four that face a block squarely, that is nearest to the way there.
+local function heading_to(block)
+   local there = math.atan(block.y - robotics.pose.y, block.x - robotics.pose.x)
+   return there + wrap_quarter(block.yaw - there)
+end
+
+-- The line to a block: ends in its middle. `shift` is how much farther to the left of the way
+-- its target lies, `misjudged` an error on purpose.
+local function line_to(block, heading, options)
+   local square = heading + wrap_quarter(block.yaw - heading)
+   local line = { x = block.x, y = block.y, yaw = square }
+   local ahead, left = options.ahead or 0, options.left or 0
+   line.x, line.y = robotics.out_of(line, ahead, left)
+   return line
+end
+
+local function misjudge(line, error)
+   if not error then return line end
+   local x, y = robotics.out_of(line, error.x or 0, error.y or 0)
+   return { x = x, y = y, yaw = line.yaw + (error.yaw or 0) }
+end
+
+-- Drives until the gripping point is over the target: the block's middle, or a place `ahead` and
+-- `left` of it as seen on the way in. From STAND_OFF on the way is straight; it is watched as long
+-- as the camera sees the block, and blind from there. `lowest` is the least height of the lift; it
+-- is higher where the block is seen only from there.
+local function approach(block, options)
+   local grip = robotics.profile.grip
+   local lowest = math.max(options.lowest, SIDE * (block.level or 0) + LOOK)
+   lowest = math.min(lowest, robotics.profile.lift_top - 0.0005)
+   for attempt = 1, ATTEMPTS do
+      enter('approach')
+      local heading = options.heading or heading_to(block)
+      local line = line_to(block, heading, options)
+      local along, aside = handling.on_line(line)
+      if attempt > 1 or along > -0.22 or math.abs(aside) > 0.02 then
+         -- out of reach of the block before turning
+         if robotics.distance_to(block) < 0.22 then handling.go_by(-0.12, 0.1) end
+         local away = STAND_OFF + 0.02 * (attempt - 1)
+         handling.go_to(robotics.out_of(line, -away, 0))
+      end
+      handling.turn_to(line.yaw)
+      lift_for_sight(block, lowest)
+      handling.wait(0.6)
+      local seen = look_at(block, 4)
+      if not seen and attempt == 1 then
+         robotics.forget(block)
+         return false, 'it is not there'
+      end
+      local function now_line()
+         local known = robotics.again(block)
+         if not known then return nil end
+         block = known
+         lift_for_sight(known, lowest)
+         return line_to(known, heading, options)
+      end
+      if seen then
+         local sight = nearest_in_sight(lowest, block.level or 0) + (options.ahead or 0)
+         local near = math.max(sight, 0.170)
+         if handling.follow(now_line, -near, 0.08) then
+            handling.lift_to(lowest)
+            seen = look_at(block, 6)
+         else
+            seen = nil
+         end
+      end
+      if seen then
+         line = line_to(seen, heading, options)
+         local _, off, angle = handling.on_line(line)
+         if math.abs(off) < 0.005 and math.abs(angle) < 0.12 then
+            enter('reach')
+            line = misjudge(line, options.misjudged)
+            handling.follow(line, -grip + (options.short or 0), SLOW)
+            return true, seen
+         end
+         block = seen
+      end
+      enter('back off')
+      handling.go_by(-0.10, 0.1)
+      block = robotics.again(block) or block
+   end
+   return false, 'no approach succeeded'
+end
+handling.approach = approach
+
+-- Picking up ---------------------------------------------------------------------------------
+
+local function underneath_within(distance)
+   local range = robotics.range('underneath')
+   return range ~= nil and range <= distance
+end
+
+-- How a carried block sits: how far its middle is ahead of where it should be, and its yaw, as
+-- the two rangefinders at its back say.
+function handling.grip()
+   local left, right = robotics.range('left'), robotics.range('right')
+   if not left or not right or math.max(left, right) > 0.025 then return 0, 0 end
+   local apart = 0.040
+   return (left + right) / 2 - robotics.profile.gap, math.atan((right - left) / apart)
+end
+
+-- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark.
+function handling.colour(colour)
+   robot.simple_radios.nfc.send { 48 + colour }
+   coroutine.yield()
+end
+
+local function pull()
+   local magnets = robot.electromagnet_system
+   enter('pull')
+   handling.lift_to(PULSE)
+   magnets.set_discharge_mode('constructive')
+   handling.wait(0.5)
+   handling.lift_to(LOWER)
+   handling.wait(1)
+   handling.carrying = true
+   handling.lift_to(CARRY)
+   magnets.set_discharge_mode('disable')
+   handling.wait(0.4)
+   handling.carrying = underneath_within(0.005)
+   if handling.carrying then handling.lift_to(CARRY_FAR) end
+   return handling.carrying
+end
+
+-- Whether the carried block is still there.
+function handling.holds()
+   handling.carrying = handling.carrying and underneath_within(0.010)
+   return handling.carrying
+end
+
+-- Lets the current flow against the magnets' own field until the two cancel, and goes up before
+-- it turns over: a block's free magnets would follow.
+local function let_go()
+   local magnets, profile = robot.electromagnet_system, robotics.profile
+   local ready = 1.12 * profile.zero
+   wait_until(function() return magnets.voltage >= ready end, 8)
+   magnets.set_discharge_mode('destructive')
+   wait_until(function() return magnets.voltage <= 1.06 * profile.zero end, 6)
+   handling.carrying = false
+   local height = math.min(robot.lift_system.position + LET_GO, profile.lift_top)
+   handling.lift_to(height)
+   magnets.set_discharge_mode('disable')
+   return not underneath_within(0.010)
+end
+
+-- Picks a block of level 0 up. options: heading, colour (set after it is up; default Q4, in
+-- transport), misjudged (an error on purpose, {x, y, yaw} of the line's frame).
+function handling.pick_up(block, options)
+   options = options or {}
+   for _ = 1, ATTEMPTS do
+      local near, seen = approach(block, { heading = options.heading, lowest = LOOK,
+                                           misjudged = options.misjudged })
+      if not near then return false, seen end
+      block = seen
+      -- what odometry and camera left over along the way, by touch
+      enter('contact')
+      local ahead = handling.grip()
+      if math.abs(ahead) > 0.0003 and math.abs(ahead) < 0.010 then
+         handling.go_by(ahead, 0.02)
+      end
+      if pull() then
+         robotics.forget(block)
+         handling.colour(options.colour or 4)
+         return true
+      end
+      enter('back off')
+      let_go()
+      handling.go_by(-0.12, 0.1)
+      options.misjudged = nil
+   end
+   return false, 'it does not hold'
+end
+
+-- Putting down -------------------------------------------------------------------------------
+
+-- Puts the carried block down on `level`, over the gripping point; `colour` is set before.
+function handling.release(level, colour)
+   enter('release')
+   handling.lift_to(SIDE * level + REST)
+   handling.wait(0.4)
+   if colour then handling.colour(colour) end
+   for _ = 1, 3 do
+      if let_go() then
+         enter('reverse')
+         handling.go_by(-0.15, 0.08)
+         return true
+      end
+      handling.lift_to(SIDE * level + REST)
+   end
+   return false, 'it does not let go'
+end
+
+-- From DRAW before a face, where magnets begin to draw the carried block, down to the level and
+-- on to the face; or until the effector, which is longer than the block, is at a higher column.
+local function slide_in(level)
+   enter('slide in')
+   handling.lift_to(SIDE * level + REST)
+   robot.electromagnet_system.set_discharge_mode('constructive')
+   local pose = robotics.pose
+   handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, DRAW - SHY, 0.02, function()
+      local ahead = robotics.range('front')
+      return ahead and ahead < 0.003
+   end)
+   robot.electromagnet_system.set_discharge_mode('disable')
+end
+
+-- Stacks the carried block on top of `block`, or with where = 'front' puts it down in front of it,
+-- on the robot's side. options: heading, colour, misjudged, level (of the place; default: over
+-- the block, or on the floor), height (levels to pass over on the way; default: the place's).
+function handling.place(block, where, options)
+   options = options or {}
+   if not handling.holds() then return false, 'the block was lost' end
+   local front = where == 'front'
+   local level = options.level or (front and 0 or (block.level or 0) + 1)
+   local back, yaw = handling.grip()
+   local lowest = math.min(SIDE * level + CLEAR, robotics.profile.lift_top - 0.0005)
+   local near, seen = approach(block, {
+      heading = options.heading, lowest = lowest, short = (front and -DRAW or 0) - back,
+      misjudged = options.misjudged, ahead = front and -SIDE or 0,
+   })
+   if not near then return false, seen end
+   if not handling.holds() then return false, 'the block was lost' end
+   if math.abs(yaw) > 0.004 then handling.turn_by(-yaw, 0.01) end
+   if front then slide_in(level) end
+   return handling.release(level, options.colour)
+end
+
+-- Life ----------------------------------------------------------------------------------------
+
+-- Runs `main` from now on, a step of it in each `step()`.
+function handling.start(main)
+   robotics.start()
+   handling.carrying = false
+   behaviour = coroutine.create(main)
+end
+
+-- Senses, and goes on with the behaviour. False when it has ended.
+function handling.step()
+   robotics.sense()
+   if coroutine.status(behaviour) == 'dead' then return false end
+   local good, problem = coroutine.resume(behaviour)
+   if not good then error(problem, 0) end
+   return true
+end
+
+return handling
