@@ -169,11 +169,11 @@ TEST_CASE("the shipped scenes can be read and placed") {
     const auto source = std::make_shared<const SourceFile>(
         entry.path().string(), read_file(entry.path().string(), kMaxSceneBytes, error).value());
     Diagnostics diagnostics;
-    const auto scene =
-        read_scene(source,
-                   disk_loader(STIG_SOURCE_DIR "/scenes",
-                               {STIG_SOURCE_DIR "/blocks", STIG_SOURCE_DIR "/robots"}),
-                   diagnostics);
+    const auto scene = read_scene(source,
+                                  disk_loader(STIG_SOURCE_DIR "/scenes",
+                                              {STIG_SOURCE_DIR "/blocks", STIG_SOURCE_DIR "/robots",
+                                               STIG_SOURCE_DIR "/programs"}),
+                                  diagnostics);
     REQUIRE(scene);
     CHECK_FALSE(scene->title.empty());
     CHECK(place_scene(*scene, scene->seed, diagnostics));
