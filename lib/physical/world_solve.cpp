@@ -116,7 +116,7 @@ int storeys(const SolverTask& task) {
 }
 
 /// High columns need more sweeps: with one they sway for ever, and turn by it.
-int sweeps_for(int storeys) { return storeys <= 6 ? 1 : storeys <= 8 ? 2 : 8; }
+int sweeps_for(int storeys) { return storeys <= 6 ? 1 : storeys <= 10 ? 2 : 8; }
 
 void take_over(WorldState& world, const TaskMaker& maker) {
   for (const std::uint32_t i : world.awake) {
