@@ -314,8 +314,7 @@ local function heading_to(block)
    return there + wrap_quarter(block.yaw - there)
 end
 
--- The line to a block: ends in its middle. `shift` is how much farther to the left of the way
--- its target lies, `misjudged` an error on purpose.
+-- The line to a block, squarely to its face; ends in its middle, or `ahead` and `left` of that.
 local function line_to(block, heading, options)
    local square = heading + wrap_quarter(block.yaw - heading)
    local line = { x = block.x, y = block.y, yaw = square }
@@ -324,6 +323,7 @@ local function line_to(block, heading, options)
    return line
 end
 
+-- The line as it would be taken for with an error {x, y, yaw} in its own frame: for tests.
 local function misjudge(line, error)
    if not error then return line end
    local x, y = robotics.out_of(line, error.x or 0, error.y or 0)

@@ -51,7 +51,7 @@ Json to_json(const YamlNode& node) {
 void read_scene_alone(const std::shared_ptr<const SourceFile>& source, Diagnostics& diagnostics) {
   // Blocks, robots and poses have forms of their own.
   const SceneLoader load = [](const std::string& name, std::size_t, FileError&) {
-    if (name.find("bot") != std::string::npos) {
+    if (name.find("bot") != std::string::npos || name.find("cart") != std::string::npos) {
       return std::optional<std::string>(
           "stigc_robot: 1\nname: r\nbodies: [{name: b, box: [1, 1, 1], mass: 1, base: [0, 0, "
           "0]}]\n");
