@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "base/text.h"
 #include "base/hull.h"
+#include "base/text.h"
 #include "controllers/robot_parts.h"
 
 namespace stig {

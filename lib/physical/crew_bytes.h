@@ -14,6 +14,7 @@
 #include "controllers/robot_devices.h"
 #include "controllers/robot_io.h"
 #include "physical/led.h"
+#include "physical/robot_body.h"
 
 namespace stig {
 
