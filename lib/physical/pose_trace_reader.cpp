@@ -345,17 +345,20 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
 
 void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer) {
   RecordSinks sinks;
+  bool begun = false;  // a chunk begins with a frame: what comes before the first one is left out
   sinks.frame = [&](const TraceFrame& frame) {
-    if (frame.tick <= up_to && frame.tick % trace.header.frame_every == 0) writer.frame(frame);
+    if (frame.tick > up_to || frame.tick % trace.header.frame_every != 0) return;
+    begun = true;
+    writer.frame(frame);
   };
   sinks.event = [&](const TraceEvent& event) {
-    if (event.tick <= up_to) writer.event(event);
+    if (begun && event.tick <= up_to) writer.event(event);
   };
   sinks.hash = [&](const TraceHash& hash) {
-    if (hash.tick <= up_to) writer.hash(hash);
+    if (begun && hash.tick <= up_to) writer.hash(hash);
   };
   sinks.value = [&](const TraceValue& value) {
-    if (value.tick < up_to) writer.value(value);
+    if (begun && value.tick < up_to) writer.value(value);
   };
   for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);
 }
