@@ -301,7 +301,9 @@ std::string lines_of(const SimulationReport& r, bool speed) {
     const ScriptRobot& robot = r.robots[i];
     out += line(i == 0 ? "robots" : "",
                 fmt::format("{}, {:.3f} m driven{}", printable(robot.name), robot.driven,
-                            robot.halted ? ", halted" : robot.failed ? ", its program failed" : ""));
+                            robot.halted   ? ", halted"
+                            : robot.failed ? ", its program failed"
+                                           : ""));
   }
   if (r.robots.size() > kMostNames) {
     out += line("", fmt::format("and {} more", r.robots.size() - kMostNames));
