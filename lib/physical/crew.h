@@ -152,6 +152,7 @@ class Crew {
     ReadingHistory history;
   };
 
+  void add_block(CrewBlock block, bool changed);
   void control(World& world, std::uint64_t tick);
   void carry_messages(const World& world);
   void place_sensor_scene(const World& world);

@@ -9,7 +9,7 @@
 
 #include "base/bytes.h"
 #include "base/hash.h"
-#include "physical/packed.h"
+#include "base/packed.h"
 #include "physical/scene_crew.h"
 #include "physical/scene_script.h"
 #include "physical/show_json.h"
