@@ -95,6 +95,27 @@ void Crew::add(CrewBlock block, const Shape& shape) {
   add_block(std::move(block), true);
 }
 
+void Crew::halt(std::size_t number, std::uint64_t tick) {
+  Robot& robot = robots_[number];
+  if (robot.failed) return;
+  robot.halted = true;
+  stop(robot);
+  log_.push_back({tick, robot.config.name, root_body(number), "halted", false});
+}
+
+void Crew::stop(Robot& robot) {
+  robot.failed = true;
+  make_safe(robot.devices);
+  robot.commands = {};
+}
+
+void Crew::set_colour(std::size_t number, Led colour) {
+  Block& block = blocks_[number];
+  const auto before = block.leds;
+  block.leds.fill(colour);
+  if (block.leds != before) changed_[number] = true;
+}
+
 Pose Crew::robot_pose(const World& world, std::size_t robot) const {
   return pose_of(world, *robots_[robot].config.model, robots_[robot].config.body);
 }
@@ -183,12 +204,7 @@ void Crew::step_robot(World& world, std::size_t number) {
   const ControllerStatus status = call(robot, commands);
   say({world.tick(), robot.config.name, root_body(number), {}, false}, commands.log, status);
   stepped_.push_back(number);
-  if (!status.ok) {
-    robot.failed = true;
-    make_safe(robot.devices);
-    robot.commands = {};
-    return;
-  }
+  if (!status.ok) return stop(robot);
   command(robot.devices, *robot.config.model, commands);
   for (std::size_t i = 0; i < commands.camera_enabled.size(); ++i) {
     if (commands.camera_enabled[i]) robot.enabled[i] = *commands.camera_enabled[i];

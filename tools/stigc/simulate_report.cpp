@@ -205,7 +205,7 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
   r.script_failed = run.script_failed();
   for (std::size_t i = 0; run.crew() != nullptr && i < run.crew()->robots(); ++i) {
     r.robots.push_back({run.crew()->robot_name(i), run.crew()->robot_pose(world, i),
-                        run.crew()->failed(i), run.driven(i)});
+                        run.crew()->failed(i), run.crew()->halted(i), run.driven(i)});
   }
   return r;
 }
@@ -258,7 +258,8 @@ Json to_json(const SimulationReport& r) {
     json["robots"].push_back({{"name", robot.name},
                               {"at", vec_json(robot.X_WR.p)},
                               {"driven_m", robot.driven},
-                              {"failed", robot.failed}});
+                              {"failed", robot.failed},
+                              {"halted", robot.halted}});
   }
   json["measures"] = r.measures;
   json["structure"] = structure_json(r.structure, r.names);
@@ -304,7 +305,9 @@ std::string lines_of(const SimulationReport& r, bool speed) {
     const ScriptRobot& robot = r.robots[i];
     out += line(i == 0 ? "robots" : "",
                 fmt::format("{}, {:.3f} m driven{}", printable(robot.name), robot.driven,
-                            robot.failed ? ", its program failed" : ""));
+                            robot.halted   ? ", halted"
+                            : robot.failed ? ", its program failed"
+                                           : ""));
   }
   if (r.robots.size() > kMostNames) {
     out += line("", fmt::format("and {} more", r.robots.size() - kMostNames));
