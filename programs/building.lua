@@ -161,11 +161,12 @@ end
 local function look_again(place, found)
    local dx, dy = place.x - robotics.pose.x, place.y - robotics.pose.y
    local away = math.sqrt(dx * dx + dy * dy)
-   if away > FAR_LOOK + 0.02 or away < FAR_LOOK - 0.10 then
-      local share = (away - FAR_LOOK) / math.max(away, 1e-6)
+   if away > FAR_LOOK + 0.02 then
+      local share = (away - FAR_LOOK) / away
       travel(robotics.pose.x + share * dx, robotics.pose.y + share * dy)
+      away = FAR_LOOK
    end
-   handling.lift_to(robotics.profile.lift_top - 0.0015)
+   handling.lift_to(away > 0.27 and robotics.profile.lift_top - 0.0015 or 0.070)
    handling.turn_to(math.atan(place.y - robotics.pose.y, place.x - robotics.pose.x))
    return handling.wait_until(found, LOOK_TIME)
 end

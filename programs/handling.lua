@@ -389,7 +389,7 @@ local function approach(block, options)
          if math.abs(off) < 0.005 and math.abs(angle) < 0.12 then
             enter('reach')
             line = misjudge(line, options.misjudged)
-            handling.follow(line, -grip + (options.short or 0), SLOW)
+            handling.follow(line, -grip + (options.short or 0), SLOW, options.stop)
             return true, seen
          end
          block = seen
@@ -522,18 +522,20 @@ function handling.release(level, colour)
    return false, 'it does not let go'
 end
 
+-- Whether the effector, which is longer than the block, is at a higher column.
+local function touches()
+   local ahead = robotics.range('front')
+   return ahead ~= nil and ahead < 0.003
+end
+
 -- From DRAW before a place, where the magnets of its neighbours begin to draw the carried block,
--- down to the level and on to it; or until the effector, which is longer than the block, is at a
--- higher column.
+-- down to the level and on to it, or as far as the effector goes.
 local function slide_in(level)
    enter('slide in')
    handling.lift_to(SIDE * level + REST)
    robot.electromagnet_system.set_discharge_mode('constructive')
    local pose = robotics.pose
-   handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, DRAW - SHY, 0.02, function()
-      local ahead = robotics.range('front')
-      return ahead and ahead < 0.003
-   end)
+   handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, DRAW - SHY, 0.02, touches)
    robot.electromagnet_system.set_discharge_mode('disable')
 end
 
@@ -563,7 +565,7 @@ function handling.approach_site(block, where, options)
    local near, seen = approach(block, {
       heading = options.heading, lowest = lowest, short = (raise and 0 or -DRAW) - back,
       misjudged = options.misjudged, ahead = ahead, left = left,
-      free = function(line) return is_free(line.x, line.y, level) end,
+      stop = touches, free = function(line) return is_free(line.x, line.y, level) end,
    })
    if not near then return false, seen end
    if not handling.holds() then return false, 'the block was lost' end
