@@ -386,6 +386,18 @@ local function top_of(seen)
    return top
 end
 
+-- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to
+-- its left, so that the block goes in a little off and does not catch on it.
+local function room_beside(seen, column)
+   if wish.what == 'raise' then return 0 end
+   local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
+   local function stands(at)
+      return type(cell_of(seen, du, at, wish.level)) == 'number' or
+             du == 0 and at == 0 and wish.level <= column.top_level
+   end
+   return (stands(dv - 1) and 1 or 0) - (stands(dv + 1) and 1 or 0)
+end
+
 function does.look()
    local seen = { bricks = {}, empty = {} }
    local column = { cell = function(du, dv, level) return cell_of(seen, du, dv, level) end }
@@ -412,6 +424,7 @@ function does.look()
       return 'nothing'
    end
    wish.top = seen.bricks['0 0 ' .. column.top_level]
+   wish.aside = room_beside(seen, column)
    wish.foot = seen.bricks['0 0 ' .. (wish.level or column.top_level)]
    return 'decided'
 end
@@ -421,6 +434,7 @@ function does.approach_site()
    if where ~= 'raise' then target = wish.foot or wish.top end
    local near, seen = handling.approach_site(target, where, {
       heading = row.frame.yaw, level = wish.level, left = wish.left and wish.left * SIDE,
+      aside = wish.aside,
    })
    if near then wish.near = seen return 'near' end
    tally('aborted')

@@ -21,6 +21,8 @@ local CARRY = 0.058
 local CARRY_FAR = 0.080         -- passes over a block without being drawn to it
 local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
 local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
+local ASIDE = 0.002            -- from a neighbour beside, which draws the block when it is there
+local ASIDE_LOOK = 0.080       -- height of the lift to see a block beside the way
 local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
 local LET_GO = 0.030           -- up from a block that was put down
 local SLOW = 0.05              -- m/s, close to blocks
@@ -211,6 +213,13 @@ local function nearest_in_sight(lift, block)
    return at.x + anchor[1] + above * (1 - half) / (1 + half) + edge + before
 end
 
+-- How far ahead a block is whose mark is in the picture's middle, at a height of the lift.
+local function centred_at(lift, block)
+   local height, before = robotics.mark_of(block)
+   local at, anchor = robot.camera_system.transform.position, robotics.profile.anchor
+   return at.x + anchor[1] + at.z + anchor[3] + lift - height + before
+end
+
 local function lift_for_sight(block, lowest)
    local ahead = robotics.into(robotics.pose, block.x, block.y)
    local mark, before = robotics.mark_of(block)
@@ -370,10 +379,15 @@ local function approach(block, options)
          return line_to(known, heading, options)
       end
       if seen then
-         local sight = nearest_in_sight(lowest, block) + (options.ahead or 0)
-         local near = math.max(sight, 0.170)
+         local watch, sight = lowest, nearest_in_sight(lowest, block)
+         if math.abs(options.left or 0) > 0.01 then
+            -- a block to the side leaves the picture sooner
+            watch = math.max(lowest, SIDE * (block.level or 0) + ASIDE_LOOK)
+            sight = centred_at(watch, block)
+         end
+         local near = math.max(sight + (options.ahead or 0), 0.170)
          if handling.follow(now_line, -near, 0.08) then
-            handling.lift_to(lowest)
+            handling.lift_to(watch)
             seen = look_at(block, 6)
          else
             seen = nil
@@ -551,15 +565,15 @@ end
 -- Brings the carried block before its place next to `block`: where = 'raise': on top of it;
 -- 'extend': in front of it, on the robot's side; 'beside': to the left of it by `left`. True, or
 -- false and why not. options: heading, misjudged, left, level (of the place; default: over the
--- block, or on the floor).
+-- block, or on the floor), aside (1 or -1: a little to the left or right, since a neighbour stands
+-- on the other side).
 function handling.approach_site(block, where, options)
    options = options or {}
    if not handling.holds() then return false, 'the block was lost' end
    local raise = where == 'raise'
    local level = options.level or (raise and (block.level or 0) + 1 or 0)
    local ahead = where == 'extend' and -SIDE or 0
-   local left = options.left or 0
-   left = left + (left > 0 and SHY or left < 0 and -SHY or 0)
+   local left = (options.left or 0) + ASIDE * (options.aside or 0)
    local back, yaw = handling.grip()
    local lowest = math.min(SIDE * level + CLEAR, robotics.profile.lift_top - 0.0005)
    local near, seen = approach(block, {
