@@ -14,27 +14,37 @@
 --
 -- A side's name tells nothing to a robot that has no compass. `params.side` is the side on which it
 -- finds itself when it first sees the structure; from then on it knows the lattice's directions
--- by its own turns, put right by a few degrees whenever it sees the structure again.
+-- by its own turns, put right by a few degrees whenever it sees the structure again. Where the
+-- structure is not where it was, the robot is lost. Then the way from the structure to the cache
+-- tells the directions, once it has fetched a block from there again.
 
 local robotics = require 'robotics'
 local handling = require 'handling'
-local building = { placed = 0, aborted = 0, busy = 0 }
+local building = {}
 
 local SIDE = robotics.SIDE
 local wrap, wrap_quarter = robotics.wrap, robotics.wrap_quarter
 local OFTEN = 3                -- sightings that count
 local LOOK_TIME = 1.0          -- s, for each look
+local STILL = 15               -- sightings after which a block in transport is one that was dropped
+local LEGS = 12                -- of a search, before it begins again where something is known; then more
+local DRIVE_LOW = 0.020        -- height of the lift at which the front rangefinder sees columns of two
+local STRAYED = 0.12           -- m, by which the structure is farther off than odometry errs
 local LINKED = 1.25 * SIDE
 local FAR_LINKED = 2.3 * SIDE
-local CLEAR_OF = 0.24          -- m, from the outermost brick, to go round the structure
-local TOO_NEAR = 0.135         -- of a way past a brick
+local CLEAR_OF = 0.26          -- m, from the outermost brick, to go round the structure
+local TOO_NEAR = 0.165         -- of a way past a brick
 local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
 local SIDES = { ['+x'] = 0, ['+y'] = 1, ['-x'] = 2, ['-y'] = 3 }
 
 local task
 local lattice      -- {x, y, reach, yaw, origin}: middle and radius of the structure as last seen,
                    -- the heading that faces it from params.side, and the middle of one cell
+local bearing      -- of the cache from the structure's middle, against lattice.yaw; kept when lost
+local lost         -- lattice is not known any more
 local cache        -- {x, y}: where the last block came from
+local in_vain      -- searches for a block, one after the other
+local put_away     -- {x, y}: of a block that the robot did not know where to put
 local block        -- unused, to be fetched
 local side         -- index of the side that it works from
 local tried        -- rows of this side that asked for nothing
@@ -66,18 +76,43 @@ local function structure_in_memory()
    return best
 end
 
--- Learns where the structure is, and how the lattice lies.
+local function angle_to(from, to)
+   return math.atan(to.y - from.y, to.x - from.x)
+end
+
+-- Of the four headings that a lattice's yaw may mean, the one nearest to an angle.
+local function nearest_to(angle, yaw)
+   return angle + wrap_quarter(yaw - angle)
+end
+
+-- The heading that faces the structure from params.side; nil where the robot cannot know.
+local function orientation(structure, middle)
+   local yaw = structure.frame.yaw
+   if lattice then return nearest_to(lattice.yaw, yaw) end
+   if lost and not task.turns then
+      return cache and bearing and nearest_to(angle_to(middle, cache) - bearing, yaw)
+   end
+   return nearest_to(angle_to(robotics.pose, middle), yaw)
+end
+
+local function apart(a, b)
+   return math.sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2)
+end
+
+local function lose()
+   lattice, side, lost, cache = nil, nil, true, nil
+end
+
+-- Learns where the structure is, and how the lattice lies. False where the latter is not known.
 local function remember(structure)
    local x, y, n = 0, 0, 0
    for _, known in ipairs(structure.blocks) do x, y, n = x + known.x, y + known.y, n + 1 end
    x, y = x / n, y / n
-   local yaw = structure.frame.yaw
-   if lattice then
-      yaw = lattice.yaw + wrap_quarter(yaw - lattice.yaw)
-   else
-      local there = math.atan(y - robotics.pose.y, x - robotics.pose.x)
-      yaw = there + wrap_quarter(yaw - there)
+   if lattice and not task.turns and apart(lattice, { x = x, y = y }) > STRAYED + lattice.reach then
+      lose()
    end
+   local yaw = orientation(structure, { x = x, y = y })
+   if not yaw then return false end
    local reach = 0
    for _, known in ipairs(structure.blocks) do
       reach = math.max(reach, math.sqrt((known.x - x) ^ 2 + (known.y - y) ^ 2))
@@ -89,6 +124,7 @@ local function remember(structure)
    local ox, oy = robotics.out_of(frame, SIDE * math.floor(u / SIDE + 0.5),
                                   SIDE * math.floor(v / SIDE + 0.5))
    lattice = { x = x, y = y, yaw = wrap(yaw), reach = reach + SIDE / 2, origin = { x = ox, y = oy } }
+   return true
 end
 
 local function heading_of(index)
@@ -124,6 +160,7 @@ end
 
 -- Straight to a place; back, aside and on where something stands in the way.
 local function straight_to(x, y)
+   if not handling.carrying then handling.lift_to(DRIVE_LOW) end
    for _ = 1, 6 do
       handling.go_to(x, y, nil, handling.blocked)
       local dx, dy = x - robotics.pose.x, y - robotics.pose.y
@@ -157,6 +194,19 @@ local function travel(x, y)
    return straight_to(x, y)
 end
 
+-- On a search: what is seen of the structure meanwhile keeps its place known, and it is not come
+-- near.
+local function wander(x, y)
+   local structure = structure_in_memory()
+   if lattice and structure then remember(structure) end
+   local off = lattice and apart(lattice, { x = x, y = y })
+   if off and off < lattice.reach + CLEAR_OF then
+      local out = (lattice.reach + CLEAR_OF) / math.max(off, 1e-3)
+      x, y = lattice.x + out * (x - lattice.x), lattice.y + out * (y - lattice.y)
+   end
+   return travel(x, y)
+end
+
 -- Looks at a place in memory from a little away. Whether `found()` says something.
 local function look_again(place, found)
    local dx, dy = place.x - robotics.pose.x, place.y - robotics.pose.y
@@ -173,14 +223,16 @@ end
 
 -- Blocks -------------------------------------------------------------------------------------
 
--- Dark, on the floor, and with nothing beside it.
+-- Dark, or dropped by a robot; on the floor, and with nothing beside it.
 local function is_unused(known)
-   if known.colour ~= 0 or known.level ~= 0 or known.seen < 2 * OFTEN then return false end
+   local dropped = task.transport > 0 and known.colour == task.transport and known.seen >= STILL
+   if known.colour ~= 0 and not dropped or known.level ~= 0 or known.seen < 2 * OFTEN then
+      return false
+   end
+   if put_away and apart(known, put_away) < 0.2 then return false end
    for _, other in ipairs(robotics.blocks()) do
-      if other ~= known then
-         local dx, dy, dz = other.x - known.x, other.y - known.y, other.z - known.z
-         if dx * dx + dy * dy + dz * dz < LINKED * LINKED then return false end
-      end
+      if other ~= known and apart(other, known) < LINKED and math.abs(other.z - known.z) < LINKED
+      then return false end
    end
    return true
 end
@@ -193,17 +245,25 @@ function does.wait()
    return 'done'
 end
 
+-- Where the last one came from, then all about; an empty cache is filled after a while.
 function does.search_block()
-   if cache then
-      local function there()
-         for _, known in ipairs(robotics.blocks()) do
-            if is_unused(known) and robotics.time - known.time < 1 then return true end
-         end
+   local function seen()
+      for _, known in ipairs(robotics.blocks()) do
+         if is_unused(known) and robotics.time - known.time < 1 then return true end
       end
-      if not look_again(cache, there) then cache = nil end
    end
-   block = handling.search(is_unused)
-   return block and 'found' or 'none'
+   for again = 1, cache and 3 or 0 do
+      if again > 1 then handling.wait(5 + 10 * math.random()) end
+      block = look_again(cache, seen) and handling.recall(is_unused) or
+              handling.look_about(is_unused)
+      if block then return 'found' end
+   end
+   in_vain = in_vain + 1
+   block = handling.search(is_unused, LEGS * in_vain, wander)
+   if block then return 'found' end
+   local home = cache or lattice or { x = 0, y = 0 }
+   straight_to(home.x, home.y)
+   return 'none'
 end
 
 function does.approach_block()
@@ -214,9 +274,10 @@ function does.approach_block()
 end
 
 function does.pick_up()
-   local place = { x = block.x, y = block.y }
+   local place, fresh = { x = block.x, y = block.y }, block.colour == 0
    if handling.grip_block(block, task.transport) then
-      cache, side = place, nil
+      side, in_vain = nil, 0
+      if fresh then cache = place end
       handling.go_by(-0.10, 0.1)
       return 'holds'
    end
@@ -233,18 +294,31 @@ function does.search_structure()
    if not found and lattice then
       look_again(lattice, structure_in_memory)
       found = structure_in_memory()
-      -- it is not where it was left: the robot is lost, and so is its sense of direction
-      if not found then lattice, side = nil, nil end
    end
    if not found then
-      if not handling.search(is_brick) then return 'none' end
+      if lattice then lose() end
+      if not handling.search(is_brick, LEGS, wander) then
+         straight_to(0, 0)
+         return 'none'
+      end
       handling.wait(LOOK_TIME)
       found = structure_in_memory()
    end
    if not found then return 'none' end
-   remember(found)
+   if not remember(found) then return 'lost' end
+   put_away, lost = nil, false
+   if cache then bearing = wrap(angle_to(lattice, cache) - lattice.yaw) end
    if not side then side, tried = nearest_side(), {} end
    return 'found'
+end
+
+-- A block that it does not know where to put goes back to the floor, dark, out of the way.
+function does.put_away()
+   handling.go_by(-0.15, 0.1)
+   handling.turn_by(2)
+   handling.release(0, 0)
+   put_away = { x = robotics.pose.x, y = robotics.pose.y }
+   return 'done'
 end
 
 -- Rows of the structure as seen from this side: by v (to the left), the foremost u (towards the
@@ -464,7 +538,9 @@ end
 -- the chart says which state that leads to.
 function building.start(chart, with)
    task = with
-   lattice, cache, block, side, tried, row, wish = nil, nil, nil, nil, nil, nil, nil
+   lattice, bearing, lost, cache, put_away = nil, nil, false, nil, nil
+   block, side, tried, row, wish, in_vain = nil, nil, nil, nil, nil, 0
+   building.placed, building.aborted, building.busy = 0, 0, 0
    note('placed', 0)
    handling.start(function()
       local state = chart.first

@@ -252,14 +252,15 @@ local function glimpse()
    return false
 end
 
--- Whether something stands right before the wheels.
+-- Whether something stands right before the wheels, or before the effector.
 local function blocked()
    for _, name in ipairs { '1', '2', '3', '12' } do
       local range = robotics.range(name)
       if range and range < 0.045 and (name ~= '3' and name ~= '12' or robotics.profile.fan)
       then return true end
    end
-   return false
+   local ahead = robotics.range('front')
+   return ahead ~= nil and ahead < 0.05
 end
 handling.blocked = blocked
 
@@ -274,6 +275,7 @@ local function recall(wanted, age)
    end
    return best
 end
+handling.recall = recall
 
 -- Once round on the spot, until `found()` is something.
 local function look_round(found)
@@ -292,30 +294,37 @@ local function look_round(found)
    return block
 end
 
--- A block of which `wanted(block)` is true: one in memory, or else one that comes in sight. Looks
--- round with the lift up, then lower, and after that in vain moves on, in a square spiral. Returns nil
--- when there was none after `turns`.
-function handling.search(wanted, turns)
+-- Once round with the lift up and once with it lower, since each height sees a ring: a block of
+-- which `wanted(block)` is true, or nil.
+function handling.look_about(wanted)
+   for _, height in ipairs { robotics.profile.lift_top - 0.0015, NEAR_LOOK } do
+      handling.lift_to(height)
+      local block = look_round(function() return recall(wanted, 1) end)
+      if block then return block end
+   end
+   return nil
+end
+
+-- A block that is wanted: one in memory, or else one that comes in sight. Looks about, and after
+-- that in vain moves on, in a square spiral of so many `legs`, each driven by `go(x, y)`. Returns
+-- nil when there was none.
+function handling.search(wanted, legs, go)
    local block = recall(wanted)
    if block then return block end
    enter('search')
-   local heading, legs, left = robotics.pose.yaw, 2, 1
-   for _ = 1, turns or 25 do
-      -- far, then near: each height sees a ring
-      for _, height in ipairs { robotics.profile.lift_top - 0.0015, NEAR_LOOK } do
-         handling.lift_to(height)
-         block = look_round(function() return recall(wanted, 1) end)
-         if block then return block end
-      end
+   local heading, run, left = robotics.pose.yaw, 2, 1
+   for _ = 1, legs or 25 do
+      block = handling.look_about(wanted)
+      if block then return block end
       -- legs of 1, 1, 2, 2, 3, 3 ... steps, a quarter turn between them
       if left == 0 then
-         legs, heading = legs + 1, heading + math.pi / 2
-         left = legs // 2
+         run, heading = run + 1, heading + math.pi / 2
+         left = run // 2
       end
       left = left - 1
-      handling.turn_to(heading)
       local pose = robotics.pose
-      handling.follow({ x = pose.x, y = pose.y, yaw = heading }, LEG, 0.12, blocked)
+      local x, y = pose.x + LEG * math.cos(heading), pose.y + LEG * math.sin(heading)
+      if go then go(x, y) else handling.go_to(x, y, 0.12, blocked) end
    end
    return nil
 end
