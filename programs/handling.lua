@@ -25,6 +25,7 @@ local ASIDE = 0.002            -- from a neighbour beside, which draws the block
 local ASIDE_LOOK = 0.080       -- height of the lift to see a block beside the way
 local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
 local LET_GO = 0.030           -- up from a block that was put down
+local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it
 local SLOW = 0.05              -- m/s, close to blocks
 local STRAIGHT = 0.04          -- m, in which a line is joined
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
@@ -331,6 +332,19 @@ end
 
 -- Approach -----------------------------------------------------------------------------------
 
+-- Whether a column is just before the effector, which is longer than the block.
+local function column_ahead()
+   local ahead = robotics.range('front')
+   return ahead ~= nil and ahead < 0.020
+end
+
+-- Straight on, slowly, as far as that leaves the effector before what is ahead of it.
+local function creep(way)
+   local ahead = robotics.range('front')
+   if ahead then way = math.min(way, ahead - EFFECTOR_GAP) end
+   if math.abs(way) > 0.0002 then handling.go_by(way, 0.02) end
+end
+
 -- The heading, of the four that face a block squarely, that is nearest to the way there.
 local function heading_to(block)
    local there = math.atan(block.y - robotics.pose.y, block.x - robotics.pose.x)
@@ -412,7 +426,9 @@ local function approach(block, options)
          if math.abs(off) < 0.005 and math.abs(angle) < 0.12 then
             enter('reach')
             line = misjudge(line, options.misjudged)
-            handling.follow(line, -grip + (options.short or 0), SLOW, options.stop)
+            local to = -grip + (options.short or 0)
+            handling.follow(line, to, SLOW, options.stop)
+            if options.stop and options.stop() then creep(to - handling.on_line(line)) end
             return true, seen
          end
          block = seen
@@ -531,9 +547,10 @@ end
 -- Puts the carried block down on `level`, over the gripping point; `colour` is set before.
 function handling.release(level, colour)
    enter('release')
+   -- first the colour: near its place magnets draw the block away from the radio
+   if colour then handling.colour(colour) end
    handling.lift_to(SIDE * level + REST)
    handling.wait(0.4)
-   if colour then handling.colour(colour) end
    for _ = 1, 3 do
       if let_go() then
          enter('reverse')
@@ -545,20 +562,13 @@ function handling.release(level, colour)
    return false, 'it does not let go'
 end
 
--- Whether the effector, which is longer than the block, is at a higher column.
-local function touches()
-   local ahead = robotics.range('front')
-   return ahead ~= nil and ahead < 0.003
-end
-
 -- From DRAW before a place, where the magnets of its neighbours begin to draw the carried block,
 -- down to the level and on to it, or as far as the effector goes.
 local function slide_in(level)
    enter('slide in')
    handling.lift_to(SIDE * level + REST)
    robot.electromagnet_system.set_discharge_mode('constructive')
-   local pose = robotics.pose
-   handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, DRAW - SHY, 0.02, touches)
+   creep(DRAW - SHY)
    robot.electromagnet_system.set_discharge_mode('disable')
 end
 
@@ -588,7 +598,7 @@ function handling.approach_site(block, where, options)
    local near, seen = approach(block, {
       heading = options.heading, lowest = lowest, short = (raise and 0 or -DRAW) - back,
       misjudged = options.misjudged, ahead = ahead, left = left,
-      stop = touches, free = function(line) return is_free(line.x, line.y, level) end,
+      stop = raise and column_ahead or nil, free = function(line) return is_free(line.x, line.y, level) end,
    })
    if not near then return false, seen end
    if not handling.holds() then return false, 'the block was lost' end
@@ -599,7 +609,11 @@ end
 
 -- Puts the carried block down where approach_site has brought it.
 function handling.attach(where, colour)
-   if where ~= 'raise' then slide_in(handling.site_level) end
+   if where ~= 'raise' then
+      if colour then handling.colour(colour) end
+      slide_in(handling.site_level)
+      colour = nil
+   end
    return handling.release(handling.site_level, colour)
 end
 
