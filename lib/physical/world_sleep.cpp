@@ -38,7 +38,10 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   Body& body = world.bodies[i];
   body.awake = false;
   body.v = body.w = {};
-  if (Articulation* it = articulation_of(world, i)) std::fill(it->v.begin(), it->v.end(), 0.0);
+  if (Articulation* it = articulation_of(world, i)) {
+    std::fill(it->v.begin(), it->v.end(), 0.0);
+    std::fill(it->motions.begin(), it->motions.end(), Twist{});
+  }
   world.changed = true;
   world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
 }

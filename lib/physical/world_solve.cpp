@@ -30,9 +30,17 @@ SolverBody solver_body(const Body& body) {
 /// Fills a task; remembers which body stands where.
 class TaskMaker {
  public:
-  explicit TaskMaker(WorldState& world)
-      : world_(world), slot_(world.bodies.size(), 0), mechanism_(world.articulations.all.size()) {
-    task_.bodies.resize(1);  // the first: all that does not move
+  TaskMaker(WorldState& world, SolverTask& task)
+      : world_(world),
+        task_(task),
+        slot_(world.bodies.size(), 0),
+        mechanism_(world.articulations.all.size()) {
+    task_.mechanisms.clear();
+    task_.links.clear();
+    task_.axes.clear();
+    task_.contacts.clear();
+    task_.slots.clear();
+    task_.bodies.assign(1, {});  // the first: all that does not move
     for (std::size_t i = 0; i < mechanism_.size(); ++i) {
       if (awake(world, world.articulations.all[i])) add_mechanism(i);
     }
@@ -43,7 +51,6 @@ class TaskMaker {
     }
   }
 
-  SolverTask& task() { return task_; }
   /// Null: the body is in no contact.
   const SolverBody* result(std::uint32_t body) const {
     return slot_[body] == 0 ? nullptr : &task_.bodies[slot_[body]];
@@ -83,21 +90,22 @@ class TaskMaker {
   }
 
   WorldState& world_;
-  SolverTask task_;
+  SolverTask& task_;
   std::vector<std::uint32_t> slot_, mechanism_;
 };
 
 /// The most bodies one upon the other, as contacts lead up from what does not move.
 int storeys(const SolverTask& task) {
-  std::vector<int> level(task.bodies.size(), -1);
-  std::vector<std::vector<std::uint32_t>> above(task.bodies.size());
+  // Who lies upon whom, both ways; side by side is no storey.
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> upon;
   for (std::size_t c = 0; c < task.contacts.size(); ++c) {
     const auto [a, b] = task.slots[c];
-    // Side by side is no storey.
     if (std::abs(task.contacts[c].normal.z) < 0.5) continue;
-    above[a].push_back(b);
-    above[b].push_back(a);
+    upon.emplace_back(a, b);
+    upon.emplace_back(b, a);
   }
+  std::sort(upon.begin(), upon.end());
+  std::vector<int> level(task.bodies.size(), -1);
   std::vector<std::uint32_t> todo;
   for (std::uint32_t i = 0; i < task.bodies.size(); ++i) {
     if (task.bodies[i].inverse_mass > 0 || task.bodies[i].link >= 0) continue;
@@ -106,10 +114,12 @@ int storeys(const SolverTask& task) {
   }
   int most = 0;
   for (std::size_t next = 0; next < todo.size(); ++next) {
-    for (const std::uint32_t other : above[todo[next]]) {
-      if (level[other] >= 0) continue;
-      most = std::max(most, level[other] = level[todo[next]] + 1);
-      todo.push_back(other);
+    const std::uint32_t below = todo[next];
+    auto at = std::lower_bound(upon.begin(), upon.end(), std::pair(below, std::uint32_t{0}));
+    for (; at != upon.end() && at->first == below; ++at) {
+      if (level[at->second] >= 0) continue;
+      most = std::max(most, level[at->second] = level[below] + 1);
+      todo.push_back(at->second);
     }
   }
   return most;
@@ -139,6 +149,7 @@ void take_over_mechanisms(WorldState& world, const SolverTask& task) {
     bool supported = !it.floating;
     for (const LinkBody& link : it.links) supported = supported || !world.bodies[link.body].free;
     for (const LinkBody& link : it.links) world.bodies[link.body].free = !supported;
+    note_motions(it);
     set_body_velocities(it, world.bodies);
   }
 }
@@ -146,8 +157,9 @@ void take_over_mechanisms(WorldState& world, const SolverTask& task) {
 }  // namespace
 
 void solve_world(WorldState& world) {
-  TaskMaker maker(world);
-  SolverTask& task = maker.task();
+  // Kept from step to step for its memory alone, of which it takes much.
+  thread_local SolverTask task;
+  const TaskMaker maker(world, task);
   task.dt = world.config.step;
   task.small_steps = world.config.small_steps;
   // What is spawned at rest finds its forces at once, instead of sinking while they grow.
