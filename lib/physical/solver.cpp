@@ -29,6 +29,7 @@ struct Point {
 };
 
 struct Patch {
+  std::uint32_t contact = 0;   ///< its place in the task
   std::uint32_t a = 0, b = 0;  ///< places of the bodies
   Vec3 normal;
   double friction = 0;
@@ -108,16 +109,16 @@ void relax_shift(const Patch& patch, Point& point, SolverBody& a, SolverBody& b)
   b.way_w -= b.inverse_inertia * cross(point.arm_b, change);
 }
 
-Patches make_patches(const SolverTask& task, double part) {
-  Patches out;
-  out.patches.reserve(task.contacts.size());
-  out.points.reserve(task.contacts.size() * 4);
-  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
+void make_patches(const SolverTask& task, double part, Patches& out) {
+  out.patches.clear();
+  out.points.clear();
+  for (std::uint32_t c = 0; c < task.contacts.size(); ++c) {
+    if (needs_rows(task, c)) continue;
     const Contact& contact = task.contacts[c];
     const auto [a, b] = task.slots[c];
-    Patch patch{
-        a, b, contact.normal, contact.friction, static_cast<std::uint32_t>(out.points.size()), 0};
-    for (int i = 0; i < contact.count && !needs_rows(task, c); ++i) {
+    const auto begin = static_cast<std::uint32_t>(out.points.size());
+    Patch patch{c, a, b, contact.normal, contact.friction, begin, 0};
+    for (int i = 0; i < contact.count; ++i) {
       const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
       out.points.push_back(make_point(contact, point, task.bodies[a], task.bodies[b], task.dt));
       out.points.back().push *= part;
@@ -126,7 +127,6 @@ Patches make_patches(const SolverTask& task, double part) {
     patch.end = static_cast<std::uint32_t>(out.points.size());
     out.patches.push_back(patch);
   }
-  return out;
 }
 
 void apply_last(Patches& all, std::vector<SolverBody>& bodies) {
@@ -181,6 +181,7 @@ void undo_overlaps(Patches& all, Rows& rows, SolverTask& task) {
 /// Adds a part of the step's forces, or of its way.
 void kick(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
+    if (body.link >= 0) continue;
     body.v += body.kick_v * part;
     body.w += body.kick_w * part;
   }
@@ -191,6 +192,7 @@ void kick(SolverTask& task, double part) {
 
 void go(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
+    if (body.link >= 0) continue;
     body.way_v += body.v * part;
     body.way_w += body.w * part;
   }
@@ -200,10 +202,9 @@ void go(SolverTask& task, double part) {
 }
 
 void keep_impulses(const Patches& all, SolverTask& task, double parts) {
-  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
-    const Patch& patch = all.patches[c];
+  for (const Patch& patch : all.patches) {
     for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
-      ContactPoint& point = task.contacts[c].points[i - patch.begin];
+      ContactPoint& point = task.contacts[patch.contact].points[i - patch.begin];
       point.push = all.points[i].push * parts;
       point.friction = all.points[i].slide * parts;
     }
@@ -236,8 +237,11 @@ void warm_start(Contact& contact, const Contact& last) {
 void solve(SolverTask& task) {
   assert(task.slots.size() == task.contacts.size());
   const double parts = task.small_steps, dt = task.dt / parts;
-  Patches patches = make_patches(task, 1 / parts);
-  Rows rows = make_rows(task);
+  // Kept from step to step for their memory alone: to take it anew costs more than to fill it.
+  thread_local Patches patches;
+  thread_local Rows rows;
+  make_patches(task, 1 / parts, patches);
+  make_rows(task, rows);
   undo_overlaps(patches, rows, task);
   for (int step = 0; step < task.small_steps; ++step) {
     kick(task, 1 / parts);
