@@ -5,10 +5,10 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <functional>
 
 #include "synthesis/emit.h"
+#include "synthesis/shapes.h"
 #include "synthesis/synthesise.h"
 #include "verify/verify.h"
 
@@ -16,27 +16,6 @@ namespace stig::bench {
 namespace {
 
 using Keep = std::function<bool(Cell)>;
-
-Target carved(Offset size, const Keep& keep) {
-  Target target;
-  for (std::int32_t x = 0; x < size.x; ++x) {
-    for (std::int32_t y = 0; y < size.y; ++y) {
-      for (std::int32_t z = 0; z < size.z; ++z) {
-        if (keep(Cell{x, y, z})) target.cells.push_back({x, y, z});
-      }
-    }
-  }
-  target.colours.assign(target.cells.size(), StateSet::anything());
-  return target;
-}
-
-bool everything(Cell) { return true; }
-
-Keep hollow(std::int32_t side) {
-  return [=](Cell c) {
-    return c.x % (side - 1) == 0 || c.y % (side - 1) == 0 || c.z % (side - 1) == 0;
-  };
-}
 
 /// Two legs and a lintel that overhangs between them.
 Keep arch(Offset size, std::int32_t thick) {
@@ -52,20 +31,13 @@ Keep dome(double radius) {
   return [=](Cell c) { return std::hypot(c.x - radius, c.y - radius, c.z) <= radius; };
 }
 
-Keep pyramid(std::int32_t radius) {
-  return [=](Cell c) {
-    return std::max(std::abs(c.x - radius), std::abs(c.y - radius)) <= radius - c.z;
-  };
-}
-
 /// S, two cells deep.
 bool letter_s(Cell c) {
   static constexpr const char* kRows[] = {"11110", "00001", "01110", "10000", "01111"};
   return kRows[c.z][c.x] == '1';
 }
 
-void compile(benchmark::State& state, const Offset size, const Keep& keep, Symmetry symmetry) {
-  const Target target = carved(size, keep);
+void compile(benchmark::State& state, const Target& target, Symmetry symmetry) {
   SynthesisOptions options;
   options.symmetry = symmetry;
   Synthesis result;
@@ -81,30 +53,29 @@ void compile(benchmark::State& state, const Offset size, const Keep& keep, Symme
   state.SetLabel(s.order.name);
 }
 
-void add(const std::string& name, Offset size, const Keep& keep,
-         Symmetry symmetry = Symmetry::none) {
-  benchmark::RegisterBenchmark(
-      name.c_str(), [=](benchmark::State& state) { compile(state, size, keep, symmetry); })
+void add(const std::string& name, const Target& target, Symmetry symmetry = Symmetry::none) {
+  benchmark::RegisterBenchmark(name.c_str(),
+                               [=](benchmark::State& state) { compile(state, target, symmetry); })
       ->Iterations(1)
       ->Unit(benchmark::kSecond);
 }
 
 const bool kRegistered = [] {
-  add("plate_7x7/rotations", {7, 7, 1}, everything, Symmetry::rotations);
-  add("pyramid_6/rotations", {11, 11, 6}, pyramid(5), Symmetry::rotations);
-  add("hollow_box_5", {5, 5, 5}, hollow(5));
-  add("hollow_box_9", {9, 9, 9}, hollow(9));
-  add("cube_8", {8, 8, 8}, everything);
-  add("cube_10", {10, 10, 10}, everything);
-  add("arch", {24, 6, 16}, arch({24, 6, 16}, 3));
-  add("letter_s", {5, 2, 5}, letter_s);
-  add("ball", {13, 13, 13}, ball(6));
-  add("dome_32/rotations", {32, 32, 16}, dome(15.5), Symmetry::rotations);
-  add("cube_32/rotations", {32, 32, 32}, everything, Symmetry::rotations);
+  add("plate_7x7/rotations", box({7, 7, 1}), Symmetry::rotations);
+  add("pyramid_6/rotations", pyramid(5), Symmetry::rotations);
+  add("hollow_box_5", hollow_box(5));
+  add("hollow_box_9", hollow_box(9));
+  add("cube_8", box({8, 8, 8}));
+  add("cube_10", box({10, 10, 10}));
+  add("arch", carved({24, 6, 16}, arch({24, 6, 16}, 3)));
+  add("letter_s", carved({5, 2, 5}, letter_s));
+  add("ball", carved({13, 13, 13}, ball(6)));
+  add("dome_32/rotations", carved({32, 32, 16}, dome(15.5)), Symmetry::rotations);
+  add("cube_32/rotations", box({32, 32, 32}), Symmetry::rotations);
   for (const int n : {10, 20, 50, 100}) {
-    if (n <= 50) add("bar_1x1/" + std::to_string(n), {n, 1, 1}, everything);
-    add("bar_2x1/" + std::to_string(n), {n, 2, 1}, everything);
-    add("bar_2x2/" + std::to_string(n), {n, 2, 2}, everything);
+    if (n <= 50) add("bar_1x1/" + std::to_string(n), box({n, 1, 1}));
+    add("bar_2x1/" + std::to_string(n), box({n, 2, 1}));
+    add("bar_2x2/" + std::to_string(n), box({n, 2, 2}));
   }
   return true;
 }();

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/bytes.h"
-#include "physical/packed.h"
+#include "base/packed.h"
 #include "physical/simulation.h"
 
 namespace {

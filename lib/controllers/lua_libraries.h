@@ -61,6 +61,8 @@ std::int64_t integer_argument(lua_State* state, int index, const char* function,
                               std::int64_t low, std::int64_t high);
 std::string_view text_argument(lua_State* state, int index, const char* function, const char* name);
 Vec3 vector_argument(lua_State* state, int index, const char* function, const char* name);
+/// Of length 1, whatever the length of what was given.
+Quat quaternion_argument(lua_State* state, int index, const char* function, const char* name);
 [[noreturn]] void bad_argument(lua_State* state, int index, const char* function, const char* name,
                                const char* expected);
 

@@ -12,7 +12,9 @@ namespace stig {
 namespace {
 
 constexpr std::uint64_t kLookCost = 20;  ///< instructions
+constexpr std::uint64_t kNameCost = 1, kPlaceCost = 10'000;
 constexpr std::size_t kMostName = 64;
+constexpr double kMostSeconds = 1e6;  ///< of a push
 
 struct ScriptSide : LuaSide {
   ScriptWorld* world = nullptr;
@@ -82,20 +84,76 @@ int robot(lua_State* state) {
   put(state, "name", one.name);
   put_pose(state, one.X_WR);
   put(state, "failed", one.failed);
+  put(state, "halted", one.halted);
   put(state, "driven", one.driven);
   return 1;
 }
 
-int block_push(lua_State* state) {
-  ScriptWorld& world = world_of(state);
-  const std::size_t place = place_argument(state, "world.push_block", world.blocks());
-  world.push_block(place, vector_argument(state, 2, "world.push_block", "force"));
+ScriptThing named(lua_State* state, const ScriptWorld& world, const char* function) {
+  const std::string_view name = text_argument(state, 1, function, "name");
+  LuaBox::of(state).charge(state, kNameCost * (world.blocks() + world.robots()));
+  const auto thing = world.find(name);
+  if (!thing) luaL_error(state, "%s: nothing is called '%s'", function, lua_tostring(state, 1));
+  return *thing;
+}
+
+int push_thing(lua_State* state, ScriptThing thing, const char* function) {
+  const Vec3 force = vector_argument(state, 2, function, "force");
+  const double seconds =
+      lua_isnoneornil(state, 3) ? 0 : number_argument(state, 3, function, "seconds");
+  if (seconds < 0 || seconds > kMostSeconds) {
+    luaL_error(state, "%s: seconds must be from 0 to a million", function);
+  }
+  if (!world_of(state).push(thing, force, seconds)) {
+    luaL_error(state, "%s: too many pushes at a time", function);
+  }
   return 0;
 }
+
+int push(lua_State* state) {
+  const ScriptThing thing = named(state, world_of(state), "world.push");
+  return push_thing(state, thing, "world.push");
+}
+int block_push(lua_State* state) {
+  const std::size_t place = place_argument(state, "world.push_block", world_of(state).blocks());
+  return push_thing(state, {false, place}, "world.push_block");
+}
 int robot_push(lua_State* state) {
+  const std::size_t place = place_argument(state, "world.push_robot", world_of(state).robots());
+  return push_thing(state, {true, place}, "world.push_robot");
+}
+
+/// true; or false and the reason.
+int place(lua_State* state) {
   ScriptWorld& world = world_of(state);
-  const std::size_t place = place_argument(state, "world.push_robot", world.robots());
-  world.push_robot(place, vector_argument(state, 2, "world.push_robot", "force"));
+  const ScriptThing thing = named(state, world, "world.place");
+  const Vec3 at = vector_argument(state, 2, "world.place", "position");
+  std::optional<Quat> turn;
+  if (!lua_isnoneornil(state, 3)) {
+    turn = quaternion_argument(state, 3, "world.place", "orientation");
+  }
+  LuaBox::of(state).charge(state, kPlaceCost);
+  const std::string problem = world.place(thing, at, turn);
+  lua_pushboolean(state, problem.empty() ? 1 : 0);
+  if (problem.empty()) return 1;
+  lua_pushlstring(state, problem.data(), problem.size());
+  return 2;
+}
+
+int halt(lua_State* state) {
+  ScriptWorld& world = world_of(state);
+  const ScriptThing thing = named(state, world, "world.halt");
+  if (!thing.robot) luaL_error(state, "world.halt: '%s' is no robot", lua_tostring(state, 1));
+  world.halt(thing.place);
+  return 0;
+}
+
+int set_color(lua_State* state) {
+  ScriptWorld& world = world_of(state);
+  const ScriptThing thing = named(state, world, "world.set_color");
+  if (thing.robot) luaL_error(state, "world.set_color: '%s' is no block", lua_tostring(state, 1));
+  const auto colour = integer_argument(state, 2, "world.set_color", "color", 0, 4);
+  world.set_colour(thing.place, static_cast<int>(colour));
   return 0;
 }
 
@@ -144,6 +202,10 @@ int open_and_run(lua_State* state) {
                         {"block", block},
                         {"robots", robots},
                         {"robot", robot},
+                        {"place", place},
+                        {"push", push},
+                        {"halt", halt},
+                        {"set_color", set_color},
                         {"push_block", block_push},
                         {"push_robot", robot_push},
                         {"drop", drop},

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/vec.h"
@@ -29,7 +30,14 @@ struct ScriptRobot {
   std::string name;
   Pose X_WR;
   bool failed = false;
-  double driven = 0;  ///< m
+  bool halted = false;  ///< by the script; it counts as failed
+  double driven = 0;    ///< m
+};
+
+/// A block or a robot, by its place.
+struct ScriptThing {
+  bool robot = false;
+  std::size_t place = 0;
 };
 
 /// The world as the script may see and touch it; places from 0.
@@ -42,8 +50,17 @@ class ScriptWorld {
   virtual ScriptBlock block(std::size_t place) const = 0;
   virtual std::size_t robots() const = 0;
   virtual ScriptRobot robot(std::size_t place) const = 0;
-  virtual void push_block(std::size_t place, const Vec3& force) = 0;
-  virtual void push_robot(std::size_t place, const Vec3& force) = 0;
+  virtual std::optional<ScriptThing> find(std::string_view name) const = 0;
+  /// A force at the centre of mass, of a robot's root; `seconds` 0: for one step of physics.
+  /// False: there are too many such.
+  virtual bool push(ScriptThing thing, const Vec3& force, double seconds) = 0;
+  /// Puts a block, or a whole robot by its frame, elsewhere; without a turn it stays turned as it
+  /// is. Nothing, or why it cannot be there.
+  virtual std::string place(ScriptThing thing, const Vec3& at, const std::optional<Quat>& turn) = 0;
+  /// The robot's program is not called again, and its motors stand.
+  virtual void halt(std::size_t robot) = 0;
+  /// All LEDs of a block, 0 to 4.
+  virtual void set_colour(std::size_t block, int colour) = 0;
   /// The new block's place; nothing, with a reason, when there is no room or no stock.
   virtual std::optional<std::size_t> drop(const Pose& X_WB, std::string& problem) = 0;
   virtual void stop(std::string reason) = 0;

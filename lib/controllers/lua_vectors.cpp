@@ -355,6 +355,16 @@ Vec3 vector_argument(lua_State* state, int index, const char* function, const ch
   return *v;
 }
 
+Quat quaternion_argument(lua_State* state, int index, const char* function, const char* name) {
+  const Quat* q = test<Quat>(state, index);
+  const double squares = q == nullptr ? 0 : q->w * q->w + q->x * q->x + q->y * q->y + q->z * q->z;
+  // Written so that NaN fails.
+  if (!(squares > 1e-12 && squares < 1e12)) {
+    bad_argument(state, index, function, name, "a quaternion that turns");
+  }
+  return normalised(*q);
+}
+
 void open_vectors(lua_State* state) {
   open_type<Vec2>(state, make<Vec2>,
                   {{"length", length_method<Vec2>},

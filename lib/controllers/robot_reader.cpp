@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "base/file_io.h"
+#include "base/load.h"
 #include "base/text.h"
 #include "controllers/robot_forms.h"
 #include "controllers/robot_parts.h"
@@ -116,13 +116,8 @@ std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics)
 }
 
 std::optional<RobotModel> read_robot_file(const std::string& path, Diagnostics& diagnostics) {
-  FileError error;
-  auto bytes = read_file(path, kMaxRobotFileBytes, error);
-  auto source = std::make_shared<const SourceFile>(path, bytes ? std::move(*bytes) : "");
-  if (bytes) return read_robot(std::move(source), diagnostics);
-  diagnostics.add(error.too_large ? Code::R002 : Code::R001, {std::move(source), 0, 0},
-                  error.message);
-  return std::nullopt;
+  SourceRef source = load_source(path, kMaxRobotFileBytes, diagnostics);
+  return source ? read_robot(std::move(source), diagnostics) : std::nullopt;
 }
 
 std::string robot_schema() {

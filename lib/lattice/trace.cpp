@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/trace.h"
 
-#include <zstd.h>
-
-#include <algorithm>
-#include <cassert>
 #include <nlohmann/json.hpp>
 
 #include "base/bytes.h"
 #include "base/hash.h"
+#include "base/packed.h"
 #include "rules/rule_printer.h"
 
 namespace stig {
@@ -97,22 +94,6 @@ void read_header(const std::string& text, Trace& trace) {
   if (h.contains("max_deposits")) c.max_deposits = unsigned_integer(h["max_deposits"]);
 }
 
-std::optional<std::string> decompress(std::string_view bytes) {
-  const auto stream =
-      std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)>(ZSTD_createDCtx(), ZSTD_freeDCtx);
-  std::string out;
-  std::string chunk(ZSTD_DStreamOutSize(), '\0');
-  ZSTD_inBuffer in{bytes.data(), bytes.size(), 0};
-  while (true) {
-    ZSTD_outBuffer piece{chunk.data(), chunk.size(), 0};
-    const std::size_t rest = ZSTD_decompressStream(stream.get(), &piece, &in);
-    if (ZSTD_isError(rest) || out.size() + piece.pos > kMostTraceBytes) return std::nullopt;
-    out.append(chunk, 0, piece.pos);
-    if (rest == 0) return in.pos == in.size ? std::optional(std::move(out)) : std::nullopt;
-    if (in.pos == in.size && piece.pos == 0) return std::nullopt;  // cut short
-  }
-}
-
 bool read_event(ByteReader& in, Deposit& last) {
   const auto add = [&](std::int32_t& value) {
     constexpr std::int64_t kFarthest = 2147483647;
@@ -175,28 +156,12 @@ std::string read_payload(const std::string& payload, Trace& trace) {
 }  // namespace
 
 struct TraceWriter::State {
-  std::unique_ptr<ZSTD_CCtx, std::size_t (*)(ZSTD_CCtx*)> stream{ZSTD_createCCtx(), ZSTD_freeCCtx};
-  std::string pending;  ///< not yet compressed
+  PackedStream stream;
+  std::string pending;  ///< not yet packed
   std::string bytes{kMagic};
   Deposit last;
   std::uint64_t events = 0;
   std::uint64_t hash = 0;
-
-  /// With a checksum, so that no changed byte goes unnoticed, comments included.
-  State() { ZSTD_CCtx_setParameter(stream.get(), ZSTD_c_checksumFlag, 1); }
-
-  void flush(ZSTD_EndDirective mode) {
-    ZSTD_inBuffer in{pending.data(), pending.size(), 0};
-    std::string chunk(ZSTD_CStreamOutSize(), '\0');
-    while (true) {
-      ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
-      const std::size_t rest = ZSTD_compressStream2(stream.get(), &out, &in, mode);
-      assert(!ZSTD_isError(rest));
-      bytes.append(chunk, 0, out.pos);
-      if (mode == ZSTD_e_end ? rest == 0 : in.pos == in.size) break;
-    }
-    pending.clear();
-  }
 };
 
 TraceWriter::TraceWriter(const RuleSet& rules, const SwarmConfig& config, const std::string& kind)
@@ -226,7 +191,10 @@ void TraceWriter::deposit(const Deposit& d) {
     out.push_back(static_cast<char>(kHash));
     put(out, s.hash);
   }
-  if (out.size() > 1U << 16) s.flush(ZSTD_e_continue);
+  if (out.size() > 1U << 16) {
+    s.stream.add(out, s.bytes);
+    out.clear();
+  }
 }
 
 std::string TraceWriter::finish(std::uint64_t steps, Terminated terminated) {
@@ -235,7 +203,7 @@ std::string TraceWriter::finish(std::uint64_t steps, Terminated terminated) {
   put_varint(s.pending, steps);
   put_varint(s.pending, static_cast<std::uint64_t>(terminated));
   put(s.pending, s.hash);
-  s.flush(ZSTD_e_end);
+  s.stream.finish(s.pending, s.bytes);
   return std::move(s.bytes);
 }
 
@@ -249,7 +217,7 @@ std::optional<Trace> read_trace(const std::string& path, const std::string& byte
   if (!std::string_view(bytes).starts_with(kMagic)) {
     return fail("it does not begin with \"" + std::string(kMagic) + "\"");
   }
-  const auto payload = decompress(std::string_view(bytes).substr(kMagic.size()));
+  const auto payload = unpacked(std::string_view(bytes).substr(kMagic.size()), kMostTraceBytes);
   if (!payload) return fail("its compressed part is damaged, cut short or too large");
   Trace trace;
   const std::string problem = read_payload(*payload, trace);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "base/file_io.h"
 #include "base/form.h"
+#include "base/load.h"
 #include "base/yaml.h"
 #include "physical/block.h"
 
@@ -156,13 +156,8 @@ std::optional<BlockModel> read_block(SourceRef source, Diagnostics& diagnostics)
 }
 
 std::optional<BlockModel> read_block_file(const std::string& path, Diagnostics& diagnostics) {
-  FileError error;
-  auto bytes = read_file(path, kMaxBlockFileBytes, error);
-  auto source = std::make_shared<const SourceFile>(path, bytes ? std::move(*bytes) : "");
-  if (bytes) return read_block(std::move(source), diagnostics);
-  diagnostics.add(error.too_large ? Code::R002 : Code::R001, {std::move(source), 0, 0},
-                  error.message);
-  return std::nullopt;
+  SourceRef source = load_source(path, kMaxBlockFileBytes, diagnostics);
+  return source ? read_block(std::move(source), diagnostics) : std::nullopt;
 }
 
 std::string block_schema() {

@@ -47,16 +47,8 @@ Crew::Crew(CrewConfig config, const WorldConfig& world)
     scene_.obstacles.push_back({shape_of(world.bodies[i].shape), owners[i], {}});
     obstacle_bodies_.push_back(i);
   }
-  for (CrewBlock& block : config_.blocks) {
-    Block one;
-    one.config = std::move(block);
-    one.leds.fill(one.config.led);
-    one.inbox.resize(kBlockRadios);
-    one.outbox.resize(kBlockRadios);
-    blocks_.push_back(std::move(one));
-  }
+  for (CrewBlock& block : config_.blocks) add_block(std::move(block), false);
   config_.blocks.clear();
-  changed_.assign(blocks_.size(), false);
   for (CrewRobot& robot : config_.robots) {
     Robot one;
     one.config = std::move(robot);
@@ -87,16 +79,41 @@ std::uint32_t Crew::shape_of(const Shape& shape) {
   return static_cast<std::uint32_t>(scene_.shapes.size() - 1);
 }
 
-void Crew::add(CrewBlock block, const Shape& shape) {
-  scene_.obstacles.push_back({shape_of(shape), static_cast<std::uint32_t>(blocks_.size()), {}});
-  obstacle_bodies_.push_back(number(block.body));
+void Crew::add_block(CrewBlock block, bool changed) {
   Block one;
   one.config = std::move(block);
   one.leds.fill(one.config.led);
   one.inbox.resize(kBlockRadios);
   one.outbox.resize(kBlockRadios);
   blocks_.push_back(std::move(one));
-  changed_.push_back(true);
+  changed_.push_back(changed);
+}
+
+void Crew::add(CrewBlock block, const Shape& shape) {
+  scene_.obstacles.push_back({shape_of(shape), static_cast<std::uint32_t>(blocks_.size()), {}});
+  obstacle_bodies_.push_back(number(block.body));
+  add_block(std::move(block), true);
+}
+
+void Crew::halt(std::size_t number, std::uint64_t tick) {
+  Robot& robot = robots_[number];
+  if (robot.failed) return;
+  robot.halted = true;
+  stop(robot);
+  log_.push_back({tick, robot.config.name, root_body(number), "halted", false});
+}
+
+void Crew::stop(Robot& robot) {
+  robot.failed = true;
+  make_safe(robot.devices);
+  robot.commands = {};
+}
+
+void Crew::set_colour(std::size_t number, Led colour) {
+  Block& block = blocks_[number];
+  const auto before = block.leds;
+  block.leds.fill(colour);
+  if (block.leds != before) changed_[number] = true;
 }
 
 Pose Crew::robot_pose(const World& world, std::size_t robot) const {
@@ -187,12 +204,7 @@ void Crew::step_robot(World& world, std::size_t number) {
   const ControllerStatus status = call(robot, commands);
   say({world.tick(), robot.config.name, root_body(number), {}, false}, commands.log, status);
   stepped_.push_back(number);
-  if (!status.ok) {
-    robot.failed = true;
-    make_safe(robot.devices);
-    robot.commands = {};
-    return;
-  }
+  if (!status.ok) return stop(robot);
   command(robot.devices, *robot.config.model, commands);
   for (std::size_t i = 0; i < commands.camera_enabled.size(); ++i) {
     if (commands.camera_enabled[i]) robot.enabled[i] = *commands.camera_enabled[i];

@@ -84,6 +84,8 @@ class Crew {
   const std::string& robot_name(std::size_t robot) const { return robots_[robot].config.name; }
   Pose robot_pose(const World& world, std::size_t robot) const;
   bool failed(std::size_t robot) const { return robots_[robot].failed; }
+  /// Failed because somebody halted it.
+  bool halted(std::size_t robot) const { return robots_[robot].halted; }
   /// Every robot; false when there is none.
   bool all_failed() const;
   /// What a robot read and commanded in its last step.
@@ -101,6 +103,11 @@ class Crew {
 
   /// A block that was brought in while the world ran.
   void add(CrewBlock block, const Shape& shape);
+
+  /// As if its program had failed in this tick: it is not called again, its motors stand.
+  void halt(std::size_t robot, std::uint64_t tick);
+  /// All LEDs of a block, until its program sets them.
+  void set_colour(std::size_t block, Led colour);
 
   /// Lines since the last call.
   std::vector<CrewLine> take_log();
@@ -124,7 +131,7 @@ class Crew {
   struct Robot {
     CrewRobot config;
     std::uint64_t period = 1;  ///< world ticks
-    bool begun = false, failed = false;
+    bool begun = false, failed = false, halted = false;
     RobotDevices devices;
     RobotReadings readings;
     RobotCommands commands;
@@ -145,6 +152,7 @@ class Crew {
     ReadingHistory history;
   };
 
+  void add_block(CrewBlock block, bool changed);
   void control(World& world, std::uint64_t tick);
   void carry_messages(const World& world);
   void place_sensor_scene(const World& world);
@@ -153,6 +161,7 @@ class Crew {
                     std::size_t camera);
   std::vector<RangeReading> feel(const World& world, const SensorIndex& index, std::size_t robot);
   void step_robot(World& world, std::size_t robot);
+  static void stop(Robot& robot);
   void step_block(std::uint64_t tick, std::size_t block);
   ControllerStatus call(Robot& robot, RobotCommands& commands) const;
   ControllerStatus call(Block& block, std::uint64_t tick, BlockCommands& commands) const;

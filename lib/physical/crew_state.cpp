@@ -42,7 +42,7 @@ void take_inbox(ByteReader& in, std::vector<std::vector<Message>>& inbox, std::u
 
 template <class Each>
 void Crew::robot_members(Each& each, auto& robot) {
-  each(robot.begun), each(robot.failed), each_member(each, robot.devices);
+  each(robot.begun), each(robot.failed), each(robot.halted), each_member(each, robot.devices);
   each.list(robot.enabled);
   for (auto& late : robot.late_cameras) each.list(late.on_the_way);
   for (auto& late : robot.late_ranges) each.list(late.on_the_way);

@@ -261,19 +261,6 @@ CubeTurn upright(const Mat3& r) {
   return *std::max_element(cube_turns().begin(), cube_turns().end(), better);
 }
 
-Quat quaternion(const Mat3& r) {
-  // Of the four forms the one that divides by the largest number.
-  const std::array<double, 4> sizes{trace(r), r.x.x, r.y.y, r.z.z};
-  const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
-  const double xy = r.y.x, yx = r.x.y, xz = r.z.x, zx = r.x.z, yz = r.z.y, zy = r.y.z;
-  Quat q;
-  if (largest == 0) q = {1 + sizes[0], zy - yz, xz - zx, yx - xy};
-  if (largest == 1) q = {zy - yz, 1 + r.x.x - r.y.y - r.z.z, xy + yx, xz + zx};
-  if (largest == 2) q = {xz - zx, xy + yx, 1 - r.x.x + r.y.y - r.z.z, yz + zy};
-  if (largest == 3) q = {yx - xy, xz + zx, yz + zy, 1 - r.x.x - r.y.y + r.z.z};
-  return normalised(q);
-}
-
 ReadLattice describe(std::vector<Member> members, const std::vector<PlacedBlock>& blocks,
                      const std::vector<Mat3>& axes, double side) {
   // Cells and turns as seen from the upright frame, the lowest cell at the origin.
@@ -292,7 +279,7 @@ ReadLattice describe(std::vector<Member> members, const std::vector<PlacedBlock>
   });
   const Fit fitted = fit(members, blocks, axes, side);
   ReadLattice out;
-  out.X_WL = {fitted.origin, quaternion(fitted.r)};
+  out.X_WL = {fitted.origin, quaternion_of(fitted.r)};
   out.pitch = fitted.pitch;
   out.yaw = std::atan2(fitted.r.x.y, fitted.r.x.x);
   out.tilt = std::acos(std::clamp(fitted.r.z.z, -1.0, 1.0));

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/bytes.h"
-#include "physical/packed.h"
+#include "base/packed.h"
 #include "physical/pose_trace.h"
 #include "physical/pose_trace_format.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physical/packed.h"
+#include "base/packed.h"
 
 namespace stig {
 

@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "physical/scene_script.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace stig {
+
+namespace {
+
+constexpr std::size_t kMostPushes = 1000;  ///< at a time
+
+}  // namespace
 
 SceneScript::SceneScript(Simulation& run) : run_(run) {
   for (std::uint32_t i = 0; i < run.world_.size(); ++i) {
@@ -54,14 +63,59 @@ void SceneScript::read() const {
 ScriptRobot SceneScript::robot(std::size_t place) const {
   const Crew& crew = *run_.crew_;
   return {crew.robot_name(place), crew.robot_pose(run_.world_, place), crew.failed(place),
-          run_.driven_[place]};
+          crew.halted(place), run_.driven_[place]};
 }
 
-void SceneScript::push_block(std::size_t place, const Vec3& force) {
-  run_.world_.push(bodies_[place], force, {});
+std::optional<ScriptThing> SceneScript::find(std::string_view name) const {
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    if (run_.placed_.bodies[static_cast<std::size_t>(bodies_[i])].name == name) {
+      return ScriptThing{false, i};
+    }
+  }
+  for (std::size_t i = 0; i < robots(); ++i) {
+    if (run_.crew_->robot_name(i) == name) return ScriptThing{true, i};
+  }
+  return std::nullopt;
 }
-void SceneScript::push_robot(std::size_t place, const Vec3& force) {
-  run_.world_.push(run_.crew_->root_body(place), force, {});
+
+BodyId SceneScript::body_of(ScriptThing thing) const {
+  return thing.robot ? run_.crew_->root_body(thing.place) : bodies_[thing.place];
+}
+
+bool SceneScript::push(ScriptThing thing, const Vec3& force, double seconds) {
+  if (run_.pushes_.size() >= kMostPushes) return false;
+  const double ticks = std::max(1.0, std::round(seconds / run_.placed_.config.step));
+  run_.pushes_.push_back({static_cast<std::uint32_t>(body_of(thing)), force,
+                          run_.world_.tick() + static_cast<std::uint64_t>(ticks)});
+  return true;
+}
+
+/// Of robots' parts: robot and part.
+std::string SceneScript::name_of(BodyId body) const {
+  return "'" + run_.placed_.bodies[static_cast<std::size_t>(body)].name + "'";
+}
+
+std::string SceneScript::place(ScriptThing thing, const Vec3& at, const std::optional<Quat>& turn) {
+  const BodyId body = body_of(thing);
+  const Pose X_BF = thing.robot ? inverse(run_.crew_->root_pose(thing.place)) : Pose{};
+  const Pose now = run_.world_.state(body).X_WB * X_BF;
+  const PlaceResult placed =
+      run_.world_.place(body, Pose{at, turn.value_or(now.q)} * inverse(X_BF));
+  if (placed.overlaps) {
+    return name_of(placed.body) + " would overlap " + name_of(placed.other);
+  }
+  if (!placed.problem.empty()) return placed.problem;
+  read_.reset();
+  // A hand that carries it is no way that it has come.
+  if (thing.robot) run_.last_places_[thing.place] = {at.x, at.y, 0};
+  return {};
+}
+
+void SceneScript::halt(std::size_t robot) { run_.crew_->halt(robot, run_.world_.tick()); }
+
+void SceneScript::set_colour(std::size_t block, int colour) {
+  run_.crew_->set_colour(run_.crew_->block_of(bodies_[block]), static_cast<Led>(colour));
+  read_.reset();
 }
 
 std::optional<std::size_t> SceneScript::drop(const Pose& X_WB, std::string& problem) {

@@ -19,14 +19,19 @@ class SceneScript final : public ScriptWorld {
   ScriptBlock block(std::size_t place) const override;
   std::size_t robots() const override;
   ScriptRobot robot(std::size_t place) const override;
-  void push_block(std::size_t place, const Vec3& force) override;
-  void push_robot(std::size_t place, const Vec3& force) override;
+  std::optional<ScriptThing> find(std::string_view name) const override;
+  bool push(ScriptThing thing, const Vec3& force, double seconds) override;
+  std::string place(ScriptThing thing, const Vec3& at, const std::optional<Quat>& turn) override;
+  void halt(std::size_t robot) override;
+  void set_colour(std::size_t block, int colour) override;
   std::optional<std::size_t> drop(const Pose& X_WB, std::string& problem) override;
   void stop(std::string reason) override;
   void measure(std::string name, double value) override;
 
  private:
   void read() const;
+  BodyId body_of(ScriptThing thing) const;
+  std::string name_of(BodyId body) const;
 
   Simulation& run_;
   std::vector<BodyId> bodies_;  ///< of blocks

@@ -9,7 +9,7 @@
 
 #include "base/bytes.h"
 #include "base/hash.h"
-#include "physical/packed.h"
+#include "base/packed.h"
 #include "physical/scene_crew.h"
 #include "physical/scene_script.h"
 #include "physical/show_json.h"
@@ -79,7 +79,8 @@ Simulation::Simulation(const Scene& scene, const PlacedScene& placed, bool resum
     settings.agent = kScriptAgent;
     script_.emplace(scene.programs[scene.script], settings);
   }
-  if (!scene.robots.empty() || has_programs(scene)) {
+  // A script may colour blocks.
+  if (script_ || !scene.robots.empty() || has_programs(scene)) {
     CrewConfig crew = crew_of(scene, placed);
     crew.resumable = resumable;
     crew_.emplace(std::move(crew), placed.config);
@@ -136,6 +137,11 @@ AddResult Simulation::add_block(const Pose& X_WB) {
   return added;
 }
 
+void Simulation::apply_pushes() {
+  std::erase_if(pushes_, [this](const ScriptPush& one) { return one.until <= world_.tick(); });
+  for (const ScriptPush& one : pushes_) world_.push(BodyId{one.body}, one.force, {});
+}
+
 void Simulation::measure_ways() {
   for (std::size_t i = 0; crew_ && i < driven_.size(); ++i) {
     Vec3 at = crew_->robot_pose(world_, i).p;
@@ -152,6 +158,7 @@ void Simulation::before_step(const RunHooks& hooks) {
   if (now && script_ && world_.tick() == 0) run_script(ScriptCall::start, hooks);
   if (now && script_ && !stop_) run_script(ScriptCall::step, hooks);
   if (now) refill_caches();
+  apply_pushes();
   if (!crew_) return;
   crew_->before_step(world_);
   note_crew(hooks);

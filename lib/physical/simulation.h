@@ -41,6 +41,13 @@ struct RunHooks {
   std::function<void(const World&)> after_step;
 };
 
+/// A force that a script wants to act for a while.
+struct ScriptPush {
+  std::uint32_t body = 0;
+  Vec3 force;               ///< N, at the centre of mass
+  std::uint64_t until = 0;  ///< the first tick without it
+};
+
 class Simulation {
  public:
   /// The scene must outlive the run. One that is not resumable keeps no account of what its
@@ -61,7 +68,7 @@ class Simulation {
   }
 
   const World& world() const { return world_; }
-  /// Null in a scene without programs.
+  /// Null in a scene without programs and script.
   const Crew* crew() const { return crew_ ? &*crew_ : nullptr; }
   /// What a block's LEDs show now; most of them.
   Led led(std::size_t body) const;
@@ -95,6 +102,7 @@ class Simulation {
 
   void refill_caches();
   AddResult add_block(const Pose& X_WB);
+  void apply_pushes();
   void measure_ways();
   bool run_script(ScriptCall which, const RunHooks& hooks);
   bool blocks_near(const CacheSpawn& cache) const;
@@ -114,6 +122,7 @@ class Simulation {
   std::vector<double> driven_;
   std::optional<LuaScript> script_;
   bool script_failed_ = false, stop_ = false;
+  std::vector<ScriptPush> pushes_;
   std::map<std::string, double> measures_;
   RunTally tally_;
   std::string message_;

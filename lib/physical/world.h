@@ -78,6 +78,13 @@ struct AddResult {
   JointId joint{};
 };
 
+/// With a problem, the world is as before. Where it is an overlap: of which bodies.
+struct PlaceResult {
+  std::string problem;  ///< a sentence about what was to be placed
+  bool overlaps = false;
+  BodyId body{}, other{};
+};
+
 struct WorldState;
 class World;
 
@@ -126,6 +133,12 @@ class World {
   /// Refused, with the world as before, where the definitions are no bodies, or overlap others
   /// by more than 1 mm. Checkpoints from now on hold the definitions too.
   AddResult add(const Addition& addition);
+
+  /// Puts a body elsewhere, as a hand would: with the whole mechanism, when it is a link of one,
+  /// which turns and moves as one piece. It is at rest there; motors keep their targets. Wakes
+  /// what it touched and touches, and whose magnets it pulled or pulls at. Refused where it would
+  /// overlap something by more than 1 mm, or be in the floor or outside of the arena.
+  PlaceResult place(BodyId id, const Pose& X_WB);
 
   /// Called in each step from now on in which something is awake, after gravity, damping and
   /// magnets, in the order in which they were added. No part of checkpoints: a world that

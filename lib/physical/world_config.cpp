@@ -21,9 +21,6 @@ constexpr double kMostSpeed = 100;  ///< m/s
 
 bool positive(double x) { return std::isfinite(x) && x > 0; }
 bool not_negative(double x) { return std::isfinite(x) && x >= 0; }
-bool inside(const Vec3& p, double arena) {
-  return std::abs(p.x) <= arena && std::abs(p.y) <= arena && std::abs(p.z) <= arena;
-}
 bool is_unit(const Vec3& u) { return std::abs(squared(u) - 1) < 1e-6; }
 bool is_unit(const Quat& q) {
   return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
@@ -58,7 +55,7 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
            "moments of inertia";
   }
   if (!is_finite(def.X_WB.p) || !is_unit(def.X_WB.q)) return "has a pose that is none";
-  if (!inside(def.X_WB.p, config.arena)) return "is outside of the arena";
+  if (!inside_arena(def.X_WB.p, config.arena)) return "is outside of the arena";
   if (!(squared(def.velocity) <= kMostSpeed * kMostSpeed)) return "is too fast";
   if (!(squared(def.spin) <= 1e6)) return "spins too fast";
   if (!(def.axle == Vec3{}) && !is_unit(def.axle)) return "has an axle that is no unit vector";
@@ -135,10 +132,6 @@ void check_overlaps(const WorldConfig& config, std::vector<ConfigProblem>& out) 
     numbers.push_back(static_cast<std::uint32_t>(bounds.size()));
     bounds.push_back({def.X_WB.p - Vec3{r, r, r}, def.X_WB.p + Vec3{r, r, r}});
   }
-  const auto placed = [&](std::uint32_t i) {
-    const BodyDef& def = config.bodies[i];
-    return Placed{def.shape, def.X_WB.p, matrix(def.X_WB.q)};
-  };
   const std::vector<std::uint32_t> mechanism = mechanisms_of(config);
   for (const auto& [a, b] : candidate_pairs(cells_of(numbers, bounds, 2 * largest), {}, bounds)) {
     if (config.bodies[a].fixed && config.bodies[b].fixed) continue;
@@ -150,7 +143,7 @@ void check_overlaps(const WorldConfig& config, std::vector<ConfigProblem>& out) 
   }
   for (const std::uint32_t i : numbers) {
     if (!config.floor || config.bodies[i].fixed) continue;
-    if (deepest(touch_floor(placed(i), 0)) > kMostOverlap) {
+    if (spawns_in_floor(config.bodies[i].shape, config.bodies[i].X_WB)) {
       out.push_back({{i}, "is in the floor"});
     }
   }
@@ -207,6 +200,14 @@ bool spawns_overlap(const Shape& a, const Pose& X_WA, const Shape& b, const Pose
   const Placed one{a, X_WA.p, matrix(X_WA.q)}, other{b, X_WB.p, matrix(X_WB.q)};
   return length(X_WA.p - X_WB.p) < a.radius() + b.radius() &&
          deepest(touch(one, other, 0)) > kMostOverlap;
+}
+
+bool spawns_in_floor(const Shape& shape, const Pose& X_WB) {
+  return deepest(touch_floor({shape, X_WB.p, matrix(X_WB.q)}, 0)) > kMostOverlap;
+}
+
+bool inside_arena(const Vec3& p, double arena) {
+  return std::abs(p.x) <= arena && std::abs(p.y) <= arena && std::abs(p.z) <= arena;
 }
 
 std::vector<ConfigProblem> find_problems_apart(const WorldConfig& config) {

@@ -119,7 +119,10 @@ std::vector<ConfigProblem> find_problems(const WorldConfig& config);
 std::vector<ConfigProblem> find_problems_apart(const WorldConfig& config);
 /// Whether two bodies, where they are defined to be, overlap by more than spawns may.
 bool spawns_overlap(const Shape& a, const Pose& X_WA, const Shape& b, const Pose& X_WB);
-/// The same, each a sentence that names the bodies by their numbers.
+/// Whether a body would be as far in the floor.
+bool spawns_in_floor(const Shape& shape, const Pose& X_WB);
+bool inside_arena(const Vec3& p, double arena);
+/// What find_problems says, each a sentence that names the bodies by their numbers.
 std::vector<std::string> problems_of(const WorldConfig& config);
 
 }  // namespace stig

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <unordered_map>
 
-#include "base/file_io.h"
+#include "base/load.h"
 #include "base/text.h"
 #include "base/yaml.h"
 #include "rules/comments.h"
@@ -413,15 +413,8 @@ std::optional<RuleSet> read_rule_set(SourceRef source, Diagnostics& diagnostics)
 }
 
 std::optional<RuleSet> read_rule_set_file(const std::string& path, Diagnostics& diagnostics) {
-  FileError error;
-  auto text = read_file(path, kMaxRuleFileBytes, error);
-  if (text) {
-    const std::string shown = path == "-" ? "<stdin>" : path;
-    return read_rule_set(std::make_shared<SourceFile>(shown, std::move(*text)), diagnostics);
-  }
-  const auto nowhere = std::make_shared<SourceFile>(path, std::string());
-  diagnostics.add(error.too_large ? Code::R002 : Code::R001, {nowhere, 0, 0}, error.message);
-  return std::nullopt;
+  SourceRef source = load_source(path, kMaxRuleFileBytes, diagnostics);
+  return source ? read_rule_set(std::move(source), diagnostics) : std::nullopt;
 }
 
 }  // namespace stig

@@ -7,6 +7,8 @@
 
 #include <filesystem>
 
+#include "base/load.h"
+
 namespace stig {
 
 namespace {
@@ -99,6 +101,24 @@ TEST_CASE("a file that is too large is refused unread") {
   std::filesystem::resize_file(folder / "a", 233'000'000);
   CHECK_FALSE(read_file(folder / "a", 1000, error));
   CHECK(error.too_large);
+}
+
+TEST_CASE("a source that cannot be loaded is a diagnostic at its path") {
+  const Folder folder;
+  FileError error;
+  REQUIRE(write_file(folder / "a", "0123456789", error));
+  Diagnostics diagnostics;
+  const SourceRef source = load_source(folder / "a", 10, diagnostics);
+  REQUIRE(source);
+  CHECK(source->path() == folder / "a");
+  CHECK(source->text() == "0123456789");
+  CHECK(diagnostics.all().empty());
+  CHECK_FALSE(load_source(folder / "a", 9, diagnostics));
+  CHECK_FALSE(load_source(folder / "none", 9, diagnostics));
+  REQUIRE(diagnostics.all().size() == 2);
+  CHECK(diagnostics.all()[0].code == Code::R002);
+  CHECK(diagnostics.all()[1].code == Code::R001);
+  CHECK(diagnostics.all()[1].range.file->path() == folder / "none");
 }
 
 }  // namespace stig

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include "block_figures.h"
 #include "controllers/robot_reader.h"
 #include "support.h"
 
@@ -31,6 +32,31 @@ TEST_CASE("the paper's robot, measured from its file, is the one of the publishe
   CHECK(length(robot.cameras[0].X_RC.p - paper.cameras[0].X_RC.p) < 1e-9);
   const Vec3 ahead = rotate(robot.cameras[0].X_RC.q, {0, 0, 1});
   CHECK(length(ahead - rotate(paper.cameras[0].X_RC.q, {0, 0, 1})) < 1e-9);
+}
+
+Abilities with_block(const std::string& name) {
+  Diagnostics diagnostics;
+  const auto block = read_block_file(STIG_SOURCE_DIR "/blocks/" + name + ".yaml", diagnostics);
+  REQUIRE_MESSAGE(block, to_text(diagnostics));
+  return abilities_of(robot_file("bebot"), figures_of(*block));
+}
+
+TEST_CASE("what is known of the block is what its file says") {
+  constexpr double kDegree = M_PI / 180;
+  const Abilities paper = with_block("stigmergic"), later = with_block("stigmergic-2021");
+  CHECK(paper.block.tag_side == 0.024);
+  CHECK(later.block.tag_side == 0.0235);
+  CHECK(paper.block.proud == 0.001);
+  CHECK(later.block.proud == 0.00055);
+  CHECK(paper.block.led_place == 0.020);
+  CHECK(paper.block.most_angle == doctest::Approx(75 * kDegree));
+  CHECK(later.block.most_angle == doctest::Approx(60 * kDegree));
+  CHECK(paper.friction == 0.5);
+  CHECK(later.friction == 1.0);
+  // Magnets 9 mm apart in place of 10 hold more; the later block's friction halves what moves.
+  CHECK(later.face_hold == doctest::Approx(paper.face_hold * std::pow(10.0 / 9, 4)));
+  CHECK(paper.magnet_reach == doctest::Approx(0.0105).epsilon(0.01));
+  CHECK(later.magnet_reach == doctest::Approx(0.0082).epsilon(0.01));
 }
 
 TEST_CASE("a robot that cannot build says what it lacks") {

@@ -85,6 +85,30 @@ inline CrewRun recorded(const LoadedScene& loaded, double duration) {
   return recorded(run, loaded, duration);
 }
 
+/// A run of a scene of these blocks and robots under a script.
+struct Scripted {
+  LoadedScene loaded;
+  Simulation run;
+  std::vector<std::string> said;
+  RunEnd end;
+
+  Scripted(const std::string& scene, const std::string& script, double duration,
+           std::map<std::string, std::string> programs = {})
+      : loaded(scripted_scene(scene, script, std::move(programs))),
+        run(loaded.scene, loaded.placed) {
+    RunHooks hooks;
+    hooks.on_line = [this](const CrewLine& line) { said.push_back(line.text); };
+    end = run.until(duration, hooks);
+    run.end_script(hooks);
+  }
+
+  static LoadedScene scripted_scene(const std::string& scene, const std::string& script,
+                                    std::map<std::string, std::string> programs = {}) {
+    programs["e.lua"] = script;
+    return crew_scene("stigc_scene: 1\nscript: e.lua\n" + scene, programs);
+  }
+};
+
 /// The values of a channel of a trace, with their ticks.
 inline std::vector<TraceValue> values_of(const std::string& bytes, std::string_view channel) {
   Diagnostics diagnostics;

@@ -6,27 +6,6 @@
 
 using namespace stig;
 
-namespace {
-
-/// A run of a scene of these blocks under a script.
-struct Scripted {
-  LoadedScene loaded;
-  Simulation run;
-  std::vector<std::string> said;
-  RunEnd end;
-
-  Scripted(const std::string& scene, const std::string& script, double duration)
-      : loaded(crew_scene("stigc_scene: 1\nscript: e.lua\n" + scene, {{"e.lua", script}})),
-        run(loaded.scene, loaded.placed) {
-    RunHooks hooks;
-    hooks.on_line = [this](const CrewLine& line) { said.push_back(line.text); };
-    end = run.until(duration, hooks);
-    run.end_script(hooks);
-  }
-};
-
-}  // namespace
-
 TEST_CASE("callbacks: once, at each control tick, once; they see blocks, colours and cells") {
   const Scripted out("blocks: [{name: c, column: 2, color: Q3}, {at: [1, 0, 0.0275]}]\n", R"(
 local steps = 0

@@ -35,6 +35,10 @@ TEST_CASE("exit codes by class") {
 TEST_CASE("a rule set comes from standard input as well") {
   const Workplace place;
   CHECK(code(place, "cat sets/line.yaml | stigc check -") == 0);
+  for (const std::string command : {"check", "fmt"}) {
+    CHECK(place.shell("stigc " + command + " - < sets/bad.yaml").err.find("<stdin>:") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("-W error makes warnings fail") {

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Targets for tests: boxes, plates, pyramids, and what is read from a drawing.
+// Targets for tests and benchmarks: boxes, plates, pyramids, and what is read from a drawing.
 #pragma once
 
+#include <algorithm>
+#include <cstdlib>
 #include <string_view>
 
 #include "synthesis/frame.h"

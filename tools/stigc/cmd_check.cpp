@@ -2,7 +2,7 @@
 // stigc check: every problem of every file, at once.
 #include <fmt/format.h>
 
-#include "base/file_io.h"
+#include "base/load.h"
 #include "commands.h"
 #include "controllers/robot_reader.h"
 #include "rules/rule_reader.h"
@@ -13,14 +13,8 @@ namespace {
 
 /// Reads a file as what its first keys say it is; rule sets are the default.
 void check_file(const std::string& path, Diagnostics& diagnostics) {
-  FileError error;
-  auto text = read_file(path, kMaxSceneBytes, error);
-  auto source = std::make_shared<const SourceFile>(path, text ? std::move(*text) : "");
-  if (!text) {
-    diagnostics.add(error.too_large ? Code::R002 : Code::R001, {std::move(source), 0, 0},
-                    error.message);
-    return;
-  }
+  SourceRef source = load_source(path, kMaxSceneBytes, diagnostics);
+  if (!source) return;
   switch (content_of(source->text())) {
     case FileContent::scene:
       if (const auto scene = read_scene(source, scene_loader(path), diagnostics)) {

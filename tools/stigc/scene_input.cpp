@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "base/file_io.h"
+#include "base/load.h"
 
 namespace stig {
 namespace {
@@ -50,15 +50,12 @@ SceneLoader scene_loader(const std::string& scene_path) {
 std::optional<LoadedScene> read_loaded_scene(const std::string& path,
                                              std::optional<std::uint64_t> seed, const App& app) {
   Diagnostics diagnostics;
-  FileError error;
-  auto text = read_file(path, kMaxSceneBytes, error);
-  auto source = std::make_shared<const SourceFile>(path, text ? std::move(*text) : "");
   std::optional<LoadedScene> loaded;
-  if (!text) {
-    diagnostics.add(error.too_large ? Code::R002 : Code::R001, {source, 0, 0}, error.message);
-  } else if (auto scene = read_scene(source, scene_loader(path), diagnostics)) {
-    if (auto placed = place_scene(*scene, seed.value_or(scene->seed), diagnostics)) {
-      loaded = LoadedScene{std::move(*scene), std::move(*placed)};
+  if (SourceRef source = load_source(path, kMaxSceneBytes, diagnostics)) {
+    if (auto scene = read_scene(std::move(source), scene_loader(path), diagnostics)) {
+      if (auto placed = place_scene(*scene, seed.value_or(scene->seed), diagnostics)) {
+        loaded = LoadedScene{std::move(*scene), std::move(*placed)};
+      }
     }
   }
   if (!diagnostics.all().empty()) app.report(diagnostics);

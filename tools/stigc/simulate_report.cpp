@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -100,30 +101,38 @@ std::vector<PictureBody> picture_bodies(const Simulation& run) {
 
 namespace {
 
-/// What most of a block's LEDs showed at a tick.
-Led led_at(const PoseTrace& trace, std::uint64_t tick, std::size_t body) {
-  Led out = trace.header.bodies[body].led;
+/// What bodies showed in a channel at a tick: the newest value of each that has one.
+std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std::uint64_t tick,
+                                                     std::string_view channel) {
+  std::map<std::uint32_t, const std::string*> out;
   for (const TraceValue& value : trace.values) {
-    if (value.tick > tick || value.body != body || value.bytes.empty()) continue;
-    if (trace.header.channels[value.channel] != "leds") continue;
-    std::array<int, 5> shown{};
-    for (const char digit : value.bytes) {
-      if (digit >= '0' && digit <= '4') ++shown[static_cast<std::size_t>(digit - '0')];
-    }
-    out = static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+    if (value.tick > tick || trace.header.channels[value.channel] != channel) continue;
+    out[value.body] = &value.bytes;
   }
   return out;
+}
+
+/// What most of a block's LEDs show.
+Led most_shown(std::string_view digits) {
+  std::array<int, 5> shown{};
+  for (const char digit : digits) {
+    if (digit >= '0' && digit <= '4') ++shown[static_cast<std::size_t>(digit - '0')];
+  }
+  return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
 }
 
 }  // namespace
 
 std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame) {
+  const auto leds = shown_at(trace, frame.tick, "leds");
   std::vector<PictureBody> out;
-  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+  for (std::uint32_t i = 0; i < frame.bodies.size(); ++i) {
     if (frame.bodies[i].left) continue;
     const TraceBody& body = trace.header.bodies[i];
-    out.push_back({body.shape, frame.bodies[i].pose(), body.rgb, body.block,
-                   body.block ? led_at(trace, frame.tick, i) : Led::off});
+    const auto set = leds.find(i);
+    const Led led = set == leds.end() ? body.led : most_shown(*set->second);
+    out.push_back(
+        {body.shape, frame.bodies[i].pose(), body.rgb, body.block, body.block ? led : Led::off});
   }
   return out;
 }
@@ -140,13 +149,8 @@ std::vector<PictureLine> picture_lines(const Simulation& run) {
 }
 
 std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame) {
-  std::map<std::uint32_t, const std::string*> shown;  // by body, the newest
-  for (const TraceValue& value : trace.values) {
-    if (value.tick > frame.tick || trace.header.channels[value.channel] != "show") continue;
-    shown[value.body] = &value.bytes;
-  }
   std::vector<PictureLine> out;
-  for (const auto& [body, json] : shown) {
+  for (const auto& [body, json] : shown_at(trace, frame.tick, "show")) {
     if (body >= frame.bodies.size()) continue;
     const auto lines = show_lines(*json, frame.bodies[body].pose());
     out.insert(out.end(), lines.begin(), lines.end());
@@ -201,7 +205,7 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
   r.script_failed = run.script_failed();
   for (std::size_t i = 0; run.crew() != nullptr && i < run.crew()->robots(); ++i) {
     r.robots.push_back({run.crew()->robot_name(i), run.crew()->robot_pose(world, i),
-                        run.crew()->failed(i), run.driven(i)});
+                        run.crew()->failed(i), run.crew()->halted(i), run.driven(i)});
   }
   return r;
 }
@@ -254,7 +258,8 @@ Json to_json(const SimulationReport& r) {
     json["robots"].push_back({{"name", robot.name},
                               {"at", vec_json(robot.X_WR.p)},
                               {"driven_m", robot.driven},
-                              {"failed", robot.failed}});
+                              {"failed", robot.failed},
+                              {"halted", robot.halted}});
   }
   json["measures"] = r.measures;
   json["structure"] = structure_json(r.structure, r.names);
@@ -300,7 +305,9 @@ std::string lines_of(const SimulationReport& r, bool speed) {
     const ScriptRobot& robot = r.robots[i];
     out += line(i == 0 ? "robots" : "",
                 fmt::format("{}, {:.3f} m driven{}", printable(robot.name), robot.driven,
-                            robot.failed ? ", its program failed" : ""));
+                            robot.halted   ? ", halted"
+                            : robot.failed ? ", its program failed"
+                                           : ""));
   }
   if (r.robots.size() > kMostNames) {
     out += line("", fmt::format("and {} more", r.robots.size() - kMostNames));

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// What every table of keys asks of a single node: that it is a name, a colour, a number within
+// its bounds. The tables differ in what they are made of (base/form.h, rules/rule_schema.h),
+// what is said of a node does not.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/form.h"
+
+namespace stig {
+
+/// low..high, or above low.
+struct NumberBounds {
+  double low = 0, high = 0;
+  bool above_low = false;
+  bool whole = false;
+};
+
+/// "a rule", "an entry".
+std::string with_article(std::string_view noun);
+
+/// Is there a control character of ASCII?
+bool has_control(std::string_view text);
+
+/// Every check returns whether the node is sound, and adds it to `bad` when it is not. All that
+/// it is made of must outlive it.
+class NodeChecks {
+ public:
+  NodeChecks(const YamlDocument& document, Diagnostics& diagnostics, BadNodes& bad)
+      : document_(document), out_(diagnostics), bad_(bad) {}
+
+  /// Adds it to `bad`; false.
+  bool mark(const YamlNode& node);
+  /// R103; a node that is broken has been reported before.
+  bool wrong(const YamlNode& node, std::string_view wanted);
+  /// R105.
+  bool out_of_range(const YamlNode& node, std::string message);
+  /// R106.
+  bool bad_text(const YamlNode& node, std::string message);
+  /// R108.
+  bool unknown_version(const YamlNode& node, int known);
+  bool expect(const YamlNode& node, YamlKind kind, std::string_view wanted);
+  bool check_name(const YamlNode& node);
+  bool check_colour(const YamlNode& node);
+  bool check_boolean(const YamlNode& node);
+  bool check_choice(const YamlNode& node, std::string_view key,
+                    const std::vector<std::string_view>& words);
+  bool check_number(const YamlNode& node, std::string_view key, const NumberBounds& bounds);
+  /// A mapping with these keys, each with a `name` and maybe `required`; `check` is called
+  /// with the value and the key of each that is known.
+  template <class Keys, class Check>
+  bool check_keys(const YamlNode& node, std::string_view title, const Keys& keys, Check check);
+  /// Entries of a list or mapping.
+  bool check_size(const YamlNode& node, std::string_view key, std::size_t size, std::size_t least,
+                  std::size_t most);
+
+ private:
+  /// R101; marks the value.
+  bool unknown_key(const YamlPair& pair, std::string_view title,
+                   const std::vector<std::string_view>& known);
+  /// R102; marks nothing.
+  void missing_key(const YamlNode& mapping, std::string_view title, std::string_view key);
+
+  const YamlDocument& document_;
+  Diagnostics& out_;
+  BadNodes& bad_;
+};
+
+template <class Keys, class Check>
+bool NodeChecks::check_keys(const YamlNode& node, std::string_view title, const Keys& keys,
+                            Check check) {
+  if (!expect(node, YamlKind::mapping, with_article(title) + " as a mapping of keys")) return false;
+  const auto check_pair = [&](const YamlPair& pair) {
+    if (!expect(pair.key, YamlKind::scalar, "a key")) return false;
+    std::vector<std::string_view> known;
+    for (const auto& key : keys) {
+      if (key.name == pair.key.text) return check(pair.value, key);
+    }
+    for (const auto& key : keys) known.push_back(key.name);
+    return unknown_key(pair, title, known);
+  };
+  bool sound = true;
+  for (const YamlPair& pair : node.pairs) sound = check_pair(pair) && sound;
+  for (const auto& key : keys) {
+    if (!key.required || node.find(key.name) != nullptr) continue;
+    missing_key(node, title, key.name);
+    sound = false;
+  }
+  return sound || mark(node);
+}
+
+}  // namespace stig

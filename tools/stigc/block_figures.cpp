@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+#include "block_figures.h"
+
+#include <algorithm>
+
+namespace stig {
+
+BlockFigures figures_of(const BlockModel& block) {
+  BlockFigures out;
+  out.look.side = block.side;
+  out.look.tag_side = block.tags.side;
+  out.look.proud = block.tags.proud;
+  out.look.led_place = block.leds.offset;
+  out.look.most_angle = std::min(block.tags.widest, block.leds.widest);
+  out.mass = block.mass();
+  out.magnet_offset = block.magnet_offset;
+  out.magnet_moment = block.magnet_moment();
+  out.block_friction = out.floor_friction = block.friction;
+  return out;
+}
+
+}  // namespace stig

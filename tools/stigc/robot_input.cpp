@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "robot_input.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/text.h"
+#include "block_figures.h"
+#include "controllers/robot_reader.h"
+#include "scene_input.h"
+
+namespace stig {
+namespace {
+
+constexpr const char* kDefaultRobot = "bebot.yaml";
+constexpr const char* kBlock = "stigmergic.yaml";
+
+/// A file that the user named, or one of the program's own.
+SourceRef find_source(const std::string& name, const App& app) {
+  FileError error;
+  auto text = scene_loader(name)(std::filesystem::path(name).filename().string(),
+                                 kMaxRobotFileBytes, error);
+  if (text) return std::make_shared<const SourceFile>(name, std::move(*text));
+  app.complain(error.message);
+  return nullptr;
+}
+
+}  // namespace
+
+std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
+                                        const App& app) {
+  const SourceRef robot_source = find_source(robot_file.value_or(kDefaultRobot), app);
+  const SourceRef block_source = find_source(kBlock, app);
+  if (!robot_source || !block_source) return std::nullopt;
+  Diagnostics diagnostics;
+  const auto robot = read_robot(robot_source, diagnostics);
+  const auto block = read_block(block_source, diagnostics);
+  app.report(diagnostics);
+  if (!robot || !block || app.invalid(diagnostics)) return std::nullopt;
+  const std::vector<std::string> missing = lacking(*robot);
+  for (const std::string& sentence : missing) {
+    app.complain(fmt::format("'{}' cannot build: {}", printable(robot->name), sentence));
+  }
+  if (!missing.empty()) return std::nullopt;
+  return abilities_of(*robot, figures_of(*block));
+}
+
+}  // namespace stig

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The robot that a rule set is compiled for, and the blocks that it builds with.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app.h"
+#include "compiler/abilities.h"
+
+namespace stig {
+
+/// Of a robot's file, by default the paper's robot, with the paper's block: both are found
+/// where scenes find theirs. Errors, and what keeps it from building at all, are reported.
+std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
+                                        const App& app);
+
+}  // namespace stig
