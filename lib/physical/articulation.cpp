@@ -82,30 +82,17 @@ Twist carried(const Twist& m, const Twist& s) {
 }
 
 /// Adds a part's share of the Coriolis and centrifugal forces: what its mass and inertia make of
-/// the acceleration that it has while generalised velocities stay the same. The columns of a
-/// floating first part turn with it, and so add nothing; every other stands still in the body
-/// that its joint begins at.
+/// the acceleration that it has while generalised velocities stay the same.
 void add_coriolis(const Articulation& it, std::size_t part, const std::vector<double>& v,
                   std::vector<double>& out) {
-  const Twist* columns = it.columns_of(part);
-  const std::size_t free = it.floating ? 6 : 0;
-  Twist motion, change;  // of the point that is now the part's origin
-  for (const std::uint32_t i : it.chains[part]) {
-    const Twist own{columns[i].v * v[i], columns[i].w * v[i]};
-    if (i >= free) {
-      const Twist more = carried(motion, own);
-      change.v += more.v;
-      change.w += more.w;
-    }
-    motion.v += own.v;
-    motion.w += own.w;
-  }
+  const auto [motion, change] = part_motion(it, part, v);
   const PartWeight& weight = it.weights[part];
-  const Vec3 whirl = motion.v + cross(motion.w, weight.centre);
-  const Vec3 a = change.v + cross(change.w, weight.centre) + cross(motion.w, whirl);
+  const Vec3 a =
+      change.v + cross(change.w, weight.centre) + cross(motion.w, cross(motion.w, weight.centre));
   const Vec3 force = a * weight.mass;
   const Vec3 torque = weight.inertia * change.w + cross(motion.w, weight.inertia * motion.w) +
                       cross(weight.centre, force);
+  const Twist* columns = it.columns_of(part);
   for (const std::uint32_t i : it.chains[part]) {
     out[i] += dot(force, columns[i].v) + dot(torque, columns[i].w);
   }
@@ -159,6 +146,26 @@ bool has_motor(const DofDef& dof) {
 }
 
 }  // namespace
+
+// The columns of a floating first part turn with it, and so add nothing but that its velocity
+// turns; every other stands still in the body that its joint begins at.
+PartMotion part_motion(const Articulation& it, std::size_t part, const std::vector<double>& v) {
+  const Twist* columns = it.columns_of(part);
+  const std::size_t free = it.floating ? 6 : 0;
+  PartMotion out;
+  for (const std::uint32_t i : it.chains[part]) {
+    const Twist own{columns[i].v * v[i], columns[i].w * v[i]};
+    if (i >= free) {
+      const Twist more = carried(out.motion, own);
+      out.change.v += more.v;
+      out.change.w += more.w;
+    }
+    out.motion.v += own.v;
+    out.motion.w += own.w;
+  }
+  out.change.v += cross(out.motion.w, out.motion.v);
+  return out;
+}
 
 void place_bodies(const Articulation& it, std::vector<Body>& bodies) {
   for (const LinkBody& link : it.links) {

@@ -90,6 +90,14 @@ struct Articulations {
 /// Of the joints from number `first` on; those before must not share bodies with them.
 void add_articulations(const WorldConfig& config, std::size_t first, Articulations& out);
 
+/// How a part's origin moves at generalised velocities v, and how that would change if they stayed
+/// the same.
+struct PartMotion {
+  Twist motion, change;
+};
+PartMotion part_motion(const Articulation& articulation, std::size_t part,
+                       const std::vector<double>& v);
+
 /// Poses and velocities of the bodies, from those of the parts.
 void place_bodies(const Articulation& articulation, std::vector<Body>& bodies);
 void set_body_velocities(const Articulation& articulation, std::vector<Body>& bodies);

@@ -25,6 +25,7 @@ struct Point {
   double mass = 0, slide_mass = 0;  ///< impulse for a velocity change of 1 m/s, kg
   double push = 0;
   Vec3 slide;
+  Vec3 bend;                           ///< see bend(); along the surface
   double shift_target = 0, shift = 0;  ///< m/s and N·s, for what undoes overlaps
 };
 
@@ -59,8 +60,10 @@ double effective_mass(const Point& point, const SolverBody& a, const SolverBody&
   return inverse > 0 ? 1 / inverse : 0;
 }
 
-Point make_point(const Contact& contact, const ContactPoint& from, const SolverBody& a,
-                 const SolverBody& b, double dt) {
+Point make_point(const SolverTask& task, std::uint32_t number, const ContactPoint& from) {
+  const Contact& contact = task.contacts[number];
+  const SolverBody &a = task.bodies[task.slots[number].first],
+                   &b = task.bodies[task.slots[number].second];
   Point point;
   point.arm_a = from.p_W - a.p;
   point.arm_b = from.p_W - b.p;
@@ -71,7 +74,9 @@ Point make_point(const Contact& contact, const ContactPoint& from, const SolverB
   point.slide_mass = std::min(effective_mass(point, a, b, t), effective_mass(point, a, b, s));
   point.push = from.push;
   point.slide = from.friction - contact.normal * dot(contact.normal, from.friction);
-  point.shift_target = least_shift(from.gap, dt);
+  point.shift_target = least_shift(from.gap, task.dt);
+  point.bend = bend(task, number, from.p_W);
+  point.bend -= contact.normal * dot(contact.normal, point.bend);
   return point;
 }
 
@@ -84,7 +89,7 @@ double relax(const Patch& patch, Point& point, SolverBody& a, SolverBody& b, dou
   const double most = std::max(0.0, point.push + lacking * point.mass);
   // Most points of a pile that falls carry nothing.
   if (most == 0 && point.push == 0) return 0;
-  Vec3 slide = point.slide - (v - n * along) * point.slide_mass;
+  Vec3 slide = point.slide - (v - n * along + point.bend) * point.slide_mass;
   const double limit = patch.friction * most, size = squared(slide);
   if (size > limit * limit) slide *= limit / std::sqrt(size);
   const double change = most - point.push;
@@ -120,7 +125,7 @@ void make_patches(const SolverTask& task, double part, Patches& out) {
     Patch patch{c, a, b, contact.normal, contact.friction, begin, 0};
     for (int i = 0; i < contact.count; ++i) {
       const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
-      out.points.push_back(make_point(contact, point, task.bodies[a], task.bodies[b], task.dt));
+      out.points.push_back(make_point(task, c, point));
       out.points.back().push *= part;
       out.points.back().slide *= part;
     }

@@ -96,6 +96,9 @@ RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t numbe
   point.slide_second = dot(from.friction, s) * part;
   point.friction = contact.friction;
   point.axle_friction = contact.axle_friction;
+  const Vec3 way = bend(task, c, from.p_W);
+  point.bend_first = dot(way, t);
+  point.bend_second = dot(way, s);
   point.shift_target = least_shift(from.gap, task.dt);
   return point;
 }
@@ -165,8 +168,10 @@ double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
   const double part = point.axle_friction;
   // The same mass for both, so that sliding does not depend on how the tangents lie.
   const double mass = std::min(point.first.mass, point.second.mass);
-  double x = point.slide_first - along(point.first, rows, task, point) * mass * part * part;
-  double y = point.slide_second - along(point.second, rows, task, point) * mass;
+  const double first = along(point.first, rows, task, point) + point.bend_first;
+  const double second = along(point.second, rows, task, point) + point.bend_second;
+  double x = point.slide_first - first * mass * part * part;
+  double y = point.slide_second - second * mass;
   const double most = point.friction * point.push;
   if (part == 0) x = 0;
   const double across = part > 0 ? x / part : 0;
@@ -182,6 +187,16 @@ double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
   point.slide_first = x;
   point.slide_second = y;
   return mass > 0 ? std::max(std::abs(dx), std::abs(dy)) / mass : 0;
+}
+
+/// Of a point of a body, while its velocities stay the same.
+Vec3 acceleration(const SolverTask& task, std::uint32_t body, const Vec3& p) {
+  if (const SolverLink* link = link_of(task, body)) {
+    const Vec3 arm = p - link->p;
+    return link->change_v + cross(link->change_w, arm) + cross(link->w, cross(link->w, arm));
+  }
+  const SolverBody& one = task.bodies[body];
+  return cross(one.w, cross(one.w, p - one.p));
 }
 
 void turn(const SolverAxis& axis, SolverTask& task, double impulse) {
@@ -213,6 +228,12 @@ double relax_axis(SolverAxis& axis, SolverTask& task, double inverse_dt) {
 }
 
 }  // namespace
+
+Vec3 bend(const SolverTask& task, std::size_t contact, const Vec3& p_W) {
+  const auto [a, b] = task.slots[contact];
+  if (a == 0 || b == 0 || task.contacts[contact].count < 3) return {};
+  return (acceleration(task, a, p_W) - acceleration(task, b, p_W)) * (task.dt / 2);
+}
 
 double least_shift(double gap, double dt) {
   if (gap > -kSlop) return -(gap + kSlop) / dt;

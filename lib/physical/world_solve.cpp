@@ -74,8 +74,10 @@ class TaskMaker {
     SolverBody out;
     out.p = body.p;
     out.link = static_cast<std::int32_t>(task_.links.size());
+    const auto [motion, change] = part_motion(it, body.part, it.v);
     task_.links.push_back({mechanism_[static_cast<std::size_t>(body.articulation)],
-                           it.poses[body.part].p, it.columns_of(body.part)});
+                           it.poses[body.part].p, it.columns_of(body.part), motion.w, change.v,
+                           change.w});
     return out;
   }
 
