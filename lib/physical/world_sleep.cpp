@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <numeric>
 
+#include "physical/islands.h"
 #include "physical/world_state.h"
 
 namespace stig {
@@ -13,26 +13,6 @@ constexpr double kTrembling = 10;  ///< times the limits of speed, for moments
 bool mobile(const WorldState& world, std::uint32_t i) {
   return i != kFloorBody && !world.bodies[i].fixed && !world.bodies[i].left;
 }
-
-/// Union-find; the root of a set is its smallest member.
-class Islands {
- public:
-  explicit Islands(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 void fall_asleep(WorldState& world, std::uint32_t i) {
   Body& body = world.bodies[i];
