@@ -180,6 +180,20 @@ Rows ten_minutes(const BlockModel& block) {
            fmt::format("{}; {}", in_mm(drift), awake), "", drift < 1e-4 && awake == 0}};
 }
 
+Row column_row(const char* what, const Creep& creep, double way, double turn) {
+  return {what, fmt::format("{}, {}", in_mm(way), in_degrees(turn)),
+          fmt::format("{}, {}", in_mm(creep.way), in_degrees(creep.turn)), "",
+          creep.way < way && creep.turn < turn};
+}
+
+Rows columns(const BlockModel& block) {
+  return {column_row("column of 10 kept awake, each off by 1 mm and 2°: creep in 10 s",
+                     awake_column(block, 10), 1e-4, 0.1 * kDegree),
+          column_row("the same of 20", awake_column(block, 20), 1e-4, 0.1 * kDegree),
+          column_row("the same of 20, without magnets", awake_column(without_magnets(block), 20),
+                     2e-3, 0.5 * kDegree)};
+}
+
 Rows pushing(const BlockModel& block) {
   const double with = pushed_pyramid(block, true), without = pushed_pyramid(block, false);
   return {{"pyramid pushed, with against without sleep", "1 %",
@@ -237,8 +251,9 @@ const std::vector<Trial> kFigureTrials = {
     {"nine-bodies", nine_bodies}, {"alignment", alignment},
     {"sliding", sliding},         {"motion", motion},
     {"newton", newton},           {"ten-minutes", ten_minutes},
-    {"pushing", pushing},         {"breaking", breaking},
-    {"snagging", snagging},       {"same-bytes", same_bytes},
+    {"columns", columns},         {"pushing", pushing},
+    {"breaking", breaking},       {"snagging", snagging},
+    {"same-bytes", same_bytes},
 };
 
 }  // namespace stig::bench

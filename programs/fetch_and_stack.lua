@@ -45,7 +45,7 @@ local function main()
    for _ = 1, 8 do
       local base = handling.search(lit)
       if not base then return say('no structure found') end
-      good, problem = handling.place(base, 'top', { colour = 2, misjudged = error_on_purpose() })
+      good, problem = handling.place(base, 'raise', { colour = 2, misjudged = error_on_purpose() })
       if good then return say('done: stacked') end
       say('not stacked: ', problem)
    end

@@ -149,13 +149,13 @@ function handling.go_by(way, speed)
                           speed or robotics.profile.cruise)
 end
 
--- To a place of the odometry frame: turns to it, and drives.
-function handling.go_to(x, y, speed)
+-- To a place of the odometry frame: turns to it, and drives; `each` as with follow.
+function handling.go_to(x, y, speed, each)
    local dx, dy = x - robotics.pose.x, y - robotics.pose.y
    if dx * dx + dy * dy < 1e-4 then return true end
    local yaw = math.atan(dy, dx)
    handling.turn_to(yaw)
-   return handling.follow({ x = x, y = y, yaw = yaw }, 0, speed or robotics.profile.cruise)
+   return handling.follow({ x = x, y = y, yaw = yaw }, 0, speed or robotics.profile.cruise, each)
 end
 
 -- The lift -----------------------------------------------------------------------------------
@@ -192,24 +192,29 @@ end
 
 -- Looking ------------------------------------------------------------------------------------
 
--- The lift's height at which a block of a level, `ahead` of the robot, is in the picture's middle.
-local function height_for(ahead, level)
+-- The lift's height at which a mark, `ahead` of the robot at a height, is in the picture's middle.
+local function height_for(ahead, height)
    local eye = robotics.profile.anchor
    local at = robot.camera_system.transform.position
-   return ahead - (at.x + eye[1]) + SIDE * (level + 1) - (at.z + eye[3])
+   return ahead - (at.x + eye[1]) + height - (at.z + eye[3])
 end
 
--- The least distance ahead at which its upper tag is wholly in the picture, at a lift's height.
-local function nearest_in_sight(height, level)
+-- The least distance ahead of a block at which the tag that it shows is wholly in the picture, at
+-- a height of the lift.
+local function nearest_in_sight(lift, block)
+   local height, before = robotics.mark_of(block)
    local at, anchor = robot.camera_system.transform.position, robotics.profile.anchor
    local half = 0.92 * robot.camera_system.resolution.y / 2 / robotics.profile.focal
-   local above = at.z + anchor[3] + height - SIDE * (level + 1)
-   return at.x + anchor[1] + above * (1 - half) / (1 + half) + 0.016
+   -- the tag's nearer edge, or its lower one
+   local edge = before > 0 and 0 or 0.016
+   local above = at.z + anchor[3] + lift - height + (before > 0 and 0.014 or 0)
+   return at.x + anchor[1] + above * (1 - half) / (1 + half) + edge + before
 end
 
 local function lift_for_sight(block, lowest)
    local ahead = robotics.into(robotics.pose, block.x, block.y)
-   local height = clamp(height_for(ahead, block.level or 0), lowest, robotics.profile.lift_top)
+   local mark, before = robotics.mark_of(block)
+   local height = clamp(height_for(ahead - before, mark), lowest, robotics.profile.lift_top)
    if math.abs(height - robot.lift_system.position) > 0.003 then
       robot.lift_system.set_position(height)
    end
@@ -365,7 +370,7 @@ local function approach(block, options)
          return line_to(known, heading, options)
       end
       if seen then
-         local sight = nearest_in_sight(lowest, block.level or 0) + (options.ahead or 0)
+         local sight = nearest_in_sight(lowest, block) + (options.ahead or 0)
          local near = math.max(sight, 0.170)
          if handling.follow(now_line, -near, 0.08) then
             handling.lift_to(lowest)
@@ -377,6 +382,10 @@ local function approach(block, options)
       if seen then
          line = line_to(seen, heading, options)
          local _, off, angle = handling.on_line(line)
+         if options.free and not options.free(line) then
+            handling.go_by(-0.10, 0.1)
+            return false, 'busy'
+         end
          if math.abs(off) < 0.005 and math.abs(angle) < 0.12 then
             enter('reach')
             line = misjudge(line, options.misjudged)
@@ -452,29 +461,42 @@ local function let_go()
    magnets.set_discharge_mode('disable')
    return not underneath_within(0.010)
 end
+handling.let_go = let_go
 
--- Picks a block of level 0 up. options: heading, colour (set after it is up; default Q4, in
--- transport), misjudged (an error on purpose, {x, y, yaw} of the line's frame).
+-- Drives up to a block of level 0 until it lies below the magnets: true and the block as it was
+-- last seen. options: heading, misjudged (an error on purpose, {x, y, yaw} of the line's frame).
+function handling.approach_block(block, options)
+   options = options or {}
+   local near, seen = approach(block, { heading = options.heading, lowest = LOOK,
+                                        misjudged = options.misjudged })
+   if not near then return false, seen end
+   -- what odometry and camera left over along the way, by touch
+   enter('contact')
+   local ahead = handling.grip()
+   if math.abs(ahead) > 0.0003 and math.abs(ahead) < 0.010 then handling.go_by(ahead, 0.02) end
+   return true, seen
+end
+
+-- Lifts the block that lies below the magnets, and colours it (default Q4, in transport).
+function handling.grip_block(block, colour)
+   if pull() then
+      robotics.forget(block)
+      handling.colour(colour or 4)
+      return true
+   end
+   let_go()
+   return false, 'it does not hold'
+end
+
+-- Picks a block of level 0 up. options: those of approach_block, and colour.
 function handling.pick_up(block, options)
    options = options or {}
    for _ = 1, ATTEMPTS do
-      local near, seen = approach(block, { heading = options.heading, lowest = LOOK,
-                                           misjudged = options.misjudged })
+      local near, seen = handling.approach_block(block, options)
       if not near then return false, seen end
       block = seen
-      -- what odometry and camera left over along the way, by touch
-      enter('contact')
-      local ahead = handling.grip()
-      if math.abs(ahead) > 0.0003 and math.abs(ahead) < 0.010 then
-         handling.go_by(ahead, 0.02)
-      end
-      if pull() then
-         robotics.forget(block)
-         handling.colour(options.colour or 4)
-         return true
-      end
+      if handling.grip_block(block, options.colour) then return true end
       enter('back off')
-      let_go()
       handling.go_by(-0.12, 0.1)
       options.misjudged = nil
    end
@@ -500,8 +522,9 @@ function handling.release(level, colour)
    return false, 'it does not let go'
 end
 
--- From DRAW before a face, where magnets begin to draw the carried block, down to the level and
--- on to the face; or until the effector, which is longer than the block, is at a higher column.
+-- From DRAW before a place, where the magnets of its neighbours begin to draw the carried block,
+-- down to the level and on to it; or until the effector, which is longer than the block, is at a
+-- higher column.
 local function slide_in(level)
    enter('slide in')
    handling.lift_to(SIDE * level + REST)
@@ -514,32 +537,60 @@ local function slide_in(level)
    robot.electromagnet_system.set_discharge_mode('disable')
 end
 
--- Stacks the carried block on top of `block`, or with where = 'front' puts it down in front of it,
--- on the robot's side. options: heading, colour, misjudged, level (of the place; default: over
--- the block, or on the floor), height (levels to pass over on the way; default: the place's).
-function handling.place(block, where, options)
+-- Whether a place that is to be filled is free as far as the camera has seen.
+local function is_free(x, y, level)
+   for _, known in ipairs(robotics.tracks) do
+      local dx, dy, dz = known.x - x, known.y - y, known.z - SIDE * (level + 0.5)
+      if known.missed == 0 and dx * dx + dy * dy + dz * dz < (0.6 * SIDE) ^ 2 then return false end
+   end
+   return true
+end
+
+-- Brings the carried block before its place next to `block`: where = 'raise': on top of it;
+-- 'extend': in front of it, on the robot's side; 'beside': to the left of it by `left`. True, or
+-- false and why not. options: heading, misjudged, left, level (of the place; default: over the
+-- block, or on the floor).
+function handling.approach_site(block, where, options)
    options = options or {}
    if not handling.holds() then return false, 'the block was lost' end
-   local front = where == 'front'
-   local level = options.level or (front and 0 or (block.level or 0) + 1)
+   local raise = where == 'raise'
+   local level = options.level or (raise and (block.level or 0) + 1 or 0)
+   local ahead = where == 'extend' and -SIDE or 0
+   local left = options.left or 0
+   left = left + (left > 0 and SHY or left < 0 and -SHY or 0)
    local back, yaw = handling.grip()
    local lowest = math.min(SIDE * level + CLEAR, robotics.profile.lift_top - 0.0005)
    local near, seen = approach(block, {
-      heading = options.heading, lowest = lowest, short = (front and -DRAW or 0) - back,
-      misjudged = options.misjudged, ahead = front and -SIDE or 0,
+      heading = options.heading, lowest = lowest, short = (raise and 0 or -DRAW) - back,
+      misjudged = options.misjudged, ahead = ahead, left = left,
+      free = function(line) return is_free(line.x, line.y, level) end,
    })
    if not near then return false, seen end
    if not handling.holds() then return false, 'the block was lost' end
    if math.abs(yaw) > 0.004 then handling.turn_by(-yaw, 0.01) end
-   if front then slide_in(level) end
-   return handling.release(level, options.colour)
+   handling.site_level = level
+   return true, seen
+end
+
+-- Puts the carried block down where approach_site has brought it.
+function handling.attach(where, colour)
+   if where ~= 'raise' then slide_in(handling.site_level) end
+   return handling.release(handling.site_level, colour)
+end
+
+-- Both. options: those of approach_site, and colour.
+function handling.place(block, where, options)
+   options = options or {}
+   local near, problem = handling.approach_site(block, where, options)
+   if not near then return false, problem end
+   return handling.attach(where, options.colour)
 end
 
 -- Life ----------------------------------------------------------------------------------------
 
--- Runs `main` from now on, a step of it in each `step()`.
-function handling.start(main)
-   robotics.start()
+-- Runs `main` from now on, a step of it in each `step()`. `figures`: as robotics.start has them.
+function handling.start(main, figures)
+   robotics.start(figures)
    handling.carrying = false
    behaviour = coroutine.create(main)
 end

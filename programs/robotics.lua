@@ -179,7 +179,7 @@ local function block_of(tag, eye, turn)
    return {
       x = place.x - axis.x * back, y = place.y - axis.y * back,
       z = level and SIDE * level + HALF or middle.z, level = level,
-      yaw = math.atan(axis.y, axis.x), colour = colour_about(tag),
+      yaw = math.atan(axis.y, axis.x), colour = colour_about(tag), top = on_top,
       variance = (0.0004 * (distance / 0.1) ^ 2) ^ 2, tags = 1,
    }
 end
@@ -190,6 +190,7 @@ local function merge(into, other)
    into.y = into.y + share * (other.y - into.y)
    into.yaw = into.yaw + share * wrap_quarter(other.yaw - into.yaw)
    if into.colour == 0 then into.colour = other.colour end
+   into.top = into.top or other.top
    into.variance = into.variance * (1 - share)
    into.tags = into.tags + 1
 end
@@ -221,15 +222,93 @@ local function look()
    return found
 end
 
--- Whether a block's upper tag should be in the picture, if nothing hides it.
+-- Where a block shows itself: the height of the middle of its upper tag, or of the one in front
+-- where another block lies on it, and how far before the block's middle that is.
+function robotics.mark_of(block)
+   for _, known in ipairs(robotics.tracks) do
+      if math.abs(known.z - block.z - SIDE) < HALF and math.abs(known.x - block.x) < HALF and
+         math.abs(known.y - block.y) < HALF then
+         return block.z, HALF
+      end
+   end
+   return block.z + HALF, 0
+end
+
+-- Whether that tag should be in the picture, if nothing hides it.
 local function in_picture(block, eye, turn)
    local x, y = robotics.into(robotics.pose, block.x, block.y)
-   local p = (vector3(x, y, block.z + HALF) - eye):rotate(turn:inverse())
+   local height, before = robotics.mark_of(block)
+   local p = (vector3(x - before, y, height) - eye):rotate(turn:inverse())
    if p.z < 0.08 or p.z > 0.40 then return false end
    local size, focal = robot.camera_system.resolution, robotics.profile.focal
    local margin = 0.022 * focal / p.z
    return math.abs(focal * p.x / p.z) < size.x / 2 - margin and
           math.abs(focal * p.y / p.z) < size.y / 2 - margin
+end
+
+-- Whether the way from `eye` to `p` goes through a block; all in the robot's frame.
+local function crosses(eye, p, block)
+   local enter, leave = 0, 1
+   local c, s = math.cos(block.yaw), math.sin(block.yaw)
+   local function turned(x, y) return c * x + s * y, -s * x + c * y end
+   local fx, fy = turned(eye.x - block.x, eye.y - block.y)
+   local wx, wy = turned(p.x - eye.x, p.y - eye.y)
+   for _, axis in ipairs { { fx, wx }, { fy, wy }, { eye.z - block.z, p.z - eye.z } } do
+      local from, way = axis[1], axis[2]
+      if math.abs(way) < 1e-9 then
+         if math.abs(from) >= HALF then return false end
+      else
+         local a, b = (-HALF - from) / way, (HALF - from) / way
+         enter, leave = math.max(enter, math.min(a, b)), math.min(leave, math.max(a, b))
+      end
+   end
+   return leave - enter > 1e-9
+end
+
+-- Whether a block with its middle at x, y of the odometry frame, on this level and squarely to
+-- `heading`, would be seen now: one of its tags wholly in the picture, less a margin, and no
+-- known block before it.
+function robotics.would_see(x, y, level, heading)
+   local eye, turn = camera_pose()
+   local back, size = turn:inverse(), robot.camera_system.resolution
+   local focal, margin = robotics.profile.focal, 4
+   local own = { yaw = heading - robotics.pose.yaw, z = SIDE * level + HALF }
+   own.x, own.y = robotics.into(robotics.pose, x, y)
+   local before = {}
+   for _, known in ipairs(robotics.tracks) do
+      local other = { yaw = known.yaw - robotics.pose.yaw, z = known.z }
+      other.x, other.y = robotics.into(robotics.pose, known.x, known.y)
+      local dx, dy = other.x - own.x, other.y - own.y
+      if dx * dx + dy * dy + (other.z - own.z) ^ 2 > HALF * HALF then
+         table.insert(before, other)
+      end
+   end
+   local function visible(p)
+      local q = (p - eye):rotate(back)
+      if q.z < 0.05 or q.z > 0.48 then return false end
+      if math.abs(focal * q.x / q.z) > size.x / 2 - margin or
+         math.abs(focal * q.y / q.z) > size.y / 2 - margin then return false end
+      for _, other in ipairs(before) do
+         if crosses(eye, p, other) then return false end
+      end
+      return true
+   end
+   local c, s = math.cos(own.yaw), math.sin(own.yaw)
+   local middle = vector3(own.x, own.y, own.z)
+   for _, face in ipairs { { -1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 }, { 0, -1, 0 } } do
+      local function world(a, b, d) return vector3(c * a - s * b, s * a + c * b, d) end
+      local normal = world(face[1], face[2], face[3])
+      local right = face[3] == 1 and world(0, 1, 0) or world(-face[2], face[1], 0)
+      local up = normal:cross(right)
+      local centre = middle + normal * TAG_TO_MIDDLE
+      local way = eye - centre
+      local all = way:dot(normal) >= way:length() * math.cos(math.rad(70))
+      for _, corner in ipairs { { 1, 1 }, { 1, -1 }, { -1, 1 }, { -1, -1 } } do
+         all = all and visible(centre + right * (0.012 * corner[1]) + up * (0.012 * corner[2]))
+      end
+      if all then return true end
+   end
+   return false
 end
 
 -- Remembering ---------------------------------------------------------------------------------
@@ -249,6 +328,7 @@ local function update(track, block)
       if track.votes[colour] > track.votes[track.colour] then track.colour = colour end
    end
    track.seen, track.missed, track.time = track.seen + 1, 0, robotics.time
+   if block.top then track.top_time = robotics.time end
 end
 
 local function appear(block)
@@ -257,6 +337,7 @@ local function appear(block)
    block.votes = { [0] = 0, 0, 0, 0, 0 }
    block.votes[block.colour] = 1
    block.seen, block.missed, block.time = 1, 0, robotics.time
+   block.top_time = block.top and robotics.time or -1
    table.insert(robotics.tracks, block)
 end
 
@@ -350,9 +431,13 @@ local function fit(structure)
 end
 
 -- Groups of linked blocks, each with a lattice's frame fitted to it: blocks[i] is in cells[i],
--- {along, across, level}, whose middle is out_of(frame, 55 mm * along, 55 mm * across).
-function robotics.structures()
-   local blocks, group, out = robotics.blocks(), {}, {}
+-- {along, across, level}, whose middle is out_of(frame, 55 mm * along, 55 mm * across). Of those
+-- blocks alone that are `wanted`, if that is given; `link` in m.
+function robotics.structures(wanted, link)
+   local blocks, group, out = {}, {}, {}
+   for _, known in ipairs(robotics.blocks()) do
+      if not wanted or wanted(known) then table.insert(blocks, known) end
+   end
    for i in ipairs(blocks) do
       if not group[i] then
          local structure, open = { blocks = {} }, { i }
@@ -361,7 +446,7 @@ function robotics.structures()
             local at = table.remove(open)
             table.insert(structure.blocks, blocks[at])
             for j, other in ipairs(blocks) do
-               if not group[j] and near(blocks[at], other, LINK) then
+               if not group[j] and near(blocks[at], other, link or LINK) then
                   group[j] = true
                   table.insert(open, j)
                end
@@ -375,12 +460,16 @@ end
 
 -- Life ----------------------------------------------------------------------------------------
 
--- Call it in init or reset, once readings are there.
-function robotics.start()
-   robotics.profile = PROFILES[robot.camera_system.transform.anchor]
-   if not robotics.profile then
-      error('no profile for a robot whose camera is on ' .. robot.camera_system.transform.anchor)
+-- Call it in init or reset, once readings are there. `figures` replace some of the profile's; a
+-- robot that has no profile here takes the rest from the first.
+function robotics.start(figures)
+   local anchor = robot.camera_system.transform.anchor
+   local profile = PROFILES[anchor]
+   if not profile then
+      if not figures then error('no profile for a robot whose camera is on ' .. anchor) end
+      profile = PROFILES['vertical link']
    end
+   robotics.profile = setmetatable(figures or {}, { __index = profile })
    robotics.pose = { x = 0, y = 0, yaw = 0 }
    robotics.time, robotics.period = robot.system.time or 0, 0.2
    robotics.left, robotics.right, robotics.travelled = 0, 0, 0

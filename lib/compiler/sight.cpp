@@ -18,6 +18,8 @@ std::size_t around_index(int du, int dv, int z) {
   return static_cast<std::size_t>((z * kDepth + du + kBehind) * kRows + dv + kBeside);
 }
 
+constexpr double kEdge = 0.02;  ///< of the image's width
+
 /// Faces that a robot can see: towards it, the top, and both sides. Robot's frame: x ahead.
 constexpr std::array<Vec3, 4> kFaces = {Vec3{-1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 1, 0},
                                         Vec3{0, -1, 0}};
@@ -68,8 +70,10 @@ class Scene {
     const Vec3 p_C = X_CR_ * p;
     if (p_C.z < camera_.near || p_C.z > camera_.far) return false;
     const auto pixel = project(camera_.intrinsics, p_C);
-    const bool inside = pixel && pixel->x >= 0 && pixel->y >= 0 &&
-                        pixel->x < camera_.intrinsics.width && pixel->y < camera_.intrinsics.height;
+    const CameraIntrinsics& image = camera_.intrinsics;
+    const double edge = kEdge * image.width;
+    const bool inside = pixel && pixel->x >= edge && pixel->y >= edge &&
+                        pixel->x < image.width - edge && pixel->y < image.height - edge;
     return inside && !hidden(p, own);
   }
   bool hidden(const Vec3& p, const WindowCell& own) const {
@@ -126,7 +130,7 @@ Sight::Sight(const TargetStates& target, const Abilities& robot)
   }
 }
 
-const Observation& Sight::look(const BrickSet& state, ApproachSide side, int u, int v) {
+const Sight::Seen& Sight::seen(const BrickSet& state, ApproachSide side, int u, int v) {
   std::string around(static_cast<std::size_t>(levels_ * kDepth * kRows), '\0');
   for (int z = 0; z < levels_; ++z) {
     for (int du = -kBehind; du <= kBefore; ++du) {
@@ -140,32 +144,45 @@ const Observation& Sight::look(const BrickSet& state, ApproachSide side, int u, 
   }
   const auto found = known_.find(around);
   if (found != known_.end()) return found->second;
-  Observation seen = observe(around);
-  return known_.emplace(std::move(around), std::move(seen)).first->second;
+  Seen out;
+  for (const Stance& stance : stances_) out.from.push_back(observe(around, stance));
+  out.all = out.from.front();
+  for (const Observation& one : out.from) {
+    for (std::size_t i = 0; i < one.cells.size(); ++i) {
+      out.all.cells[i] = std::max(out.all.cells[i], one.cells[i]);
+    }
+  }
+  return known_.emplace(std::move(around), std::move(out)).first->second;
 }
 
-Observation Sight::observe(const std::string& around) const {
+const Observation& Sight::look(const BrickSet& state, ApproachSide side, int u, int v) {
+  return seen(state, side, u, v).all;
+}
+
+const std::vector<Observation>& Sight::look_from_each(const BrickSet& state, ApproachSide side,
+                                                      int u, int v) {
+  return seen(state, side, u, v).from;
+}
+
+Observation Sight::observe(const std::string& around, const Stance& stance) const {
   Observation out;
   out.cells.assign(static_cast<std::size_t>(levels_ * kWindowColumns), kUnseen);
   for (const CarriedCamera& camera : robot_->cameras) {
-    for (const Stance& stance : stances_) {
-      const Scene scene(around, *robot_, camera, stance);
-      for (std::size_t i = 0; i < out.cells.size(); ++i) {
-        const WindowCell cell = window_cell(i);
-        const auto state =
-            static_cast<std::uint8_t>(around[around_index(cell.du, cell.dv, cell.z)]);
-        for (std::size_t face = 0; face < kFaces.size(); ++face) {
-          bool lit = false;
-          if (!scene.tag_seen(cell, kFaces[face], &lit)) continue;
-          if (state == 0) {
-            out.cells[i] = kSeenEmpty;
-          } else if (lit) {
-            out.cells[i] = static_cast<std::uint8_t>(kSeenBrick + state);
-          }
-          const WindowCell above{cell.du, cell.dv, cell.z + 1};
-          if (state != 0 && face == kTop && above.z < levels_) {
-            out.cells[window_index(above)] = kSeenEmpty;
-          }
+    const Scene scene(around, *robot_, camera, stance);
+    for (std::size_t i = 0; i < out.cells.size(); ++i) {
+      const WindowCell cell = window_cell(i);
+      const auto state = static_cast<std::uint8_t>(around[around_index(cell.du, cell.dv, cell.z)]);
+      for (std::size_t face = 0; face < kFaces.size(); ++face) {
+        bool lit = false;
+        if (!scene.tag_seen(cell, kFaces[face], &lit)) continue;
+        if (state == 0) {
+          out.cells[i] = kSeenEmpty;
+        } else if (lit) {
+          out.cells[i] = static_cast<std::uint8_t>(kSeenBrick + state);
+        }
+        const WindowCell above{cell.du, cell.dv, cell.z + 1};
+        if (state != 0 && face == kTop && above.z < levels_) {
+          out.cells[window_index(above)] = kSeenEmpty;
         }
       }
     }

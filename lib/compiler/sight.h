@@ -5,7 +5,8 @@
 // the camera, up and down. A brick is seen when the tag of one of its faces is seen by the
 // cameras' rule (angle, four corners in the image, near and far, nothing before a corner), its
 // colour when one of that face's LEDs is seen too. A cell is seen to be empty when a brick
-// there would be seen, or when the tag on top of the brick below it is.
+// there would be seen, or when the tag on top of the brick below it is. Points within two per
+// cent of the image's width of its edge do not count, since a robot stands a little off.
 //
 // The window around the column has the cells one step before, behind and beside it, at every
 // level that the robot can build on and the one above.
@@ -53,17 +54,26 @@ class Sight {
 
   /// Of the column (u, v) from this side.
   const Observation& look(const BrickSet& state, ApproachSide side, int u, int v);
+  /// The same from each of stances() alone.
+  const std::vector<Observation>& look_from_each(const BrickSet& state, ApproachSide side, int u,
+                                                 int v);
   int levels() const { return levels_; }
   const std::vector<Stance>& stances() const { return stances_; }
 
  private:
-  Observation observe(const std::string& around) const;
+  /// What stands around a column, and what is seen of it.
+  struct Seen {
+    std::vector<Observation> from;  ///< by stance
+    Observation all;
+  };
+  const Seen& seen(const BrickSet& state, ApproachSide side, int u, int v);
+  Observation observe(const std::string& around, const Stance& stance) const;
 
   const TargetStates* target_;
   const Abilities* robot_;
   int levels_ = 0;  ///< of the window
   std::vector<Stance> stances_;
-  std::unordered_map<std::string, Observation> known_;  ///< by what stands around the column
+  std::unordered_map<std::string, Seen> known_;  ///< by what stands around the column
 };
 
 /// The level of the highest brick of the column itself, the one below its first empty cell,

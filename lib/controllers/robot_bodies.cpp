@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/degree.h"
 #include "base/hull.h"
 #include "base/text.h"
 #include "controllers/robot_parts.h"
@@ -13,7 +14,6 @@ namespace stig {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::array<std::string_view, 4> kShapes = {"box", "cylinder", "sphere", "hull"};
 
 Quat turned(const Vec3& degrees_zyx) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "base/degree.h"
 #include "base/form.h"
 #include "base/load.h"
 #include "base/yaml.h"
@@ -11,7 +12,6 @@ namespace {
 using enum FormKind;
 
 constexpr std::size_t kMaxBlockFileBytes = std::size_t{1} << 16;
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 // Members left out have their defaults.
 #pragma GCC diagnostic push

@@ -7,11 +7,12 @@
 #include <charconv>
 #include <string_view>
 
+#include "base/degree.h"
+
 namespace stig {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kFarthest = 1e6;  ///< m or degrees: beyond, it is no pose of anything here
 
 std::string_view trimmed(std::string_view text) {

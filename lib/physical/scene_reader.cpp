@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "base/degree.h"
 #include "base/text.h"
 #include "controllers/robot_reader.h"
 #include "physical/poses_file.h"
@@ -14,7 +15,6 @@ namespace stig {
 
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
 constexpr std::size_t kMostModules = 64;                     ///< of one program
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";

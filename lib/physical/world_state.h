@@ -72,8 +72,8 @@ struct WorldState {
   std::vector<Contact> contacts;  ///< sorted by (a, b), the floor last
   /// Of the search for them, kept for their memory alone: contacts are many and large.
   std::vector<Contact> found, merged;
-  std::vector<Pull> pulls;        ///< of this step, sorted by (a, b)
-  std::vector<BodyPair> snaps;    ///< bodies snapped together, sorted
+  std::vector<Pull> pulls;      ///< of this step, sorted by (a, b)
+  std::vector<BodyPair> snaps;  ///< bodies snapped together, sorted
   std::vector<WorldEvent> events;
   std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
   double cell = 0.1;

@@ -35,7 +35,7 @@ void place(const Place& to) {
   const Pose base = trial.block(to.column == 1 ? "base" : "base 1");
   const Vec3 apart = load.p - base.p;
   const double far = std::hypot(apart.x, apart.y);
-  const double wanted = to.where == std::string("front") ? 0.055 : 0;
+  const double wanted = to.where == std::string("extend") ? 0.055 : 0;
   MESSAGE(fmt::format("{} of a column of {}: {:.2f} mm and {:.2f} degrees off", to.where, to.column,
                       std::abs(far - wanted) * 1e3,
                       std::abs(off_square(heading(load) - heading(base))) / kDegree));
@@ -48,9 +48,9 @@ void place(const Place& to) {
 }  // namespace
 
 TEST_CASE("in front of a block, and of columns") {
-  for (const int column : {1, 2}) place({column, "front", 0});
+  for (const int column : {1, 2}) place({column, "extend", 0});
 }
 
 TEST_CASE("on top of columns") {
-  for (const int column : {1, 2}) place({column, "top", column});
+  for (const int column : {1, 2}) place({column, "raise", column});
 }

@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- Picks up the dark block ahead, and puts it on or in front of the lit one. Parameters: where
--- ('top' or 'front'), level (optional).
+-- ('raise' or 'extend'), level (optional).
 
 local robotics = require 'robotics'
 local handling = require 'handling'

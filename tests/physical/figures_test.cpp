@@ -125,6 +125,19 @@ TEST_CASE("a thousand blocks in 33 structures fall asleep where they stand") {
   CHECK(largest_drift(world, config) < 2e-4);
 }
 
+TEST_CASE("columns of blocks that are off by 1 mm and 2 degrees stay without sleep") {
+  const BlockModel block = paper_block();
+  for (const int height : {10, 20}) {
+    CAPTURE(height);
+    const Creep creep = awake_column(block, height);
+    CHECK(creep.way < 1e-4);
+    CHECK(creep.turn < 0.1 * kDegree);
+  }
+  const Creep creep = awake_column(without_magnets(block), 20);
+  CHECK(creep.way < 2e-3);
+  CHECK(creep.turn < 0.5 * kDegree);
+}
+
 TEST_CASE("pushing a pyramid ends the same with and without sleep") {
   const double with = pushed_pyramid(paper_block(), true);
   const double without = pushed_pyramid(paper_block(), false);

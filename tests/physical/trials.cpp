@@ -135,6 +135,37 @@ Misfit dropped_on_column(const BlockModel& block, double height, double friction
   return misfit(world.state(BodyId{2}).X_WB, world.state(BodyId{3}).X_WB);
 }
 
+Creep awake_column(const BlockModel& block, int height) {
+  WorldConfig config = column_scene(block, height);
+  config.sleep.enabled = false;
+  for (std::size_t i = 1; i < config.bodies.size(); ++i) {
+    Pose& pose = config.bodies[i].X_WB;
+    const Pose& below = config.bodies[i - 1].X_WB;
+    const double way = static_cast<double>(i) * 2.4;  // about the column, never twice the same
+    pose.p.x = below.p.x + 1e-3 * std::cos(way);
+    pose.p.y = below.p.y + 1e-3 * std::sin(way);
+    pose.q = rotation({0, 0, i % 2 == 0 ? 0 : 2 * kDegree});
+  }
+  World world(config);
+  run_for(world, config, 5);
+  const auto poses = [&] {
+    std::vector<Pose> out;
+    for (std::uint32_t i = 0; i < config.bodies.size(); ++i) {
+      out.push_back(world.state(BodyId{i}).X_WB);
+    }
+    return out;
+  };
+  const std::vector<Pose> before = poses();
+  run_for(world, config, 10);
+  const std::vector<Pose> after = poses();
+  Creep out;
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    out.way = std::max(out.way, length(after[i].p - before[i].p));
+    out.turn = std::max(out.turn, angle_of(conjugate(before[i].q) * after[i].q));
+  }
+  return out;
+}
+
 double pushed_pyramid(const BlockModel& block, bool sleeping) {
   WorldConfig config = pyramid_scene(block);
   config.sleep.enabled = sleeping;

@@ -100,6 +100,15 @@ inline double sliding_stop(const BlockModel& block, double friction, double angl
 /// ends against the block below it.
 Misfit dropped_on_column(const BlockModel& block, double height, double friction);
 
+/// A column that cannot fall asleep, each block off the one below by 1 mm and 2 degrees, this
+/// way and that: the most that a block of it moves and turns within ten seconds, after five
+/// in which it finds its place.
+struct Creep {
+  double way = 0;   ///< m
+  double turn = 0;  ///< rad
+};
+Creep awake_column(const BlockModel& block, int height);
+
 /// How far a driven rod has pushed the far side of a pyramid, m.
 double pushed_pyramid(const BlockModel& block, bool sleeping);
 

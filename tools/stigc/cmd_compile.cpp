@@ -2,12 +2,16 @@
 // stigc compile: what a robot does where, or why it cannot build the structure.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "base/file_io.h"
 #include "commands.h"
 #include "compile_report.h"
 #include "compiler/compile.h"
 #include "outputs.h"
 #include "robot_input.h"
+#include "runtime_input.h"
 
 namespace stig {
 namespace {
@@ -22,12 +26,58 @@ int write(const std::string& path, const std::string& text, const App& app) {
   return kOk;
 }
 
+CompileTarget target_of(const CompileFileOptions& options) {
+  const bool lua = options.output && options.output->ends_with(".lua");
+  return options.target.value_or(lua ? CompileTarget::lua : CompileTarget::table);
+}
+
+std::optional<std::string> line_map_of(const CompileFileOptions& options) {
+  if (!options.output || target_of(options) != CompileTarget::lua) return std::nullopt;
+  return *options.output + ".map";
+}
+
+int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
+  std::string text, map;
+  switch (target_of(options)) {
+    case CompileTarget::table:
+      text = compile_table(job);
+      break;
+    case CompileTarget::dot:
+      text = compile_dot(job);
+      break;
+    case CompileTarget::ir:
+      text = compile_ir(job);
+      break;
+    case CompileTarget::lua: {
+      const auto library = read_runtime(app);
+      if (!library) return kFailed;
+      const std::string name = std::filesystem::path(options.file).filename().string();
+      ControllerText program = controller_lua(*job.rules, name, job.plan, *job.compiled, *library);
+      map = line_map_json(job, program);
+      text = std::move(program.text);
+      break;
+    }
+  }
+  int worst = options.report ? write(*options.report, compile_table(job), app) : kOk;
+  if (const auto path = line_map_of(options)) worst = std::max(worst, write(*path, map, app));
+  if (options.output) return std::max(worst, write(*options.output, text, app));
+  app.print(text);
+  return worst;
+}
+
+std::string output_problem(const CompileFileOptions& options) {
+  for (const auto& path : {options.output, options.report}) {
+    std::string problem = path ? folder_problem(*path) : "";
+    if (!problem.empty()) return problem;
+  }
+  return same_file_problem({options.output, options.report, line_map_of(options)},
+                           {options.file, options.robot});
+}
+
 }  // namespace
 
 int run(const CompileFileOptions& options, App& app) {
-  std::string problem = options.output ? folder_problem(*options.output) : "";
-  if (problem.empty()) problem = same_file_problem({options.output}, {options.file, options.robot});
-  if (!problem.empty()) {
+  if (const std::string problem = output_problem(options); !problem.empty()) {
     app.complain(printable(problem));
     return kUsage;
   }
@@ -48,10 +98,8 @@ int run(const CompileFileOptions& options, App& app) {
     for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
     return compiled.proof.interrupted ? kRunFailed : kFailed;
   }
-  const std::string text = compile_text(options.target, *rules, *robot, compiled);
-  if (options.output) return write(*options.output, text, app);
-  app.print(text);
-  return kOk;
+  return print(options, {&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)},
+               app);
 }
 
 }  // namespace stig

@@ -352,8 +352,9 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
 
 void add_compile(CLI::App& app, CompileFileOptions& o) {
   CLI::App* sub =
-      command(app, "compile", "turn a rule set into the decisions of a robot",
+      command(app, "compile", "turn a rule set into the controller of a robot",
               "  stigc compile staircase.yaml\n"
+              "  stigc compile staircase.yaml -o staircase.lua --report staircase.txt\n"
               "  stigc compile line.yaml --sides +x --robot robots/builderbot.yaml\n"
               "  stigc compile staircase.yaml --target dot | dot -Tsvg > decisions.svg\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
@@ -364,9 +365,14 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
       ->expected(1, 4)
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
   choice(sub, "--target", o.target,
-         {{"table", CompileTarget::table}, {"dot", CompileTarget::dot}, {"ir", CompileTarget::ir}},
-         "what to print (default: table)");
-  path(sub, "-o,--output", o.output, "write it to a file");
+         {{"table", CompileTarget::table},
+          {"lua", CompileTarget::lua},
+          {"dot", CompileTarget::dot},
+          {"ir", CompileTarget::ir}},
+         "what to print (default: lua into a file named .lua, otherwise table)");
+  path(sub, "-o,--output", o.output,
+       "write it to a file; .lua.map beside it says which lines are rules");
+  path(sub, "--report", o.report, "write the table to a file as well");
   parsed(sub, "--budget", "S", "seconds for the proof of the rule set (default: 60)",
          [&o](const std::string& text) { return parse_seconds(text, o.budget); });
   integer(sub, "--states", o.states, 1, std::int64_t{1} << 24,

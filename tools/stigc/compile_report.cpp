@@ -25,18 +25,6 @@ std::size_t reached(const CompiledRules& compiled) {
       std::count(compiled.policy.reached.begin(), compiled.policy.reached.end(), true));
 }
 
-std::string table(const RuleSet& rules, const CompiledRules& compiled) {
-  std::string out = fmt::format("{}: before the foremost column of a row\n\n", rules.name);
-  out += decision_text(rules, *compiled.decision);
-  out += fmt::format("\nstructure    {} bricks, {} at the start\n", compiled.target->bricks(),
-                     compiled.target->start_bricks());
-  out += fmt::format("sides        {}; {}\n", sides_text(compiled), to_string(compiled.directions));
-  out += fmt::format(
-      "proved       every order of work completes it: {} structures can occur on the way\n",
-      reached(compiled));
-  return out;
-}
-
 Json node_json(const RuleSet& rules, const DecisionNode& node) {
   if (!node.question) {
     if (!node.placement) return {{"do", "nothing"}};
@@ -57,8 +45,43 @@ Json node_json(const RuleSet& rules, const DecisionNode& node) {
   return out;
 }
 
-Json ir(const RuleSet& rules, const Abilities& robot, const CompiledRules& compiled) {
-  Json out = {{"stigc_ir", 1}, {"rules", rules.name}};
+Json chart_json(const Chart& chart) {
+  Json out = Json::array();
+  for (const ChartState& state : chart.states) {
+    Json on = Json::object();
+    for (const ChartStep& step : state.steps) on[std::string(step.event)] = step.to;
+    out.push_back({{"state", state.name}, {"does", state.behaviour}, {"on", std::move(on)}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string compile_table(const CompileJob& job) {
+  const CompiledRules& compiled = *job.compiled;
+  std::string out = fmt::format("{}: before the foremost column of a row\n\n", job.rules->name);
+  out += decision_text(*job.rules, *compiled.decision);
+  out += fmt::format("\nstructure    {} bricks, {} at the start\n", compiled.target->bricks(),
+                     compiled.target->start_bricks());
+  out += fmt::format("sides        {}; {}\n", sides_text(compiled), to_string(compiled.directions));
+  for (const Stance& look : job.plan.looks) {
+    out += fmt::format("looks from   {:.0f} mm before the column, lift at {:.0f} mm\n",
+                       1e3 * look.distance, 1e3 * look.lift);
+  }
+  out += fmt::format(
+      "proved       every order of work completes it: {} structures can occur on the way\n",
+      reached(compiled));
+  return out;
+}
+
+std::string compile_dot(const CompileJob& job) {
+  return decision_dot(*job.rules, *job.compiled->decision) + chart_dot(*job.plan.chart);
+}
+
+std::string compile_ir(const CompileJob& job) {
+  const CompiledRules& compiled = *job.compiled;
+  const Abilities& robot = *job.robot;
+  Json out = {{"stigc_ir", 1}, {"rules", job.rules->name}};
   out["directions"] = to_string(compiled.directions);
   out["sides"] = Json::array();
   for (const ApproachSide side : compiled.sides) out["sides"].push_back(to_string(side));
@@ -70,23 +93,24 @@ Json ir(const RuleSet& rules, const Abilities& robot, const CompiledRules& compi
   out["structure"] = {{"bricks", compiled.target->bricks()},
                       {"start", compiled.target->start_bricks()},
                       {"on_the_way", reached(compiled)}};
-  out["decision"] = node_json(rules, *compiled.decision);
-  return out;
+  out["decision"] = node_json(*job.rules, *compiled.decision);
+  out["looks"] = Json::array();
+  for (const Stance& look : job.plan.looks) {
+    out["looks"].push_back({{"distance", look.distance}, {"lift", look.lift}});
+  }
+  out["transport"] = job.plan.transport;
+  out["longest_wait"] = job.plan.longest_wait;
+  out["chart"] = chart_json(*job.plan.chart);
+  return dump(out);
 }
 
-}  // namespace
-
-std::string compile_text(CompileTarget target, const RuleSet& rules, const Abilities& robot,
-                         const CompiledRules& compiled) {
-  switch (target) {
-    case CompileTarget::table:
-      return table(rules, compiled);
-    case CompileTarget::dot:
-      return decision_dot(rules, *compiled.decision);
-    case CompileTarget::ir:
-      return dump(ir(rules, robot, compiled));
+std::string line_map_json(const CompileJob& job, const ControllerText& program) {
+  Json out = {{"stigc_line_map", 1}, {"rules", job.rules->name}, {"lines", Json::array()}};
+  for (const LineOrigin& one : program.lines) {
+    out["lines"].push_back(
+        {{"line", one.line}, {"rule", job.rules->rules[one.rule].name}, {"source", one.source}});
   }
-  return {};
+  return dump(out);
 }
 
 }  // namespace stig

@@ -4,12 +4,27 @@
 
 #include <string>
 
-#include "compiler/compile.h"
+#include <string_view>
+#include <vector>
+
+#include "compiler/controller_lua.h"
 #include "options.h"
 
 namespace stig {
 
-std::string compile_text(CompileTarget target, const RuleSet& rules, const Abilities& robot,
-                         const CompiledRules& compiled);
+/// What the reports are about.
+struct CompileJob {
+  const RuleSet* rules = nullptr;
+  const Abilities* robot = nullptr;
+  const CompiledRules* compiled = nullptr;
+  ControllerPlan plan;
+};
+
+std::string compile_table(const CompileJob& job);
+/// Two graphs: the decision, and the chart.
+std::string compile_dot(const CompileJob& job);
+std::string compile_ir(const CompileJob& job);
+/// Which lines of the program stand for which lines of the rules, as JSON.
+std::string line_map_json(const CompileJob& job, const ControllerText& program);
 
 }  // namespace stig

@@ -16,11 +16,9 @@ namespace {
 constexpr const char* kDefaultRobot = "bebot.yaml";
 constexpr const char* kBlock = "stigmergic.yaml";
 
-/// A file that the user named, or one of the program's own.
-SourceRef find_source(const std::string& name, const App& app) {
+SourceRef find_source(const std::string& name, const SceneLoader& load, const App& app) {
   FileError error;
-  auto text = scene_loader(name)(std::filesystem::path(name).filename().string(),
-                                 kMaxRobotFileBytes, error);
+  auto text = load(std::filesystem::path(name).filename().string(), kMaxRobotFileBytes, error);
   if (text) return std::make_shared<const SourceFile>(name, std::move(*text));
   app.complain(error.message);
   return nullptr;
@@ -30,8 +28,10 @@ SourceRef find_source(const std::string& name, const App& app) {
 
 std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
                                         const App& app) {
-  const SourceRef robot_source = find_source(robot_file.value_or(kDefaultRobot), app);
-  const SourceRef block_source = find_source(kBlock, app);
+  const SourceRef robot_source = robot_file
+                                     ? find_source(*robot_file, scene_loader(*robot_file), app)
+                                     : find_source(kDefaultRobot, own_loader(), app);
+  const SourceRef block_source = find_source(kBlock, own_loader(), app);
   if (!robot_source || !block_source) return std::nullopt;
   Diagnostics diagnostics;
   const auto robot = read_robot(robot_source, diagnostics);

@@ -17,6 +17,17 @@ fs::path program_folder() {
   return error ? fs::path() : program.parent_path();
 }
 
+constexpr const char* kKinds[] = {"blocks", "robots", "programs"};
+
+/// Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.
+void add_own_folders(const char* kind, std::vector<std::string>& out) {
+  const fs::path program = program_folder();
+  if (program.empty()) return;
+  out.push_back((program / ".." / "share" / "stig" / kind).string());
+  out.push_back((program / ".." / ".." / kind).string());
+  out.push_back((program / kind).string());
+}
+
 }  // namespace
 
 FileContent content_of(std::string_view text) {
@@ -35,16 +46,19 @@ FileContent content_of(std::string_view text) {
 SceneLoader scene_loader(const std::string& scene_path) {
   const fs::path folder = fs::path(scene_path).parent_path();
   std::vector<std::string> others;
-  const fs::path program = program_folder();
-  for (const char* kind : {"blocks", "robots", "programs"}) {
+  for (const char* kind : kKinds) {
     others.push_back((folder / ".." / kind).string());
-    if (program.empty()) continue;
-    // Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.
-    others.push_back((program / ".." / "share" / "stig" / kind).string());
-    others.push_back((program / ".." / ".." / kind).string());
-    others.push_back((program / kind).string());
+    add_own_folders(kind, others);
   }
   return disk_loader(folder.string(), std::move(others));
+}
+
+SceneLoader own_loader() {
+  std::vector<std::string> folders;
+  for (const char* kind : kKinds) add_own_folders(kind, folders);
+  if (folders.empty()) return memory_loader({});
+  const std::string first = folders.front();
+  return disk_loader(first, std::move(folders));
 }
 
 std::optional<LoadedScene> read_loaded_scene(const std::string& path,

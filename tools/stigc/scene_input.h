@@ -18,6 +18,8 @@ FileContent content_of(std::string_view text);
 /// Finds blocks and robots beside the scene, in the folders blocks/ and robots/ next to the
 /// scene's, and where the program's own are.
 SceneLoader scene_loader(const std::string& scene_path);
+/// Finds the program's own files alone.
+SceneLoader own_loader();
 
 /// Reads and places a scene; its errors are reported.
 std::optional<LoadedScene> read_loaded_scene(const std::string& path,

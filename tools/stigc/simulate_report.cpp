@@ -11,6 +11,7 @@
 #include <set>
 
 #include "app.h"
+#include "base/degree.h"
 #include "base/file_io.h"
 #include "base/hash.h"
 #include "physical/show_json.h"
@@ -19,7 +20,6 @@
 namespace stig {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr std::size_t kMostLattices = 12;
 constexpr std::size_t kMostNames = 12;
 

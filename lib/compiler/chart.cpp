@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/chart.h"
+
+#include <fmt/format.h>
+
+namespace stig {
+
+const Chart& building_chart() {
+  static const Chart chart{{
+      {"search block", "search_block", {{"found", "approach block"}, {"none", "search block"}}},
+      {"approach block", "approach_block", {{"near", "pick up"}, {"lost", "search block"}}},
+      {"pick up", "pick_up", {{"holds", "search structure"}, {"failed", "search block"}}},
+      {"search structure",
+       "search_structure",
+       {{"found", "wait"}, {"none", "search structure"}, {"dropped", "search block"}}},
+      {"wait", "wait", {{"done", "choose row"}}},
+      {"choose row",
+       "choose_row",
+       {{"chosen", "stand before"},
+        {"none", "next side"},
+        {"lost", "search structure"},
+        {"dropped", "search block"}}},
+      {"next side", "next_side", {{"there", "choose row"}, {"lost", "search structure"}}},
+      {"stand before", "stand_before", {{"there", "look"}, {"blocked", "choose row"}}},
+      {"look",
+       "look",
+       {{"decided", "approach site"},
+        {"nothing", "choose row"},
+        {"unseen", "choose row"},
+        {"dropped", "search block"}}},
+      {"approach site",
+       "approach_site",
+       {{"near", "attach"},
+        {"busy", "wait"},
+        {"lost", "search structure"},
+        {"dropped", "search block"}}},
+      {"attach", "attach", {{"placed", "search block"}, {"failed", "let go"}}},
+      {"let go", "let_go", {{"done", "search block"}}},
+  }};
+  return chart;
+}
+
+std::string chart_dot(const Chart& chart) {
+  std::string out =
+      "digraph chart {\n  node [shape=box, style=rounded, fontname=\"DejaVu Sans\"];\n";
+  out += "  edge [fontname=\"DejaVu Sans\", fontsize=10];\n  begin [shape=point];\n";
+  out += fmt::format("  begin -> \"{}\";\n", chart.states.front().name);
+  for (const ChartState& state : chart.states) {
+    for (const ChartStep& step : state.steps) {
+      out += fmt::format("  \"{}\" -> \"{}\" [label=\"{}\"];\n", state.name, step.to, step.event);
+    }
+  }
+  return out + "}\n";
+}
+
+}  // namespace stig

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/controller_lua.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/decision_text.h"
+
+namespace stig {
+
+namespace {
+
+/// A text in quotes of Lua.
+std::string quoted(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text) {
+    if (c == '\'' || c == '\\') {
+      out += '\\';
+      out += c;
+    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
+      out += fmt::format("\\{:03}", static_cast<int>(static_cast<unsigned char>(c)));
+    } else {
+      out += c;
+    }
+  }
+  return out + "'";
+}
+
+/// For a comment: one line.
+std::string plain(std::string_view text) {
+  std::string out(text);
+  for (char& c : out) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  return out;
+}
+
+int led_number(const RuleSet& rules, Colour colour) { return rules.brick(colour).led[1] - '0'; }
+
+std::string cell_text(const WindowCell& cell) {
+  return fmt::format("{}, {}, {}", cell.du, cell.dv, cell.z);
+}
+
+class Printer {
+ public:
+  Printer(const RuleSet& rules, std::string_view file, const CompiledRules& compiled)
+      : rules_(rules), file_(plain(file)), compiled_(compiled) {}
+
+  ControllerText take() { return std::move(out_); }
+
+  void line(const std::string& text = "") {
+    out_.text += text + "\n";
+    ++lines_;
+  }
+  void lines(std::string_view text) {
+    out_.text += text;
+    lines_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+  }
+
+  /// A file of the library as a table of this one; what it requires is here already.
+  void module(const RuntimeModule& one) {
+    line(fmt::format("local {} = (function()", one.name));
+    for (std::size_t at = 0; at < one.text.size();) {
+      const std::size_t end = std::min(one.text.find('\n', at), one.text.size());
+      const std::string_view text = std::string_view(one.text).substr(at, end - at);
+      const bool required =
+          text.starts_with("local ") && text.find(" = require '") != std::string_view::npos;
+      if (!required) line(std::string(text));
+      at = end + 1;
+    }
+    line("end)()");
+    line();
+  }
+
+  void decide(const DecisionNode& root) {
+    line("-- What to do before a column. A rule's name stands where it is followed.");
+    line("local function decide(column)");
+    node(root, 1);
+    line("end");
+    line();
+  }
+
+ private:
+  void node(const DecisionNode& one, int depth) {
+    const std::string space(static_cast<std::size_t>(3 * depth), ' ');
+    if (!one.question) {
+      leaf(one, space);
+      return;
+    }
+    std::string_view word = "if";
+    for (const auto& [answers, child] : one.branches) {
+      if (!child->question && !child->placement) continue;
+      std::string condition;
+      for (const int answer : answers) {
+        if (!condition.empty()) condition += " or ";
+        condition += comparison(*one.question, answer);
+      }
+      line(fmt::format("{}{} {} then", space, word, condition));
+      node(*child, depth + 1);
+      word = "elseif";
+    }
+    if (word == "elseif") line(space + "end");
+  }
+
+  std::string comparison(const Question& question, int answer) const {
+    switch (question.kind) {
+      case Question::Kind::top_colour:
+        return fmt::format("column.top_colour == {}",
+                           led_number(rules_, static_cast<Colour>(answer)));
+      case Question::Kind::top_level:
+        return fmt::format("column.top_level == {}", answer);
+      case Question::Kind::cell:
+        break;
+    }
+    const std::string shown =
+        answer == kSeenEmpty
+            ? "'empty'"
+            : std::to_string(led_number(rules_, static_cast<Colour>(answer - kSeenBrick)));
+    return fmt::format("column.cell({}) == {}", cell_text(question.cell), shown);
+  }
+
+  void leaf(const DecisionNode& one, const std::string& space) {
+    const Placement& p = *one.placement;
+    constexpr const char* kWhat[] = {"raise", "extend", "beside"};
+    std::string text =
+        fmt::format("what = '{}', colour = {}", kWhat[static_cast<std::size_t>(kind_of(p))],
+                    led_number(rules_, p.colour));
+    if (kind_of(p) != PlacementKind::raise) text += fmt::format(", level = {}", p.at.z);
+    if (p.at.dv != 0) text += fmt::format(", left = {}", p.at.dv);
+    const std::vector<std::uint32_t> names = rules_of(compiled_, one);
+    for (const std::uint32_t rule : names) {
+      const std::size_t source = source_line(rule);
+      line(fmt::format("{}-- {}:{} {}", space, file_, source, plain(rules_.rules[rule].name)));
+      out_.lines.push_back({lines_, rule, source});
+    }
+    line(fmt::format("{}return {{ {} }}", space, text));
+    for (const std::uint32_t rule : names) {
+      out_.lines.push_back({lines_, rule, source_line(rule)});
+    }
+  }
+
+  std::size_t source_line(std::uint32_t rule) const {
+    const SourceRange& range = rules_.rules[rule].range;
+    return range.file ? range.file->position(range.begin).line : 0;
+  }
+
+  const RuleSet& rules_;
+  std::string file_;
+  const CompiledRules& compiled_;
+  ControllerText out_;
+  std::size_t lines_ = 0;
+};
+
+void print_chart(Printer& out, const Chart& chart) {
+  out.line("-- What follows what: state, what is done in it, and where each of its ends leads.");
+  out.line("local CHART = {");
+  out.line(fmt::format("   first = {},", quoted(chart.states.front().name)));
+  for (const ChartState& state : chart.states) {
+    std::string steps;
+    for (const ChartStep& step : state.steps) {
+      steps += fmt::format("{}{} = {}", steps.empty() ? "" : ", ", step.event, quoted(step.to));
+    }
+    out.line(fmt::format("   [{}] = {{ does = '{}',", quoted(state.name), state.behaviour));
+    out.line(fmt::format("      on = {{ {} }} }},", steps));
+  }
+  out.line("}");
+  out.line();
+}
+
+void print_task(Printer& out, const ControllerPlan& plan) {
+  out.line("local TASK = {");
+  out.line("   decide = decide,");
+  std::string list;
+  for (const WindowCell& cell : plan.asks) list += fmt::format("{{ {} }}, ", cell_text(cell));
+  out.line(
+      fmt::format("   asks = {{ {}}},  -- cells: towards the robot, to its left, level", list));
+  out.line("   looks = {  -- m: from the camera to the column, height of the lift");
+  for (const Stance& look : plan.looks) {
+    out.line(
+        fmt::format("      {{ distance = {:.3f}, lift = {:.4f} }},", look.distance, look.lift));
+  }
+  out.line("   },");
+  list.clear();
+  for (const ApproachSide side : plan.sides) list += quoted(to_string(side)) + ", ";
+  out.line(fmt::format("   sides = {{ {}}}, turns = {},", list, plan.turns));
+  out.line(fmt::format("   levels = {}, transport = {}, delay = {:.1f},", plan.levels,
+                       plan.transport, plan.longest_wait));
+  const RobotFigures& f = plan.figures;
+  out.line(
+      fmt::format("   profile = {{ grip = {:.6g}, under = {:.6g}, reach = {:.6g}, "
+                  "lift_top = {:.6g}, focal = {:.6g} }},",
+                  f.grip, f.under, f.reach, f.lift_top, f.focal));
+  out.line("}");
+  out.line();
+}
+
+}  // namespace
+
+ControllerText controller_lua(const RuleSet& rules, std::string_view file,
+                              const ControllerPlan& plan, const CompiledRules& compiled,
+                              const std::vector<RuntimeModule>& library) {
+  Printer out(rules, file, compiled);
+  out.line(fmt::format("-- Builds '{}' from the rules in {}.", plain(rules.name), plain(file)));
+  out.line(fmt::format("-- Written by stigc compile. Proved: every order of work completes it; {}.",
+                       to_string(compiled.directions)));
+  out.line("-- First the rules' decisions, then what a robot follows, then the library.");
+  out.line();
+  out.decide(*plan.decision);
+  print_chart(out, *plan.chart);
+  print_task(out, plan);
+  for (const RuntimeModule& one : library) out.module(one);
+  out.lines(
+      "function init() building.start(CHART, TASK) end\n"
+      "function reset() building.start(CHART, TASK) end\n"
+      "function step() building.step() end\n");
+  return out.take();
+}
+
+}  // namespace stig

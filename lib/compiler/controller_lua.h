@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// A controller as readable Lua in one file: the library of programs/, the task with the rules'
+// decisions, and the chart.
+//
+// Lines that decide name the rule that they stand for, and a line map says so for programs:
+// rule sets come back from a robot as line numbers.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/controller_plan.h"
+
+namespace stig {
+
+/// Where a line of the program comes from.
+struct LineOrigin {
+  std::size_t line = 0;    ///< of the program, from 1
+  std::uint32_t rule = 0;  ///< index in the rule set
+  std::size_t source = 0;  ///< line of the YAML on which the rule begins, from 1
+};
+
+struct ControllerText {
+  std::string text;
+  std::vector<LineOrigin> lines;  ///< rising
+};
+
+/// A file of the library, its text as it stands in programs/.
+struct RuntimeModule {
+  std::string name;  ///< as `require` has it
+  std::string text;
+};
+/// What a controller needs, in this order.
+inline constexpr std::string_view kRuntimeModules[] = {"robotics", "handling", "building"};
+
+/// `file` is what comments call the rule set's file.
+ControllerText controller_lua(const RuleSet& rules, std::string_view file,
+                              const ControllerPlan& plan, const CompiledRules& compiled,
+                              const std::vector<RuntimeModule>& library);
+
+}  // namespace stig

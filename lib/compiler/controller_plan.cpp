@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/controller_plan.h"
+
+#include <algorithm>
+#include <set>
+
+namespace stig {
+
+namespace {
+
+constexpr double kLiftSlack = 0.001;  ///< m, short of the upper limit
+constexpr double kLongestWait = 30;   ///< s; Allwright et al. 2017, section 7.2
+constexpr int kColours = 4;
+
+void gather_asks(const DecisionNode& node, std::set<WindowCell>& out) {
+  if (!node.question) return;
+  if (node.question->kind == Question::Kind::cell) out.insert(node.question->cell);
+  for (const auto& [answers, child] : node.branches) gather_asks(*child, out);
+}
+
+/// In the paper a block on its way is Q4. Where bricks are, another colour that none is.
+int transport_colour(const RuleSet& rules) {
+  for (int colour = kColours; colour > 0; --colour) {
+    const std::string led = "Q" + std::to_string(colour);
+    const bool taken = std::any_of(rules.bricks.begin(), rules.bricks.end(),
+                                   [&](const Brick& brick) { return brick.led == led; });
+    if (!taken) return colour;
+  }
+  return 0;
+}
+
+std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
+  std::uint32_t i = 0;
+  while (i < bricks && before.has(i) == after.has(i)) ++i;
+  return i;
+}
+
+}  // namespace
+
+ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
+                               const CompiledRules& compiled) {
+  ControllerPlan out;
+  out.chart = &building_chart();
+  out.decision = compiled.decision.get();
+  std::set<WindowCell> asks;
+  gather_asks(*out.decision, asks);
+  out.asks.assign(asks.begin(), asks.end());
+  out.looks = choose_looks(robot, compiled);
+  out.sides = compiled.sides;
+  out.turns = compiled.directions != KnownDirections::declared;
+  out.levels = compiled.target->levels();
+  out.transport = transport_colour(rules);
+  const bool alone = rules.physical && rules.physical->robots.value_or(2) == 1;
+  out.longest_wait = alone ? 0 : kLongestWait;
+  out.figures = {robot.carried_x, robot.lowest + robot.block.side, robot.effector_front,
+                 robot.lift_travel - kLiftSlack, robot.cameras.front().intrinsics.fx};
+  return out;
+}
+
+std::vector<std::uint32_t> rules_of(const CompiledRules& compiled, const DecisionNode& leaf) {
+  std::set<std::uint32_t> out;
+  const Policy& policy = compiled.policy;
+  const std::set<std::uint32_t> seen(leaf.observations.begin(), leaf.observations.end());
+  for (const Situation& situation : policy.situations) {
+    if (!policy.reached[situation.state] || !seen.contains(situation.observation)) continue;
+    for (const auto& [placement, to] : situation.placements) {
+      if (placement != leaf.placement) continue;
+      const BrickSet& before = policy.states[situation.state];
+      const auto brick = brick_added(before, policy.states[to], compiled.target->bricks());
+      if (const auto rule = compiled.target->rule_for(before, brick)) out.insert(*rule);
+    }
+  }
+  return {out.begin(), out.end()};
+}
+
+}  // namespace stig

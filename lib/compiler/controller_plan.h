@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// All that a controller for one robot is made of: the intermediate form between compiled rules
+// and the text of a program.
+//
+//     chart      what follows what (chart.h), the same for all rule sets
+//     decision   what to do before a column (decision.h), the rules
+//     looks      from where to look at it
+//     figures    of the robot, in place of those that the library in programs/ has
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/chart.h"
+#include "compiler/looks.h"
+
+namespace stig {
+
+/// Figures that programs/robotics.lua has for each robot and that its file says; m.
+struct RobotFigures {
+  double grip = 0;      ///< the carried block's middle, ahead of the robot's
+  double under = 0;     ///< the effector's lower side over the floor, the lift down
+  double reach = 0;     ///< the effector's front, ahead of the robot's middle
+  double lift_top = 0;  ///< highest place that the lift is sent to
+  double focal = 0;     ///< px
+};
+
+struct ControllerPlan {
+  const Chart* chart = nullptr;
+  const DecisionNode* decision = nullptr;  ///< owned by the compiled rules
+  std::vector<WindowCell> asks;            ///< cells that the decision asks for, rising
+  std::vector<Stance> looks;
+  std::vector<ApproachSide> sides;
+  bool turns = false;       ///< any side will do, whatever its name
+  int levels = 0;           ///< of the structure
+  int transport = 4;        ///< LED colour of a block on its way; 0: dark
+  double longest_wait = 0;  ///< s, before a site is approached
+  RobotFigures figures;
+};
+
+/// Of rules that were compiled with success; holds for as long as `compiled` does.
+ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
+                               const CompiledRules& compiled);
+
+/// Rules by which the placement of a leaf is made, in some structure that can arise; rising.
+std::vector<std::uint32_t> rules_of(const CompiledRules& compiled, const DecisionNode& leaf);
+
+}  // namespace stig

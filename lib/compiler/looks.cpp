@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/looks.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace stig {
+
+namespace {
+
+/// What a column shows from each stance, and what is to be done before it.
+struct LookedAt {
+  std::vector<Observation> from;
+  std::optional<Placement> wanted;
+};
+
+Observation together(const std::vector<Observation>& from, const std::vector<bool>& used) {
+  Observation out;
+  out.cells.assign(from.front().cells.size(), kUnseen);
+  for (std::size_t s = 0; s < from.size(); ++s) {
+    if (!used[s]) continue;
+    for (std::size_t i = 0; i < out.cells.size(); ++i) {
+      out.cells[i] = std::max(out.cells[i], from[s].cells[i]);
+    }
+  }
+  return out;
+}
+
+std::vector<LookedAt> columns_that_arise(Sight& sight, const CompiledRules& compiled) {
+  std::vector<LookedAt> out;
+  std::set<std::vector<std::vector<std::uint8_t>>> known;
+  for (const Situation& situation : compiled.policy.situations) {
+    if (!compiled.policy.reached[situation.state]) continue;
+    const auto& from = sight.look_from_each(compiled.policy.states[situation.state], situation.side,
+                                            situation.u, situation.v);
+    std::vector<std::vector<std::uint8_t>> key;
+    for (const Observation& one : from) key.push_back(one.cells);
+    if (!known.insert(std::move(key)).second) continue;
+    out.push_back(
+        {from, decide(*compiled.decision, compiled.policy.observations[situation.observation])});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<Stance> choose_looks(const Abilities& robot, const CompiledRules& compiled) {
+  Sight sight(*compiled.target, robot);
+  const std::vector<LookedAt> columns = columns_that_arise(sight, compiled);
+  const std::vector<Stance>& stances = sight.stances();
+  // Near ones go first, then those with the lift far up or down: they take the longest to get to.
+  std::vector<std::size_t> order(stances.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const auto off = [&](std::size_t i) {
+      return std::abs(stances[i].lift - robot.lift_travel / 2);
+    };
+    return std::pair(stances[a].distance, -off(a)) < std::pair(stances[b].distance, -off(b));
+  });
+  std::vector<bool> used(stances.size(), true);
+  std::size_t left = stances.size();
+  for (const std::size_t one : order) {
+    if (left == 1) break;
+    used[one] = false;
+    const bool enough = std::all_of(columns.begin(), columns.end(), [&](const LookedAt& column) {
+      return decide(*compiled.decision, together(column.from, used)) == column.wanted;
+    });
+    if (enough) {
+      --left;
+    } else {
+      used[one] = true;
+    }
+  }
+  std::vector<Stance> out;
+  for (std::size_t i = 0; i < stances.size(); ++i) {
+    if (used[i]) out.push_back(stances[i]);
+  }
+  std::sort(out.begin(), out.end(), [](const Stance& a, const Stance& b) {
+    return std::pair(-a.distance, a.lift) < std::pair(-b.distance, b.lift);
+  });
+  return out;
+}
+
+}  // namespace stig

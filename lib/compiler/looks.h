@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// From where a robot looks at a column before it decides.
+//
+// The proof takes for granted that a robot has looked from every stance (sight.h). Few of them
+// tell what the decision asks for; this finds a few that lead to the same decision in every
+// situation that can arise.
+#pragma once
+
+#include <vector>
+
+#include "compiler/compile.h"
+
+namespace stig {
+
+/// Far ones first; never empty.
+std::vector<Stance> choose_looks(const Abilities& robot, const CompiledRules& compiled);
+
+}  // namespace stig
