@@ -24,6 +24,8 @@ constexpr Group kGroups[] = {
     {"P7", "P7xx: what a robot cannot build",
      "Why a rule set cannot be compiled for a robot, with the figures."},
     {"C5", "C5xx: files of the command line", "Files named on the command line."},
+    {"V8", "V8xx: rule sets put to the test",
+     "What a scene lacks in which `stigc validate` shall build."},
     {"S6", "S6xx: scenes of physical mode",
      "Found before the first step; keys and values are R1xx."},
     {"P6", "P6xx: robots and blocks of physical mode",

@@ -308,6 +308,13 @@ void note_worst(ReadLattice& lattice, const Joins& joins) {
 
 }  // namespace
 
+Mat3 beyond_cube_turn(const Mat3& r) {
+  const CubeTurn& turn = nearest_turn(r);
+  const Mat3 back{turn.transposed({1, 0, 0}), turn.transposed({0, 1, 0}),
+                  turn.transposed({0, 0, 1})};
+  return product(r, back);
+}
+
 StructureReading read_lattices(const std::vector<PlacedBlock>& blocks, double side,
                                const Tolerance& tolerance) {
   assert(side > 0 && tolerance.offset < side / 2);

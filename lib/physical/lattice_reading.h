@@ -61,6 +61,9 @@ struct Tolerance {
   double turn = 0.26;     ///< rad, of its axes
 };
 
+/// What a rotation turns beyond the nearest of the cube's 24 positions: r = beyond · position.
+Mat3 beyond_cube_turn(const Mat3& r);
+
 /// Lattices of two blocks and more. `side` is that of the blocks, m. Time and memory are
 /// about linear in the number of blocks.
 StructureReading read_lattices(const std::vector<PlacedBlock>& blocks, double side = 0.055,

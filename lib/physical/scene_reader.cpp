@@ -90,7 +90,9 @@ class Reader {
     scene_.stop_failed = root.form("stop").flag("failed");
     read_settings(root);
     for (const FormView& entry : root.forms("blocks")) read_entry(entry);
-    for (const FormView& entry : root.forms("robots")) read_robot_entry(entry);
+    for (const FormView& entry : root.forms("robots")) {
+      read_robot_entry(entry, root.find("robot_program"));
+    }
     for (const FormView& entry : root.forms("caches")) read_cache(entry);
     read_script(root);
     read_block_programs(root);
@@ -243,7 +245,8 @@ class Reader {
     }
   }
 
-  void read_robot_entry(const FormView& node) {
+  /// `common`: the program of robots whose entry names none, before that of their file.
+  void read_robot_entry(const FormView& node, const YamlNode* common) {
     RobotSpawn spawn;
     spawn.range = document_.head(node.node());
     const auto model = robot_model_of(*node.find("file"));
@@ -255,6 +258,7 @@ class Reader {
     if (at.size() == 2) spawn.X_WR.p = {at[0], at[1], 0};
     spawn.X_WR.q = rotation({0, 0, node.number("heading") * kDegree});
     const YamlNode* program = node.find("program");
+    if (program == nullptr) program = common;
     const std::string path = program == nullptr ? robot.program : program->text;
     if (!path.empty()) {
       spawn.program = program_of(program == nullptr ? node.node() : *program, path);

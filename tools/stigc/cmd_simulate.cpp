@@ -8,47 +8,18 @@
 #include "base/file_io.h"
 #include "commands.h"
 #include "outputs.h"
+#include "physical/run_picture.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_input.h"
 #include "simulate_report.h"
 #include "simulate_runs.h"
+#include "trace_file.h"
 
 namespace stig {
 namespace {
 
 constexpr std::size_t kMostFileBytes = std::size_t{1} << 30;
-
-/// A trace that grows on the disk while the run goes on.
-class TraceFile {
- public:
-  bool open(const std::string& path, const App& app) {
-    path_ = path;
-    if (file_.open(path, error_)) return true;
-    app.complain(error_.message);
-    return false;
-  }
-  PoseTraceWriter& begin(const PoseTraceHeader& header) {
-    return writer_.emplace(header, [this](std::string_view bytes) {
-      if (file_.is_open()) file_.append(bytes, error_);
-    });
-  }
-  /// Everything has been written; an exit code.
-  int commit(const App& app) {
-    if (file_.is_open() && file_.commit(error_)) {
-      app.say("wrote " + printable(path_));
-      return kOk;
-    }
-    app.complain(error_.message);
-    return kRunFailed;
-  }
-
- private:
-  std::string path_;
-  GrowingFile file_;
-  FileError error_;
-  std::optional<PoseTraceWriter> writer_;
-};
 
 /// What is wrong with the options together; empty: nothing.
 std::string usage_problem(const SimulateOptions& o) {
@@ -174,7 +145,10 @@ class OneRun {
       earlier = earlier_trace(*options_.trace, header, run_.world().tick(), app_);
       if (!earlier) return kFailed;
     }
-    if (!trace_.open(*options_.trace, app_)) return kRunFailed;
+    if (!trace_.open(*options_.trace)) {
+      app_.complain(trace_.error());
+      return kRunFailed;
+    }
     PoseTraceWriter& writer = trace_.begin(header);
     if (earlier) copy_records(*earlier, run_.world().tick(), writer);
     run_.record(writer);
@@ -209,7 +183,7 @@ class OneRun {
   void take_moment() { moment_ = {run_.world().time(), picture_bodies(run_), picture_lines(run_)}; }
 
   int write_files() {
-    int code = options_.trace ? trace_.commit(app_) : kOk;
+    int code = options_.trace ? commit(trace_, app_) : kOk;
     if (options_.picture) code = std::max(code, write_moment());
     if (options_.checkpoint) code = std::max(code, write_checkpoint());
     return code;

@@ -35,6 +35,7 @@ struct Storage {
   SimulateOptions simulate;
   DescribeOptions describe;
   CompileFileOptions compile;
+  ValidateOptions validate;
 };
 
 /// An option whose text is read by `parse`, which returns what is wrong.
@@ -379,6 +380,26 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
           "structures on the way that are walked at most (default: 100000)");
 }
 
+void add_validate(CLI::App& app, ValidateOptions& o) {
+  CLI::App* sub = command(app, "validate", "let robots build a rule set's structure, and judge it",
+                          "  stigc validate staircase.yaml\n"
+                          "  stigc validate staircase.yaml --runs 25 -o staircase-runs\n"
+                          "  stigc validate stepped-pyramid.yaml --robots 4 --json\n"
+                          "  stigc validate staircase.yaml --scene faults/cache-empty.yaml\n");
+  file(sub, "FILE", o.file, "the rule set; - is standard input");
+  integer(sub, "--robots", o.robots, 1, 100, "robots (default: the file's, or 1)");
+  path(sub, "--scene", o.scene, "a scene with fixed start bricks, in place of the usual set-up");
+  integer(sub, "--runs", o.runs, 1, 10'000, "runs, with one seed after the other (default: 1)");
+  parsed(sub, "--seed", "N", "seed of the first run (default: 1)",
+         [&o](const std::string& text) { return parse_seed(text, o.seed); });
+  seconds(sub, "--duration", o.duration, "simulated seconds for a run (default: 2400)");
+  path(sub, "-o,--output", o.output,
+       "a folder for the report, curves, traces, the scene and the controller");
+  integer(sub, "--threads", o.threads, 0, 4096,
+          "threads for the runs; 0: all cores (default). The results are the same for any");
+  sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
+}
+
 void add_files_out(CLI::App& app, Storage& s) {
   CLI::App* graph = command(app, "graph", "print which rule's brick another rule can need, as DOT",
                             "  stigc graph staircase.yaml | dot -Tsvg > staircase.svg\n");
@@ -515,6 +536,7 @@ void build(CLI::App& app, Storage& s) {
   add_simulate(app, s.simulate);
   add_describe(app, s.describe);
   add_compile(app, s.compile);
+  add_validate(app, s.validate);
   add_about_itself(app, s);
 }
 
@@ -552,7 +574,8 @@ CommandOptions chosen(const std::string& name, const Storage& s) {
       {"certify", s.certify},   {"graph", s.graph},       {"replay", s.replay},
       {"schema", s.schema},     {"measure", s.measure},   {"draw", s.draw},
       {"synth", s.synth},       {"doctor", s.doctor},     {"completions", s.completions},
-      {"simulate", s.simulate}, {"describe", s.describe}, {"compile", s.compile}};
+      {"simulate", s.simulate}, {"describe", s.describe}, {"compile", s.compile},
+      {"validate", s.validate}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

@@ -26,5 +26,6 @@ int run(const SimulateOptions& options, App& app);
 int run(const DescribeOptions& options, App& app);
 
 int run(const CompileFileOptions& options, App& app);
+int run(const ValidateOptions& options, App& app);
 
 }  // namespace stig

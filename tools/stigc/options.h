@@ -133,6 +133,18 @@ struct CompileFileOptions {
   std::uint64_t states = 100'000;
 };
 
+struct ValidateOptions {
+  std::string file;
+  std::optional<std::string> scene;  ///< in place of the usual set-up
+  std::optional<int> robots;         ///< otherwise as the file says
+  std::optional<double> duration;    ///< s
+  std::uint64_t seed = 1;            ///< of the first run
+  int runs = 1;
+  int threads = 0;                    ///< 0: all cores
+  std::optional<std::string> output;  ///< folder
+  bool json = false;
+};
+
 struct DescribeOptions {
   std::string robot;
   std::optional<std::string> picture;  ///< .png
@@ -191,7 +203,7 @@ using CommandOptions =
     std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
-                 SimulateOptions, DescribeOptions, CompileFileOptions>;
+                 SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions>;
 
 struct CommandLine {
   GlobalOptions global;

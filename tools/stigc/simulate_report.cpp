@@ -14,6 +14,7 @@
 #include "base/degree.h"
 #include "base/file_io.h"
 #include "base/hash.h"
+#include "physical/run_picture.h"
 #include "physical/show_json.h"
 #include "report.h"
 
@@ -86,19 +87,6 @@ Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 }  // namespace
 
-std::vector<PictureBody> picture_bodies(const Simulation& run) {
-  std::vector<PictureBody> out;
-  const PlacedScene& placed = run.placed();
-  const PoseTraceHeader header = trace_header(run.scene(), placed);
-  for (std::size_t i = 0; i < run.world().size(); ++i) {
-    const BodyState state = run.world().state(BodyId{static_cast<std::uint32_t>(i)});
-    if (state.left) continue;
-    const TraceBody& body = header.bodies[i];
-    out.push_back({body.shape, state.X_WB, body.rgb, body.block, run.led(i)});
-  }
-  return out;
-}
-
 namespace {
 
 /// What bodies showed in a channel at a tick: the newest value of each that has one.
@@ -133,17 +121,6 @@ std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame
     const Led led = set == leds.end() ? body.led : most_shown(*set->second);
     out.push_back(
         {body.shape, frame.bodies[i].pose(), body.rgb, body.block, body.block ? led : Led::off});
-  }
-  return out;
-}
-
-std::vector<PictureLine> picture_lines(const Simulation& run) {
-  std::vector<PictureLine> out;
-  for (std::size_t i = 0; run.crew() != nullptr && i < run.crew()->robots(); ++i) {
-    const Crew& crew = *run.crew();
-    const std::string shown = show_json(crew.commands(i).user, inverse(crew.root_pose(i)));
-    const auto lines = show_lines(shown, run.world().state(crew.root_body(i)).X_WB);
-    out.insert(out.end(), lines.begin(), lines.end());
   }
   return out;
 }

@@ -50,11 +50,8 @@ Json structure_json(const StructureReading& structure, const std::vector<std::st
 /// A table of runs, and what they have in common.
 std::string table_of(const std::vector<SimulationReport>& runs);
 
-/// What a picture or a reading takes of a moment of a trace or of a world.
-std::vector<PictureBody> picture_bodies(const Simulation& run);
+/// What a picture or a reading takes of a moment of a trace; of a run: physical/run_picture.h.
 std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame);
-/// The arrows that robots' programs show.
-std::vector<PictureLine> picture_lines(const Simulation& run);
 std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame);
 StructureReading structure_of(const std::vector<PictureBody>& bodies);
 

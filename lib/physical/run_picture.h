@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// What a picture takes of a run as it stands.
+#pragma once
+
+#include <vector>
+
+#include "physical/scene_picture.h"
+#include "physical/simulation.h"
+
+namespace stig {
+
+/// Every body that has not left.
+std::vector<PictureBody> picture_bodies(const Simulation& run);
+/// The arrows that robots' programs show.
+std::vector<PictureLine> picture_lines(const Simulation& run);
+
+}  // namespace stig

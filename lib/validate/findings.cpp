@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "validate/findings.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace stig {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
+
+void of_bricks(const BuildTarget& target, const Judgement& judgement,
+               std::vector<std::string>& out) {
+  const RuleSet& rules = *target.rules;
+  for (const BrickCheck& brick : judgement.bricks) {
+    const Led wanted = led_of(rules, brick.wanted);
+    if (!brick.block) {
+      out.push_back("missing: " + brick_text(rules, wanted, brick.cell));
+      continue;
+    }
+    if (!brick.coloured) {
+      out.push_back(fmt::format("the brick at {} shows {}, not {}", cell_text(brick.cell),
+                                to_string(brick.led), to_string(wanted)));
+    }
+    if (!brick.close) {
+      out.push_back(fmt::format("the brick at {} is off by {:.1f} mm and {:.1f}°",
+                                cell_text(brick.cell), length(brick.off) * 1e3,
+                                brick.turn / kDegree));
+    }
+  }
+  for (const LooseJoint& joint : judgement.loose) {
+    out.push_back(
+        fmt::format("the bricks at {} and {} are off against each other by {:.1f} mm and {:.1f}°",
+                    cell_text(joint.a), cell_text(joint.b), joint.way * 1e3, joint.turn / kDegree));
+  }
+  for (const StrayBrick& stray : judgement.extra) {
+    out.push_back(stray.in_cell ? "too much: " + brick_text(rules, stray.led, stray.cell)
+                                : fmt::format("in the way: {}, {:.1f} mm off it and turned {:.1f}°",
+                                              brick_text(rules, stray.led, stray.cell),
+                                              length(stray.off) * 1e3, stray.yaw / kDegree));
+  }
+}
+
+void of_robot(const RobotRecord& robot, const Trial& trial, std::vector<std::string>& out) {
+  std::string what;
+  if (robot.left) {
+    what = "has left the arena";
+  } else if (robot.fallen) {
+    what = "lies on its side";
+  } else if (robot.failed) {
+    what = "has stopped: its program failed";
+    for (const TrialLine& line : trial.lines) {
+      if (line.failure && line.who == robot.name) what += " (" + line.text + ")";
+    }
+  } else {
+    what = robot.state.empty()
+               ? "shows no state"
+               : fmt::format("is in state '{}' since {:.0f} s", robot.state, robot.since);
+  }
+  out.push_back(fmt::format("{} {}{}", robot.name, what, robot.holding ? ", with a block" : ""));
+}
+
+}  // namespace
+
+std::vector<std::string> findings_of(const BuildTarget& target, const Trial& trial) {
+  std::vector<std::string> out;
+  const Judgement& judgement = trial.judgement;
+  if (judgement.against) out.push_back("against the rules: " + judgement.against->reason);
+  of_bricks(target, judgement, out);
+  if (judgement.verdict == BuildVerdict::complete) return out;
+  switch (trial.end) {
+    case TrialEnd::stuck:
+      out.push_back(fmt::format("nothing went on at {:.0f} s", trial.time));
+      break;
+    case TrialEnd::time:
+      out.push_back(fmt::format("time was out at {:.0f} s", trial.time));
+      break;
+    case TrialEnd::script:
+      out.push_back("the scene's script ended the run: " + trial.message);
+      break;
+    case TrialEnd::diverged:
+      out.push_back(trial.message);
+      break;
+    case TrialEnd::interrupted:
+      out.push_back(fmt::format("interrupted at {:.0f} s", trial.time));
+      break;
+    case TrialEnd::built:
+      return out;
+  }
+  for (const RobotRecord& robot : trial.robots) of_robot(robot, trial, out);
+  if (trial.loose == 0) out.push_back("no loose block lies in the arena");
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// What went wrong in a run, and what blocks one that is not complete: sentences.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validate/trial.h"
+
+namespace stig {
+
+/// None: nothing did.
+std::vector<std::string> findings_of(const BuildTarget& target, const Trial& trial);
+
+}  // namespace stig

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: MIT
+#include "validate/judge.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "physical/lattice_reading.h"
+#include "validate/replay_events.h"
+
+namespace stig {
+namespace {
+
+constexpr double kCellWay = 0.012, kCellTurn = 0.26;  ///< m, rad: within this a block fills a cell
+constexpr double kInTheWay = 1.3;  ///< sides from a brick: so near, a block between cells counts
+
+struct Filled {
+  const WatchedBlock* block = nullptr;
+  CellFit fit;
+};
+
+bool fills(const CellFit& fit) { return length(fit.off) <= kCellWay && fit.turn <= kCellTurn; }
+
+/// The structure's bricks: the start, then by level.
+std::vector<BrickCheck> wanted(const BuildTarget& target) {
+  std::vector<BrickCheck> out;
+  for (const PlacedBrick& brick : target.whole.bricks()) {
+    BrickCheck check;
+    check.cell = brick.at;
+    check.wanted = brick.brick;
+    const auto& start = target.rules->start;
+    check.start = std::any_of(start.begin(), start.end(),
+                              [&](const PlacedBrick& one) { return one.at == brick.at; });
+    out.push_back(check);
+  }
+  std::stable_sort(out.begin(), out.end(), [](const BrickCheck& a, const BrickCheck& b) {
+    return std::tuple(!a.start, a.cell.z, a.cell) < std::tuple(!b.start, b.cell.z, b.cell);
+  });
+  return out;
+}
+
+/// The lattice that fits the bricks best, its axes and cells those of the rules. Of what does not
+/// hang together, or of a brick alone: that of the start.
+BuildSite fitted_site(const BuildTarget& target, const std::vector<PlacedBlock>& blocks) {
+  const StructureReading reading = read_lattices(blocks, target.site.pitch);
+  if (reading.lattices.size() != 1 || !reading.loose.empty()) return target.site;
+  const ReadLattice& read = reading.lattices.front();
+  // Both frames are close: of the cube's turns the one between them is known, and the cell that
+  // the first block has in each.
+  const Pose X_SL = inverse(target.site.X_WL) * read.X_WL;
+  BuildSite fitted = target.site;
+  fitted.pitch = read.pitch;
+  fitted.X_WL.q = target.site.X_WL.q * quaternion_of(beyond_cube_turn(matrix(X_SL.q)));
+  const ReadBlock& first = read.blocks.front();
+  const Vec3 there =
+      read.X_WL * (Vec3{static_cast<double>(first.cell.x), static_cast<double>(first.cell.y),
+                        static_cast<double>(first.cell.z)} *
+                   read.pitch);
+  const Cell cell = fit_of(target.site, blocks[first.block].X_WB).cell;
+  fitted.X_WL.p = {};
+  fitted.X_WL.p = there - centre_of(fitted, cell);
+  return fitted;
+}
+
+void measure(BrickCheck& check, const Filled& filled, const BuildTarget& target,
+             const BuildSite& fitted, const Closeness& closeness) {
+  const CellFit fit = fit_of(fitted, filled.block->X_WB);
+  check.block = filled.block->block;
+  check.led = filled.block->led;
+  check.off = fit.off;
+  check.yaw = fit.yaw;
+  check.turn = fit.turn;
+  check.drift = filled.fit.off;
+  check.close = length(check.off) <= closeness.way && check.turn <= closeness.turn;
+  check.coloured = check.led == led_of(*target.rules, check.wanted);
+}
+
+/// Neighbours that are there, one against the other.
+void measure_joints(Judgement& out, const Closeness& closeness) {
+  for (const BrickCheck& a : out.bricks) {
+    if (!a.block) continue;
+    out.worst_way = std::max(out.worst_way, length(a.off));
+    out.worst_turn = std::max(out.worst_turn, a.turn);
+    out.worst_drift = std::max(out.worst_drift, length(a.drift));
+    for (const BrickCheck& b : out.bricks) {
+      const Offset away = b.cell - a.cell;
+      if (!b.block || std::abs(away.x) + std::abs(away.y) + std::abs(away.z) != 1) continue;
+      const LooseJoint joint{a.cell, b.cell, length(a.drift - b.drift), std::abs(a.yaw - b.yaw)};
+      out.worst_joint_way = std::max(out.worst_joint_way, joint.way);
+      out.worst_joint_turn = std::max(out.worst_joint_turn, joint.turn);
+      const bool close = joint.way <= closeness.way && joint.turn <= closeness.turn;
+      if (!close && a.cell < b.cell) out.loose.push_back(joint);
+    }
+  }
+}
+
+/// Blocks that fill no cell of the structure but are against what is built.
+std::vector<StrayBrick> strays(const BuildTarget& target, const std::vector<WatchedBlock>& blocks,
+                               const std::vector<BrickCheck>& bricks) {
+  std::vector<Vec3> built;
+  for (const BrickCheck& brick : bricks) {
+    if (brick.block) built.push_back(centre_of(target.site, brick.cell));
+  }
+  std::vector<StrayBrick> out;
+  for (const WatchedBlock& block : blocks) {
+    const bool counted = std::any_of(bricks.begin(), bricks.end(), [&](const BrickCheck& one) {
+      return one.block == block.block;
+    });
+    const bool near = std::any_of(built.begin(), built.end(), [&](const Vec3& place) {
+      return length(place - block.X_WB.p) < kInTheWay * target.site.pitch;
+    });
+    if (counted || !near) continue;
+    const CellFit fit = fit_of(target.site, block.X_WB);
+    out.push_back({block.block, fit.cell, block.led, fit.off, fit.yaw, fills(fit)});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view to_string(BuildVerdict verdict) {
+  constexpr std::string_view kNames[] = {"complete", "incomplete", "wrong"};
+  return kNames[static_cast<std::size_t>(verdict)];
+}
+
+std::size_t Judgement::missing() const {
+  return static_cast<std::size_t>(std::count_if(
+      bricks.begin(), bricks.end(), [](const BrickCheck& brick) { return !brick.block; }));
+}
+
+std::string brick_text(const RuleSet& rules, Led led, Cell cell) {
+  const Colour colour = colour_of(rules, led);
+  const std::string what = colour != 0       ? rules.brick(colour).name + " brick"
+                           : led == Led::off ? std::string("dark block")
+                                             : fmt::format("{} block", to_string(led));
+  return fmt::format("a {} at ({}, {}, {})", what, cell.x, cell.y, cell.z);
+}
+
+Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& blocks,
+                const std::vector<BrickEvent>& events, const Closeness& closeness) {
+  std::map<Cell, Filled> filled;
+  for (const WatchedBlock& block : blocks) {
+    const CellFit fit = fit_of(target.site, block.X_WB);
+    if (fills(fit)) filled.try_emplace(fit.cell, Filled{&block, fit});
+  }
+  Judgement out;
+  out.bricks = wanted(target);
+  std::vector<PlacedBlock> there;
+  for (const BrickCheck& check : out.bricks) {
+    const auto found = filled.find(check.cell);
+    if (found != filled.end()) there.push_back({found->second.block->X_WB, 0});
+  }
+  const BuildSite fitted = fitted_site(target, there);
+  for (BrickCheck& check : out.bricks) {
+    const auto found = filled.find(check.cell);
+    if (found != filled.end()) measure(check, found->second, target, fitted, closeness);
+  }
+  measure_joints(out, closeness);
+  out.extra = strays(target, blocks, out.bricks);
+  const Replayed replayed = replay_events(target, events);
+  out.placements = replayed.placements;
+  out.allowed = replayed.allowed;
+  out.against = replayed.against;
+  const bool right = out.extra.empty() && !out.against && out.loose.empty() &&
+                     std::all_of(out.bricks.begin(), out.bricks.end(), [](const BrickCheck& brick) {
+                       return !brick.block || (brick.close && brick.coloured);
+                     });
+  out.verdict = !right              ? BuildVerdict::wrong
+                : out.missing() > 0 ? BuildVerdict::incomplete
+                                    : BuildVerdict::complete;
+  return out;
+}
+
+bool stands(const BuildTarget& target, const Watch& watch) {
+  const auto& bricks = watch.bricks();
+  return bricks.size() == target.whole.size() &&
+         std::all_of(bricks.begin(), bricks.end(), [&](const auto& one) {
+           const State wanted = target.whole.at(one.first);
+           return is_brick(wanted) && led_of(*target.rules, wanted) == one.second.led;
+         });
+}
+
+}  // namespace stig

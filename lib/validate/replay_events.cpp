@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "validate/replay_events.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "lattice/swarm.h"
+#include "rules/drawing.h"
+#include "rules/explain.h"
+#include "rules/rule_printer.h"
+#include "rules/rule_table.h"
+
+namespace stig {
+namespace {
+
+std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
+
+std::string seen_text(const RuleSet& rules, State state) {
+  if (state == kEmpty) return "nothing";
+  return state == kFloor ? "the floor" : rules.brick(state).name;
+}
+
+/// Of the rules that place this colour, the one that is nearest to firing, and what it lacks.
+std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site, Colour colour) {
+  const RuleExplanation* nearest = nullptr;
+  const auto lacks = [](const RuleExplanation& one) {
+    return one.cells.size() + one.conditions.size();
+  };
+  for (const RuleExplanation& one : said.rules) {
+    if (rules.rules[one.rule].place != colour) continue;
+    if (nearest == nullptr || lacks(one) < lacks(*nearest)) nearest = &one;
+  }
+  if (nearest == nullptr) return "no rule places this colour";
+  std::string out = fmt::format("the nearest rule, '{}',", rules.rules[nearest->rule].name);
+  if (!nearest->cells.empty()) {
+    const FailedCell& cell = nearest->cells.front();
+    return out + fmt::format(" wants {} at {} and finds {}", symbol_of(rules, cell.wanted),
+                             cell_text(site + cell.offset), seen_text(rules, cell.seen));
+  }
+  const FailedCondition& failed = nearest->conditions.front();
+  return out + (failed.kind == FailedCondition::Kind::height
+                    ? fmt::format(" is not for height {}", failed.seen)
+                    : fmt::format(" counts {} neighbours", failed.seen));
+}
+
+}  // namespace
+
+Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>& events) {
+  const RuleSet& rules = *target.rules;
+  const RuleTable table(rules);
+  std::map<Cell, Colour> standing;
+  for (const PlacedBrick& brick : rules.start) standing[brick.at] = brick.brick;
+  Replayed out;
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const BrickEvent& event = events[i];
+    if (event.kind == BrickEvent::Kind::left) {
+      standing.erase(event.cell);
+      continue;
+    }
+    ++out.placements;
+    const Colour colour = colour_of(rules, event.led);
+    std::string reason;
+    if (colour == 0) {
+      reason = fmt::format("no brick of the rules shows '{}'", to_string(event.led));
+    } else if (!out.against) {
+      std::vector<PlacedBrick> bricks;
+      for (const auto& [cell, brick] : standing) bricks.push_back({cell, brick});
+      const View view = view_at(Structure(rules.lattice, bricks), table, std::nullopt, event.cell);
+      const Explanation said = explain(rules, view, event.cell.z, 1);
+      const bool fires =
+          std::any_of(said.rules.begin(), said.rules.end(), [&](const RuleExplanation& one) {
+            return one.fires && rules.rules[one.rule].place == colour;
+          });
+      if (!fires) reason = reason_for(rules, said, event.cell, colour);
+    }
+    if (colour != 0) standing[event.cell] = colour;
+    if (out.against) continue;
+    if (reason.empty()) {
+      ++out.allowed;
+      continue;
+    }
+    out.against =
+        AgainstRules{i, fmt::format("{} came to rest at {:.1f} s, which no rule allows: {}",
+                                    brick_text(rules, event.led, event.cell), event.time, reason)};
+  }
+  return out;
+}
+
+}  // namespace stig

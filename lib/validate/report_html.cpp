@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: MIT
+#include "validate/report_html.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "base/text.h"
+#include "validate/findings.h"
+
+namespace stig {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+constexpr std::string_view kHead = R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8"/>
+<title>{0}</title>
+<style>
+body {{ font: 15px/1.45 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222 }}
+table {{ border-collapse: collapse; margin: .6em 0 1.4em }}
+th, td {{ padding: .2em .7em; text-align: right; border-bottom: 1px solid #ddd }}
+th:first-child, td:first-child {{ text-align: left }}
+td.t, th.t {{ text-align: left }}
+figure {{ display: inline-block; margin: .3em }}
+figure img {{ width: 20em; border: 1px solid #ccc }}
+.good {{ color: #276749 }}
+.bad {{ color: #9b2c2c }}
+pre {{ background: #f5f5f5; padding: .8em; overflow: auto }}
+svg {{ max-width: 100%; height: auto }}
+</style>
+</head>
+<body>
+)";
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : printable(text)) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+/// Several lines, as they are.
+std::string escaped_lines(std::string_view text) {
+  std::string out;
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    out += escaped(text.substr(0, end)) + "\n";
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+/// RFC 4648.
+std::string base64(std::string_view bytes) {
+  constexpr std::string_view kDigits =
+      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string out;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t three = 0;
+    const std::size_t there = std::min<std::size_t>(3, bytes.size() - i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      three = three << 8U | (k < there ? static_cast<unsigned char>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      out += k <= there ? kDigits[three >> (18 - 6 * k) & 63U] : '=';
+    }
+  }
+  return out;
+}
+
+class Page {
+ public:
+  template <class... Args>
+  void add(fmt::format_string<Args...> format, Args&&... args) {
+    fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
+  }
+  /// Cells that begin with '@' are texts and stand to the left.
+  void row(std::string_view tag, const std::vector<std::string>& cells) {
+    out_ += "<tr>";
+    for (const std::string& cell : cells) {
+      const bool words = cell.starts_with('@');
+      add("<{0}{1}>{2}</{0}>", tag, words ? " class=\"t\"" : "",
+          escaped(std::string_view(cell).substr(words ? 1 : 0)));
+    }
+    out_ += "</tr>\n";
+  }
+  void table(const std::vector<std::string>& head,
+             const std::vector<std::vector<std::string>>& rows) {
+    if (rows.empty()) return;
+    out_ += "<table>\n";
+    row("th", head);
+    for (const auto& cells : rows) row("td", cells);
+    out_ += "</table>\n";
+  }
+  void raw(std::string_view text) { out_ += text; }
+  std::string take() { return std::move(out_); }
+
+ private:
+  std::string out_;
+};
+
+std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
+std::string fixed(double v, int digits) { return fmt::format("{:.{}f}", v + 0.0, digits); }
+
+void runs(const ValidationReport& report, Page& page) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Trial& trial : report.trials) {
+    const Judgement& j = trial.judgement;
+    rows.push_back({std::to_string(trial.seed), fmt::format("@{}", to_string(j.verdict)),
+                    fmt::format("@{}", to_string(trial.end)), fixed(trial.time, 0),
+                    fmt::format("{} of {}", j.bricks.size() - j.missing(), j.bricks.size()),
+                    fixed(j.worst_way * 1e3, 2), fixed(j.worst_turn / kDegree, 2),
+                    fmt::format("{} of {}", j.allowed, j.placements)});
+  }
+  page.table(
+      {"seed", "@verdict", "@end", "time / s", "bricks", "worst / mm", "worst / °", "by the rules"},
+      rows);
+}
+
+void bricks(const BuildTarget& target, const Judgement& judgement, Page& page) {
+  std::vector<std::vector<std::string>> rows;
+  for (const BrickCheck& brick : judgement.bricks) {
+    const std::string wanted(to_string(led_of(*target.rules, brick.wanted)));
+    if (!brick.block) {
+      rows.push_back({cell_text(brick.cell), "@" + wanted, "@missing", "", "", "", "", ""});
+      continue;
+    }
+    rows.push_back({cell_text(brick.cell), "@" + wanted,
+                    brick.start      ? "@start"
+                    : brick.coloured ? "@right colour"
+                                     : fmt::format("@shows {}", to_string(brick.led)),
+                    fixed(brick.off.x * 1e3, 2), fixed(brick.off.y * 1e3, 2),
+                    fixed(brick.off.z * 1e3, 2), fixed(brick.yaw / kDegree, 2),
+                    fixed(length(brick.drift) * 1e3, 2)});
+  }
+  page.table({"cell", "@brick", "@is", "x / mm", "y / mm", "z / mm", "yaw / °", "drift / mm"},
+             rows);
+  page.add(
+      "<p>x, y, z and yaw: from the lattice that fits all bricks best; drift: from that of the "
+      "start. Neighbours are off against each other by {:.2f} mm and {:.2f}° at most.</p>\n",
+      judgement.worst_joint_way * 1e3, judgement.worst_joint_turn / kDegree);
+}
+
+void placements(const BuildTarget& target, const Trial& trial, Page& page) {
+  std::vector<std::vector<std::string>> rows;
+  for (const BrickEvent& event : trial.events) {
+    rows.push_back(
+        {fixed(event.time, 1),
+         event.kind == BrickEvent::Kind::placed ? "@came to rest" : "@left its cell",
+         "@" + brick_text(*target.rules, event.led, event.cell),
+         event.robot < trial.robots.size() ? "@" + trial.robots[event.robot].name : "@nobody"});
+  }
+  page.raw("<h3>Bricks as they came</h3>\n");
+  page.table({"time / s", "@what", "@brick", "@by"}, rows);
+}
+
+void hauls(const Trial& trial, Page& page) {
+  std::vector<std::vector<std::string>> rows;
+  for (const Haul& haul : trial.hauls) {
+    const std::string outcome = haul.placed  ? "placed at " + cell_text(*haul.placed)
+                                : haul.ended ? std::string("let go elsewhere")
+                                             : std::string("still held");
+    rows.push_back({fmt::format("@{}", trial.robots[haul.robot].name), fixed(haul.from, 1),
+                    fixed(haul.to, 1), fixed(haul.way, 2), "@" + outcome});
+  }
+  page.raw("<h3>Attempts: every block that a robot took</h3>\n");
+  page.table({"@robot", "from / s", "to / s", "way / m", "@and then"}, rows);
+}
+
+void robots(const Trial& trial, Page& page) {
+  std::vector<std::vector<std::string>> rows, states;
+  for (const RobotRecord& robot : trial.robots) {
+    const auto shown = [&](const char* name) {
+      const auto found = robot.shown.find(name);
+      return found == robot.shown.end() ? std::string("–") : fmt::format("{:g}", found->second);
+    };
+    rows.push_back({robot.name, fixed(robot.driven, 2), shown("placed"), shown("aborted"),
+                    shown("busy"), fixed(robot.still, 0), fixed(robot.energy.wheels, 1),
+                    fixed(robot.energy.lift, 1), fixed(robot.energy.current_time, 0)});
+    for (const auto& [state, seconds] : robot.spent) {
+      states.push_back({robot.name, "@" + state, fixed(seconds, 1),
+                        fixed(100 * seconds / std::max(trial.time, 1e-9), 1)});
+    }
+  }
+  page.raw("<h3>Robots</h3>\n");
+  page.table({"robot", "driven / m", "placed", "aborted", "busy", "still / s", "wheels / J",
+              "lift / J", "current / s"},
+             rows);
+  page.raw("<h3>Time in each state</h3>\n");
+  page.table({"robot", "@state", "time / s", "share / %"}, states);
+}
+
+void trial_part(const BuildTarget& target, const Trial& trial, Page& page) {
+  const Judgement& judgement = trial.judgement;
+  page.add("<h2>Seed {}: <span class=\"{}\">{}</span>, {} after {:.1f} s</h2>\n", trial.seed,
+           judgement.verdict == BuildVerdict::complete ? "good" : "bad",
+           to_string(judgement.verdict), to_string(trial.end), trial.time);
+  const std::vector<std::string> findings = findings_of(target, trial);
+  if (!findings.empty()) page.raw("<ul class=\"bad\">\n");
+  for (const std::string& one : findings) page.add("<li>{}</li>\n", escaped(one));
+  if (!findings.empty()) page.raw("</ul>\n");
+  for (const TrialPicture& picture : trial.pictures) {
+    page.add("<figure><img alt=\"after {0:.0f} s\" src=\"data:image/png;base64,{1}\"/></figure>\n",
+             picture.time, base64(picture.png));
+  }
+  page.raw("<h3>Bricks as they stand</h3>\n");
+  bricks(target, judgement, page);
+  placements(target, trial, page);
+  hauls(trial, page);
+  robots(trial, page);
+  if (trial.lines.empty()) return;
+  page.raw("<h3>What programs said last</h3>\n<pre>");
+  for (const TrialLine& line : trial.lines) {
+    page.add("{:8.1f}  {}: {}\n", line.time, escaped(line.who), escaped(line.text));
+  }
+  page.raw("</pre>\n");
+}
+
+}  // namespace
+
+bool all_complete(const ValidationReport& report) {
+  return !report.trials.empty() &&
+         std::all_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
+           return trial.judgement.verdict == BuildVerdict::complete &&
+                  trial.end != TrialEnd::interrupted && trial.end != TrialEnd::diverged;
+         });
+}
+
+std::string verdict_text(const ValidationReport& report) {
+  const auto good = std::count_if(report.trials.begin(), report.trials.end(), [](const Trial& t) {
+    return t.judgement.verdict == BuildVerdict::complete;
+  });
+  return report.trials.size() == 1
+             ? std::string(to_string(report.trials.front().judgement.verdict))
+             : fmt::format("complete in {} of {} runs", good, report.trials.size());
+}
+
+std::vector<ProgressCurve> curves_of(const ValidationReport& report) {
+  std::vector<ProgressCurve> out;
+  for (const Trial& trial : report.trials) out.push_back(curve_of(*report.target, trial));
+  return out;
+}
+
+std::string report_html(const ValidationReport& report) {
+  const BuildTarget& target = *report.target;
+  const std::string title = target.rules->title.empty() ? target.rules->name : target.rules->title;
+  const std::vector<ProgressCurve> curves = curves_of(report);
+  const int bricks = static_cast<int>(target.whole.size() - target.rules->start.size());
+  Page page;
+  page.add(kHead, escaped(title));
+  page.add("<h1>{}: <span class=\"{}\">{}</span></h1>\n", escaped(title),
+           all_complete(report) ? "good" : "bad", escaped(verdict_text(report)));
+  page.add("<p>{} bricks, {} at the start; {} robot{}.</p>\n", target.whole.size(),
+           target.rules->start.size(), report.trials.front().robots.size(),
+           report.trials.front().robots.size() == 1 ? "" : "s");
+  runs(report, page);
+  page.raw("<h2>Progress</h2>\n");
+  page.raw(progress_svg(curves, band_of(curves), bricks));
+  if (!report.decision.empty()) {
+    page.add("<h2>What robots do</h2>\n<pre>{}</pre>\n", escaped_lines(report.decision));
+  }
+  for (const Trial& trial : report.trials) trial_part(target, trial, page);
+  page.raw("</body>\n</html>\n");
+  return page.take();
+}
+
+}  // namespace stig

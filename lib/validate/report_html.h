@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// The report of a validation as one HTML file that needs nothing else: the verdict, pictures,
+// the curve, bricks as they stand, attempts, times, what went wrong.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "validate/progress.h"
+
+namespace stig {
+
+struct ValidationReport {
+  const BuildTarget* target = nullptr;
+  std::string decision;       ///< the robots' decisions in words; empty: not known
+  std::vector<Trial> trials;  ///< one a run, by seed
+};
+
+/// Did every run build the right structure, in an order that the rules allow?
+bool all_complete(const ValidationReport& report);
+/// "complete in 9 of 10 runs".
+std::string verdict_text(const ValidationReport& report);
+std::vector<ProgressCurve> curves_of(const ValidationReport& report);
+
+std::string report_html(const ValidationReport& report);
+
+}  // namespace stig

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "validate/robot_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace stig {
+namespace {
+
+constexpr double kHair = 0.01;         ///< m, of motion that counts
+constexpr double kStillSpeed = 0.1;    ///< rad/s of wheels
+constexpr double kStillLift = 0.0005;  ///< m/s
+constexpr double kUpright = 0.5;       ///< cosine of the tilt of a robot that stands
+
+}  // namespace
+
+RobotWatch::RobotWatch(const Simulation& run)
+    : run_(run), step_(run.placed().config.step), robots_(run.scene().robots.size()) {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    robots_[i].record.name = run.scene().robots[i].name;
+    robots_[i].place = run.crew()->robot_pose(run.world(), i).p;
+  }
+}
+
+const RobotModel& RobotWatch::model(std::size_t robot) const {
+  return run_.scene().robot_models[run_.scene().robots[robot].model];
+}
+
+void RobotWatch::after_step() {
+  const double now = run_.world().time();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    note_shown(i);
+    note_motors(i);
+    const Vec3 at = run_.crew()->robot_pose(run_.world(), i).p;
+    if (length(at - robots_[i].place) < kHair) continue;
+    robots_[i].place = at;
+    last_motion_ = now;
+  }
+}
+
+/// What its program showed in a step that it has made since.
+void RobotWatch::note_shown(std::size_t robot) {
+  Follow& follow = robots_[robot];
+  const std::uint64_t tick = run_.crew()->readings(robot).tick;
+  if (tick == follow.tick) return;
+  follow.tick = tick;
+  RobotRecord& record = follow.record;
+  const UserData& user = run_.crew()->commands(robot).user;
+  for (const auto& [name, value] : user.numbers) record.shown[name] = value;
+  for (const auto& [name, text] : user.texts) {
+    if (name != "state" || text == record.state) continue;
+    const double now = run_.world().time();
+    if (!record.state.empty()) record.spent[record.state] += now - record.since;
+    record.state = text;
+    record.since = now;
+  }
+}
+
+void RobotWatch::note_motors(std::size_t robot) {
+  const RobotModel& robot_model = model(robot);
+  const RobotBody& body = run_.placed().robots[robot];
+  RobotRecord& record = robots_[robot].record;
+  bool still = true;
+  const auto work = [&](const AxisRef& axis, double slow) {
+    const DofState state = run_.world().joint(body.joints[axis.joint])[axis.axis];
+    still = still && std::abs(state.velocity) < slow;
+    return std::abs(state.force * state.velocity) * step_;
+  };
+  if (robot_model.drive) {
+    for (const auto* side : {&robot_model.drive->left, &robot_model.drive->right}) {
+      for (const AxisRef& wheel : *side) record.energy.wheels += work(wheel, kStillSpeed);
+    }
+  }
+  if (robot_model.lift) record.energy.lift += work(robot_model.lift->axis, kStillLift);
+  if (still) record.still += step_;
+  if (!robot_model.magnets || robot_model.magnets->poles.empty()) return;
+  const BodyId pole = body.bodies[robot_model.magnets->poles.front().body];
+  if (run_.world().current(pole, body.poles.front()) != 0) record.energy.current_time += step_;
+}
+
+std::vector<WatchedHand> RobotWatch::hands() const {
+  std::vector<WatchedHand> out;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    // Far above: of a robot without magnets.
+    WatchedHand hand{{0, 0, 1e9}};
+    const auto& magnets = model(i).magnets;
+    if (magnets && !magnets->poles.empty()) {
+      hand = {};
+      for (const MagnetCircuitModel::Pole& pole : magnets->poles) {
+        const BodyId id = run_.placed().robots[i].bodies[pole.body];
+        const Shape& shape = run_.placed().config.bodies[static_cast<std::size_t>(id)].shape;
+        hand.p_W += run_.world().state(id).X_WB.p - Vec3{0, 0, shape.half.z};
+      }
+      hand.p_W *= 1.0 / static_cast<double>(magnets->poles.size());
+    }
+    out.push_back(hand);
+  }
+  return out;
+}
+
+bool RobotWatch::out(std::size_t robot) const {
+  const BodyState root = run_.world().state(run_.crew()->root_body(robot));
+  const Pose X_WR = run_.crew()->robot_pose(run_.world(), robot);
+  return root.left || run_.crew()->failed(robot) || matrix(X_WR.q).z.z < kUpright;
+}
+
+bool RobotWatch::all_out() const {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!out(i)) return false;
+  }
+  return true;
+}
+
+std::vector<RobotRecord> RobotWatch::finish(const Watch& watch) {
+  std::vector<RobotRecord> records;
+  const double now = run_.world().time();
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    RobotRecord record = robots_[i].record;
+    if (!record.state.empty()) record.spent[record.state] += now - record.since;
+    record.X_WR = run_.crew()->robot_pose(run_.world(), i);
+    record.driven = run_.driven(i);
+    record.failed = run_.crew()->failed(i);
+    record.left = run_.world().state(run_.crew()->root_body(i)).left;
+    record.fallen = !record.left && matrix(record.X_WR.q).z.z < kUpright;
+    record.holding = watch.holding(i);
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+}  // namespace stig

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "validate/set_up.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "validate/build_site.h"
+
+namespace stig {
+namespace {
+
+constexpr double kCacheWay = 0.5, kCacheClear = 0.39, kCacheDrop = 0.125;
+constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20, kRobotsApart = 0.25;
+constexpr double kArena = 1.5, kArenaBeyond = 0.7;
+
+/// Outwards from the structure, as the world's axes lie.
+struct Direction {
+  int x = 0, y = 0;
+  int degrees = 0;
+};
+
+Direction direction_of(ApproachSide side) {
+  switch (side) {
+    case ApproachSide::plus_x:
+      return {1, 0, 0};
+    case ApproachSide::plus_y:
+      return {0, 1, 90};
+    case ApproachSide::minus_x:
+      return {-1, 0, 180};
+    case ApproachSide::minus_y:
+      break;
+  }
+  return {0, -1, 270};
+}
+
+/// m; whatever rounding leaves behind zero is none.
+double metres(double v) { return std::round(v * 1e5) / 1e5 + 0.0; }
+
+class Layout {
+ public:
+  Layout(const RuleSet& rules, const CompiledRules& compiled, const SetUpRequest& request)
+      : rules_(rules), compiled_(compiled), request_(request) {
+    double low_x = std::numeric_limits<double>::infinity(), low_y = low_x;
+    double high_x = -low_x, high_y = -low_x;
+    for (const PlacedBrick& brick : rules.start) {
+      low_x = std::min(low_x, brick.at.x * request.side);
+      high_x = std::max(high_x, brick.at.x * request.side);
+      low_y = std::min(low_y, brick.at.y * request.side);
+      high_y = std::max(high_y, brick.at.y * request.side);
+    }
+    middle_ = {(low_x + high_x) / 2, (low_y + high_y) / 2, 0};
+    if (compiled.sides.size() == 1) {
+      const Direction out = direction_of(compiled.sides.front());
+      const double way = robot_way(out);
+      origin_ = {out.x * way, out.y * way, 0};
+    }
+  }
+
+  std::string text() const {
+    return head() + blocks() + robots() + caches() +
+           "# What cameras do in practice; without it every run would be the same.\n"
+           "noise: {pixels: 0.5, missed_tags: 0.02}\n";
+  }
+
+ private:
+  bool several() const { return compiled_.sides.size() > 1; }
+
+  /// How far the structure, or the start alone, goes from the start's middle; m.
+  double reach(const Direction& out, bool start) const {
+    double far = 0;
+    const std::size_t bricks =
+        start ? compiled_.target->start_bricks() : compiled_.target->bricks();
+    for (std::size_t i = 0; i < bricks; ++i) {
+      const Cell cell = compiled_.target->cell(i);
+      far = std::max(far, out.x * (cell.x * request_.side - middle_.x) +
+                              out.y * (cell.y * request_.side - middle_.y));
+    }
+    return far;
+  }
+  double robot_way(const Direction& out) const {
+    return reach(out, true) + (several() ? kRobotWaySeveral : kRobotWay);
+  }
+  double cache_way(const Direction& out) const {
+    return std::max(kCacheWay, reach(out, false) + kCacheClear);
+  }
+  double arena() const {
+    const auto sides = static_cast<int>(compiled_.sides.size());
+    double far = (request_.robots - 1) / sides * kRobotsApart;
+    for (const ApproachSide side : compiled_.sides) {
+      const Direction out = direction_of(side);
+      far = std::max({far, std::abs(out.x * cache_way(out) - origin_.x),
+                      std::abs(out.y * cache_way(out) - origin_.y)});
+    }
+    return std::max(kArena, far + kArenaBeyond);
+  }
+
+  std::string head() const {
+    const std::string& title = rules_.title.empty() ? rules_.name : rules_.title;
+    std::string quoted;
+    for (const char c : title)
+      quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    return fmt::format(
+        "# The set-up of `stigc validate`; controller.lua is what the robots run.\n"
+        "stigc_scene: 1\n"
+        "title: \"{}\"\n"
+        "duration: {:g}\n"
+        "arena: {:g}\n",
+        quoted, kMostBuildTime, metres(arena()));
+  }
+
+  std::string blocks() const {
+    std::string out = "blocks:\n";
+    for (std::size_t i = 0; i < rules_.start.size(); ++i) {
+      const PlacedBrick& brick = rules_.start[i];
+      const double level = brick.at.z - compiled_.target->floor_level() + 0.5;
+      out += fmt::format("  - {{name: start {}, at: [{:g}, {:g}, {:g}], color: {}, fixed: true}}\n",
+                         i + 1, metres(brick.at.x * request_.side - middle_.x - origin_.x),
+                         metres(brick.at.y * request_.side - middle_.y - origin_.y),
+                         metres(level * request_.side), rules_.brick(brick.brick).led);
+    }
+    return out;
+  }
+
+  std::string robots() const {
+    std::string out = "robots:\n";
+    const auto sides = static_cast<int>(compiled_.sides.size());
+    for (int i = 0; i < request_.robots; ++i) {
+      const ApproachSide side = compiled_.sides[static_cast<std::size_t>(i % sides)];
+      const Direction d = direction_of(side);
+      const double way = robot_way(d), left = (i / sides) * kRobotsApart;
+      out += fmt::format(
+          "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, program: {}, "
+          "params: {{side: \"{}\"}}}}\n",
+          i + 1, request_.robot_file, metres(d.x * way - d.y * left - origin_.x),
+          metres(d.y * way + d.x * left - origin_.y), d.degrees, kControllerFile, to_string(side));
+    }
+    return out;
+  }
+
+  std::string caches() const {
+    std::string out = "caches:\n";
+    for (const ApproachSide side : compiled_.sides) {
+      const Direction d = direction_of(side);
+      out += fmt::format("  - {{at: [{:g}, {:g}, {:g}]}}\n", metres(d.x * cache_way(d) - origin_.x),
+                         metres(d.y * cache_way(d) - origin_.y), kCacheDrop);
+    }
+    return out;
+  }
+
+  const RuleSet& rules_;
+  const CompiledRules& compiled_;
+  const SetUpRequest& request_;
+  Vec3 middle_;  ///< of the start, in the lattice's frame
+  Vec3 origin_;  ///< of the world, from the start's middle
+};
+
+}  // namespace
+
+std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
+                         const SetUpRequest& request) {
+  return Layout(rules, compiled, request).text();
+}
+
+}  // namespace stig

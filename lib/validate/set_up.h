@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The scene in which a rule set is put to the test, as the text of a scene file: start bricks
+// fixed to the floor, caches, robots that look outwards.
+//
+// The world is laid out about the middle of the start, as seen from above; where robots work from
+// one side alone, the first robot stands in its origin, as in Allwright et al. 2017. On each side
+// that robots work from, with e the farthest column of the finished structure on that side, s the
+// farthest of the start, both from the start's middle:
+//
+//     a cache   at max(0.5, e + 0.39) m: blocks in the structure are farther from it than the
+//               0.35 m within which a cache has a block
+//     robots    at s + 0.15 m, or s + 0.20 m where they work on several sides; in turn on each
+//               side, further ones 0.25 m to the left of the last on that side
+//     the arena to 1.5 m, or 0.7 m beyond the farthest of these
+//
+// One text for all: what validate runs is what `stigc simulate` makes of the file.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "compiler/compile.h"
+
+namespace stig {
+
+inline constexpr std::string_view kControllerFile = "controller.lua";
+inline constexpr double kMostBuildTime = 2400;  ///< s
+
+struct SetUpRequest {
+  int robots = 1;
+  std::string robot_file = "bebot.yaml";
+  double side = 0.055;  ///< of a block, m
+};
+
+/// YAML; robots run kControllerFile.
+std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
+                         const SetUpRequest& request);
+
+}  // namespace stig

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+#include "validate/trial.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "physical/run_picture.h"
+#include "validate/robot_watch.h"
+
+namespace stig {
+namespace {
+
+constexpr double kLookSeconds = 0.2;
+constexpr double kSettled = 10;        ///< s, that the whole structure has to stand
+constexpr double kNothingMoves = 600;  ///< s
+constexpr std::size_t kMostLines = 200;
+
+class TrialRun {
+ public:
+  TrialRun(const BuildTarget& target, const Scene& scene, const PlacedScene& placed,
+           const TrialSettings& settings, const TrialHooks& hooks)
+      : target_(target),
+        settings_(settings),
+        hooks_(hooks),
+        run_(scene, placed, false),
+        robots_(run_),
+        watch_(target.site),
+        look_every_(std::max<std::uint64_t>(
+            1, static_cast<std::uint64_t>(std::llround(kLookSeconds / placed.config.step)))) {}
+
+  Trial go() {
+    if (settings_.trace != nullptr) run_.record(*settings_.trace);
+    RunHooks hooks;
+    hooks.stop = &halt_;
+    hooks.on_line = [this](const CrewLine& line) { note(line); };
+    hooks.after_step = [this](const World& world) { after_step(world); };
+    const RunEnd end = run_.until(settings_.duration, hooks);
+    run_.end_script(hooks);
+    run_.finish(end == RunEnd::interrupted && end_ != TrialEnd::interrupted ? RunEnd::duration
+                                                                            : end);
+    return report(end);
+  }
+
+ private:
+  void note(const CrewLine& line) {
+    lines_.push_back({static_cast<double>(line.tick) * run_.placed().config.step, line.who,
+                      line.text, line.failure});
+    if (lines_.size() > kMostLines) lines_.pop_front();
+  }
+
+  void after_step(const World& world) {
+    robots_.after_step();
+    if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
+      return halt(TrialEnd::interrupted);
+    }
+    if (world.tick() % look_every_ != 0) return;
+    watch_.look(world.time(), blocks(), robots_.hands());
+    if (hooks_.progress) hooks_.progress(world.time(), watch_.bricks().size());
+    take_picture();
+    if (!stands(target_, watch_)) {
+      stands_since_ = -1;
+    } else if (stands_since_ < 0) {
+      stands_since_ = world.time();
+    }
+    if (stands_since_ >= 0 && world.time() - stands_since_ >= kSettled) {
+      return halt(TrialEnd::built);
+    }
+    const double last = std::max(robots_.last_motion(), last_event());
+    if (robots_.all_out() || world.time() - last >= kNothingMoves) halt(TrialEnd::stuck);
+  }
+
+  void halt(TrialEnd why) {
+    if (halt_) return;
+    end_ = why;
+    halt_ = true;
+  }
+
+  double last_event() const { return watch_.events().empty() ? 0 : watch_.events().back().time; }
+
+  std::vector<WatchedBlock> blocks() const {
+    std::vector<WatchedBlock> out;
+    const auto& bodies = run_.placed().config.bodies;
+    for (std::size_t i = 0; i < run_.world().size(); ++i) {
+      if (!run_.placed().bodies[i].block) continue;
+      const BodyState state = run_.world().state(BodyId{static_cast<std::uint32_t>(i)});
+      if (state.left) continue;
+      out.push_back({i, state.X_WB, run_.led(i), i < bodies.size() && bodies[i].fixed});
+    }
+    return out;
+  }
+
+  /// After so many bricks that the pictures part the work evenly.
+  void take_picture() {
+    if (settings_.pictures <= 0) return;
+    const std::size_t start = target_.rules->start.size();
+    const auto parts = static_cast<std::size_t>(settings_.pictures) + 1;
+    const std::size_t due = start + (pictures_.size() + 1) * (target_.whole.size() - start) / parts;
+    if (pictures_.size() + 1 == parts || watch_.bricks().size() < std::max(due, start + 1)) return;
+    pictures_.push_back(picture());
+  }
+
+  TrialPicture picture() const {
+    PictureLook look;
+    look.width = 640;
+    look.height = 420;
+    const bool floor = run_.placed().config.floor;
+    const std::vector<PictureBody> bodies = picture_bodies(run_);
+    const ScenePicture drawn = draw_bodies(bodies, fitted_view(bodies, look), floor);
+    return {run_.world().time(), png_of(drawn.image, fmt::format("{:.0f} s", run_.world().time()))};
+  }
+
+  Trial report(RunEnd end) {
+    Trial out;
+    out.seed = run_.placed().seed;
+    out.hash = run_.hash();
+    out.end = end_of(end);
+    out.message = run_.message();
+    out.time = run_.world().time();
+    out.events = watch_.events();
+    out.hauls = watch_.hauls();
+    out.robots = robots_.finish(watch_);
+    out.measures = run_.measures();
+    out.dropped = run_.world().size() - run_.placed().config.bodies.size();
+    std::vector<WatchedBlock> free = blocks();
+    std::erase_if(free, [this](const WatchedBlock& block) { return watch_.held(block.block); });
+    out.judgement = judge(target_, free, out.events);
+    out.loose = free.size() - watch_.bricks().size();
+    out.lines = {lines_.begin(), lines_.end()};
+    if (settings_.pictures >= 0) pictures_.push_back(picture());
+    out.pictures = std::move(pictures_);
+    return out;
+  }
+
+  TrialEnd end_of(RunEnd end) const {
+    switch (end) {
+      case RunEnd::interrupted:
+        return end_;
+      case RunEnd::diverged:
+        return TrialEnd::diverged;
+      case RunEnd::script:
+        return TrialEnd::script;
+      case RunEnd::failed:
+      case RunEnd::asleep:
+        return TrialEnd::stuck;
+      case RunEnd::duration:
+        break;
+    }
+    return TrialEnd::time;
+  }
+
+  const BuildTarget& target_;
+  const TrialSettings& settings_;
+  const TrialHooks& hooks_;
+  Simulation run_;
+  RobotWatch robots_;
+  Watch watch_;
+  std::uint64_t look_every_;
+  std::atomic<bool> halt_{false};
+  TrialEnd end_ = TrialEnd::time;
+  double stands_since_ = -1;  ///< s; -1: it does not
+  std::deque<TrialLine> lines_;
+  std::vector<TrialPicture> pictures_;
+};
+
+}  // namespace
+
+std::string_view to_string(TrialEnd end) {
+  constexpr std::string_view kNames[] = {"built",  "out of time", "stuck",
+                                         "script", "diverged",    "interrupted"};
+  return kNames[static_cast<std::size_t>(end)];
+}
+
+Trial run_trial(const BuildTarget& target, const Scene& scene, const PlacedScene& placed,
+                const TrialSettings& settings, const TrialHooks& hooks) {
+  return TrialRun(target, scene, placed, settings, hooks).go();
+}
+
+}  // namespace stig

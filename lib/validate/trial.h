@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// One run of a set-up: a simulation with an observer, to the end of the work or of its time.
+//
+// It ends 10 s after the whole structure stands, so that what falls over has time to; when no
+// robot can go on (its program failed, it left the arena or lies on its side), or none has moved
+// for ten minutes; or when time is out.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physical/simulation.h"
+#include "validate/judge.h"
+
+namespace stig {
+
+enum class TrialEnd : std::uint8_t { built, time, stuck, script, diverged, interrupted };
+std::string_view to_string(TrialEnd end);
+
+/// Where a robot's energy went, J: work of its motors, forward and braking alike. Electromagnets
+/// have no resistance in the model; for how long current flowed, in s.
+struct EnergyUse {
+  double wheels = 0, lift = 0, current_time = 0;
+};
+
+struct RobotRecord {
+  std::string name;
+  Pose X_WR;                            ///< at the end
+  double driven = 0;                    ///< m
+  std::map<std::string, double> spent;  ///< s in each state that it showed
+  std::string state;                    ///< the last
+  double since = 0;                     ///< s
+  std::map<std::string, double> shown;  ///< numbers, the newest of each name
+  double still = 0;                     ///< s with neither wheels nor lift in motion
+  EnergyUse energy;
+  bool failed = false, left = false, fallen = false, holding = false;
+};
+
+/// A moment of a run, drawn.
+struct TrialPicture {
+  double time = 0;
+  std::string png;
+};
+
+struct TrialLine {
+  double time = 0;
+  std::string who, text;
+  bool failure = false;
+};
+
+struct Trial {
+  std::uint64_t seed = 1, hash = 0;
+  TrialEnd end = TrialEnd::time;
+  std::string message;  ///< of a run that its script ended, or that diverged
+  double time = 0;      ///< s, simulated
+  Judgement judgement;
+  std::vector<BrickEvent> events;
+  std::vector<Haul> hauls;
+  std::vector<RobotRecord> robots;
+  std::size_t loose = 0;         ///< blocks in the arena that are no bricks and that nobody holds
+  std::size_t dropped = 0;       ///< blocks that came from caches
+  std::vector<TrialLine> lines;  ///< the last of what programs said
+  std::vector<TrialPicture> pictures;
+  std::map<std::string, double> measures;  ///< of the scene's script
+};
+
+struct TrialHooks {
+  const std::atomic<bool>* stop = nullptr;
+  /// Five times a second of simulated time; bricks that stand, those of the start too.
+  std::function<void(double time, std::size_t bricks)> progress;
+};
+
+struct TrialSettings {
+  double duration = 2400;  ///< s
+  int pictures = 0;        ///< on the way, besides that of the end; -1: not that either
+  PoseTraceWriter* trace = nullptr;
+};
+
+/// Scene and target must outlive the call.
+Trial run_trial(const BuildTarget& target, const Scene& scene, const PlacedScene& placed,
+                const TrialSettings& settings, const TrialHooks& hooks);
+
+}  // namespace stig

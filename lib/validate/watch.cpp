@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: MIT
+#include "validate/watch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace stig {
+namespace {
+
+constexpr double kRestTime = 1;                          ///< s
+constexpr double kRestWay = 0.0005, kRestTurn = 0.0087;  ///< m, rad: within this it rests
+constexpr double kCaptureWay = 0.012, kCaptureTurn = 0.26;
+constexpr double kHandGap = 0.010;   ///< m, between the end-effector and a block that it holds
+constexpr double kLeastHaul = 0.05;  ///< m
+constexpr std::array<Offset, 6> kFaces = {
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
+/// Is the end-effector on the block, or so near that its magnets are?
+bool holds(const WatchedHand& hand, const Pose& X_WB, double side) {
+  const Vec3 away = hand.p_W - X_WB.p;
+  const double aside = std::hypot(away.x, away.y);
+  return aside < side / 2 && away.z > 0 && away.z - side / 2 < kHandGap;
+}
+
+bool in_cell(const CellFit& fit) {
+  return length(fit.off) <= kCaptureWay && fit.turn <= kCaptureTurn;
+}
+
+}  // namespace
+
+void Watch::look(double time, const std::vector<WatchedBlock>& blocks,
+                 const std::vector<WatchedHand>& hands) {
+  for (const WatchedBlock& block : blocks) follow(time, block, hands);
+  drop_leavers(time, blocks);
+  find_new(time, blocks);
+}
+
+void Watch::follow(double time, const WatchedBlock& block, const std::vector<WatchedHand>& hands) {
+  const auto [at, fresh] = known_.try_emplace(block.block);
+  Known& known = at->second;
+  if (fresh) {
+    known.rest = block.X_WB;
+    known.since = time;
+  }
+  if (block.fixed) {
+    const Cell cell = fit_of(site_, block.X_WB).cell;
+    if (block.led != Led::off && (!known.cell || *known.cell == cell)) {
+      known.cell = cell;
+      bricks_[cell] = {block.block, block.led};
+    }
+    return;
+  }
+  known.holder = kNoRobot;
+  for (std::size_t robot = 0; robot < hands.size() && known.holder == kNoRobot; ++robot) {
+    if (holds(hands[robot], block.X_WB, site_.pitch)) known.holder = robot;
+  }
+  follow_haul(time, block, known);
+  const bool moved = length(block.X_WB.p - known.rest.p) > kRestWay ||
+                     angle_of(conjugate(known.rest.q) * block.X_WB.q) > kRestTurn;
+  if (!moved && known.holder == kNoRobot) return;
+  known.rest = block.X_WB;
+  known.since = time;
+}
+
+void Watch::follow_haul(double time, const WatchedBlock& block, Known& known) {
+  if (known.haul && hauls_[*known.haul].robot != known.holder) {
+    hauls_[*known.haul].ended = true;
+    known.haul.reset();
+  }
+  if (known.holder == kNoRobot) return;
+  known.last_holder = known.holder;
+  if (!known.haul) {
+    known.haul = hauls_.size();
+    known.taken = block.X_WB.p;
+    Haul haul;
+    haul.robot = known.holder;
+    haul.block = block.block;
+    haul.from = time;
+    hauls_.push_back(haul);
+  }
+  Haul& haul = hauls_[*known.haul];
+  haul.to = time;
+  haul.way = length(block.X_WB.p - known.taken);
+}
+
+void Watch::drop_leavers(double time, const std::vector<WatchedBlock>& blocks) {
+  for (auto& [number, known] : known_) {
+    if (!known.cell) continue;
+    const auto found =
+        std::find_if(blocks.begin(), blocks.end(),
+                     [number = number](const WatchedBlock& b) { return b.block == number; });
+    if (found != blocks.end()) {
+      StandingBrick& brick = bricks_.at(*known.cell);
+      brick.led = found->led;
+      const CellFit fit = fit_of(site_, found->X_WB);
+      if (fit.cell == *known.cell && in_cell(fit)) continue;
+    }
+    events_.push_back({BrickEvent::Kind::left, time, number, *known.cell,
+                       bricks_.at(*known.cell).led, known.holder});
+    bricks_.erase(*known.cell);
+    known.cell.reset();
+  }
+}
+
+bool Watch::joins(Cell cell) const {
+  return std::any_of(kFaces.begin(), kFaces.end(),
+                     [&](Offset face) { return bricks_.contains(cell + face); });
+}
+
+void Watch::find_new(double time, const std::vector<WatchedBlock>& blocks) {
+  struct Candidate {
+    double since = 0;
+    const WatchedBlock* block = nullptr;
+    Cell cell;
+  };
+  std::vector<Candidate> ready;
+  for (const WatchedBlock& block : blocks) {
+    const Known& known = known_.at(block.block);
+    if (known.cell || known.holder != kNoRobot || time - known.since < kRestTime - 1e-9) continue;
+    const CellFit fit = fit_of(site_, block.X_WB);
+    if (in_cell(fit)) ready.push_back({known.since, &block, fit.cell});
+  }
+  std::stable_sort(ready.begin(), ready.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.since < b.since; });
+  for (bool grew = true; grew;) {
+    grew = false;
+    for (Candidate& one : ready) {
+      if (one.block == nullptr || bricks_.contains(one.cell) || !joins(one.cell)) continue;
+      Known& known = known_.at(one.block->block);
+      known.cell = one.cell;
+      bricks_[one.cell] = {one.block->block, one.block->led};
+      events_.push_back({BrickEvent::Kind::placed, one.since, one.block->block, one.cell,
+                         one.block->led, known.last_holder});
+      for (auto haul = hauls_.rbegin(); haul != hauls_.rend(); ++haul) {
+        if (haul->block != one.block->block) continue;
+        haul->placed = one.cell;
+        break;
+      }
+      one.block = nullptr;
+      grew = true;
+    }
+  }
+}
+
+std::vector<Haul> Watch::hauls() const {
+  std::vector<Haul> out;
+  std::copy_if(hauls_.begin(), hauls_.end(), std::back_inserter(out), [](const Haul& haul) {
+    return haul.way > kLeastHaul || (!haul.ended && haul.to > haul.from);
+  });
+  return out;
+}
+
+bool Watch::holding(std::size_t robot) const {
+  return std::any_of(known_.begin(), known_.end(),
+                     [&](const auto& one) { return one.second.holder == robot; });
+}
+
+bool Watch::held(std::size_t block) const {
+  const auto found = known_.find(block);
+  return found != known_.end() && found->second.holder != kNoRobot;
+}
+
+}  // namespace stig

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// What happens at the building site, as an observer sees it who knows every pose: which blocks
+// have come to rest as bricks of the structure, when, who brought them, and which have left it.
+//
+// A block is a brick once it has rested for a second in a cell of the lattice, touches what is
+// built (or stands on the floor of a cell beside it) and no robot's end-effector is on it. It
+// counts from when that second began. It stays one until it is out of its cell. What robots
+// believe plays no part.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "validate/build_site.h"
+
+namespace stig {
+
+inline constexpr std::size_t kNoRobot = SIZE_MAX;
+
+struct WatchedBlock {
+  std::size_t block = 0;  ///< a number that stays its own
+  Pose X_WB;
+  Led led = Led::off;
+  bool fixed = false;  ///< of the start
+};
+
+/// The place over which a robot's end-effector holds: the middle of its magnets' lower ends.
+struct WatchedHand {
+  Vec3 p_W;
+};
+
+struct BrickEvent {
+  enum class Kind : std::uint8_t { placed, left } kind = Kind::placed;
+  double time = 0;
+  std::size_t block = 0;
+  Cell cell;
+  Led led = Led::off;            ///< that it showed
+  std::size_t robot = kNoRobot;  ///< that held it last
+  friend bool operator==(const BrickEvent&, const BrickEvent&) = default;
+};
+
+/// One time that a robot had a block and took it somewhere.
+struct Haul {
+  std::size_t robot = 0, block = 0;
+  double from = 0, to = 0;     ///< s, under the end-effector
+  double way = 0;              ///< m, from where it was taken to where it was let go
+  bool ended = false;          ///< it holds it no more
+  std::optional<Cell> placed;  ///< it became a brick then
+};
+
+struct StandingBrick {
+  std::size_t block = 0;
+  Led led = Led::off;
+};
+
+class Watch {
+ public:
+  explicit Watch(const BuildSite& site) : site_(site) {}
+
+  /// At rising times, about five a second; blocks that have left the arena are left out.
+  void look(double time, const std::vector<WatchedBlock>& blocks,
+            const std::vector<WatchedHand>& hands);
+
+  const std::vector<BrickEvent>& events() const { return events_; }
+  /// Those in which the block was moved by more than 5 cm, in the order of their beginnings.
+  std::vector<Haul> hauls() const;
+  /// Bricks now, those of the start too.
+  const std::map<Cell, StandingBrick>& bricks() const { return bricks_; }
+  /// Has the robot a block in its hand?
+  bool holding(std::size_t robot) const;
+  bool held(std::size_t block) const;
+  const BuildSite& site() const { return site_; }
+
+ private:
+  struct Known {
+    Pose rest;         ///< where it rests
+    double since = 0;  ///< s
+    std::size_t holder = kNoRobot, last_holder = kNoRobot;
+    std::optional<std::size_t> haul;  ///< open, in hauls_
+    std::optional<Cell> cell;         ///< a brick there
+    Vec3 taken;                       ///< where the haul began
+  };
+  void follow(double time, const WatchedBlock& block, const std::vector<WatchedHand>& hands);
+  void follow_haul(double time, const WatchedBlock& block, Known& known);
+  void drop_leavers(double time, const std::vector<WatchedBlock>& blocks);
+  void find_new(double time, const std::vector<WatchedBlock>& blocks);
+  bool joins(Cell cell) const;
+
+  BuildSite site_;
+  std::map<std::size_t, Known> known_;
+  std::map<Cell, StandingBrick> bricks_;
+  std::vector<BrickEvent> events_;
+  std::vector<Haul> hauls_;
+};
+
+}  // namespace stig

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include "program.h"
+
+namespace stig {
+
+TEST_CASE("validate refuses what cannot be compiled as compile does, and runs nothing") {
+  const Workplace place;
+  const Outcome compile =
+      place.stigc({"compile", STIG_SOURCE_DIR "/rulesets/order-dependent.yaml"});
+  const Outcome validate =
+      place.stigc({"validate", STIG_SOURCE_DIR "/rulesets/order-dependent.yaml", "-o", "out"});
+  CHECK(validate.exit_code == 1);
+  CHECK(validate.err == compile.err);
+  CHECK(validate.out.empty());
+  CHECK(place.files().empty());
+}
+
+TEST_CASE("validate says what a scene lacks") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
+  place.write("no-start.yaml",
+              "stigc_scene: 1\nrobots: [{file: bebot.yaml, at: [0, 0], params: {side: +x}}]\n");
+  const Outcome no_start = place.stigc({"validate", rules, "--scene", "no-start.yaml"});
+  CHECK(no_start.exit_code == 1);
+  CHECK(no_start.err.find("V801") != std::string::npos);
+  place.write("no-side.yaml",
+              "stigc_scene: 1\nrobots: [{file: bebot.yaml, at: [0, 0]}]\n"
+              "blocks: [{at: [-0.15, 0, 0.0275], color: Q3, fixed: true}]\n");
+  const Outcome no_side = place.stigc({"validate", rules, "--scene", "no-side.yaml"});
+  CHECK(no_side.exit_code == 1);
+  CHECK(no_side.err.find("no-side.yaml:2:") != std::string::npos);
+  CHECK(no_side.err.find("V802") != std::string::npos);
+  const Outcome both = place.stigc({"validate", rules, "--scene", "no-side.yaml", "--robots", "2"});
+  CHECK(both.exit_code == 2);
+  CHECK(place.stigc({"validate", rules, "--runs", "0"}).exit_code == 2);
+}
+
+TEST_CASE("a robot that does nothing leaves the structure incomplete, and the report says so") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
+  place.write("idle.lua", "function step() robot.show.text('state', 'idle') end\n");
+  place.write("idle.yaml",
+              "stigc_scene: 1\nduration: 3\n"
+              "robots: [{file: bebot.yaml, at: [0, 0], program: idle.lua}]\n"
+              "blocks: [{at: [-0.15, 0, 0.0275], color: Q3, fixed: true}]\n");
+  const Outcome idle =
+      place.stigc({"validate", rules, "--scene", "idle.yaml", "--runs", "2", "-o", "out"});
+  CHECK(idle.exit_code == 1);
+  CHECK(idle.out.find("missing: a Q2 brick at (1, 0, 1)") != std::string::npos);
+  CHECK(idle.out.find("bebot 1 is in state 'idle' since 0 s") != std::string::npos);
+  CHECK(idle.out.find("no loose block") != std::string::npos);
+  for (const char* name :
+       {"out/report.html", "out/report.json", "out/progress.svg", "out/progress.csv",
+        "out/scene.yaml", "out/run-1.stigp", "out/run-2.stigp"}) {
+    CHECK_MESSAGE(place.has(name), name);
+  }
+  CHECK(place.stigc({"replay", "out/run-2.stigp", "--verify"}).exit_code == 0);
+  // What was written runs the same.
+  const Outcome json = place.stigc({"validate", rules, "--scene", "idle.yaml", "--json"});
+  const std::size_t at = json.out.find("\"hash\": \"");
+  REQUIRE(at != std::string::npos);
+  const std::string hash = json.out.substr(at + 9, 16);
+  CHECK(place.stigc({"simulate", "out/scene.yaml"}).out.find(hash) != std::string::npos);
+  CHECK(place.stigc({"validate", rules, "--scene", "idle.yaml", "--runs", "2", "--threads", "1"})
+            .out ==
+        place.stigc({"validate", rules, "--scene", "idle.yaml", "--runs", "2", "--threads", "2"})
+            .out);
+}
+
+}  // namespace stig

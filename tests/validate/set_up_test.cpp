@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "validate/set_up.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/file_io.h"
+#include "support.h"
+#include "support/golden.h"
+
+namespace stig {
+namespace {
+
+/// Robots, blocks and a program that does nothing.
+std::optional<std::string> load(const std::string& name, std::size_t most, FileError& error) {
+  if (name == kControllerFile) return "function step() end\n";
+  return disk_loader(STIG_SOURCE_DIR "/robots", {STIG_SOURCE_DIR "/blocks"})(name, most, error);
+}
+
+struct ReadSetUp {
+  Diagnostics diagnostics;
+  std::optional<Scene> scene;
+  std::optional<PlacedScene> placed;
+
+  explicit ReadSetUp(const std::string& text) {
+    scene = read_scene(std::make_shared<const SourceFile>("scene.yaml", text), load, diagnostics);
+    if (scene) placed = place_scene(*scene, 1, diagnostics);
+    INFO(to_text(diagnostics));
+    REQUIRE(placed);
+  }
+};
+
+TEST_CASE("the set-up of the staircase is the paper's") {
+  const CompiledSet set("staircase");
+  const std::string text = set_up_scene(set.rules, set.compiled, {});
+  check_golden("tests/validate/golden/staircase-scene.yaml", text);
+  const ReadSetUp read(text);
+  CHECK(read.scene->duration == 2400);
+  REQUIRE(read.scene->robots.size() == 1);
+  CHECK(length(read.scene->robots[0].X_WR.p) < 1e-9);
+  REQUIRE(read.scene->caches.size() == 1);
+  CHECK(read.scene->caches[0].at.x == doctest::Approx(0.35));
+  Diagnostics diagnostics;
+  const auto site = find_site(set.rules, *read.scene, *read.placed, diagnostics);
+  REQUIRE(site);
+  CHECK(length(centre_of(*site, {0, 0, 0}) - Vec3{-0.15, 0, 0.0275}) < 1e-9);
+  CHECK(length(centre_of(*site, {1, 0, 2}) - Vec3{-0.095, 0, 0.1375}) < 1e-9);
+}
+
+TEST_CASE("the set-up of the pyramid for four robots") {
+  const CompiledSet set("stepped-pyramid");
+  SetUpRequest request;
+  request.robots = 4;
+  const std::string text = set_up_scene(set.rules, set.compiled, request);
+  check_golden("tests/validate/golden/pyramid-scene.yaml", text);
+  const ReadSetUp read(text);
+  REQUIRE(read.scene->robots.size() == 4);
+  for (const RobotSpawn& robot : read.scene->robots) {
+    CHECK(length(robot.X_WR.p) == doctest::Approx(0.2));
+    // Outwards.
+    CHECK(dot(rotate(robot.X_WR.q, {1, 0, 0}), robot.X_WR.p) == doctest::Approx(0.2));
+  }
+  CHECK(read.scene->caches.size() == 4);
+  for (const CacheSpawn& cache : read.scene->caches) {
+    CHECK(std::hypot(cache.at.x, cache.at.y) == doctest::Approx(0.5));
+  }
+}
+
+TEST_CASE("many robots stand apart, and no cache counts blocks of the structure as its own") {
+  for (const char* name : {"staircase", "stepped-pyramid"}) {
+    const CompiledSet set(name);
+    SetUpRequest request;
+    request.robots = 12;
+    const ReadSetUp read(set_up_scene(set.rules, set.compiled, request));
+    CHECK(read.scene->robots.size() == 12);
+    Diagnostics diagnostics;
+    const auto site = find_site(set.rules, *read.scene, *read.placed, diagnostics);
+    REQUIRE(site);
+    for (const PlacedBrick& brick : set.compiled.proof.structure->bricks()) {
+      for (const CacheSpawn& cache : read.scene->caches) {
+        const Vec3 away = centre_of(*site, brick.at) - cache.at;
+        CHECK(std::hypot(away.x, away.y) > cache.radius);
+      }
+    }
+  }
+}
+
+TEST_CASE("the start is found wherever a scene has it, and missed where it is not") {
+  const CompiledSet set("staircase");
+  const auto site_in = [&](const std::string& blocks, Diagnostics& diagnostics) {
+    const ReadSetUp read("stigc_scene: 1\nblocks:\n" + blocks);
+    return find_site(set.rules, *read.scene, *read.placed, diagnostics);
+  };
+  Diagnostics good, loose, dark;
+  const auto site = site_in(
+      "  - {at: [1, 2, 0.0275], turn: [100, 0, 0], color: Q3, fixed: true}\n"
+      "  - {at: [0, 0, 0.0275], color: Q3}\n",
+      good);
+  REQUIRE(site);
+  CHECK(length(centre_of(*site, {0, 0, 0}) - Vec3{1, 2, 0.0275}) < 1e-9);
+  // The nearest of its quarter turns: 10 degrees.
+  const double ten = M_PI / 18;
+  CHECK(length(centre_of(*site, {1, 0, 0}) -
+               Vec3{1 + 0.055 * std::cos(ten), 2 + 0.055 * std::sin(ten), 0.0275}) < 1e-9);
+  CHECK_FALSE(site_in("  - {at: [0, 0, 0.0275], color: Q3}\n", loose));
+  REQUIRE(loose.all().size() == 1);
+  CHECK(loose.all()[0].code == Code::V801);
+  CHECK_FALSE(site_in("  - {at: [0, 0, 0.0275], fixed: true}\n", dark));
+}
+
+}  // namespace
+}  // namespace stig

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// stigc validate: robots build the structure of a rule set in the physical world, and what they
+// build is held to the rules.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "base/file_io.h"
+#include "commands.h"
+#include "compiler/compile.h"
+#include "compiler/decision_text.h"
+#include "outputs.h"
+#include "report.h"
+#include "robot_input.h"
+#include "runtime_input.h"
+#include "scene_input.h"
+#include "validate/set_up.h"
+#include "validate_report.h"
+#include "validate_runs.h"
+
+namespace stig {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kSceneFile = "scene.yaml";
+
+/// Does a line begin with the key?
+bool has_key(std::string_view text, std::string_view key) {
+  for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
+    if (at == 0 || text[at - 1] == '\n') return true;
+  }
+  return false;
+}
+
+/// The user's scene, with the compiled program for robots that have none.
+std::optional<std::string> given_scene(const std::string& path, const App& app) {
+  FileError error;
+  auto text = read_file(path, kMaxSceneBytes, error);
+  if (!text) {
+    app.complain(error.message);
+    return std::nullopt;
+  }
+  if (!text->ends_with('\n')) *text += '\n';
+  if (!has_key(*text, "robot_program:"))
+    *text += fmt::format("robot_program: {}\n", kControllerFile);
+  if (!has_key(*text, "duration:")) *text += fmt::format("duration: {:g}\n", kMostBuildTime);
+  return text;
+}
+
+/// One validation, from the rules to the report.
+class Validation {
+ public:
+  Validation(const ValidateOptions& options, App& app) : options_(options), app_(app) {}
+
+  int run() {
+    if (const int code = compile(); code != kOk) return code;
+    if (const int code = load(); code != kOk) return code;
+    if (options_.output && !make_folder()) return kRunFailed;
+    TrialBatch batch = run_trials(target_, *scene_, options_, duration_, app_);
+    if (batch.diagnostics.has_errors()) {
+      app_.report(batch.diagnostics);
+      return kFailed;
+    }
+    if (batch.trials.empty()) {
+      app_.complain("interrupted before the first run");
+      return kRunFailed;
+    }
+    ValidationReport report{&target_, decision_text(*rules_, *compiled_.decision),
+                            std::move(batch.trials)};
+    app_.print(options_.json ? dump(to_json(report)) : lines_of(report, app_.color_out()));
+    const int written = options_.output ? write(report, batch) : kOk;
+    const bool broken =
+        std::any_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
+          return trial.end == TrialEnd::interrupted || trial.end == TrialEnd::diverged;
+        });
+    if (broken || written != kOk ||
+        report.trials.size() < static_cast<std::size_t>(options_.runs)) {
+      return kRunFailed;
+    }
+    return all_complete(report) ? kOk : kFailed;
+  }
+
+ private:
+  int compile() {
+    rules_ = app_.read_rules(options_.file);
+    if (!rules_) return kFailed;
+    robot_ = read_abilities(std::nullopt, app_);
+    if (!robot_) return kFailed;
+    stop_on_signals();
+    CompileOptions settings;
+    settings.verify.stop = &stop_requested();
+    Diagnostics diagnostics;
+    compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
+    app_.report(diagnostics);
+    for (const RefusalDrawing& one : compiled_.drawings) app_.say(one.title + ":\n" + one.drawing);
+    if (!compiled_.decision) return compiled_.proof.interrupted ? kRunFailed : kFailed;
+    target_.rules = &*rules_;
+    target_.whole = *compiled_.proof.structure;
+    return kOk;
+  }
+
+  std::optional<std::string> scene_text() const {
+    if (options_.scene) return given_scene(*options_.scene, app_);
+    SetUpRequest request;
+    const auto own = rules_->physical ? rules_->physical->robots : std::nullopt;
+    request.robots = options_.robots.value_or(own.value_or(1));
+    request.side = robot_->block.side;
+    return set_up_scene(*rules_, compiled_, request);
+  }
+
+  std::optional<std::string> controller_text() const {
+    const auto library = read_runtime(app_);
+    if (!library) return std::nullopt;
+    const std::string name = fs::path(options_.file).filename().string();
+    return controller_lua(*rules_, name, plan_controller(*rules_, *robot_, compiled_), compiled_,
+                          *library)
+        .text;
+  }
+
+  int load() {
+    if (options_.scene && options_.robots) {
+      app_.complain("a scene says what robots there are: leave --robots out");
+      return kUsage;
+    }
+    auto text = scene_text();
+    const auto controller = controller_text();
+    if (!text || !controller) return kFailed;
+    const SceneLoader others = scene_loader(options_.scene.value_or(kSceneFile));
+    const SceneLoader loader = [&](const std::string& name, std::size_t most, FileError& error) {
+      return name == kControllerFile ? controller : others(name, most, error);
+    };
+    Diagnostics diagnostics;
+    const auto source =
+        std::make_shared<const SourceFile>(options_.scene.value_or(kSceneFile), std::move(*text));
+    scene_ = read_scene(source, loader, diagnostics);
+    if (scene_) check_robots(diagnostics);
+    const auto placed = scene_ ? place_scene(*scene_, options_.seed, diagnostics) : std::nullopt;
+    const auto site = placed ? find_site(*rules_, *scene_, *placed, diagnostics) : std::nullopt;
+    if (!diagnostics.all().empty()) app_.report(diagnostics);
+    if (!site || app_.invalid(diagnostics)) return kFailed;
+    target_.site = *site;
+    duration_ = options_.duration.value_or(scene_->duration);
+    return kOk;
+  }
+
+  /// The compiled program asks on which side it begins.
+  void check_robots(Diagnostics& diagnostics) const {
+    for (const RobotSpawn& robot : scene_->robots) {
+      const bool compiled = robot.program < scene_->programs.size() &&
+                            scene_->programs[robot.program].path == kControllerFile;
+      const bool knows = std::any_of(robot.params.begin(), robot.params.end(),
+                                     [](const auto& param) { return param.first == "side"; });
+      if (!compiled || knows) continue;
+      diagnostics.add(Code::V802, robot.range,
+                      fmt::format("'{}' is not told on which side it begins", robot.name));
+    }
+  }
+
+  bool make_folder() const {
+    std::error_code error;
+    fs::create_directory(*options_.output, error);
+    const std::string problem = folder_problem(*options_.output + "/report.html");
+    if (!error && problem.empty()) return true;
+    app_.complain(error ? fmt::format("cannot make the folder '{}': {}",
+                                      printable(*options_.output), error.message())
+                        : printable(problem));
+    return false;
+  }
+
+  bool write_one(const std::string& name, const std::string& text) const {
+    FileError error;
+    if (write_file(*options_.output + "/" + name, text, error)) return true;
+    app_.complain(error.message);
+    return false;
+  }
+
+  int write(const ValidationReport& report, const TrialBatch& batch) const {
+    for (const std::string& complaint : batch.complaints) app_.complain(complaint);
+    bool good = batch.complaints.empty();
+    for (const SceneFile& file : scene_->files) {
+      const bool scene = &file == &scene_->files.front();
+      // Files that the scene names with a folder stay where they are.
+      if (!scene && file.name.find('/') != std::string::npos) continue;
+      good = write_one(scene ? kSceneFile : file.name, file.text) && good;
+    }
+    const std::vector<ProgressCurve> curves = curves_of(report);
+    const ProgressBand band = band_of(curves);
+    const auto bricks = static_cast<int>(target_.whole.size() - rules_->start.size());
+    good = write_one("progress.csv", progress_csv(curves, band)) && good;
+    good = write_one("progress.svg", progress_svg(curves, band, bricks)) && good;
+    good = write_one("report.json", dump(to_json(report))) && good;
+    good = write_one("report.html", report_html(report)) && good;
+    if (good)
+      app_.say(
+          fmt::format("wrote {}/report.html and what belongs to it", printable(*options_.output)));
+    return good ? kOk : kRunFailed;
+  }
+
+  const ValidateOptions& options_;
+  App& app_;
+  std::optional<RuleSet> rules_;
+  std::optional<Abilities> robot_;
+  CompiledRules compiled_;
+  std::optional<Scene> scene_;
+  BuildTarget target_;
+  double duration_ = kMostBuildTime;
+};
+
+}  // namespace
+
+int run(const ValidateOptions& options, App& app) { return Validation(options, app).run(); }
+
+}  // namespace stig

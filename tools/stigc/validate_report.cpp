@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: MIT
+#include "validate_report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "app.h"
+#include "base/hash.h"
+#include "report.h"
+#include "validate/findings.h"
+
+namespace stig {
+namespace {
+
+constexpr double kDegree = 3.14159265358979323846 / 180;
+
+double millimetres(double metres) { return metres * 1e3; }
+double degrees(double radians) { return radians / kDegree; }
+
+Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
+  Json json{{"cell", to_json(brick.cell)},
+            {"brick", rules.brick(brick.wanted).name},
+            {"start", brick.start},
+            {"there", brick.block.has_value()}};
+  if (!brick.block) return json;
+  json["shows"] = to_string(brick.led);
+  json["off_mm"] = {millimetres(brick.off.x), millimetres(brick.off.y), millimetres(brick.off.z)};
+  json["yaw_degrees"] = degrees(brick.yaw);
+  json["turn_degrees"] = degrees(brick.turn);
+  json["drift_mm"] = millimetres(length(brick.drift));
+  return json;
+}
+
+Json robot_json(const RobotRecord& robot) {
+  Json json{{"name", robot.name},          {"driven_m", robot.driven},
+            {"state", robot.state},        {"since", robot.since},
+            {"holding", robot.holding},    {"failed", robot.failed},
+            {"left", robot.left},          {"fallen", robot.fallen},
+            {"still_s", robot.still},      {"wheels_J", robot.energy.wheels},
+            {"lift_J", robot.energy.lift}, {"current_s", robot.energy.current_time}};
+  json["shown"] = robot.shown;
+  json["states_s"] = robot.spent;
+  return json;
+}
+
+Json judgement_json(const RuleSet& rules, const Judgement& judgement) {
+  Json json{{"missing", judgement.missing()},
+            {"worst_mm", millimetres(judgement.worst_way)},
+            {"worst_degrees", degrees(judgement.worst_turn)},
+            {"worst_joint_mm", millimetres(judgement.worst_joint_way)},
+            {"worst_joint_degrees", degrees(judgement.worst_joint_turn)},
+            {"worst_drift_mm", millimetres(judgement.worst_drift)},
+            {"placements", judgement.placements},
+            {"allowed", judgement.allowed},
+            {"against", judgement.against ? Json(judgement.against->reason) : Json(nullptr)}};
+  json["bricks"] = Json::array();
+  for (const BrickCheck& brick : judgement.bricks)
+    json["bricks"].push_back(brick_json(rules, brick));
+  json["extra"] = Json::array();
+  for (const StrayBrick& stray : judgement.extra) {
+    json["extra"].push_back({{"cell", to_json(stray.cell)},
+                             {"shows", to_string(stray.led)},
+                             {"in_cell", stray.in_cell},
+                             {"off_mm", millimetres(length(stray.off))},
+                             {"yaw_degrees", degrees(stray.yaw)}});
+  }
+  return json;
+}
+
+Json trial_json(const BuildTarget& target, const Trial& trial) {
+  Json json{{"seed", trial.seed},
+            {"verdict", to_string(trial.judgement.verdict)},
+            {"end", to_string(trial.end)},
+            {"time", trial.time},
+            {"findings", findings_of(target, trial)}};
+  json.update(judgement_json(*target.rules, trial.judgement));
+  json["events"] = Json::array();
+  for (const BrickEvent& event : trial.events) {
+    json["events"].push_back(
+        {{"time", event.time},
+         {"what", event.kind == BrickEvent::Kind::placed ? "placed" : "left"},
+         {"cell", to_json(event.cell)},
+         {"shows", to_string(event.led)},
+         {"by", event.robot < trial.robots.size() ? Json(trial.robots[event.robot].name)
+                                                  : Json(nullptr)}});
+  }
+  json["attempts"] = Json::array();
+  for (const Haul& haul : trial.hauls) {
+    json["attempts"].push_back({{"by", trial.robots[haul.robot].name},
+                                {"from", haul.from},
+                                {"to", haul.to},
+                                {"way_m", haul.way},
+                                {"placed", haul.placed ? to_json(*haul.placed) : Json(nullptr)}});
+  }
+  json["robots"] = Json::array();
+  for (const RobotRecord& robot : trial.robots) json["robots"].push_back(robot_json(robot));
+  json["loose"] = trial.loose;
+  json["dropped"] = trial.dropped;
+  json["measures"] = trial.measures;
+  json["hash"] = to_hex(trial.hash);
+  return json;
+}
+
+std::string bricks_in_words(const Judgement& judgement) {
+  std::string out = fmt::format("{} of {}", judgement.bricks.size() - judgement.missing(),
+                                judgement.bricks.size());
+  out += fmt::format(", off by {:.2f} mm and {:.2f}° at most", millimetres(judgement.worst_way),
+                     degrees(judgement.worst_turn));
+  return out +
+         fmt::format("; neighbours by {:.2f} mm and {:.2f}°; {:.2f} mm from the start's lattice",
+                     millimetres(judgement.worst_joint_way), degrees(judgement.worst_joint_turn),
+                     millimetres(judgement.worst_drift));
+}
+
+/// Seconds in each state, the longest first.
+std::string states_in_words(const RobotRecord& robot) {
+  std::vector<std::pair<double, std::string>> states;
+  for (const auto& [state, seconds] : robot.spent) states.emplace_back(-seconds, state);
+  std::sort(states.begin(), states.end());
+  std::string out;
+  for (const auto& [seconds, state] : states) {
+    out += fmt::format("{}{} {:.0f} s", out.empty() ? "" : ", ", printable(state), -seconds);
+  }
+  return out;
+}
+
+std::string robot_lines(const RobotRecord& robot) {
+  const auto shown = [&](const char* name) {
+    const auto found = robot.shown.find(name);
+    return found == robot.shown.end() ? std::string("-") : fmt::format("{:g}", found->second);
+  };
+  std::string out =
+      line(printable(robot.name),
+           fmt::format("{:.2f} m driven; placed {}, aborted {} ({} as the site was "
+                       "busy); wheels {:.1f} J, lift {:.1f} J, current for {:.0f} s",
+                       robot.driven, shown("placed"), shown("aborted"), shown("busy"),
+                       robot.energy.wheels, robot.energy.lift, robot.energy.current_time));
+  return robot.spent.empty() ? out : out + line("", states_in_words(robot));
+}
+
+std::string attempts_in_words(const Trial& trial) {
+  const auto placed = std::count_if(trial.hauls.begin(), trial.hauls.end(),
+                                    [](const Haul& haul) { return haul.placed.has_value(); });
+  const auto held = std::count_if(trial.hauls.begin(), trial.hauls.end(),
+                                  [](const Haul& haul) { return !haul.ended; });
+  return fmt::format("{} blocks taken, {} placed, {} held, {} let go elsewhere", trial.hauls.size(),
+                     placed, held, trial.hauls.size() - static_cast<std::size_t>(placed + held));
+}
+
+std::string verdict_in_colour(BuildVerdict verdict, bool color) {
+  const std::string text(to_string(verdict));
+  return verdict == BuildVerdict::complete ? green(text, color) : red(text, color);
+}
+
+std::string one_run(const ValidationReport& report, const Trial& trial, bool color) {
+  const Judgement& judgement = trial.judgement;
+  std::string out = line("verdict", fmt::format("{}: {} after {:.1f} s, seed {}",
+                                                verdict_in_colour(judgement.verdict, color),
+                                                to_string(trial.end), trial.time, trial.seed));
+  out += line("bricks", bricks_in_words(judgement));
+  out += line("order", fmt::format("{} placements, {} as the rules allow", judgement.placements,
+                                   judgement.allowed));
+  for (const BrickEvent& event : trial.events) {
+    out += line("", fmt::format("{:8.1f} s  {}{}", event.time,
+                                brick_text(*report.target->rules, event.led, event.cell),
+                                event.kind == BrickEvent::Kind::placed ? "" : " left"));
+  }
+  out += line("attempts", attempts_in_words(trial));
+  for (const RobotRecord& robot : trial.robots) out += robot_lines(robot);
+  for (const auto& [name, value] : trial.measures) {
+    out += line("measure", fmt::format("{} {:g}", printable(name), value));
+  }
+  for (const std::string& finding : findings_of(*report.target, trial)) {
+    out += line("wrong", printable(finding));
+  }
+  return out + line("hash", to_hex(trial.hash));
+}
+
+std::string table(const ValidationReport& report) {
+  std::string out =
+      fmt::format("{:>6}  {:<10}  {:<12}  {:>7}  {:>9}  {:>6}  {:>6}  {:>8}  {:>7}  {}\n", "seed",
+                  "verdict", "end", "time/s", "bricks", "mm", "deg", "driven/m", "aborted", "hash");
+  for (const Trial& trial : report.trials) {
+    const Judgement& j = trial.judgement;
+    double driven = 0, aborted = 0;
+    for (const RobotRecord& robot : trial.robots) {
+      driven += robot.driven;
+      const auto found = robot.shown.find("aborted");
+      aborted += found == robot.shown.end() ? 0 : found->second;
+    }
+    out += fmt::format(
+        "{:>6}  {:<10}  {:<12}  {:>7.1f}  {:>9}  {:>6.2f}  {:>6.2f}  {:>8.2f}  {:>7g}  {}\n",
+        trial.seed, to_string(j.verdict), to_string(trial.end), trial.time,
+        fmt::format("{} of {}", j.bricks.size() - j.missing(), j.bricks.size()),
+        millimetres(j.worst_way), degrees(j.worst_turn), driven, aborted, to_hex(trial.hash));
+  }
+  return out;
+}
+
+/// Mean and deviation of the time that complete runs took.
+std::string time_in_words(const ValidationReport& report) {
+  std::vector<double> times;
+  for (const Trial& trial : report.trials) {
+    if (trial.judgement.verdict == BuildVerdict::complete && !trial.events.empty()) {
+      times.push_back(trial.events.back().time);
+    }
+  }
+  if (times.empty()) return "no run was complete";
+  double mean = 0, squares = 0;
+  for (const double t : times) mean += t / static_cast<double>(times.size());
+  for (const double t : times) squares += (t - mean) * (t - mean);
+  const double deviation =
+      times.size() > 1 ? std::sqrt(squares / static_cast<double>(times.size() - 1)) : 0;
+  return fmt::format("the last brick after {:.0f} s on average, deviation {:.0f} s", mean,
+                     deviation);
+}
+
+}  // namespace
+
+Json to_json(const ValidationReport& report) {
+  Json json{{"rules", report.target->rules->name},
+            {"complete", all_complete(report)},
+            {"bricks", report.target->whole.size()},
+            {"start", report.target->rules->start.size()},
+            {"runs", Json::array()}};
+  for (const Trial& trial : report.trials)
+    json["runs"].push_back(trial_json(*report.target, trial));
+  json["progress"] = Json::array();
+  for (const ProgressBand::Row& row : band_of(curves_of(report)).rows) {
+    json["progress"].push_back({{"time", row.time},
+                                {"mean", row.mean},
+                                {"deviation", row.deviation},
+                                {"least", row.least},
+                                {"most", row.most}});
+  }
+  return json;
+}
+
+std::string lines_of(const ValidationReport& report, bool color) {
+  std::string out = line("rules", printable(report.target->rules->name));
+  if (report.trials.size() == 1) return out + one_run(report, report.trials.front(), color);
+  out += line("verdict", all_complete(report) ? green(verdict_text(report), color)
+                                              : red(verdict_text(report), color));
+  out += line("time", time_in_words(report)) + table(report);
+  for (const Trial& trial : report.trials) {
+    for (const std::string& finding : findings_of(*report.target, trial)) {
+      out += line(fmt::format("seed {}", trial.seed), printable(finding));
+    }
+  }
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+#include "validate_runs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <thread>
+
+#include "progress.h"
+#include "trace_file.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostPictured = 12;  ///< runs whose end is drawn
+constexpr int kPicturesOnTheWay = 4;       ///< of the first run
+
+struct Slot {
+  std::optional<Trial> trial;
+  Diagnostics diagnostics;
+  TraceFile trace;
+  bool traced = false, good = true;
+};
+
+class Batch {
+ public:
+  Batch(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
+        double duration, const App& app)
+      : target_(target),
+        scene_(scene),
+        options_(options),
+        duration_(duration),
+        progress_(app),
+        slots_(static_cast<std::size_t>(options.runs)),
+        shares_(slots_.size()) {}
+
+  TrialBatch run() {
+    std::atomic<std::size_t> next{0};
+    const auto work = [&] {
+      for (std::size_t i = next++; i < slots_.size() && !stop_requested(); i = next++) one(i);
+    };
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    const std::size_t wanted =
+        options_.threads > 0 ? static_cast<std::size_t>(options_.threads) : cores;
+    std::vector<std::thread> threads;
+    for (std::size_t i = 1; i < std::min(wanted, slots_.size()); ++i) threads.emplace_back(work);
+    work();
+    for (std::thread& thread : threads) thread.join();
+    progress_.clear();
+    return collect();
+  }
+
+ private:
+  void one(std::size_t i) {
+    Slot& slot = slots_[i];
+    const std::uint64_t seed = options_.seed + i;
+    const auto placed = place_scene(scene_, seed, slot.diagnostics);
+    if (!placed) return;
+    TrialSettings settings;
+    settings.duration = duration_;
+    settings.pictures = !options_.output || i >= kMostPictured ? -1
+                        : i == 0                               ? kPicturesOnTheWay
+                                                               : 0;
+    if (options_.output) {
+      slot.traced = true;
+      slot.good = slot.trace.open(fmt::format("{}/run-{}.stigp", *options_.output, seed));
+      if (slot.good) settings.trace = &slot.trace.begin(trace_header(scene_, *placed));
+    }
+    TrialHooks hooks;
+    hooks.stop = &stop_requested();
+    hooks.progress = [this, i](double time, std::size_t bricks) { show(i, time, bricks); };
+    slot.trial = run_trial(target_, scene_, *placed, settings, hooks);
+    if (settings.trace != nullptr) slot.good = slot.trace.commit();
+    shares_[i] = 1;
+    ++done_;
+  }
+
+  /// How far a run is: by bricks or by time, whichever is more.
+  void show(std::size_t i, double time, std::size_t bricks) {
+    const std::size_t start = target_.rules->start.size();
+    const auto wanted = static_cast<double>(std::max<std::size_t>(1, target_.whole.size() - start));
+    const double built = bricks > start ? static_cast<double>(bricks - start) / wanted : 0;
+    shares_[i] = std::clamp(std::max(built * 0.98, time / duration_), 0.0, 1.0);
+    double sum = 0;
+    for (const std::atomic<double>& share : shares_) sum += share;
+    progress_.show(sum / static_cast<double>(slots_.size()),
+                   slots_.size() == 1 ? fmt::format("{:.0f} s, {} of {} bricks", time, bricks,
+                                                    target_.whole.size())
+                                      : fmt::format("{} of {} runs", done_.load(), slots_.size()));
+  }
+
+  TrialBatch collect() {
+    TrialBatch out;
+    for (Slot& slot : slots_) {
+      if (slot.diagnostics.has_errors() && !out.diagnostics.has_errors()) {
+        out.diagnostics = slot.diagnostics;
+      }
+      if (slot.trial) out.trials.push_back(std::move(*slot.trial));
+      if (!slot.traced) continue;
+      if (slot.good) {
+        out.written.push_back(slot.trace.path());
+      } else {
+        out.complaints.push_back(slot.trace.error());
+      }
+    }
+    return out;
+  }
+
+  const BuildTarget& target_;
+  const Scene& scene_;
+  const ValidateOptions& options_;
+  double duration_;
+  Progress progress_;
+  std::vector<Slot> slots_;
+  std::vector<std::atomic<double>> shares_;
+  std::atomic<std::size_t> done_{0};
+};
+
+}  // namespace
+
+TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
+                      double duration, const App& app) {
+  return Batch(target, scene, options, duration, app).run();
+}
+
+}  // namespace stig

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Trials of many seeds on all cores; results in the order of seeds, the same for any number of
+// threads.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app.h"
+#include "base/diagnostic.h"
+#include "physical/scene.h"
+#include "validate/trial.h"
+
+namespace stig {
+
+struct TrialBatch {
+  std::vector<Trial> trials;            ///< of runs that could begin
+  Diagnostics diagnostics;              ///< of those that could not
+  std::vector<std::string> written;     ///< traces
+  std::vector<std::string> complaints;  ///< of traces that could not be written
+};
+
+/// Traces go to `folder` as run-SEED.stigp, when there is one.
+TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
+                      double duration, const App& app);
+
+}  // namespace stig
