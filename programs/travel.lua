@@ -1,0 +1,93 @@
+-- SPDX-License-Identifier: MIT
+-- How a robot that builds gets about: straight on where it can, round the structure, back and aside
+-- where something stands in the way.
+
+local robotics = require 'robotics'
+local handling = require 'handling'
+local lattice = require 'lattice'
+local travel = {}
+
+local LOOK_TIME = 1.0          -- s
+local DRIVE_LOW = 0.020        -- height of the lift at which the front rangefinder sees columns of two
+local CLEAR_OF = 0.26          -- m, from the outermost brick, to go round the structure
+local TOO_NEAR = 0.165         -- of a way past a brick
+local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
+travel.CLEAR_OF = CLEAR_OF
+
+-- How near the straight way to x, y comes to the structure's middle.
+local function way_past(x, y)
+   local dx, dy = x - robotics.pose.x, y - robotics.pose.y
+   local square = dx * dx + dy * dy
+   local t = 0
+   if square > 0 then
+      t = ((lattice.known.x - robotics.pose.x) * dx + (lattice.known.y - robotics.pose.y) * dy) / square
+   end
+   t = robotics.clamp(t, 0, 1)
+   return math.sqrt((robotics.pose.x + t * dx - lattice.known.x) ^ 2 +
+                    (robotics.pose.y + t * dy - lattice.known.y) ^ 2)
+end
+
+-- Straight to a place; back, aside and on where something stands in the way.
+function travel.straight_to(x, y)
+   if not handling.carrying then handling.lift_to(DRIVE_LOW) end
+   for _ = 1, 6 do
+      handling.go_to(x, y, nil, handling.blocked)
+      local dx, dy = x - robotics.pose.x, y - robotics.pose.y
+      if dx * dx + dy * dy < 0.02 ^ 2 then return true end
+      handling.go_by(-0.08, 0.1)
+      handling.wait(math.random() * 4)
+      handling.turn_by(math.random() < 0.5 and 1 or -1)
+      local pose = robotics.pose
+      handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, 0.15, 0.1, handling.blocked)
+   end
+   return false
+end
+
+-- To a place, round the structure where it is in the way.
+function travel.to(x, y)
+   if lattice.known and way_past(x, y) < lattice.known.reach + TOO_NEAR then
+      local radius = lattice.known.reach + CLEAR_OF
+      local function angle_of(px, py) return math.atan(py - lattice.known.y, px - lattice.known.x) end
+      local goal = angle_of(x, y)
+      for _ = 1, 8 do
+         local at = angle_of(robotics.pose.x, robotics.pose.y)
+         local left = robotics.wrap(goal - at)
+         local away = math.sqrt((robotics.pose.x - lattice.known.x) ^ 2 +
+                                (robotics.pose.y - lattice.known.y) ^ 2)
+         if math.abs(left) < 0.3 or
+            (away > radius - 0.03 and way_past(x, y) >= lattice.known.reach + TOO_NEAR) then break end
+         local to = at + robotics.clamp(left, -math.pi / 4, math.pi / 4)
+         travel.straight_to(lattice.known.x + radius * math.cos(to), lattice.known.y + radius * math.sin(to))
+      end
+   end
+   return travel.straight_to(x, y)
+end
+
+-- On a search: what is seen of the structure meanwhile keeps its place known, and it is not come
+-- near.
+function travel.wander(x, y)
+   local structure = lattice.in_memory()
+   if lattice.known and structure then lattice.remember(structure) end
+   local off = lattice.known and lattice.apart(lattice.known, { x = x, y = y })
+   if off and off < lattice.known.reach + CLEAR_OF then
+      local out = (lattice.known.reach + CLEAR_OF) / math.max(off, 1e-3)
+      x, y = lattice.known.x + out * (x - lattice.known.x), lattice.known.y + out * (y - lattice.known.y)
+   end
+   return travel.to(x, y)
+end
+
+-- Looks at a place in memory from a little away. Whether `found()` says something.
+function travel.look_again(place, found)
+   local dx, dy = place.x - robotics.pose.x, place.y - robotics.pose.y
+   local away = math.sqrt(dx * dx + dy * dy)
+   if away > FAR_LOOK + 0.02 then
+      local share = (away - FAR_LOOK) / away
+      travel.to(robotics.pose.x + share * dx, robotics.pose.y + share * dy)
+      away = FAR_LOOK
+   end
+   handling.lift_to(away > 0.27 and robotics.profile.lift_top - 0.0015 or 0.070)
+   handling.turn_to(math.atan(place.y - robotics.pose.y, place.x - robotics.pose.x))
+   return handling.wait_until(found, LOOK_TIME)
+end
+
+return travel
