@@ -17,44 +17,31 @@ Mat3 turned(const Mat3& r, const Mat3& inertia) {
   return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};
 }
 
-/// A part where it is now.
-struct Weight {
-  double mass;
-  Vec3 centre;  ///< of mass, from the part's origin, world axes
-  Mat3 inertia;
-};
-
-Weight weight_of(const Articulation& it, std::size_t part) {
+PartWeight weight_of(const Articulation& it, std::size_t part) {
   const Mat3 r = matrix(it.poses[part].q);
   return {it.parts[part].mass, r * it.parts[part].centre, turned(r, it.parts[part].inertia)};
 }
 
-/// Adds a part's share of the mass matrix: m v·v + w·I w over its columns.
+/// Adds a part's share of the mass matrix's lower half: m v·v + w·I w over its columns.
 void add_mass(const Articulation& it, std::size_t part, std::vector<double>& out) {
-  const Weight weight = weight_of(it, part);
+  const PartWeight& weight = it.weights[part];
   const Twist* columns = it.columns_of(part);
   const std::size_t n = it.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    if (columns[i].v == Vec3{} && columns[i].w == Vec3{}) continue;
+  for (const std::uint32_t i : it.chains[part]) {
     const Vec3 p = (columns[i].v + cross(columns[i].w, weight.centre)) * weight.mass;
     // Momentum and angular momentum about the part's origin.
     const Vec3 l = weight.inertia * columns[i].w + cross(weight.centre, p);
-    for (std::size_t k = 0; k <= i; ++k) {
+    for (const std::uint32_t k : it.chains[part]) {
+      if (k > i) break;
       out[i * n + k] += dot(p, columns[k].v) + dot(l, columns[k].w);
     }
   }
 }
 
-std::vector<double> mass_matrix(const Articulation& it) {
-  std::vector<double> out(it.size() * it.size());
-  for (std::size_t part = 0; part < it.parts.size(); ++part) add_mass(it, part, out);
-  return out;
-}
-
 Twist motion_of(const Articulation& it, std::size_t part) {
   Twist sum;
   const Twist* columns = it.columns_of(part);
-  for (std::size_t i = 0; i < it.size(); ++i) {
+  for (const std::uint32_t i : it.chains[part]) {
     sum.v += columns[i].v * it.v[i];
     sum.w += columns[i].w * it.v[i];
   }
@@ -64,8 +51,8 @@ Twist motion_of(const Articulation& it, std::size_t part) {
 Momentum momentum_of(const Articulation& it) {
   Momentum sum;
   for (std::size_t part = 0; part < it.parts.size(); ++part) {
-    const Weight weight = weight_of(it, part);
-    const Twist motion = motion_of(it, part);
+    const PartWeight& weight = it.weights[part];
+    const Twist& motion = it.motions[part];
     const Vec3 p = (motion.v + cross(motion.w, weight.centre)) * weight.mass;
     sum.linear += p;
     sum.angular += weight.inertia * motion.w + cross(it.poses[part].p + weight.centre, p);
@@ -80,7 +67,7 @@ Momentum gather(const Articulation& it, const std::vector<Body>& bodies, std::ve
     const Body& body = bodies[link.body];
     const Vec3 torque = body.torque + cross(body.p - it.poses[link.part].p, body.force);
     const Twist* columns = it.columns_of(link.part);
-    for (std::size_t i = 0; i < out.size(); ++i) {
+    for (const std::uint32_t i : it.chains[link.part]) {
       out[i] += dot(body.force, columns[i].v) + dot(torque, columns[i].w);
     }
     sum.linear += body.force;
@@ -89,17 +76,40 @@ Momentum gather(const Articulation& it, const std::vector<Body>& bodies, std::ve
   return sum;
 }
 
-/// dt M⁻¹ (force - c(v)).
-std::vector<double> response(const Articulation& it, const std::vector<double>& force,
-                             const std::vector<double>& v, double dt) {
+/// How columns that move with a body change: of s, which moves with m.
+Twist carried(const Twist& m, const Twist& s) {
+  return {cross(m.w, s.v) + cross(m.v, s.w), cross(m.w, s.w)};
+}
+
+/// Adds a part's share of the Coriolis and centrifugal forces: what its mass and inertia make of
+/// the acceleration that it has while generalised velocities stay the same.
+void add_coriolis(const Articulation& it, std::size_t part, const std::vector<double>& v,
+                  std::vector<double>& out) {
+  const auto [motion, change] = part_motion(it, part, v);
+  const PartWeight& weight = it.weights[part];
+  const Vec3 a =
+      change.v + cross(change.w, weight.centre) + cross(motion.w, cross(motion.w, weight.centre));
+  const Vec3 force = a * weight.mass;
+  const Vec3 torque = weight.inertia * change.w + cross(motion.w, weight.inertia * motion.w) +
+                      cross(weight.centre, force);
+  const Twist* columns = it.columns_of(part);
+  for (const std::uint32_t i : it.chains[part]) {
+    out[i] += dot(force, columns[i].v) + dot(torque, columns[i].w);
+  }
+}
+
+/// dt M⁻¹ (force - c(v)); `left` is of use to nobody else.
+void respond(const Articulation& it, const std::vector<double>& force, const std::vector<double>& v,
+             double dt, std::vector<double>& left, std::vector<double>& out) {
   const std::size_t n = it.size();
-  std::vector<double> left(n), out(n);
-  it.mechanism->coriolis(v.data(), left.data());
+  left.assign(n, 0);
+  for (std::size_t part = 0; part < it.parts.size(); ++part) add_coriolis(it, part, v, left);
   for (std::size_t i = 0; i < n; ++i) left[i] = (force[i] - left[i]) * dt;
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < n; ++k) out[i] += it.inverse[i * n + k] * left[k];
+    double sum = 0;
+    for (std::size_t k = 0; k < n; ++k) sum += it.inverse[i * n + k] * left[k];
+    out[i] = sum;
   }
-  return out;
 }
 
 /// Changes the velocity of the floating first part so that the momentum is as given.
@@ -109,7 +119,7 @@ void put_right(Articulation& it, const Momentum& wanted) {
   std::vector<double> matrix(36),
       change{linear.x, linear.y, linear.z, angular.x, angular.y, angular.z};
   for (std::size_t part = 0; part < it.parts.size(); ++part) {
-    const Weight weight = weight_of(it, part);
+    const PartWeight& weight = it.weights[part];
     const Twist* columns = it.columns_of(part);
     for (std::size_t k = 0; k < 6; ++k) {
       const Vec3 p = (columns[k].v + cross(columns[k].w, weight.centre)) * weight.mass;
@@ -120,6 +130,7 @@ void put_right(Articulation& it, const Momentum& wanted) {
   }
   solve_linear(matrix, change);
   for (std::size_t i = 0; i < 6; ++i) it.v[i] += change[i];
+  note_motions(it);
 }
 
 double motor_target(const Articulation& it, std::size_t i, double dt) {
@@ -136,6 +147,26 @@ bool has_motor(const DofDef& dof) {
 
 }  // namespace
 
+// The columns of a floating first part turn with it, and so add nothing but that its velocity
+// turns; every other stands still in the body that its joint begins at.
+PartMotion part_motion(const Articulation& it, std::size_t part, const std::vector<double>& v) {
+  const Twist* columns = it.columns_of(part);
+  const std::size_t free = it.floating ? 6 : 0;
+  PartMotion out;
+  for (const std::uint32_t i : it.chains[part]) {
+    const Twist own{columns[i].v * v[i], columns[i].w * v[i]};
+    if (i >= free) {
+      const Twist more = carried(out.motion, own);
+      out.change.v += more.v;
+      out.change.w += more.w;
+    }
+    out.motion.v += own.v;
+    out.motion.w += own.w;
+  }
+  out.change.v += cross(out.motion.w, out.motion.v);
+  return out;
+}
+
 void place_bodies(const Articulation& it, std::vector<Body>& bodies) {
   for (const LinkBody& link : it.links) {
     Body& body = bodies[link.body];
@@ -148,31 +179,37 @@ void place_bodies(const Articulation& it, std::vector<Body>& bodies) {
 }
 
 void set_body_velocities(const Articulation& it, std::vector<Body>& bodies) {
-  std::vector<Twist> motions;
-  for (std::size_t part = 0; part < it.parts.size(); ++part) motions.push_back(motion_of(it, part));
   for (const LinkBody& link : it.links) {
     Body& body = bodies[link.body];
-    const Twist& motion = motions[link.part];
+    const Twist& motion = it.motions[link.part];
     body.w = motion.w;
     body.v = motion.v + cross(motion.w, body.p - it.poses[link.part].p);
   }
 }
 
+void note_motions(Articulation& it) {
+  it.motions.resize(it.parts.size());
+  for (std::size_t part = 0; part < it.parts.size(); ++part) it.motions[part] = motion_of(it, part);
+}
+
 void refresh(Articulation& it) {
-  it.mechanism->set(it.q.data(), it.v.data());
+  it.mechanism->set_positions(it.q.data());
   it.columns.resize(it.parts.size() * it.size());
   it.poses.resize(it.parts.size());
+  it.weights.resize(it.parts.size());
   for (std::size_t part = 0; part < it.parts.size(); ++part) {
     it.poses[part] = it.mechanism->pose(part);
     it.mechanism->columns(part, &it.columns[part * it.size()]);
+    it.weights[part] = weight_of(it, part);
   }
+  note_motions(it);
 }
 
 void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
   const std::size_t n = it.size();
-  refresh(it);
-  it.inverse = mass_matrix(it);
-  std::vector<double> force(n);
+  it.inverse.assign(n * n, 0);
+  for (std::size_t part = 0; part < it.parts.size(); ++part) add_mass(it, part, it.inverse);
+  std::vector<double> force(n), middle = it.v, scratch;
   const Momentum outer = gather(it, bodies, force);
   for (std::size_t i = 0; i < n; ++i) {
     const DofDef& dof = it.dofs[i];
@@ -186,11 +223,12 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
   it.momentum = momentum_of(it);
   it.momentum.linear += outer.linear * dt;
   it.momentum.angular += outer.angular * dt;
-  it.kick = response(it, force, it.v, dt);
-  std::vector<double> middle = it.v;
+  it.kick.resize(n);
+  respond(it, force, it.v, dt, scratch, it.kick);
   for (std::size_t i = 0; i < n; ++i) middle[i] += it.kick[i] / 2;
-  it.kick = response(it, force, middle, dt);
+  respond(it, force, middle, dt, scratch, it.kick);
   for (std::size_t i = 0; i < n; ++i) it.v[i] += it.kick[i];
+  note_motions(it);
   it.held = false;
   if (it.floating) it.kicked = momentum_of(it);
 }

@@ -4,7 +4,7 @@
 //
 //     M(q) dv/dt + c(q, v) + D v = Jᵀ F + τ
 //
-// with DART's kinematics and Coriolis forces c. Of what hangs in the world, positions and
+// with DART's kinematics. Of what hangs in the world, positions and
 // velocities leap over each other (pendulums keep their energy); of what flies, positions go
 // with the mean of the velocities (falling is exact). c is taken at the middle of the velocities'
 // step (second order), viscous friction D at its end, so that it never overshoots. Of a mechanism
@@ -30,6 +30,13 @@ struct LinkBody {
   Pose X_PB;  ///< in the part
 };
 
+/// A part where it is now.
+struct PartWeight {
+  double mass = 0;
+  Vec3 centre;   ///< of mass, from the part's origin, world axes
+  Mat3 inertia;  ///< about that centre, world axes
+};
+
 struct AxisState {
   double target = 0;  ///< of the actuator
   double motor = 0;   ///< impulse of the last step
@@ -46,17 +53,22 @@ struct Articulation {
   std::vector<LinkBody> links;
   bool floating = false;
   std::shared_ptr<Mechanism> mechanism;
+  std::vector<std::vector<std::uint32_t>> chains;  ///< degrees of freedom that move each part
 
   // By place in q and v; a floating first part has the first six.
   std::vector<DofDef> dofs;
   std::vector<AxisState> axes;
   std::vector<double> q, v;
 
+  // Of the positions q.
+  std::vector<Pose> poses;          ///< of the parts
+  std::vector<Twist> columns;       ///< parts × dofs: see Mechanism::columns
+  std::vector<PartWeight> weights;  ///< of the parts
+  std::vector<Twist> motions;       ///< of the parts' origins, for v
+
   // Of this step.
   std::vector<double> kick, way;
   std::vector<double> inverse;  ///< of M + D dt, dofs × dofs
-  std::vector<Pose> poses;      ///< of the parts
-  std::vector<Twist> columns;   ///< parts × dofs: see Mechanism::columns
   Momentum momentum;            ///< that it should have after the step, but for contacts
   Momentum kicked;              ///< with the forces' velocities, where it stood
   bool held = false;            ///< by contacts, motors or stops
@@ -78,12 +90,22 @@ struct Articulations {
 /// Of the joints from number `first` on; those before must not share bodies with them.
 void add_articulations(const WorldConfig& config, std::size_t first, Articulations& out);
 
-/// Poses and velocities of the bodies, from positions and velocities.
+/// How a part's origin moves at generalised velocities v, and how that would change if they stayed
+/// the same.
+struct PartMotion {
+  Twist motion, change;
+};
+PartMotion part_motion(const Articulation& articulation, std::size_t part,
+                       const std::vector<double>& v);
+
+/// Poses and velocities of the bodies, from those of the parts.
 void place_bodies(const Articulation& articulation, std::vector<Body>& bodies);
 void set_body_velocities(const Articulation& articulation, std::vector<Body>& bodies);
 
 /// Takes positions and velocities anew, after they were set from outside.
 void refresh(Articulation& articulation);
+/// Takes the velocities anew.
+void note_motions(Articulation& articulation);
 /// Adds to velocities what the forces on the bodies do in a step.
 void kick(Articulation& articulation, const std::vector<Body>& bodies, double dt);
 /// Moves with the velocities that the solver has left.

@@ -82,6 +82,7 @@ class Builder {
     }
     it_.mechanism = make_mechanism(it_.parts);
     assert(it_.mechanism && it_.mechanism->dofs() == it_.q.size());
+    note_chains();
     if (it_.floating) {
       const BodyDef& def = config_.bodies[it_.links[0].body];
       it_.mechanism->place({def.X_WB.p, normalised(def.X_WB.q)}, {def.velocity, def.spin},
@@ -92,6 +93,19 @@ class Builder {
   }
 
  private:
+  /// A part moves with the degrees of freedom of its parent and its own, which follow them.
+  void note_chains() {
+    std::uint32_t next = 0;
+    for (const Part& part : it_.parts) {
+      std::vector<std::uint32_t> chain;
+      if (part.parent >= 0) chain = it_.chains[static_cast<std::size_t>(part.parent)];
+      const std::size_t own = part.floating ? 6 : part.dofs.size();
+      for (std::size_t i = 0; i < own; ++i) chain.push_back(next++);
+      it_.chains.push_back(std::move(chain));
+    }
+    assert(next == it_.q.size());
+  }
+
   int start(Part& part, std::uint32_t body) {
     const BodyDef& def = config_.bodies[body];
     part.mass = def.mass;

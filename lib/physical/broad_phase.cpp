@@ -7,24 +7,19 @@ namespace stig {
 
 namespace {
 
-bool overlap(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 bool same_cell(const CellEntry& a, const CellEntry& b) { return a.x == b.x && a.y == b.y; }
 
 }  // namespace
 
-std::vector<CellEntry> cells_of(const std::vector<std::uint32_t>& bodies,
+std::vector<CellEntry> cells_of(const std::vector<std::uint32_t>& things,
                                 const std::vector<Bounds>& bounds, double cell) {
   std::vector<CellEntry> out;
-  out.reserve(bodies.size() * 4);
+  out.reserve(things.size() * 4);
   const auto at = [cell](double x) { return static_cast<std::int32_t>(std::floor(x / cell)); };
-  for (const std::uint32_t body : bodies) {
-    const Bounds& box = bounds[body];
+  for (const std::uint32_t thing : things) {
+    const Bounds& box = bounds[thing];
     for (std::int32_t x = at(box.low.x); x <= at(box.high.x); ++x) {
-      for (std::int32_t y = at(box.low.y); y <= at(box.high.y); ++y) out.push_back({x, y, body});
+      for (std::int32_t y = at(box.low.y); y <= at(box.high.y); ++y) out.push_back({x, y, thing});
     }
   }
   std::sort(out.begin(), out.end());
@@ -33,17 +28,16 @@ std::vector<CellEntry> cells_of(const std::vector<std::uint32_t>& bodies,
 
 std::vector<std::pair<std::uint32_t, std::uint32_t>> candidate_pairs(
     const std::vector<CellEntry>& moving, const std::vector<CellEntry>& resting,
-    const std::vector<Bounds>& bounds, const std::vector<std::int32_t>& groups) {
+    const std::vector<Bounds>& bounds) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
   const auto consider = [&](std::uint32_t a, std::uint32_t b) {
-    if (!groups.empty() && groups[a] >= 0 && groups[a] == groups[b]) return;
     if (overlap(bounds[a], bounds[b])) out.push_back(std::minmax(a, b));
   };
   for (auto a = moving.begin(); a != moving.end(); ++a) {
-    for (auto b = a + 1; b != moving.end() && same_cell(*a, *b); ++b) consider(a->body, b->body);
+    for (auto b = a + 1; b != moving.end() && same_cell(*a, *b); ++b) consider(a->thing, b->thing);
     const CellEntry first{a->x, a->y, 0};
     auto b = std::lower_bound(resting.begin(), resting.end(), first);
-    for (; b != resting.end() && same_cell(*a, *b); ++b) consider(a->body, b->body);
+    for (; b != resting.end() && same_cell(*a, *b); ++b) consider(a->thing, b->thing);
   }
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());

@@ -55,19 +55,25 @@ Touch touch_sphere_box(const Placed& a, const Placed& b, double margin) {
   return single_touch(n, a.p, -depth[static_cast<std::size_t>(axis)] - a.shape.half.x, margin);
 }
 
-}  // namespace
-
-Shape Shape::cylinder(double radius, double height) {
-  Shape out{ShapeKind::cylinder, {radius, radius, height / 2}, {}};
+/// In a cylinder of radius 1 and height 2.
+std::shared_ptr<const Convex> unit_prism() {
   std::vector<Vec3> corners;
   for (int i = 0; i < kSides; ++i) {
     const double a = 2 * kPi * i / kSides;
-    const Vec3 rim{radius * std::cos(a), radius * std::sin(a), height / 2};
+    const Vec3 rim{std::cos(a), std::sin(a), 1};
     corners.push_back(rim);
-    corners.push_back({rim.x, rim.y, -rim.z});
+    corners.push_back({rim.x, rim.y, -1});
   }
-  out.convex = convex_of(corners);
-  return out;
+  return convex_of(corners);
+}
+
+}  // namespace
+
+Shape Shape::cylinder(double radius, double height) {
+  // A hull takes a millisecond to find, and a crowd of robots has hundreds of cylinders.
+  static const std::shared_ptr<const Convex> kPrism = unit_prism();
+  const Vec3 half{radius, radius, height / 2};
+  return {ShapeKind::cylinder, half, stretched(*kPrism, half)};
 }
 
 Shape Shape::hull(const std::vector<Vec3>& points) {

@@ -100,6 +100,28 @@ std::shared_ptr<const Convex> convex_of(const std::vector<Vec3>& points) {
   return out;
 }
 
+std::shared_ptr<const Convex> stretched(const Convex& convex, const Vec3& by) {
+  if (!is_finite(by) || !(std::min({by.x, by.y, by.z}) > 0)) return nullptr;
+  auto out = std::make_shared<Convex>(convex);
+  out->radius = 0;
+  for (Vec3& p : out->points) {
+    p = scaled(p, by);
+    out->radius = std::max(out->radius, length(p));
+  }
+  for (ConvexFace& face : out->faces) {
+    face.normal = normalised(scaled(face.normal, {1 / by.x, 1 / by.y, 1 / by.z}));
+    face.level = dot(face.normal, out->points[face.corners[0]]);
+  }
+  for (Vec3& direction : out->directions) direction = normalised(scaled(direction, by));
+  out->half = scaled(out->half, by);
+  const double larger = by.x * by.y * by.z;
+  out->volume *= larger;
+  out->centre = scaled(out->centre, by);
+  out->squares = scaled(out->squares, scaled(by, by)) * larger;
+  out->products = scaled(out->products, {by.y * by.z, by.z * by.x, by.x * by.y}) * larger;
+  return out;
+}
+
 PrincipalHull principal_hull(const std::vector<Vec3>& points) {
   const HullMass mass = hull_mass(points);
   assert(mass.volume > 0);

@@ -36,6 +36,9 @@ struct Convex {
 /// out.
 std::shared_ptr<const Convex> convex_of(const std::vector<Vec3>& points);
 
+/// A hull stretched along the axes. Null where the factors are not finite and positive.
+std::shared_ptr<const Convex> stretched(const Convex& convex, const Vec3& by);
+
 /// The points of a hull about its centre of mass, along its principal axes, and its moments
 /// of inertia for a density of 1.
 struct PrincipalHull {

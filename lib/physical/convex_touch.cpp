@@ -2,6 +2,7 @@
 // Hulls against hulls, boxes and balls: separating axes and clipping, as boxes among themselves
 // (box_touch.cpp), for any number of faces.
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "physical/touch_points.h"
@@ -98,17 +99,29 @@ void consider_edges(Axis& best, const Solid& a, const Solid& b, double margin) {
   if (edges.gap > best.gap + kFacePreference) best = edges;
 }
 
-/// The part of the polygon where n·p <= limit.
-void clip(std::vector<Vec3>& polygon, const Vec3& n, double limit) {
-  std::vector<Vec3> out;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Vec3& p = polygon[i];
-    const Vec3& q = polygon[(i + 1) % polygon.size()];
-    const double dp = dot(n, p) - limit, dq = dot(n, q) - limit;
-    if (dp <= 0) out.push_back(p);
-    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) out.push_back(p + (q - p) * (dp / (dp - dq)));
+/// A convex polygon of which each plane cuts one corner off and makes two.
+struct CutFace {
+  std::array<Vec3, 2 * kMostHullPoints> p;
+  std::size_t count = 0;
+
+  void add(const Vec3& corner) {
+    assert(count < p.size());
+    p[count++] = corner;
   }
-  polygon = std::move(out);
+};
+
+/// The part of the polygon where n·p <= limit.
+void clip(CutFace& polygon, const Vec3& n, double limit) {
+  CutFace out;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Vec3& p = polygon.p[i];
+    const Vec3& q = polygon.p[(i + 1) % polygon.count];
+    const double dp = dot(n, p) - limit, dq = dot(n, q) - limit;
+    if (dp <= 0) out.add(p);
+    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) out.add(p + (q - p) * (dp / (dp - dq)));
+  }
+  polygon.count = out.count;
+  std::copy_n(out.p.begin(), out.count, polygon.p.begin());
 }
 
 /// The face of `other` that looks at `reference`'s, clipped by that one's sides.
@@ -121,20 +134,22 @@ Touch touch_face(const Vec3& normal, const Solid& reference, const ConvexFace& f
     const double facing = dot(outward, other.normal(one));
     if (facing < least - 1e-9) least = facing, against = &one;
   }
-  std::vector<Vec3> polygon;
-  for (const std::uint16_t corner : against->corners) polygon.push_back(other.points[corner]);
+  CutFace polygon;
+  for (const std::uint16_t corner : against->corners) polygon.add(other.points[corner]);
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
     const Vec3 p = reference.points[face.corners[i]];
     const Vec3 q = reference.points[face.corners[(i + 1) % face.corners.size()]];
     const Vec3 side = normalised(cross(q - p, outward));
     clip(polygon, side, dot(side, p));
   }
-  std::vector<TouchPoint> points;
-  for (const Vec3& p : polygon) {
+  std::array<TouchPoint, 2 * kMostHullPoints> points;
+  int count = 0;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Vec3& p = polygon.p[i];
     const double gap = dot(outward, p) - reference.level(face, outward);
-    if (gap < margin) points.push_back({p - outward * (gap / 2), gap});
+    if (gap < margin) points[static_cast<std::size_t>(count++)] = {p - outward * (gap / 2), gap};
   }
-  return reduced(normal, points.data(), static_cast<int>(points.size()));
+  return reduced(normal, points.data(), count);
 }
 
 /// The middle of the edge along u that lies farthest along n.

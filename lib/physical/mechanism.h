@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The kinematics and Coriolis forces of a tree of rigid parts, by DART; what is made of
-// them (mass matrix, contacts, motors, time) is plain code in articulation.cpp.
+// The kinematics of a tree of rigid parts, by DART; what is made of them (mass matrix, Coriolis
+// forces, contacts, motors, time) is plain code in articulation.cpp. DART's own Coriolis forces
+// took a third of the time of a robot's step.
 //
 // An interface, so that one file alone knows DART and the library builds without it.
 #pragma once
@@ -36,14 +37,12 @@ class Mechanism {
   virtual std::size_t dofs() const = 0;
   /// The first six positions and velocities, those of a floating first part.
   virtual void place(const Pose& X_WP, const Twist& motion, double* q, double* v) = 0;
-  /// Positions and velocities that the next three answer for.
-  virtual void set(const double* q, const double* v) = 0;
+  /// Positions that all below answer for.
+  virtual void set_positions(const double* q) = 0;
   virtual Pose pose(std::size_t part) const = 0;
   /// Motion of the part's origin for unit velocity of each degree of freedom, world axes.
   virtual void columns(std::size_t part, Twist* out) const = 0;
-  /// Coriolis and centrifugal forces at a velocity, for the positions set.
-  virtual void coriolis(const double* v, double* out) = 0;
-  /// Moves positions with a velocity.
+  /// Moves positions, which are those set, with a velocity. They are to be set again.
   virtual void integrate(double* q, const double* v, double dt) = 0;
 };
 

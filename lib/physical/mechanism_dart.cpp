@@ -39,24 +39,23 @@ class DartMechanism final : public Mechanism {
 
   std::size_t dofs() const override { return skeleton_->getNumDofs(); }
   void place(const Pose& X_WP, const Twist& motion, double* q, double* v) override;
-  void set(const double* q, const double* v) override;
+  void set_positions(const double* q) override;
   Pose pose(std::size_t part) const override;
   void columns(std::size_t part, Twist* out) const override;
-  void coriolis(const double* v, double* out) override;
   void integrate(double* q, const double* v, double dt) override;
 
  private:
-  using Numbers = Eigen::Map<const Eigen::VectorXd>;
-  Numbers numbers(const double* x) const {
-    return {x, static_cast<Eigen::Index>(skeleton_->getNumDofs())};
-  }
+  using Six = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
+  /// Of the degrees of freedom of `singles_`.
+  std::size_t first() const { return floating_ == nullptr ? 0 : 6; }
   BodyNode* add_joint(BodyNode* parent, const Part& part, const std::string& name);
   BodyNode* add_dof(BodyNode* parent, const DofDef& dof, const std::string& name,
                     const Eigen::Isometry3d& before, const Eigen::Isometry3d& after);
 
   SkeletonPtr skeleton_;
-  bool floating_ = false;
-  std::vector<BodyNode*> nodes_;  ///< of the parts
+  FreeJoint* floating_ = nullptr;  ///< the first part's; it has the first six degrees of freedom
+  std::vector<Joint*> singles_;    ///< of one degree of freedom each, in their order
+  std::vector<BodyNode*> nodes_;   ///< of the parts
 };
 
 template <class JointType>
@@ -99,8 +98,7 @@ BodyNode* DartMechanism::add_joint(BodyNode* parent, const Part& part, const std
   return node;
 }
 
-DartMechanism::DartMechanism(const std::vector<Part>& parts)
-    : skeleton_(Skeleton::create()), floating_(parts[0].floating) {
+DartMechanism::DartMechanism(const std::vector<Part>& parts) : skeleton_(Skeleton::create()) {
   skeleton_->setGravity(Eigen::Vector3d::Zero());  // among the forces
   for (std::size_t i = 0; i < parts.size(); ++i) {
     const Part& part = parts[i];
@@ -109,22 +107,27 @@ DartMechanism::DartMechanism(const std::vector<Part>& parts)
     node->setInertia(Inertia(part.mass, eigen(part.centre), eigen(part.inertia)));
     nodes_.push_back(node);
   }
-}
-
-void DartMechanism::place(const Pose& X_WP, const Twist& motion, double* q, double* v) {
-  auto* joint = static_cast<FreeJoint*>(nodes_[0]->getParentJoint());
-  joint->setRelativeTransform(eigen(X_WP));
-  joint->setLinearVelocity(eigen(motion.v));
-  joint->setAngularVelocity(eigen(motion.w));
-  for (std::size_t i = 0; i < 6; ++i) {
-    q[i] = joint->getPosition(i);
-    v[i] = joint->getVelocity(i);
+  if (parts[0].floating) floating_ = static_cast<FreeJoint*>(nodes_[0]->getParentJoint());
+  for (std::size_t i = floating_ == nullptr ? 0 : 6; i < skeleton_->getNumDofs(); ++i) {
+    singles_.push_back(skeleton_->getDof(i)->getJoint());
   }
 }
 
-void DartMechanism::set(const double* q, const double* v) {
-  skeleton_->setPositions(numbers(q));
-  skeleton_->setVelocities(numbers(v));
+void DartMechanism::place(const Pose& X_WP, const Twist& motion, double* q, double* v) {
+  floating_->setRelativeTransform(eigen(X_WP));
+  floating_->setLinearVelocity(eigen(motion.v));
+  floating_->setAngularVelocity(eigen(motion.w));
+  for (std::size_t i = 0; i < 6; ++i) {
+    q[i] = floating_->getPosition(i);
+    v[i] = floating_->getVelocity(i);
+  }
+}
+
+// A joint at a time: a skeleton sets each degree of freedom alone, and each time tells all that
+// hangs on it.
+void DartMechanism::set_positions(const double* q) {
+  if (floating_ != nullptr) floating_->setPositionsStatic(Six(q));
+  for (std::size_t i = 0; i < singles_.size(); ++i) singles_[i]->setPosition(0, q[first() + i]);
 }
 
 Pose DartMechanism::pose(std::size_t part) const {
@@ -143,25 +146,16 @@ void DartMechanism::columns(std::size_t part, Twist* out) const {
   }
 }
 
-void DartMechanism::coriolis(const double* v, double* out) {
-  skeleton_->setVelocities(numbers(v));
-  const Eigen::VectorXd& forces = skeleton_->getCoriolisForces();
-  std::copy_n(forces.data(), dofs(), out);
-}
-
 void DartMechanism::integrate(double* q, const double* v, double dt) {
-  set(q, v);
-  if (floating_) {
-    // DART moves along the body's axes at the step's beginning: take those at its middle.
-    const Vec3 way = matrix(rotation(Vec3{v[0], v[1], v[2]} * (dt / 2))) * Vec3{v[3], v[4], v[5]};
-    Joint* joint = skeleton_->getJoint(0);
-    joint->setVelocity(3, way.x);
-    joint->setVelocity(4, way.y);
-    joint->setVelocity(5, way.z);
-  }
-  skeleton_->integratePositions(dt);
-  const Eigen::VectorXd after = skeleton_->getPositions();
-  std::copy_n(after.data(), dofs(), q);
+  for (std::size_t i = first(); i < dofs(); ++i) q[i] += v[i] * dt;
+  if (floating_ == nullptr) return;
+  // DART moves along the body's axes at the step's beginning: take those at its middle.
+  const Vec3 way = matrix(rotation(Vec3{v[0], v[1], v[2]} * (dt / 2))) * Vec3{v[3], v[4], v[5]};
+  Eigen::Matrix<double, 6, 1> motion;
+  motion << v[0], v[1], v[2], way.x, way.y, way.z;
+  const Eigen::Matrix<double, 6, 1> after = FreeJoint::convertToPositions(
+      FreeJoint::convertToTransform(Six(q)) * FreeJoint::convertToTransform(motion * dt));
+  std::copy_n(after.data(), 6, q);
 }
 
 }  // namespace

@@ -23,11 +23,6 @@ std::int64_t key(std::int32_t x, std::int32_t y) {
   return std::int64_t{y} * (std::int64_t{1} << 32) + x;
 }
 
-bool overlap(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 }  // namespace
 
 Bounds bounds_of(const Pose& X_WS, const Vec3& half) {

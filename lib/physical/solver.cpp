@@ -25,10 +25,12 @@ struct Point {
   double mass = 0, slide_mass = 0;  ///< impulse for a velocity change of 1 m/s, kg
   double push = 0;
   Vec3 slide;
+  Vec3 bend;                           ///< see bend(); along the surface
   double shift_target = 0, shift = 0;  ///< m/s and N·s, for what undoes overlaps
 };
 
 struct Patch {
+  std::uint32_t contact = 0;   ///< its place in the task
   std::uint32_t a = 0, b = 0;  ///< places of the bodies
   Vec3 normal;
   double friction = 0;
@@ -58,8 +60,10 @@ double effective_mass(const Point& point, const SolverBody& a, const SolverBody&
   return inverse > 0 ? 1 / inverse : 0;
 }
 
-Point make_point(const Contact& contact, const ContactPoint& from, const SolverBody& a,
-                 const SolverBody& b, double dt) {
+Point make_point(const SolverTask& task, std::uint32_t number, const ContactPoint& from) {
+  const Contact& contact = task.contacts[number];
+  const SolverBody &a = task.bodies[task.slots[number].first],
+                   &b = task.bodies[task.slots[number].second];
   Point point;
   point.arm_a = from.p_W - a.p;
   point.arm_b = from.p_W - b.p;
@@ -70,7 +74,9 @@ Point make_point(const Contact& contact, const ContactPoint& from, const SolverB
   point.slide_mass = std::min(effective_mass(point, a, b, t), effective_mass(point, a, b, s));
   point.push = from.push;
   point.slide = from.friction - contact.normal * dot(contact.normal, from.friction);
-  point.shift_target = least_shift(from.gap, dt);
+  point.shift_target = least_shift(from.gap, task.dt);
+  point.bend = bend(task, number, from.p_W);
+  point.bend -= contact.normal * dot(contact.normal, point.bend);
   return point;
 }
 
@@ -83,7 +89,7 @@ double relax(const Patch& patch, Point& point, SolverBody& a, SolverBody& b, dou
   const double most = std::max(0.0, point.push + lacking * point.mass);
   // Most points of a pile that falls carry nothing.
   if (most == 0 && point.push == 0) return 0;
-  Vec3 slide = point.slide - (v - n * along) * point.slide_mass;
+  Vec3 slide = point.slide - (v - n * along + point.bend) * point.slide_mass;
   const double limit = patch.friction * most, size = squared(slide);
   if (size > limit * limit) slide *= limit / std::sqrt(size);
   const double change = most - point.push;
@@ -108,25 +114,24 @@ void relax_shift(const Patch& patch, Point& point, SolverBody& a, SolverBody& b)
   b.way_w -= b.inverse_inertia * cross(point.arm_b, change);
 }
 
-Patches make_patches(const SolverTask& task, double part) {
-  Patches out;
-  out.patches.reserve(task.contacts.size());
-  out.points.reserve(task.contacts.size() * 4);
-  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
+void make_patches(const SolverTask& task, double part, Patches& out) {
+  out.patches.clear();
+  out.points.clear();
+  for (std::uint32_t c = 0; c < task.contacts.size(); ++c) {
+    if (needs_rows(task, c)) continue;
     const Contact& contact = task.contacts[c];
     const auto [a, b] = task.slots[c];
-    Patch patch{
-        a, b, contact.normal, contact.friction, static_cast<std::uint32_t>(out.points.size()), 0};
-    for (int i = 0; i < contact.count && !needs_rows(task, c); ++i) {
+    const auto begin = static_cast<std::uint32_t>(out.points.size());
+    Patch patch{c, a, b, contact.normal, contact.friction, begin, 0};
+    for (int i = 0; i < contact.count; ++i) {
       const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
-      out.points.push_back(make_point(contact, point, task.bodies[a], task.bodies[b], task.dt));
+      out.points.push_back(make_point(task, c, point));
       out.points.back().push *= part;
       out.points.back().slide *= part;
     }
     patch.end = static_cast<std::uint32_t>(out.points.size());
     out.patches.push_back(patch);
   }
-  return out;
 }
 
 void apply_last(Patches& all, std::vector<SolverBody>& bodies) {
@@ -181,6 +186,7 @@ void undo_overlaps(Patches& all, Rows& rows, SolverTask& task) {
 /// Adds a part of the step's forces, or of its way.
 void kick(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
+    if (body.link >= 0) continue;
     body.v += body.kick_v * part;
     body.w += body.kick_w * part;
   }
@@ -191,6 +197,7 @@ void kick(SolverTask& task, double part) {
 
 void go(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
+    if (body.link >= 0) continue;
     body.way_v += body.v * part;
     body.way_w += body.w * part;
   }
@@ -200,10 +207,9 @@ void go(SolverTask& task, double part) {
 }
 
 void keep_impulses(const Patches& all, SolverTask& task, double parts) {
-  for (std::size_t c = 0; c < task.contacts.size(); ++c) {
-    const Patch& patch = all.patches[c];
+  for (const Patch& patch : all.patches) {
     for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
-      ContactPoint& point = task.contacts[c].points[i - patch.begin];
+      ContactPoint& point = task.contacts[patch.contact].points[i - patch.begin];
       point.push = all.points[i].push * parts;
       point.friction = all.points[i].slide * parts;
     }
@@ -236,8 +242,11 @@ void warm_start(Contact& contact, const Contact& last) {
 void solve(SolverTask& task) {
   assert(task.slots.size() == task.contacts.size());
   const double parts = task.small_steps, dt = task.dt / parts;
-  Patches patches = make_patches(task, 1 / parts);
-  Rows rows = make_rows(task);
+  // Kept from step to step for their memory alone: to take it anew costs more than to fill it.
+  thread_local Patches patches;
+  thread_local Rows rows;
+  make_patches(task, 1 / parts, patches);
+  make_rows(task, rows);
   undo_overlaps(patches, rows, task);
   for (int step = 0; step < task.small_steps; ++step) {
     kick(task, 1 / parts);

@@ -15,6 +15,9 @@
 // them walls jitter. Overlaps of more than 50 µm are undone by a tenth a step, at most at
 // 0.05 m/s, by a shift that is no part of the velocities.
 //
+// Where faces touch, friction is about what they do at the middle of the step: velocities at its
+// beginning lead along tangents, and what a robot carries through a bend would creep outwards.
+//
 // Bodies of a mechanism move by its generalised velocities; its motors and stops are rows
 // of the same solver.
 #pragma once
@@ -83,6 +86,7 @@ struct SolverLink {
   std::uint32_t mechanism = 0;
   Vec3 p;                          ///< point that `columns` are about
   const Twist* columns = nullptr;  ///< for unit velocity of each degree of freedom
+  Vec3 w, change_v, change_w;      ///< its spin, and how the point and the spin accelerate
 };
 
 /// A motor or a stop: acts on one degree of freedom.

@@ -17,6 +17,16 @@ const SolverLink* link_of(const SolverTask& task, std::uint32_t body) {
   return link < 0 ? nullptr : &task.links[static_cast<std::size_t>(link)];
 }
 
+/// In two sums, of which neither waits for the other.
+double product(const double* a, const double* b, std::size_t n) {
+  double even = 0, odd = 0;
+  for (std::size_t i = 0; i + 1 < n; i += 2) {
+    even += a[i] * b[i];
+    odd += a[i + 1] * b[i + 1];
+  }
+  return n % 2 == 0 ? even + odd : even + odd + a[n - 1] * b[n - 1];
+}
+
 /// Appends J and W of a unit impulse along `d` at `p` (times `sign`); returns J·W.
 double add_hold(const SolverTask& task, const SolverLink& link, const Vec3& p, const Vec3& d,
                 double sign, Hold& hold, std::vector<double>& numbers) {
@@ -28,14 +38,10 @@ double add_hold(const SolverTask& task, const SolverLink& link, const Vec3& p, c
   for (std::size_t i = 0; i < n; ++i) {
     numbers[at + i] = sign * (dot(d, link.columns[i].v) + dot(arm, link.columns[i].w));
   }
-  double sum = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    double w = 0;
-    for (std::size_t k = 0; k < n; ++k) w += mechanism.inverse[i * n + k] * numbers[at + k];
-    numbers[at + n + i] = w;
-    sum += w * numbers[at + i];
-  }
-  return sum;
+  double* j = &numbers[at];
+  double* w = j + n;
+  for (std::size_t i = 0; i < n; ++i) w[i] = product(mechanism.inverse + i * n, j, n);
+  return product(w, j, n);
 }
 
 Row make_row(const SolverTask& task, const RowPoint& point, const Vec3& p, const Vec3& d,
@@ -59,6 +65,11 @@ Row make_row(const SolverTask& task, const RowPoint& point, const Vec3& p, const
   return row;
 }
 
+/// Whether its six numbers count: those of links and of the ground are zero.
+bool is_loose(const SolverBody& body) {
+  return body.inverse_mass > 0 || !(body.v == Vec3{}) || !(body.w == Vec3{});
+}
+
 /// The tangent that lies along the axle; some tangent when there is none, or it is upright.
 Vec3 first_tangent(const Contact& contact) {
   const Vec3 flat = contact.axle - contact.normal * dot(contact.axle, contact.normal);
@@ -74,6 +85,7 @@ RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t numbe
   point.contact = static_cast<std::uint32_t>(c);
   point.point = static_cast<std::uint32_t>(number);
   std::tie(point.a, point.b) = task.slots[c];
+  point.loose = is_loose(task.bodies[point.a]) || is_loose(task.bodies[point.b]);
   const Vec3 t = first_tangent(contact), s = cross(contact.normal, t);
   point.normal = make_row(task, point, from.p_W, contact.normal, numbers);
   point.first = make_row(task, point, from.p_W, t, numbers);
@@ -84,57 +96,63 @@ RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t numbe
   point.slide_second = dot(from.friction, s) * part;
   point.friction = contact.friction;
   point.axle_friction = contact.axle_friction;
+  const Vec3 way = bend(task, c, from.p_W);
+  point.bend_first = dot(way, t);
+  point.bend_second = dot(way, s);
   point.shift_target = least_shift(from.gap, task.dt);
   return point;
 }
 
-double along(const Row& row, const Rows& rows, const SolverTask& task,
-             const Vec3 SolverBody::*linear, const Vec3 SolverBody::*angular, const RowPoint& point,
-             double* SolverMechanism::*speeds) {
-  const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
-  double sum =
-      dot(row.d, a.*linear - b.*linear) + dot(row.arm_a, a.*angular) - dot(row.arm_b, b.*angular);
+/// Which numbers rows are about: velocities, or the shift that undoes overlaps.
+struct OfVelocities {
+  static constexpr auto kLinear = &SolverBody::v, kAngular = &SolverBody::w;
+  static double* speeds(const SolverMechanism& mechanism) { return mechanism.v; }
+};
+struct OfShifts {
+  static constexpr auto kLinear = &SolverBody::way_v, kAngular = &SolverBody::way_w;
+  static double* speeds(const SolverMechanism& mechanism) { return mechanism.way; }
+};
+
+template <class Of = OfVelocities>
+double along(const Row& row, const Rows& rows, const SolverTask& task, const RowPoint& point) {
+  double sum = 0;
+  if (point.loose) {
+    const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
+    sum = dot(row.d, a.*Of::kLinear - b.*Of::kLinear) + dot(row.arm_a, a.*Of::kAngular) -
+          dot(row.arm_b, b.*Of::kAngular);
+  }
   for (const Hold& hold : row.holds) {
     if (hold.mechanism < 0) continue;
     const SolverMechanism& mechanism = task.mechanisms[static_cast<std::size_t>(hold.mechanism)];
-    const double* j = &rows.numbers[hold.at];
-    const double* v = mechanism.*speeds;
-    for (std::size_t i = 0; i < mechanism.dofs; ++i) sum += j[i] * v[i];
+    sum += product(&rows.numbers[hold.at], Of::speeds(mechanism), mechanism.dofs);
   }
   return sum;
 }
 
-void push(const Row& row, const Rows& rows, SolverTask& task, Vec3 SolverBody::*linear,
-          Vec3 SolverBody::*angular, const RowPoint& point, double* SolverMechanism::*speeds,
-          double impulse) {
-  SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
-  a.*linear += row.d * (impulse * a.inverse_mass);
-  a.*angular += row.turn_a * impulse;
-  b.*linear -= row.d * (impulse * b.inverse_mass);
-  b.*angular -= row.turn_b * impulse;
-  for (const Hold& hold : row.holds) {
-    if (hold.mechanism < 0) continue;
-    SolverMechanism& mechanism = task.mechanisms[static_cast<std::size_t>(hold.mechanism)];
-    const double* w = &rows.numbers[hold.at + mechanism.dofs];
-    double* v = mechanism.*speeds;
-    for (std::size_t i = 0; i < mechanism.dofs; ++i) v[i] += w[i] * impulse;
-  }
-}
-
-double velocity(const Row& row, const Rows& rows, const SolverTask& task, const RowPoint& point) {
-  return along(row, rows, task, &SolverBody::v, &SolverBody::w, point, &SolverMechanism::v);
-}
-
+template <class Of = OfVelocities>
 void push(const Row& row, const Rows& rows, SolverTask& task, const RowPoint& point,
           double impulse) {
   if (impulse == 0) return;
-  push(row, rows, task, &SolverBody::v, &SolverBody::w, point, &SolverMechanism::v, impulse);
+  if (point.loose) {
+    SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
+    a.*Of::kLinear += row.d * (impulse * a.inverse_mass);
+    a.*Of::kAngular += row.turn_a * impulse;
+    b.*Of::kLinear -= row.d * (impulse * b.inverse_mass);
+    b.*Of::kAngular -= row.turn_b * impulse;
+  }
+  for (const Hold& hold : row.holds) {
+    if (hold.mechanism < 0) continue;
+    const SolverMechanism& mechanism = task.mechanisms[static_cast<std::size_t>(hold.mechanism)];
+    const double* w = &rows.numbers[hold.at + mechanism.dofs];
+    double* v = Of::speeds(mechanism);
+    for (std::size_t i = 0; i < mechanism.dofs; ++i) v[i] += w[i] * impulse;
+  }
 }
 
 /// Returns the change in velocity that was asked for.
 double relax_normal(RowPoint& point, const Rows& rows, SolverTask& task, double inverse_dt) {
   const double lacking =
-      -std::max(0.0, point.gap) * inverse_dt - velocity(point.normal, rows, task, point);
+      -std::max(0.0, point.gap) * inverse_dt - along(point.normal, rows, task, point);
   const double impulse = std::max(0.0, point.push + lacking * point.normal.mass);
   const double change = impulse - point.push;
   point.push = impulse;
@@ -150,14 +168,18 @@ double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
   const double part = point.axle_friction;
   // The same mass for both, so that sliding does not depend on how the tangents lie.
   const double mass = std::min(point.first.mass, point.second.mass);
-  double x = point.slide_first - velocity(point.first, rows, task, point) * mass * part * part;
-  double y = point.slide_second - velocity(point.second, rows, task, point) * mass;
+  const double first = along(point.first, rows, task, point) + point.bend_first;
+  const double second = along(point.second, rows, task, point) + point.bend_second;
+  double x = point.slide_first - first * mass * part * part;
+  double y = point.slide_second - second * mass;
   const double most = point.friction * point.push;
-  const double size = part > 0 ? std::hypot(x / part, y) : std::abs(y);
   if (part == 0) x = 0;
-  if (size > most) {
-    x *= most / size;
-    y *= most / size;
+  const double across = part > 0 ? x / part : 0;
+  const double size = across * across + y * y;
+  if (size > most * most) {
+    const double less = most / std::sqrt(size);
+    x *= less;
+    y *= less;
   }
   const double dx = x - point.slide_first, dy = y - point.slide_second;
   push(point.first, rows, task, point, dx);
@@ -167,7 +189,18 @@ double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
   return mass > 0 ? std::max(std::abs(dx), std::abs(dy)) / mass : 0;
 }
 
+/// Of a point of a body, while its velocities stay the same.
+Vec3 acceleration(const SolverTask& task, std::uint32_t body, const Vec3& p) {
+  if (const SolverLink* link = link_of(task, body)) {
+    const Vec3 arm = p - link->p;
+    return link->change_v + cross(link->change_w, arm) + cross(link->w, cross(link->w, arm));
+  }
+  const SolverBody& one = task.bodies[body];
+  return cross(one.w, cross(one.w, p - one.p));
+}
+
 void turn(const SolverAxis& axis, SolverTask& task, double impulse) {
+  if (impulse == 0) return;  // most stops are far away
   SolverMechanism& mechanism = task.mechanisms[axis.mechanism];
   const std::size_t n = mechanism.dofs;
   for (std::size_t i = 0; i < n; ++i) {
@@ -196,6 +229,12 @@ double relax_axis(SolverAxis& axis, SolverTask& task, double inverse_dt) {
 
 }  // namespace
 
+Vec3 bend(const SolverTask& task, std::size_t contact, const Vec3& p_W) {
+  const auto [a, b] = task.slots[contact];
+  if (a == 0 || b == 0 || task.contacts[contact].count < 3) return {};
+  return (acceleration(task, a, p_W) - acceleration(task, b, p_W)) * (task.dt / 2);
+}
+
 double least_shift(double gap, double dt) {
   if (gap > -kSlop) return -(gap + kSlop) / dt;
   return std::min(kCorrection * (-gap - kSlop) / dt, kMostRecovery);
@@ -207,8 +246,9 @@ bool needs_rows(const SolverTask& task, std::size_t contact) {
          !(task.contacts[contact].axle == Vec3{});
 }
 
-Rows make_rows(const SolverTask& task) {
-  Rows rows;
+void make_rows(const SolverTask& task, Rows& rows) {
+  rows.numbers.clear();
+  rows.points.clear();
   for (std::size_t c = 0; c < task.contacts.size(); ++c) {
     if (!needs_rows(task, c)) continue;
     for (std::size_t i = 0; i < static_cast<std::size_t>(task.contacts[c].count); ++i) {
@@ -220,7 +260,6 @@ Rows make_rows(const SolverTask& task) {
     axis.impulse /= task.small_steps;
     axis.most /= task.small_steps;
   }
-  return rows;
 }
 
 void apply_last_rows(const Rows& rows, SolverTask& task) {
@@ -249,7 +288,7 @@ void follow_row_gaps(Rows& rows, const SolverTask& task, double dt) {
     axis.gap += axis.side * task.mechanisms[axis.mechanism].v[axis.dof] * dt;
   }
   for (RowPoint& point : rows.points) {
-    point.gap += velocity(point.normal, rows, task, point) * dt;
+    point.gap += along(point.normal, rows, task, point) * dt;
   }
 }
 
@@ -261,11 +300,9 @@ bool overlapping(const Rows& rows) {
 void shift_rows(Rows& rows, SolverTask& task) {
   for (RowPoint& point : rows.points) {
     const Row& row = point.normal;
-    const double speed = along(row, rows, task, &SolverBody::way_v, &SolverBody::way_w, point,
-                               &SolverMechanism::way);
+    const double speed = along<OfShifts>(row, rows, task, point);
     const double impulse = std::max(0.0, point.shift + (point.shift_target - speed) * row.mass);
-    push(row, rows, task, &SolverBody::way_v, &SolverBody::way_w, point, &SolverMechanism::way,
-         impulse - point.shift);
+    push<OfShifts>(row, rows, task, point, impulse - point.shift);
     point.shift = impulse;
   }
 }

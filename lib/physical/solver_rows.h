@@ -28,8 +28,10 @@ struct RowPoint {
   Row normal, first, second;  ///< of the tangents, the first lies along the axle
   std::uint32_t contact = 0, point = 0;
   std::uint32_t a = 0, b = 0;
+  bool loose = false;  ///< a side is a free body, or a fixed one that moves
   double gap = 0, push = 0, slide_first = 0, slide_second = 0;
   double friction = 0, axle_friction = 1;
+  double bend_first = 0, bend_second = 0;  ///< see bend()
   double shift_target = 0, shift = 0;
 };
 
@@ -42,7 +44,7 @@ struct Rows {
 /// Whether the contact is one for this file.
 bool needs_rows(const SolverTask& task, std::size_t contact);
 
-Rows make_rows(const SolverTask& task);
+void make_rows(const SolverTask& task, Rows& rows);
 void apply_last_rows(const Rows& rows, SolverTask& task);
 /// One sweep; returns the largest change of velocity, m/s.
 double sweep_rows(Rows& rows, SolverTask& task, double inverse_dt);
@@ -51,6 +53,10 @@ bool overlapping(const Rows& rows);
 void shift_rows(Rows& rows, SolverTask& task);
 void keep_row_impulses(const Rows& rows, SolverTask& task);
 
+/// By how much two faces' velocities at a point, a against b, differ at the middle of the step
+/// from those at its beginning, as far as the point goes round; m/s. Where less than faces touch:
+/// none, since of what rolls other points touch by then.
+Vec3 bend(const SolverTask& task, std::size_t contact, const Vec3& p_W);
 /// Least normal velocity of the shift that undoes overlaps.
 double least_shift(double gap, double dt);
 

@@ -49,10 +49,8 @@ void add_magnets(WorldState& world, const BodyDef& def, std::uint32_t number) {
 /// Tells the bodies of an articulation that they are its links, and where they stand.
 void number_links(WorldState& world, std::size_t number) {
   const Articulation& articulation = world.articulations.all[number];
-  world.groups.resize(world.bodies.size(), -1);
   for (const LinkBody& link : articulation.links) {
-    world.bodies[link.body].articulation = world.groups[link.body] =
-        static_cast<std::int32_t>(number);
+    world.bodies[link.body].articulation = static_cast<std::int32_t>(number);
     world.bodies[link.body].part = static_cast<std::uint32_t>(link.part);
   }
   place_bodies(articulation, world.bodies);
@@ -219,7 +217,6 @@ void append(WorldState& world, const std::vector<BodyDef>& bodies,
   std::size_t next = world.articulations.all.size();
   add_articulations(world.config, first_joint, world.articulations);
   while (next < world.articulations.all.size()) number_links(world, next++);
-  if (!world.groups.empty()) world.groups.resize(world.bodies.size(), -1);
   world.changed = true;
   world.stock.reset();
 }

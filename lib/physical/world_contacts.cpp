@@ -65,6 +65,12 @@ Bounds bounds_of(const WorldState& world, const Body& body) {
           body.p + h + Vec3{up(step.x), up(step.y), up(step.z)}};
 }
 
+Bounds joined(const Bounds& a, const Bounds& b) {
+  return {
+      {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+      {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
+}
+
 /// Stands for the floor, as far as motion goes.
 const Body kAtRest{};
 
@@ -95,43 +101,89 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
   out.push_back(contact);
 }
 
-/// Contacts in which somebody takes part, in the order of (a, b).
-std::vector<Contact> find_contacts(WorldState& world) {
-  for (const std::uint32_t i : world.awake) {
-    world.bounds[i] = bounds_of(world, world.bodies[i]);
-  }
-  const auto pairs = candidate_pairs(cells_of(world.awake, world.bounds, world.cell),
-                                     world.resting_cells, world.bounds, world.groups);
-  std::vector<Contact> out;
-  out.reserve(pairs.size() + world.awake.size());
-  for (const auto& [a, b] : pairs) {
-    if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
-    add_contact(world, a, b, touch_bodies(world, world.bodies[a], world.bodies[b]), out);
-  }
-  if (world.config.floor) {
-    for (const std::uint32_t i : world.awake) {
-      if (world.bodies[i].fixed) continue;
-      const double margin = margin_of(world, world.bodies[i], kAtRest, kMostWay);
-      add_contact(world, i, kFloorBody, touch_floor(placed(world.bodies[i]), margin), out);
+/// The things of the grid that the bodies make, with their bounds.
+std::vector<std::uint32_t> things_of(WorldState& world, const std::vector<std::uint32_t>& bodies) {
+  std::vector<std::uint32_t> out;
+  for (const std::uint32_t i : bodies) {
+    const Articulation* it = articulation_of(world, i);
+    if (it != nullptr && it->links[0].body != i) continue;
+    Bounds& all = world.thing_bounds[i] = world.bounds[i];
+    if (it != nullptr) {
+      for (const LinkBody& link : it->links) all = joined(all, world.bounds[link.body]);
     }
+    out.push_back(i);
   }
   return out;
 }
 
-/// Takes over impulses of the last contacts; those among sleepers stay as they were.
-std::vector<Contact> merged(const WorldState& world, std::vector<Contact> found) {
+/// Calls with each body of a thing.
+template <class Each>
+void each_body(const WorldState& world, std::uint32_t thing, const Each& each) {
+  const std::int32_t number = world.bodies[thing].articulation;
+  if (number < 0) return each(thing);
+  const Articulation& it = world.articulations.all[static_cast<std::size_t>(number)];
+  for (const LinkBody& link : it.links) each(link.body);
+}
+
+/// Pairs a < b of bodies that may touch, one of them awake, in rising order.
+std::vector<BodyPair> near_pairs(WorldState& world) {
+  for (const std::uint32_t i : world.awake) {
+    world.bounds[i] = bounds_of(world, world.bodies[i]);
+  }
+  const auto moving = cells_of(things_of(world, world.awake), world.thing_bounds, world.cell);
+  std::vector<BodyPair> out;
+  for (const auto& pair : candidate_pairs(moving, world.resting_cells, world.thing_bounds)) {
+    each_body(world, pair.first, [&](std::uint32_t a) {
+      each_body(world, pair.second, [&](std::uint32_t b) {
+        const bool awake = world.bodies[a].awake || world.bodies[b].awake;
+        if (awake && overlap(world.bounds[a], world.bounds[b])) out.push_back(std::minmax(a, b));
+      });
+    });
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+void add_floor_contact(const WorldState& world, std::uint32_t i, std::vector<Contact>& out) {
+  const Body& body = world.bodies[i];
+  if (body.fixed) return;
+  const double margin = margin_of(world, body, kAtRest, kMostWay);
+  add_contact(world, i, kFloorBody, touch_floor(placed(body), margin), out);
+}
+
+/// Contacts in which somebody takes part, sorted: into world.found.
+void find_contacts(WorldState& world) {
+  const std::vector<BodyPair> pairs = near_pairs(world);
+  std::vector<Contact>& out = world.found;
+  out.clear();
+  auto next = world.config.floor ? world.awake.begin() : world.awake.end();
+  for (const auto& [a, b] : pairs) {
+    for (; next != world.awake.end() && *next < a; ++next) add_floor_contact(world, *next, out);
+    if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
+    add_contact(world, a, b, touch_bodies(world, world.bodies[a], world.bodies[b]), out);
+  }
+  for (; next != world.awake.end(); ++next) add_floor_contact(world, *next, out);
+}
+
+bool by_key(const Contact& a, const Contact& b) { return key(a) < key(b); }
+
+/// Takes over the contacts found, with impulses of the last; those among sleepers stay as they
+/// were.
+void merge_contacts(WorldState& world) {
+  std::vector<Contact>& out = world.merged;
+  out.clear();
+  auto next = world.found.begin();
+  const auto end = world.found.end();
   for (const Contact& old : world.contacts) {
-    if (!takes_part(world, old.a) && !takes_part(world, old.b)) found.push_back(old);
+    for (; next != end && by_key(*next, old); ++next) out.push_back(*next);
+    if (!takes_part(world, old.a) && !takes_part(world, old.b)) {
+      out.push_back(old);
+    } else if (next != end && key(*next) == key(old)) {
+      warm_start(*next, old);
+    }
   }
-  const auto by_key = [](const Contact& a, const Contact& b) { return key(a) < key(b); };
-  std::sort(found.begin(), found.end(), by_key);
-  auto last = world.contacts.begin();
-  for (Contact& contact : found) {
-    while (last != world.contacts.end() && by_key(*last, contact)) ++last;
-    if (last == world.contacts.end() || key(*last) != key(contact)) continue;
-    if (takes_part(world, contact.a) || takes_part(world, contact.b)) warm_start(contact, *last);
-  }
-  return found;
+  out.insert(out.end(), next, end);
+  std::swap(out, world.contacts);
 }
 
 /// By its speed before this step's forces: with them, everything at rest seems to fall.
@@ -148,21 +200,20 @@ bool sleeps(const WorldState& world, std::uint32_t i) {
 
 /// Sleepers that something fast touches, and those whose contact with a body that is awake
 /// has gone: it may have held them.
-std::vector<std::uint32_t> disturbed(const WorldState& world, const std::vector<Contact>& found) {
+std::vector<std::uint32_t> disturbed(const WorldState& world) {
   std::vector<std::uint32_t> out;
   const auto consider = [&](std::uint32_t one, std::uint32_t other, bool gone) {
     if (!sleeps(world, one) || other == kFloorBody || !world.bodies[other].awake) return;
     if (gone || wakes_others(world.bodies[other], world.config.sleep)) out.push_back(one);
   };
-  for (const Contact& contact : found) {
+  for (const Contact& contact : world.found) {
     consider(contact.a, contact.b, false);
     consider(contact.b, contact.a, false);
   }
   for (const Contact& old : world.contacts) {
-    const auto same = [&](const Contact& contact) { return key(contact) == key(old); };
     if (!takes_part(world, old.a) && !takes_part(world, old.b)) continue;
     if (!sleeps(world, old.a) && !sleeps(world, old.b)) continue;
-    if (std::any_of(found.begin(), found.end(), same)) continue;
+    if (std::binary_search(world.found.begin(), world.found.end(), old, by_key)) continue;
     consider(old.a, old.b, true);
     consider(old.b, old.a, true);
   }
@@ -188,18 +239,19 @@ void refresh_lists(WorldState& world) {
   world.awake.clear();
   world.resting.clear();
   world.bounds.resize(world.bodies.size());
+  world.thing_bounds.resize(world.bodies.size());
   for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     if (body.left) continue;
     (body.awake ? world.awake : world.resting).push_back(i);
     if (!body.awake) world.bounds[i] = bounds_of(world, body);
   }
-  world.resting_cells = cells_of(world.resting, world.bounds, world.cell);
+  world.resting_cells = cells_of(things_of(world, world.resting), world.thing_bounds, world.cell);
 }
 
 void update_contacts(WorldState& world) {
-  std::vector<Contact> found = find_contacts(world);
-  for (auto woken = disturbed(world, found); !woken.empty(); woken = disturbed(world, found)) {
+  find_contacts(world);
+  for (auto woken = disturbed(world); !woken.empty(); woken = disturbed(world)) {
     const std::vector<std::uint32_t> before = world.awake;
     for (const std::uint32_t i : woken) wake(world, i);
     refresh_lists(world);
@@ -208,9 +260,9 @@ void update_contacts(WorldState& world) {
         integrate_velocity(world, i);
       }
     }
-    found = find_contacts(world);
+    find_contacts(world);
   }
-  world.contacts = merged(world, std::move(found));
+  merge_contacts(world);
 }
 
 void report_contacts(WorldState& world) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <numeric>
 
+#include "physical/islands.h"
 #include "physical/world_state.h"
 
 namespace stig {
@@ -14,31 +14,14 @@ bool mobile(const WorldState& world, std::uint32_t i) {
   return i != kFloorBody && !world.bodies[i].fixed && !world.bodies[i].left;
 }
 
-/// Union-find; the root of a set is its smallest member.
-class Islands {
- public:
-  explicit Islands(std::size_t count) : parent_(count) {
-    std::iota(parent_.begin(), parent_.end(), 0U);
-  }
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 void fall_asleep(WorldState& world, std::uint32_t i) {
   Body& body = world.bodies[i];
   body.awake = false;
   body.v = body.w = {};
-  if (Articulation* it = articulation_of(world, i)) std::fill(it->v.begin(), it->v.end(), 0.0);
+  if (Articulation* it = articulation_of(world, i)) {
+    std::fill(it->v.begin(), it->v.end(), 0.0);
+    std::fill(it->motions.begin(), it->motions.end(), Twist{});
+  }
   world.changed = true;
   world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
 }

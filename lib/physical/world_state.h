@@ -70,8 +70,10 @@ struct WorldState {
   double magnet_radius = 0;         ///< largest distance of a magnet from its body's centre
   Articulations articulations;
   std::vector<Contact> contacts;  ///< sorted by (a, b), the floor last
-  std::vector<Pull> pulls;        ///< of this step, sorted by (a, b)
-  std::vector<BodyPair> snaps;    ///< bodies snapped together, sorted
+  /// Of the search for them, kept for their memory alone: contacts are many and large.
+  std::vector<Contact> found, merged;
+  std::vector<Pull> pulls;      ///< of this step, sorted by (a, b)
+  std::vector<BodyPair> snaps;  ///< bodies snapped together, sorted
   std::vector<WorldEvent> events;
   std::vector<WorldEvent> early;  ///< since the last step, from calls of the user
   double cell = 0.1;
@@ -80,8 +82,9 @@ struct WorldState {
   // Made anew when someone wakes or sleeps.
   bool changed = true;
   std::vector<std::uint32_t> awake, resting;
-  std::vector<Bounds> bounds;
-  std::vector<std::int32_t> groups;  ///< articulation of each body; empty: none has one
+  std::vector<Bounds> bounds;  ///< of each body
+  /// Of each thing of the grid: a loose body, or a mechanism by the number of its first link.
+  std::vector<Bounds> thing_bounds;
   std::vector<CellEntry> resting_cells;
 };
 

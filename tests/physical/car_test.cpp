@@ -114,6 +114,34 @@ TEST_CASE("a lift carries a block up and down again") {
   CHECK(std::abs(state(world, block).X_WB.p.z - low) < 0.002);
 }
 
+TEST_CASE("what lies on a car that turns, and what lies upon that, does not creep outwards") {
+  WorldConfig config = car_settings();
+  const Car car = add_car(config);
+  const Vec3 plate = config.bodies[car.plate].X_WB.p;
+  for (const double height : {0.056, 0.111 - 1e-5}) {
+    config.bodies.push_back(
+        block_body(without_magnets(paper_block()), {plate + Vec3{0.025, 0, height}, {}}));
+  }
+  REQUIRE(problems_of(config).empty());
+  World world(config);
+  run(world, 0.3);
+  for (double speed = 0; speed < 0.0285; speed += 0.0005) {
+    drive(world, car, -speed, speed);  // in the end 1 rad/s
+    REQUIRE(world.step().ok);
+  }
+  run(world, 0.5);
+  const auto upper = static_cast<std::uint32_t>(config.bodies.size() - 1);
+  // In the plate's frame.
+  const auto place = [&](std::uint32_t block) {
+    return inverse(state(world, car.plate).X_WB) * state(world, block).X_WB.p;
+  };
+  const Vec3 low = place(upper - 1), high = place(upper);
+  run(world, 5);
+  // Along tangents it would be 1 mm.
+  CHECK(length(place(upper - 1) - low) < 0.05e-3);
+  CHECK(length(place(upper) - high) < 0.05e-3);
+}
+
 TEST_CASE("a car pushes a block, and a wall stops it without ado") {
   WorldConfig config = car_settings();
   const Car car = add_car(config);

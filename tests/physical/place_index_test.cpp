@@ -15,11 +15,6 @@ Bounds some_bounds(double spread, double size) {
   return {p - h, p + h};
 }
 
-bool overlap(const Bounds& a, const Bounds& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y &&
-         a.low.z <= b.high.z && b.low.z <= a.high.z;
-}
-
 }  // namespace
 
 TEST_CASE("the index finds what overlaps, no more and no less") {
