@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/block.h"
+#include "controllers/block.h"
 
 namespace stig::bench {
 

@@ -35,11 +35,9 @@ struct BlockSide : LuaSide {
   int system = 0;
 };
 
-inline constexpr std::size_t kBlockRadios = 6;
 /// In the order of a block's radios and faces.
 inline constexpr const char* kBlockRadioNames[kBlockRadios] = {"north", "east", "south",
                                                                "west",  "top",  "bottom"};
-inline constexpr int kBlockLeds = 24;
 
 /// The global `robot` with id, params, logger, and the rest of its devices.
 void open_robot(lua_State* state, RobotSide& side);

@@ -105,6 +105,8 @@ struct RobotCommands {
   std::vector<std::string> log;  ///< lines
 };
 
+inline constexpr std::size_t kBlockLeds = 24, kBlockRadios = 6;
+
 /// A block's own: six radios, and LEDs that show one of the colours 0 (dark) to 4.
 struct BlockReadings {
   std::uint64_t tick = 0;

@@ -175,7 +175,7 @@ void Crew::control(World& world, std::uint64_t tick) {
   if (due.empty() && !blocks_due) return;
   if (sends_) carry_messages(world);
   if (!due.empty()) {
-    place_sensor_scene(world);
+    place(scene_, world);
     const SensorIndex index(scene_);
     for (const std::size_t i : due) sense(world, index, i);
   }

@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
+#include "controllers/block.h"
 #include "controllers/controller.h"
-#include "physical/block.h"
 #include "physical/led.h"
 #include "physical/reading_history.h"
 #include "physical/robot_body.h"
@@ -31,8 +31,6 @@
 #include "sensing/camera_view.h"
 
 namespace stig {
-
-inline constexpr std::size_t kBlockLeds = 24, kBlockRadios = 6;
 
 struct CrewRobot {
   std::string name;
@@ -92,6 +90,10 @@ class Crew {
   const RobotReadings& readings(std::size_t robot) const { return robots_[robot].readings; }
   const RobotCommands& commands(std::size_t robot) const { return robots_[robot].commands; }
   const std::array<Led, kBlockLeds>& leds(std::size_t block) const { return blocks_[block].leds; }
+  const RobotModel& model(std::size_t robot) const { return *robots_[robot].config.model; }
+  /// What sensors can perceive now, and from where a camera looks.
+  SensorScene sensor_scene(const World& world) const;
+  Pose camera_pose(const World& world, std::size_t robot, std::size_t camera) const;
   /// The body that a robot's file takes for its root, and its pose in the robot's frame.
   BodyId root_body(std::size_t robot) const;
   Pose root_pose(std::size_t robot) const;
@@ -155,7 +157,7 @@ class Crew {
   void add_block(CrewBlock block, bool changed);
   void control(World& world, std::uint64_t tick);
   void carry_messages(const World& world);
-  void place_sensor_scene(const World& world);
+  void place(SensorScene& scene, const World& world) const;
   void sense(const World& world, const SensorIndex& index, std::size_t robot);
   CameraReading see(const World& world, const SensorIndex& index, std::size_t robot,
                     std::size_t camera);

@@ -12,13 +12,13 @@ Rgb light_of(Led led) { return led == Led::off ? Rgb{} : rgb_of(led); }
 
 }  // namespace
 
-void Crew::place_sensor_scene(const World& world) {
-  for (std::size_t i = 0; i < scene_.obstacles.size(); ++i) {
-    scene_.obstacles[i].X_WS = world.state(BodyId{obstacle_bodies_[i]}).X_WB;
+void Crew::place(SensorScene& scene, const World& world) const {
+  for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
+    scene.obstacles[i].X_WS = world.state(BodyId{obstacle_bodies_[i]}).X_WB;
   }
-  scene_.marked.resize(blocks_.size());
+  scene.marked.resize(blocks_.size());
   for (std::size_t i = 0; i < blocks_.size(); ++i) {
-    MarkedBody& marked = scene_.marked[i];
+    MarkedBody& marked = scene.marked[i];
     marked.owner = static_cast<std::uint32_t>(i);
     marked.kind = static_cast<std::uint32_t>(blocks_[i].config.model);
     marked.X_WB = world.state(blocks_[i].config.body).X_WB;
@@ -26,6 +26,17 @@ void Crew::place_sensor_scene(const World& world) {
     if (!config_.lights) continue;
     for (const Led led : blocks_[i].leds) marked.leds.push_back(light_of(led));
   }
+}
+
+SensorScene Crew::sensor_scene(const World& world) const {
+  SensorScene out = scene_;
+  place(out, world);
+  return out;
+}
+
+Pose Crew::camera_pose(const World& world, std::size_t robot, std::size_t camera) const {
+  const CameraDevice& device = model(robot).cameras[camera];
+  return pose_of(world, robots_[robot].config.body, device.body) * device.X_BC;
 }
 
 void Crew::sense(const World& world, const SensorIndex& index, std::size_t number) {
@@ -50,8 +61,7 @@ void Crew::sense(const World& world, const SensorIndex& index, std::size_t numbe
 CameraReading Crew::see(const World& world, const SensorIndex& index, std::size_t number,
                         std::size_t camera) {
   const Robot& robot = robots_[number];
-  const CameraDevice& device = robot.config.model->cameras[camera];
-  const Pose X_WC = pose_of(world, robot.config.body, device.body) * device.X_BC;
+  const Pose X_WC = camera_pose(world, number, camera);
   CameraReading out;
   if (robot.enabled[camera]) {
     const NoiseAddress address{config_.seed, static_cast<std::uint32_t>(number),

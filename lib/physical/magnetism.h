@@ -3,7 +3,8 @@
 // spherical magnets that turn towards the local field.
 //
 // Moments are in A·m². The paper on stigmergic blocks (Allwright et al. 2017) gives its
-// magnets a "field" of 75 in units of its own; kMomentPerField translates.
+// magnets a "field" of 75 in units of its own; kMomentPerField of
+// controllers/block.h translates.
 //
 // A sphere of 3 mm that faces another at contact swings with a period of some 3.5 ms.
 // Integrating that needs steps far below a millisecond, and the bearings' friction, which
@@ -22,8 +23,6 @@ namespace stig {
 
 /// μ0 / 4π, in N/A².
 inline constexpr double kDipoleConstant = 1e-7;
-/// Moment in A·m² of the paper's field 1: sqrt(7.0500949e-13 / 1e-7).
-inline constexpr double kMomentPerField = 2.65520148011408e-3;
 
 /// What one dipole does to another; the other feels -force, and `torque_on_other`.
 struct DipoleWrench {

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <unordered_map>
 
 #include "base/random.h"
+#include "base/text.h"
 #include "physical/scene.h"
 
 namespace stig {
@@ -175,6 +177,7 @@ class Placer {
     if (!check_count()) return std::nullopt;
     for (std::size_t i = 0; i < scene_.blocks.size(); ++i) add_entry(i);
     for (std::size_t i = 0; i < scene_.robots.size(); ++i) add_robot_entry(i);
+    check_names();
     if (out_.has_errors()) return std::nullopt;
     add_stock();
     if (scene_.sweeps > 0) placed_.config.sweeps = scene_.sweeps;
@@ -262,6 +265,22 @@ class Placer {
     } else if (placed_.config.floor && cache.at.z < half - 1e-3) {
       out_.add(Code::S603, cache.range, "the cache drops its blocks in the floor");
     }
+  }
+
+  /// Scripts and reports tell blocks and robots by their names. Each pair of entries once.
+  void check_names() {
+    std::map<std::string_view, const SourceRange*> first;
+    std::set<std::pair<const SourceRange*, const SourceRange*>> reported;
+    const auto check = [&](std::string_view name, const SourceRange& range) {
+      const auto [known, fresh] = first.emplace(name, &range);
+      if (fresh || !reported.emplace(known->second, &range).second) return;
+      out_.add(Code::R208, range, fmt::format("{} is the name of two things", in_quotes(name)))
+          .note(*known->second, "the first of them is here");
+    };
+    for (const SceneBody& body : placed_.bodies) {
+      if (body.block) check(body.name, scene_.blocks[body.entry].range);
+    }
+    for (const RobotSpawn& robot : scene_.robots) check(robot.name, robot.range);
   }
 
   /// What caches may drop has a name already, though no place yet.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "controllers/block.h"
+
 namespace stig {
 
 namespace {

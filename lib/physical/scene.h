@@ -21,8 +21,8 @@
 
 #include "base/diagnostic.h"
 #include "base/file_io.h"
+#include "controllers/block.h"
 #include "controllers/lua_settings.h"
-#include "physical/block.h"
 #include "physical/led.h"
 #include "physical/robot_body.h"
 #include "physical/sensor_noise.h"

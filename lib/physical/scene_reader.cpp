@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "base/degree.h"
 #include "base/text.h"
@@ -38,6 +39,27 @@ void read_friction(const FormView& table, Scene& scene) {
       return (p.a == a && p.b == b) || (p.a == b && p.b == a);
     });
     config.frictions.push_back({a, b, pair.number("is")});
+  }
+}
+
+/// Names of materials that nothing in the scene is made of are slips.
+void check_friction(const FormView& table, const Scene& scene, const YamlDocument& document,
+                    Diagnostics& out) {
+  std::set<std::string_view> made{"block", "floor", "robot", "wheel", "caster"};
+  for (const RobotModel& robot : scene.robot_models) {
+    for (const BodyModel& body : robot.bodies) made.insert(body.material);
+  }
+  const std::vector<std::string_view> known(made.begin(), made.end());
+  for (const FormView& pair : table.forms("pairs")) {
+    const YamlNode* of = pair.find("of");
+    for (const std::string& name : pair.names("of")) {
+      if (made.contains(name)) continue;
+      const std::string_view near = nearest(name, known);
+      out.add(Code::R104, document.head(of == nullptr ? pair.node() : *of),
+              fmt::format("nothing is made of {}: materials are {}{}", in_quotes(name),
+                          fmt::join(known, ", "),
+                          near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+    }
   }
 }
 
@@ -94,6 +116,7 @@ class Reader {
       read_robot_entry(entry, root.find("robot_program"));
     }
     for (const FormView& entry : root.forms("caches")) read_cache(entry);
+    check_friction(root.form("friction"), scene_, document_, out_);
     read_script(root);
     read_block_programs(root);
     scene_.lights = root.flag("lights", true);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <cmath>
 
 #include "base/bytes.h"
@@ -12,6 +13,7 @@
 #include "base/packed.h"
 #include "physical/scene_crew.h"
 #include "physical/scene_script.h"
+#include "physical/script_record.h"
 #include "physical/show_json.h"
 
 namespace stig {
@@ -20,7 +22,7 @@ namespace {
 
 constexpr double kFrameSeconds = 0.02, kHashSeconds = 1;
 constexpr std::uint32_t kScriptAgent = 0xffffff;  ///< beyond all robots and blocks
-constexpr std::string_view kCheckpointMagic = "stigchk1";
+constexpr std::string_view kCheckpointMagic = "stigchk2";
 constexpr std::size_t kMostCheckpoint = std::size_t{1} << 30;
 
 std::uint64_t ticks_in(double seconds, double step) {
@@ -53,6 +55,16 @@ std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
   return out;
 }
 
+std::optional<LuaScript> script_of(const Scene& scene, const PlacedScene& placed) {
+  if (scene.script == RobotSpawn::kNoProgram) return std::nullopt;
+  LuaSettings settings;
+  settings.id = "script";
+  settings.limits.instructions *= 10;
+  settings.seed = placed.seed;
+  settings.agent = kScriptAgent;
+  return LuaScript(scene.programs[scene.script], settings);
+}
+
 bool has_programs(const Scene& scene) {
   return std::any_of(scene.block_programs.begin(), scene.block_programs.end(),
                      [](std::size_t program) { return program != RobotSpawn::kNoProgram; });
@@ -69,16 +81,10 @@ Simulation::Simulation(const Scene& scene, const PlacedScene& placed, bool resum
       world_(placed.config),
       dropped_(scene.caches.size() + 1, 0),
       last_places_(scene.robots.size()),
-      driven_(scene.robots.size(), 0) {
+      driven_(scene.robots.size(), 0),
+      resumable_(resumable) {
   for (std::size_t i = 0; i < scene.robots.size(); ++i) last_places_[i] = scene.robots[i].X_WR.p;
-  if (scene.script != RobotSpawn::kNoProgram) {
-    LuaSettings settings;
-    settings.id = "script";
-    settings.limits.instructions *= 10;
-    settings.seed = placed.seed;
-    settings.agent = kScriptAgent;
-    script_.emplace(scene.programs[scene.script], settings);
-  }
+  script_ = script_of(scene, placed);
   // A script may colour blocks.
   if (script_ || !scene.robots.empty() || has_programs(scene)) {
     CrewConfig crew = crew_of(scene, placed);
@@ -233,24 +239,56 @@ void Simulation::after_step() {
   if (tick % hash_every_ == 0) writer_->hash({tick, hash()});
 }
 
-/// A failure ends the run as a stop does.
-bool Simulation::run_script(ScriptCall which, const RunHooks& hooks) {
+void Simulation::run_script(ScriptCall which, const RunHooks& hooks) {
   SceneScript world(*this);
+  std::string answers;
+  RecordedWorld recorded(world, answers);
+  ScriptWorld& seen = resumable_ ? static_cast<ScriptWorld&>(recorded) : world;
   std::vector<std::string> log;
-  const ControllerStatus status = script_->call(which, world, log);
+  script_ended(script_->call(which, seen, log));
+  if (resumable_) {
+    std::string record(1, static_cast<char>(which));
+    put_block(record, answers);
+    record.push_back(script_failed_ ? '\1' : '\0');
+    script_history_.add(record);
+  }
   for (const std::string& line : log) {
     if (hooks.on_line) hooks.on_line({world_.tick(), "script", {}, line, false});
   }
-  if (status.ok) return true;
+}
+
+/// A failure ends the run as a stop does.
+void Simulation::script_ended(ControllerStatus status) {
+  if (status.ok) return;
   script_failed_ = stop_ = true;
   message_ = status.error;
-  return false;
+}
+
+/// A fresh script, with the answers that the last one had.
+bool Simulation::bring_back_script() {
+  if (!script_) return true;
+  return script_history_.each([this](ByteReader& in) {
+    const std::uint8_t which = in.u8();
+    ByteReader answers(in.block());
+    const bool failed = in.u8() == 1;
+    if (!in.good() || which > static_cast<std::uint8_t>(ScriptCall::end)) return false;
+    ReplayedWorld world(answers);
+    std::vector<std::string> said;
+    script_ended(script_->call(static_cast<ScriptCall>(which), world, said));
+    if (world.stopped) {
+      stop_ = true;
+      message_ = *world.stopped;
+    }
+    for (const auto& [name, value] : world.measures) measures_[name] = value;
+    return answers.good() && answers.left() == 0 && script_failed_ == failed;
+  });
 }
 
 RunEnd Simulation::until(double duration, const RunHooks& hooks) {
   // A multiple of the step that rounding has put a hair above the duration is its end.
   const auto last = static_cast<std::uint64_t>(std::ceil(duration / placed_.config.step - 1e-6));
   while (world_.tick() < last) {
+    if (stop_) return RunEnd::script;
     if (hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed)) {
       return RunEnd::interrupted;
     }
@@ -285,6 +323,7 @@ std::uint64_t Simulation::hash() const {
 
 std::string Simulation::state() const {
   std::string out;
+  assert(resumable_);
   put_block(out, world_.checkpoint());
   for (const std::uint64_t n :
        {tally_.contacts, tally_.slept, tally_.woke, tally_.snapped, tally_.let_go}) {
@@ -298,67 +337,83 @@ std::string Simulation::state() const {
       put(out, std::bit_cast<std::uint64_t>(value));
     }
   }
+  put_varint(out, pushes_.size());
+  for (const ScriptPush& push : pushes_) {
+    put_varint(out, push.body);
+    put_varint(out, push.until);
+    for (const double value : {push.force.x, push.force.y, push.force.z}) {
+      put(out, std::bit_cast<std::uint64_t>(value));
+    }
+  }
+  out += script_history_.bytes();
   put_block(out, crew_ ? crew_->checkpoint() : "");
   return out;
 }
 
 bool Simulation::resume(std::string_view state) {
-  if (script_) return false;
+  Simulation next(*scene_, placed_, resumable_);
   ByteReader in(state);
-  World world(placed_.config);
-  const bool good = world.resume(in.block());
-  if (!good || world.size() > placed_.bodies.size()) return false;
-  RunTally tally;
+  if (!next.take_state(in)) return false;
+  next.writer_ = writer_;
+  *this = std::move(next);
+  return true;
+}
+
+/// Of one that has not begun; of no use when it is false.
+bool Simulation::take_state(ByteReader& in) {
+  if (!world_.resume(in.block()) || world_.size() > placed_.bodies.size()) return false;
   for (std::uint64_t* n :
-       {&tally.contacts, &tally.slept, &tally.woke, &tally.snapped, &tally.let_go}) {
+       {&tally_.contacts, &tally_.slept, &tally_.woke, &tally_.snapped, &tally_.let_go}) {
     *n = in.varint();
   }
   const std::uint64_t left = in.varint();
-  if (left > world.size()) return false;
+  if (left > world_.size()) return false;
   for (std::uint64_t i = 0; i < left; ++i) {
     const std::uint64_t body = in.varint();
-    if (body >= world.size()) return false;
-    tally.left.push_back(static_cast<std::uint32_t>(body));
+    if (body >= world_.size()) return false;
+    tally_.left.push_back(static_cast<std::uint32_t>(body));
   }
-  std::vector<std::size_t> dropped(dropped_.size());
   std::size_t added = placed_.config.bodies.size();
-  for (std::size_t i = 0; i < dropped.size(); ++i) {
-    dropped[i] = in.varint();
-    if (dropped[i] > (i < scene_->caches.size() ? scene_->caches[i].stock : scene_->stock)) {
+  for (std::size_t i = 0; i < dropped_.size(); ++i) {
+    dropped_[i] = in.varint();
+    if (dropped_[i] > (i < scene_->caches.size() ? scene_->caches[i].stock : scene_->stock)) {
       return false;
     }
-    added += dropped[i];
+    added += dropped_[i];
   }
-  std::vector<double> driven(driven_.size());
-  std::vector<Vec3> places(driven_.size());
-  for (std::size_t i = 0; i < driven.size(); ++i) {
-    for (double* value : {&driven[i], &places[i].x, &places[i].y}) {
+  if (added != world_.size()) return false;
+  for (std::size_t i = 0; i < driven_.size(); ++i) {
+    for (double* value : {&driven_[i], &last_places_[i].x, &last_places_[i].y}) {
       *value = std::bit_cast<double>(in.u64());
     }
   }
+  if (!take_pushes(in) || !script_history_.take(in)) return false;
   const std::string_view programs = in.block();
-  if (!in.good() || in.left() > 0 || added != world.size()) return false;
-  std::optional<Crew> crew;
-  if (crew_) {
-    CrewConfig config = crew_of(*scene_, placed_);
-    config.resumable = crew_->resumable();
-    crew.emplace(std::move(config), placed_.config);
-    for (std::size_t i = placed_.config.bodies.size(); i < world.size(); ++i) {
-      crew->add(crew_block(*scene_, placed_, i),
-                block_body(scene_->models[scene_->stock_model], {}).shape);
-    }
-    if (!crew->resume(programs)) return false;
-    crew->take_changed();
-  } else if (!programs.empty()) {
-    return false;
+  if (!in.good() || in.left() > 0 || !bring_back_script()) return false;
+  if (!crew_) return programs.empty();
+  for (std::size_t i = placed_.config.bodies.size(); i < world_.size(); ++i) {
+    crew_->add(crew_block(*scene_, placed_, i),
+               block_body(scene_->models[scene_->stock_model], {}).shape);
   }
-  world_ = std::move(world);
-  crew_ = std::move(crew);
-  dropped_ = std::move(dropped);
-  driven_ = std::move(driven);
-  last_places_ = std::move(places);
-  tally_ = std::move(tally);
+  if (!crew_->resume(programs)) return false;
+  crew_->take_changed();
   return true;
+}
+
+bool Simulation::take_pushes(ByteReader& in) {
+  const std::uint64_t pushes = in.varint();
+  for (std::uint64_t i = 0; i < pushes && in.good(); ++i) {
+    ScriptPush push;
+    const std::uint64_t body = in.varint();
+    push.body = static_cast<std::uint32_t>(body);
+    push.until = in.varint();
+    for (double* value : {&push.force.x, &push.force.y, &push.force.z}) {
+      *value = std::bit_cast<double>(in.u64());
+    }
+    if (body >= world_.size() || !is_finite(push.force)) return false;
+    pushes_.push_back(push);
+  }
+  return in.good();
 }
 
 PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
@@ -441,8 +496,15 @@ VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
   VerifyReport report;
   Simulation run(loaded.scene, loaded.placed, false);
   const double step = loaded.placed.config.step;
-  const auto compare = [&](const TraceHash& expected) {
-    const RunEnd end = run.until(static_cast<double>(expected.tick) * step, hooks);
+  // Where scripts or programs ended it, or physics could not go on, the beginning of a step of
+  // which no end came has left its marks; and a script has had its last words.
+  const RunEnd why = trace.end.why;
+  const std::uint64_t begun =
+      why == RunEnd::script || why == RunEnd::failed || why == RunEnd::diverged ? 1 : 0;
+  const auto compare = [&](const TraceHash& expected, bool last) {
+    const std::uint64_t ticks = expected.tick + (last ? begun : 0);
+    const RunEnd end = run.until(static_cast<double>(ticks) * step, hooks);
+    if (last) run.end_script(hooks);
     if (end == RunEnd::interrupted) {
       report.difference = "the comparison was interrupted";
     } else if (run.world().tick() != expected.tick) {
@@ -455,9 +517,9 @@ VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
     }
     return report.difference.empty();
   };
-  std::vector<TraceHash> hashes = trace.hashes;
-  hashes.push_back({trace.end.ticks, trace.end.hash});
-  report.identical = std::all_of(hashes.begin(), hashes.end(), compare);
+  report.identical = std::all_of(trace.hashes.begin(), trace.hashes.end(),
+                                 [&](const TraceHash& one) { return compare(one, false); }) &&
+                     compare({trace.end.ticks, trace.end.hash}, true);
   return report;
 }
 

@@ -22,6 +22,7 @@
 #include "controllers/lua_script.h"
 #include "physical/crew.h"
 #include "physical/pose_trace.h"
+#include "physical/reading_history.h"
 #include "physical/scene.h"
 #include "physical/world.h"
 
@@ -81,8 +82,6 @@ class Simulation {
   const std::map<std::string, double>& measures() const { return measures_; }
   /// Has the script failed? message() says how.
   bool script_failed() const { return script_failed_; }
-  /// A script's own state cannot be saved.
-  bool resumable() const { return !script_; }
   /// Of one that diverged: when, and which body; of one that its script ended: why.
   const std::string& message() const { return message_; }
   const Scene& scene() const { return *scene_; }
@@ -93,7 +92,8 @@ class Simulation {
   /// World, programs and tally; holds for this scene and seed alone. Asserts that the run is
   /// resumable.
   std::string state() const;
-  /// False, and nothing changed, when the bytes are no state of this scene.
+  /// False, and nothing changed, when the bytes are no state of this scene. What scripts and
+  /// programs said is not said again.
   bool resume(std::string_view state);
 
  private:
@@ -104,7 +104,11 @@ class Simulation {
   AddResult add_block(const Pose& X_WB);
   void apply_pushes();
   void measure_ways();
-  bool run_script(ScriptCall which, const RunHooks& hooks);
+  void run_script(ScriptCall which, const RunHooks& hooks);
+  void script_ended(ControllerStatus status);
+  bool bring_back_script();
+  bool take_state(ByteReader& in);
+  bool take_pushes(ByteReader& in);
   bool blocks_near(const CacheSpawn& cache) const;
   void note_crew(const RunHooks& hooks);
   void count(const WorldEvent& event);
@@ -122,6 +126,8 @@ class Simulation {
   std::vector<double> driven_;
   std::optional<LuaScript> script_;
   bool script_failed_ = false, stop_ = false;
+  bool resumable_;
+  ReadingHistory script_history_;
   std::vector<ScriptPush> pushes_;
   std::map<std::string, double> measures_;
   RunTally tally_;

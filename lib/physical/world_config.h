@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "physical/block.h"
+#include "controllers/block.h"
 #include "physical/contact.h"
 #include "physical/joint.h"
 #include "physical/magnetism.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include "block_figures.h"
+#include "compiler/block_figures.h"
 #include "controllers/robot_reader.h"
 #include "support.h"
 

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 
+#include "controllers/block.h"
+
 using namespace stig;
 
 namespace {

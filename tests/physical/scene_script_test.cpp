@@ -63,11 +63,94 @@ TEST_CASE("a script that fails, loops or is given nonsense ends the run and says
   CHECK(message("function on_step(w) robot.id = 3 end").find("robot") != std::string::npos);
 }
 
-TEST_CASE("a run with a script cannot be brought back") {
-  const LoadedScene loaded = crew_scene("stigc_scene: 1\nscript: e.lua\n", {{"e.lua", ""}});
+TEST_CASE("a run with a script that is brought back goes on as if it had never stopped") {
+  const LoadedScene loaded =
+      Scripted::scripted_scene("stock: 2\nblocks: [{name: a, at: [1, 0, 0.0275]}]\n", R"(
+local seen, moves = 0, 0
+function on_start(world) seen = world.blocks() end
+function on_step(world)
+  local one = world.block(1)
+  if one.position.x > 0.9 and math.random() < 0.3 then
+    moves = moves + 1
+    log(world.place('a', vector3(0.95, 0.1 * moves, 0.0275)))
+  end
+  if world.time() == 0.8 then
+    log(world.drop(vector3(0, 0, 0.3), math.random()))
+    world.push('a', vector3(1, 0, 0), 0.7)
+    world.set_color('a', 2)
+  end
+  if world.time() == 1 then log(world.place('a', vector3(0, 0, 0.0275))) end
+  world.measure('seen', seen + moves)
+  if world.time() > 2.5 then world.stop('far enough') end
+end)");
+  Simulation straight(loaded.scene, loaded.placed);
+  const CrewRun whole = recorded(straight, loaded, 3);
+  REQUIRE(whole.end == RunEnd::script);
+  REQUIRE(whole.lines.size() > 3);
+  for (const double at : {0.1, 0.8, 1.015, 1.6, 2.6}) {
+    CAPTURE(at);
+    Simulation first(loaded.scene, loaded.placed);
+    const CrewRun half = recorded(first, loaded, at);
+    Simulation second(loaded.scene, loaded.placed);
+    REQUIRE(second.resume(half.state));
+    const CrewRun rest = recorded(second, loaded, 3, half.trace);
+    CHECK(rest.end == RunEnd::script);
+    CHECK(second.message() == "far enough");
+    CHECK(second.measures() == straight.measures());
+    CHECK(rest.hash == whole.hash);
+    CHECK(rest.state == whole.state);
+    CHECK(rest.trace == whole.trace);
+  }
+}
+
+TEST_CASE("a run that its script changed to its last word is run again and compared") {
+  for (const char* end : {"world.stop('enough')", "error('x')", "log('no end')"}) {
+    CAPTURE(end);
+    const LoadedScene loaded = Scripted::scripted_scene(
+        "block_program: b.lua\nstock: 2\nblocks: [{name: a, at: [1, 0, 0.0275]}]\n",
+        std::string("function on_step(world) if world.time() == 1 then world.drop(vector3(0, 0, "
+                    "1)) ") +
+            end + " end end\nfunction on_end(world) world.place('a', vector3(2, 0, 1)) end",
+        {{"b.lua", "function step() robot.simple_radios.north.send('x') end"}});
+    Simulation run(loaded.scene, loaded.placed);
+    std::string bytes;
+    PoseTraceWriter writer(trace_header(loaded.scene, loaded.placed),
+                           [&](std::string_view some) { bytes += some; });
+    run.record(writer);
+    const RunEnd why = run.until(1.5, {});
+    run.end_script({});
+    run.finish(why);
+    Diagnostics diagnostics;
+    const auto trace = read_pose_trace("t.stigp", bytes, diagnostics);
+    REQUIRE(trace);
+    const VerifyReport report = verify_trace(*trace, loaded, {});
+    CHECK(report.identical);
+    CHECK(report.difference == "");
+  }
+}
+
+TEST_CASE("answers that a script did not ask for bring nothing back") {
+  const auto scene = [](const char* call) {
+    return Scripted::scripted_scene("blocks: [{name: a, at: [1, 0, 0.0275]}]\n",
+                                    std::string("function on_step(world) ") + call + " end");
+  };
+  const LoadedScene loaded = scene("world.time()"), other = scene("world.block(1)");
   Simulation run(loaded.scene, loaded.placed);
-  CHECK_FALSE(run.resumable());
-  CHECK_FALSE(run.resume(run.state()));
+  const CrewRun half = recorded(run, loaded, 0.1);
+  Simulation wrong(other.scene, other.placed);
+  CHECK_FALSE(wrong.resume(half.state));
+  CHECK(wrong.world().tick() == 0);
+}
+
+TEST_CASE("scripts and blocks' programs require what stands beside them") {
+  const Scripted out(
+      "block_program: b.lua\nblocks: [{at: [1, 0, 0.0275]}]\n",
+      "local help = require 'help'\n"
+      "function on_start(world) log(help.word()) end\n",
+      0.1,
+      {{"help.lua", "return {word = function() return 'hello' end}"},
+       {"b.lua", "local help = require 'help'\nfunction init() log(help.word()) end"}});
+  CHECK(out.said == std::vector<std::string>{"hello", "hello"});
 }
 
 TEST_CASE("blocks that talk build a line and a triangle") {

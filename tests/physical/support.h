@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-#include "physical/block.h"
+#include "controllers/block.h"
 #include "physical/scenes.h"
 #include "physical/trials.h"
 #include "physical/world.h"

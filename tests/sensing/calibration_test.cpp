@@ -6,8 +6,8 @@
 
 #include <array>
 
+#include "sensing/camera_picture.h"
 #include "support.h"
-#include "support/camera_picture.h"
 
 using namespace stig;
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // stigc schema and stigc completions: what the program knows of itself.
 #include "commands.h"
+#include "controllers/block.h"
 #include "controllers/robot_reader.h"
 #include "help.h"
-#include "physical/block.h"
 #include "physical/scene.h"
 #include "rules/rule_schema.h"
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
+#include "camera_place.h"
 #include "commands.h"
 #include "outputs.h"
 #include "physical/run_picture.h"
@@ -27,6 +28,7 @@ std::string usage_problem(const SimulateOptions& o) {
   if (!o.scene.empty() && o.resume) return "a checkpoint holds its scene: leave SCENE out";
   if (o.resume && o.seed) return "a checkpoint holds its seed: leave --seed out";
   if (o.at && !o.picture) return "--at is the moment of a picture: add -o FILE.png";
+  if (o.camera && !o.picture) return "--camera says what a picture shows: add -o FILE.png";
   if (o.picture && !o.picture->ends_with(".png")) {
     return fmt::format("'{}': pictures of scenes are .png", *o.picture);
   }
@@ -105,21 +107,20 @@ class OneRun {
         run_(loaded.scene, loaded.placed, options.checkpoint.has_value()) {}
 
   int run(const std::optional<Checkpoint>& checkpoint) {
-    if (options_.checkpoint && !run_.resumable()) {
-      app_.complain("a scene with a script has no checkpoints: leave --checkpoint out");
-      return kUsage;
-    }
     if (checkpoint && !run_.resume(checkpoint->state)) {
       app_.complain(
           fmt::format("'{}': its state is none of its scene", printable(*options_.resume)));
       return kFailed;
     }
+    if (!find_camera()) return kUsage;
     if (const int code = begin_trace(); code != kOk) return code;
     stop_on_signals();
     Progress progress(app_);
     const RunEnd end = run_.until(duration(), hooks(progress));
     const double seconds = progress.seconds();
     progress.clear();
+    // Before the script's last words, which a run that goes on has not heard yet.
+    if (options_.checkpoint) state_ = run_.state();
     run_.end_script(hooks(progress));
     run_.finish(end);
     const int written = write_files();
@@ -180,7 +181,23 @@ class OneRun {
     return hooks;
   }
 
-  void take_moment() { moment_ = {run_.world().time(), picture_bodies(run_), picture_lines(run_)}; }
+  bool find_camera() {
+    if (!options_.camera) return true;
+    std::string problem;
+    camera_ = camera_named(run_, *options_.camera, problem);
+    if (!camera_) app_.complain(printable(problem));
+    return camera_.has_value();
+  }
+
+  void take_moment() {
+    moment_ = {run_.world().time(), {}, {}, {}};
+    if (camera_) {
+      moment_->view = view_png(run_, *camera_);
+    } else {
+      moment_->bodies = picture_bodies(run_);
+      moment_->lines = picture_lines(run_);
+    }
+  }
 
   int write_files() {
     int code = options_.trace ? commit(trace_, app_) : kOk;
@@ -194,6 +211,11 @@ class OneRun {
       app_.say(fmt::format("the run ended before {} s: the picture is of its end", *options_.at));
     }
     if (!moment_) take_moment();
+    if (camera_) {
+      FileError error;
+      return said(write_file(*options_.picture, moment_->view, error), *options_.picture,
+                  error.message);
+    }
     std::string error;
     const bool good =
         write_picture(*options_.picture, moment_->bodies, moment_->lines,
@@ -203,8 +225,7 @@ class OneRun {
 
   int write_checkpoint() {
     FileError error;
-    const std::string bytes =
-        checkpoint_bytes({loaded_.scene.files, loaded_.placed.seed, run_.state()});
+    const std::string bytes = checkpoint_bytes({loaded_.scene.files, loaded_.placed.seed, state_});
     return said(write_file(*options_.checkpoint, bytes, error), *options_.checkpoint,
                 error.message);
   }
@@ -226,6 +247,7 @@ class OneRun {
     double time = 0;
     std::vector<PictureBody> bodies;
     std::vector<PictureLine> lines;
+    std::string view;  ///< a PNG file, of a camera
   };
 
   const SimulateOptions& options_;
@@ -234,6 +256,8 @@ class OneRun {
   Simulation run_;
   TraceFile trace_;
   std::optional<Moment> moment_;
+  std::optional<CameraPlace> camera_;
+  std::string state_;  ///< for the checkpoint
 };
 
 }  // namespace

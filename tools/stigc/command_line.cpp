@@ -333,6 +333,8 @@ void add_simulate(CLI::App& app, SimulateOptions& o) {
   path(sub, "--trace", o.trace, "record the run, for replay and viewers (.stigp)");
   path(sub, "-o,--output", o.picture, "draw the end, or the moment --at (.png)");
   seconds(sub, "--at", o.at, "the picture's moment, in simulated seconds");
+  sub->add_option("--camera", o.camera, "draw what this camera of a robot sees")
+      ->type_name("ROBOT[:CAMERA]");
   path(sub, "--checkpoint", o.checkpoint, "write the state at the end, also when interrupted");
   path(sub, "--resume", o.resume, "go on from a checkpoint; --trace names the trace so far");
   integer(sub, "--runs", o.runs, 1, 100'000, "so many runs with seeds one after the other");

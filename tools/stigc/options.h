@@ -112,6 +112,7 @@ struct SimulateOptions {
   std::optional<double> duration;      ///< s
   std::optional<double> at;            ///< s, of the picture
   std::optional<std::string> picture;  ///< .png
+  std::optional<std::string> camera;   ///< ROBOT[:CAMERA], whose view the picture is
   std::optional<std::string> trace;
   std::optional<std::string> checkpoint;
   std::optional<std::string> resume;

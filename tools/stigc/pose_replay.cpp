@@ -15,7 +15,10 @@
 namespace stig {
 namespace {
 
-constexpr std::size_t kMostBodiesShown = 40;
+constexpr std::size_t kMostBodiesShown = 40, kWidestName = 40;
+
+/// What a cache or a script has not dropped yet is nowhere, and has left, as it were.
+bool has_come(const TraceState& state) { return !state.left || state.place != TraceState{}.place; }
 
 std::uint64_t count(const PoseTrace& trace, EventKind kind) {
   return static_cast<std::uint64_t>(
@@ -77,6 +80,7 @@ Json frame_json(const PoseTrace& trace, const TraceFrame& frame) {
   json["time"] = static_cast<double>(frame.tick) * trace.header.step;
   json["bodies"] = Json::array();
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    if (!has_come(frame.bodies[i])) continue;
     const Pose pose = frame.bodies[i].pose();
     json["bodies"].push_back({{"name", trace.header.bodies[i].name},
                               {"at", {pose.p.x, pose.p.y, pose.p.z}},
@@ -92,17 +96,27 @@ std::string frame_lines(const PoseTrace& trace, const TraceFrame& frame) {
       line("moment", fmt::format("{:.3f} s, tick {}",
                                  static_cast<double>(frame.tick) * trace.header.step, frame.tick));
   out += structure_in_lines(structure_of(picture_bodies(trace, frame)));
-  for (std::size_t i = 0; i < std::min(frame.bodies.size(), kMostBodiesShown); ++i) {
+  std::vector<std::size_t> shown;
+  std::size_t more = 0, width = 16;
+  for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    if (!has_come(frame.bodies[i])) continue;
+    if (shown.size() == kMostBodiesShown) {
+      ++more;
+      continue;
+    }
+    shown.push_back(i);
+    width = std::max(width, printable(trace.header.bodies[i].name).size());
+  }
+  width = std::min(width, kWidestName);
+  for (const std::size_t i : shown) {
     const Pose pose = frame.bodies[i].pose();
-    out += fmt::format("{:>16}  {:8.4f} {:8.4f} {:8.4f}  {}\n",
-                       printable(trace.header.bodies[i].name), pose.p.x, pose.p.y, pose.p.z,
+    out += fmt::format("{:>{}}  {:8.4f} {:8.4f} {:8.4f}  {}\n",
+                       printable(trace.header.bodies[i].name), width, pose.p.x, pose.p.y, pose.p.z,
                        frame.bodies[i].left    ? "left"
                        : frame.bodies[i].awake ? "awake"
                                                : "asleep");
   }
-  if (frame.bodies.size() > kMostBodiesShown) {
-    out += fmt::format("{:>16}  and {} more\n", "…", frame.bodies.size() - kMostBodiesShown);
-  }
+  if (more > 0) out += fmt::format("{:>{}}  and {} more\n", "…", width, more);
   return out;
 }
 
@@ -139,6 +153,13 @@ int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
   return report.identical ? kOk : kFailed;
 }
 
+/// As its scene says, which the trace holds.
+bool has_floor(const PoseTrace& trace) {
+  Diagnostics ignored;
+  const auto loaded = load_scene(trace.header.files, trace.header.seed, ignored);
+  return !loaded || loaded->placed.config.floor;
+}
+
 }  // namespace
 
 int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
@@ -167,8 +188,8 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   if (!options.picture) return kOk;
   std::string error;
   if (write_picture(*options.picture, picture_bodies(*trace, frame), picture_lines(*trace, frame),
-                    true, trace->header.title, static_cast<double>(frame.tick) * trace->header.step,
-                    error)) {
+                    has_floor(*trace), trace->header.title,
+                    static_cast<double>(frame.tick) * trace->header.step, error)) {
     app.say("wrote " + printable(*options.picture));
     return kOk;
   }

@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "base/text.h"
-#include "block_figures.h"
+#include "compiler/block_figures.h"
 #include "controllers/robot_reader.h"
 #include "scene_input.h"
 

@@ -163,14 +163,12 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
   r.tally = run.tally();
   for (const std::uint32_t body : r.tally.left) r.left.push_back(placed.bodies[body].name);
   for (std::size_t i = 0; i < world.size(); ++i) {
-    if (i >= placed.config.bodies.size()) {
-      r.names.push_back(placed.bodies[i].name);
-      continue;
-    }
-    r.fixed += placed.config.bodies[i].fixed ? 1 : 0;
+    const bool dropped = i >= placed.config.bodies.size();
+    r.fixed += !dropped && placed.config.bodies[i].fixed ? 1 : 0;
     const BodyState state = world.state(BodyId{static_cast<std::uint32_t>(i)});
     if (state.left) continue;
-    r.names.push_back(placed.bodies[i].name);
+    if (placed.bodies[i].block) r.names.push_back(placed.bodies[i].name);
+    if (dropped) continue;
     const double way = length(state.X_WB.p - placed.config.bodies[i].X_WB.p);
     r.moved += way > kMovedFrom ? 1 : 0;
     if (way <= r.farthest) continue;

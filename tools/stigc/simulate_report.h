@@ -32,7 +32,7 @@ struct SimulationReport {
   std::vector<ScriptRobot> robots;
   std::map<std::string, double> measures;
   bool script_failed = false;
-  std::vector<std::string> names;  ///< of bodies
+  std::vector<std::string> names;  ///< of blocks that are there
 };
 
 inline constexpr double kMovedFrom = 1e-3;  ///< m

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compiler/abilities.h"
-#include "physical/block.h"
+#include "controllers/block.h"
 
 namespace stig {
 

@@ -13,6 +13,9 @@
 
 namespace stig {
 
+/// Moment in A·m² of the paper's field 1: sqrt(7.0500949e-13 / 1e-7).
+inline constexpr double kMomentPerField = 2.65520148011408e-3;
+
 /// What the six faces bear. Lengths in m, angles in rad.
 struct BlockTags {
   double side = 0;    ///< 0: there are none

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/block.h"
+#include "controllers/block.h"
 
 #include <doctest/doctest.h>
 

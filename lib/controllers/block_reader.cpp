@@ -3,7 +3,7 @@
 #include "base/form.h"
 #include "base/load.h"
 #include "base/yaml.h"
-#include "physical/block.h"
+#include "controllers/block.h"
 
 namespace stig {
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/block.h"
-
-#include "physical/magnetism.h"
+#include "controllers/block.h"
 
 namespace stig {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "block_figures.h"
+#include "compiler/block_figures.h"
 
 #include <algorithm>
 
