@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws the pictures of docs/validate.md. Run it when controllers or the pictures have changed.
+# Draws the pictures of docs/validate.md, compiler.md and staircase.md. Run it when controllers or the pictures have changed.
 #
 #   scripts/validate_pictures.sh
 #
@@ -18,3 +18,8 @@ cp "$folder/progress.svg" docs/gallery/validate-progress.svg
 picture=docs/gallery/validate-staircase.png
 "$stigc" replay "$folder/run-1.stigp" -o "$picture" --quiet >/dev/null
 pngquant --force --strip --speed 1 --output "$picture" 64 "$picture"
+
+# The second graph of the two: the chart.
+"$stigc" compile rulesets/staircase.yaml --target dot -o "$folder/graphs.dot" --quiet
+dot -Tsvg -O "$folder/graphs.dot"
+cp "$folder/graphs.dot.2.svg" docs/gallery/chart.svg

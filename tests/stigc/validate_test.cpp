@@ -42,7 +42,7 @@ TEST_CASE("validate says what a scene lacks") {
 TEST_CASE("a robot builds the staircase from its rules, and what was written runs the same") {
   const Workplace place;
   const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
-  REQUIRE(place.stigc({"validate", rules, "-o", "out"}).err.find("error") == std::string::npos);
+  CHECK(place.stigc({"validate", rules, "-o", "out"}).exit_code == 0);
   const auto report = nlohmann::json::parse(place.file("out/report.json"));
   const auto& run = report["runs"][0];
   CHECK(run["end"] == "built");
