@@ -18,15 +18,23 @@ void raise_if_stopped(lua_State* state) {
   if (LuaBox::of(state).stopped()) lua_error(state);
 }
 
+const char* push_shown(lua_State* state, int index) {
+  constexpr std::size_t kMostShown = 40;
+  if (lua_isnone(state, index)) return lua_pushliteral(state, "missing");
+  lua_pushvalue(state, index);
+  if (lua_type(state, -1) == LUA_TNUMBER) return lua_tostring(state, -1);
+  if (lua_type(state, -1) != LUA_TSTRING) return luaL_typename(state, -1);
+  std::size_t size = 0;
+  const char* text = lua_tolstring(state, -1, &size);
+  const bool whole = size <= kMostShown;
+  lua_pushlstring(state, text, whole ? size : kMostShown);
+  return lua_pushfstring(state, whole ? "'%s'" : "'%s…'", lua_tostring(state, -1));
+}
+
 void bad_argument(lua_State* state, int index, const char* function, const char* name,
                   const char* expected) {
-  const bool is_number = lua_type(state, index) == LUA_TNUMBER;
-  if (is_number) lua_pushvalue(state, index);
-  const char* got = lua_isnone(state, index) ? "missing"
-                    : is_number              ? lua_tostring(state, -1)
-                                             : luaL_typename(state, index);
   luaL_error(state, "%s: argument %d (%s) must be %s, and is %s", function, index, name, expected,
-             got);
+             push_shown(state, index));
   std::abort();  // luaL_error does not return, but does not say so
 }
 

@@ -98,6 +98,13 @@ int number_of(lua_State* state) {
 
 }  // namespace
 
+std::string_view without_head(std::string_view file) {
+  constexpr std::string_view kMark = "\xef\xbb\xbf";
+  if (file.starts_with(kMark)) file.remove_prefix(kMark.size());
+  if (file.starts_with('#')) file.remove_prefix(std::min(file.find('\n'), file.size()));
+  return file;
+}
+
 bool load_text(lua_State* state, std::string_view text, const char* chunk_name) {
   LuaBox::of(state).charge(state, text.size());
   return luaL_loadbufferx(state, text.data(), text.size(), chunk_name, "t") == LUA_OK;

@@ -28,7 +28,7 @@ void call_back(lua_State* state, const char* name) {
 void run_program(lua_State* state) {
   LuaBox& box = LuaBox::of(state);
   const std::string chunk = box.chunk_name(box.program().path);
-  if (!load_text(state, box.program().text, chunk.c_str())) lua_error(state);
+  if (!load_text(state, without_head(box.program().text), chunk.c_str())) lua_error(state);
   lua_call(state, 0, 0);
 }
 

@@ -94,7 +94,15 @@ Message bytes_of(lua_State* state) {
   Message message;
   for (lua_Unsigned i = 1; i <= size; ++i) {
     lua_rawgeti(state, 1, static_cast<lua_Integer>(i));
-    message += static_cast<char>(integer_argument(state, -1, "send", "byte", 0, 255));
+    int exact = 0;
+    const lua_Integer byte =
+        lua_type(state, -1) == LUA_TNUMBER ? lua_tointegerx(state, -1, &exact) : 0;
+    if (exact == 0 || byte < 0 || byte > 255) {
+      luaL_error(state,
+                 "send: byte %d of the message must be a whole number from 0 to 255, and is %s",
+                 static_cast<int>(i), push_shown(state, -1));
+    }
+    message += static_cast<char>(byte);
     lua_pop(state, 1);
   }
   return message;

@@ -45,6 +45,9 @@ void raise_if_stopped(lua_State* state);
 /// Pushes the text of a value as tostring gives it, and returns it; never an address.
 std::string_view push_text(lua_State* state, int index);
 
+/// A file's text as Lua reads files: without a byte order mark, and with an empty first line where
+/// that begins with '#'.
+std::string_view without_head(std::string_view file);
 /// Loads the text as a function onto the stack, or pushes a message and returns false.
 bool load_text(lua_State* state, std::string_view text, const char* chunk_name);
 
@@ -63,6 +66,9 @@ std::string_view text_argument(lua_State* state, int index, const char* function
 Vec3 vector_argument(lua_State* state, int index, const char* function, const char* name);
 /// Of length 1, whatever the length of what was given.
 Quat quaternion_argument(lua_State* state, int index, const char* function, const char* name);
+/// Pushes what a message shows of an argument: "missing", a number, the beginning of a text in
+/// quotes, otherwise its type. It is valid as long as it stays on the stack.
+const char* push_shown(lua_State* state, int index);
 [[noreturn]] void bad_argument(lua_State* state, int index, const char* function, const char* name,
                                const char* expected);
 

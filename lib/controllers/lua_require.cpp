@@ -33,6 +33,13 @@ std::optional<std::string> read_module(const LuaProgram& program, const std::str
     if (known == name) return text;
   }
   const auto path = program.whole ? std::nullopt : find_beside(program.path, name);
+  if (!path && program.whole) {
+    problem = "'" + name +
+              "' is not among the files that came with the program: its name must stand in the "
+              "program's text, as require '" +
+              name + "'";
+    return std::nullopt;
+  }
   if (!path) {
     problem = "there is no file '" + name + ".lua' beside the program";
     return std::nullopt;
@@ -67,7 +74,7 @@ int require(lua_State* state) {
   const auto text = read_module(box.program(), name, problem);
   if (!text) return luaL_error(state, "require: %s", problem.c_str());
   const std::string chunk = box.chunk_name(beside(box.program().path, name));
-  if (!load_text(state, *text, chunk.c_str())) return lua_error(state);
+  if (!load_text(state, without_head(*text), chunk.c_str())) return lua_error(state);
   const auto keep = [&] {  // the value on top, as what the name stands for
     lua_pushvalue(state, 1);
     lua_pushvalue(state, -2);

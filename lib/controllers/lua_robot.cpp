@@ -293,7 +293,7 @@ void put_rangefinders(lua_State* state, RobotSide& side) {
   lua_newtable(state);
   for (const RangeDevice& device : side.model.rangefinders) {
     lua_newtable(state);
-    put(state, "proximity", 0.0);
+    put(state, "proximity", without_hit(device));
     put(state, "illuminance", 0.0);
     put_transform(state, device.p_B, turn_between({0, 0, 1}, device.direction),
                   side.model.bodies[device.body].name);

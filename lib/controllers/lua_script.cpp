@@ -214,7 +214,7 @@ int open_and_run(lua_State* state) {
   lua_setfield(state, LUA_REGISTRYINDEX, "stig.world");
   const LuaBox& box = LuaBox::of(state);
   const std::string chunk = LuaBox::of(state).chunk_name(box.program().path);
-  if (!load_text(state, box.program().text, chunk.c_str())) lua_error(state);
+  if (!load_text(state, without_head(box.program().text), chunk.c_str())) lua_error(state);
   lua_call(state, 0, 0);
   return 0;
 }

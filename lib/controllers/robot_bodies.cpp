@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "base/degree.h"
 #include "base/hull.h"
@@ -132,9 +133,16 @@ void read_limits(const FormView& view, AxisModel& axis, double unit, const Robot
   if (limits.size() != 2) return;
   axis.lower = limits[0] * unit;
   axis.upper = limits[1] * unit;
-  if (limits[0] <= limits[1]) return;
-  parts.out.add(Code::P608, parts.range(*view.find("limits")),
-                fmt::format("the lower limit {} is above the upper one {}", limits[0], limits[1]));
+  const SourceRange place = parts.range(*view.find("limits"));
+  if (limits[0] > limits[1]) {
+    parts.out.add(
+        Code::P608, place,
+        fmt::format("the lower limit {} is above the upper one {}", limits[0], limits[1]));
+  } else if (limits[0] > 0 || limits[1] < 0) {
+    parts.out.add(Code::P608, place,
+                  fmt::format("the limits {} and {} do not hold 0, where every joint begins",
+                              limits[0], limits[1]));
+  }
 }
 
 AxisModel read_axis(const FormView& view, const RobotParts& parts) {
@@ -176,6 +184,21 @@ JointModel read_joint(const FormView& view, const RobotParts& parts) {
   return joint;
 }
 
+/// Of all joints; with the six of its root these are the degrees of freedom of a mechanism.
+constexpr std::size_t kMostRobotAxes = 58;
+
+void check_count(const FormView& root, const RobotParts& parts) {
+  const auto& joints = parts.model.joints;
+  const std::size_t axes = std::accumulate(
+      joints.begin(), joints.end(), std::size_t{0},
+      [](std::size_t sum, const JointModel& joint) { return sum + joint.axes.size(); });
+  if (axes <= kMostRobotAxes) return;
+  parts.out.add(Code::R107, parts.document.head(*root.node().find("joints")),
+                fmt::format("'joints' has {} axes in all, it takes at most {}: with the six ways "
+                            "in which a robot moves, what can be simulated",
+                            axes, kMostRobotAxes));
+}
+
 }  // namespace
 
 void read_bodies(const FormView& root, const RobotParts& parts) {
@@ -192,6 +215,7 @@ void read_joints(const FormView& root, const RobotParts& parts) {
     parts.claim_name(view, "joints", seen);
     parts.model.joints.push_back(read_joint(view, parts));
   }
+  check_count(root, parts);
 }
 
 }  // namespace stig

@@ -7,6 +7,7 @@
 
 #include "base/text.h"
 #include "controllers/robot_parts.h"
+#include "sensing/camera_view.h"
 
 namespace stig {
 
@@ -208,7 +209,29 @@ class DeviceReader {
                      "the camera sees nothing: 'near' is not below 'far'");
     }
     read_intrinsics(view, camera.intrinsics);
+    check_view(view, camera);
     return camera;
+  }
+
+  /// The robot's crew makes the same view of it.
+  void check_view(const FormView& view, const CameraDevice& camera) {
+    for (const auto* key : {"near", "far", "resolution", "focal_length", "principal_point"}) {
+      if (!view.has(key)) return;
+    }
+    const YamlNode* distortion = view.find("distortion");
+    if (camera.near >= camera.far || (distortion == nullptr) != !view.node().find("distortion")) {
+      return;  // said already
+    }
+    if (make_view(camera.intrinsics, camera.near, camera.far)) return;
+    if (distortion != nullptr) {
+      parts_.out.add(Code::P611, parts_.range(*distortion),
+                     "the distortion has no inverse at the image's borders: no direction is seen "
+                     "there");
+    } else {
+      parts_.out.add(Code::P611, parts_.range(*view.find("focal_length")),
+                     "the focal length is too short: the image's borders would look at right "
+                     "angles to the camera's axis");
+    }
   }
 
   void read_intrinsics(const FormView& view, CameraIntrinsics& camera) {

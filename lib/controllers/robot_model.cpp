@@ -27,6 +27,10 @@ std::size_t RobotModel::root() const {
   return root;
 }
 
+double without_hit(const RangeDevice& device) {
+  return device.calibration == RangeDevice::Calibration::metres ? device.range : 0;
+}
+
 Vec3 moments_of(const BodyModel& body) {
   if (body.inertia) return *body.inertia;
   const Vec3 s = scaled(body.size, body.size) * body.mass;

@@ -123,6 +123,9 @@ struct RangeDevice {
   std::array<double, 3> coefficients{};
 };
 
+/// What it reads when nothing is in reach: its range, or no counts.
+double without_hit(const RangeDevice& device);
+
 struct RadioDevice {
   std::string name;
   std::size_t body = 0;

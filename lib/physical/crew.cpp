@@ -59,8 +59,7 @@ Crew::Crew(CrewConfig config, const WorldConfig& world)
       assert(view);  // the reader has refused cameras that make no sense
       one.views.push_back(*view);
     }
-    // As the real one: on until it is disabled.
-    one.enabled.assign(model.cameras.size(), true);
+    one.enabled.assign(model.cameras.size(), false);
     one.late_cameras.resize(model.cameras.size());
     one.late_ranges.resize(1);
     one.inbox.resize(model.radios.size());
@@ -138,6 +137,14 @@ Led Crew::colour(std::size_t block) const {
   std::array<int, 5> shown{};
   for (const Led led : blocks_[block].leds) ++shown[static_cast<std::size_t>(led)];
   return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+}
+
+std::vector<std::string> Crew::failed_blocks() const {
+  std::vector<std::string> out;
+  for (const Block& block : blocks_) {
+    if (block.failed) out.push_back(block.config.name);
+  }
+  return out;
 }
 
 std::size_t Crew::block_of(BodyId body) const {

@@ -100,6 +100,8 @@ class Crew {
   BodyId block_body(std::size_t block) const { return blocks_[block].config.body; }
   /// The colour that most of its LEDs show.
   Led colour(std::size_t block) const;
+  /// Names of blocks whose programs have failed.
+  std::vector<std::string> failed_blocks() const;
   /// The block of a body, or none: blocks().
   std::size_t block_of(BodyId body) const;
 

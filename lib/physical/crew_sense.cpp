@@ -50,10 +50,18 @@ void Crew::sense(const World& world, const SensorIndex& index, std::size_t numbe
   for (std::size_t i = 0; i < model.cameras.size(); ++i) {
     out.cameras[i] =
         robot.late_cameras[i].pass(see(world, index, number, i), robot.config.camera_noise.latency);
+    if (robot.enabled[i]) continue;
+    // Pictures that were on their way when it was switched off are lost.
+    out.cameras[i].enabled = false;
+    out.cameras[i].tags.clear();
+    out.cameras[i].leds.clear();
   }
   out.rangefinders =
       robot.late_ranges[0].pass(feel(world, index, number), robot.config.range_noise.latency);
-  out.rangefinders.resize(model.rangefinders.size());
+  // Nothing has arrived yet: as if nothing were in reach.
+  for (std::size_t i = out.rangefinders.size(); i < model.rangefinders.size(); ++i) {
+    out.rangefinders.push_back({without_hit(model.rangefinders[i]), 0});
+  }
   out.radios = std::exchange(robot.inbox, std::vector<std::vector<Message>>(model.radios.size()));
   read(world, model, robot.config.body, robot.devices, out);
 }

@@ -287,16 +287,22 @@ class Placer {
 
   /// What caches may drop has a name already, though no place yet.
   void add_stock() {
+    std::set<std::string> taken;
+    for (const SceneBody& body : placed_.bodies) taken.insert(body.name);
+    for (const RobotSpawn& robot : scene_.robots) taken.insert(robot.name);
     std::size_t number = 0;
+    const auto add = [&] {
+      std::string name;
+      do {
+        name = fmt::format("cache block {}", ++number);
+      } while (taken.count(name) > 0);
+      placed_.bodies.push_back({std::move(name), Led::off, 0});
+    };
     for (const CacheSpawn& cache : scene_.caches) {
       check_cache(cache);
-      for (std::size_t i = 0; i < cache.stock; ++i) {
-        placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0});
-      }
+      for (std::size_t i = 0; i < cache.stock; ++i) add();
     }
-    for (std::size_t i = 0; i < scene_.stock; ++i) {
-      placed_.bodies.push_back({fmt::format("cache block {}", ++number), Led::off, 0});
-    }
+    for (std::size_t i = 0; i < scene_.stock; ++i) add();
   }
 
   void report_problems() {
@@ -328,7 +334,9 @@ class Placer {
       return one.block ? scene_.blocks[one.entry].range : scene_.robots[one.entry].range;
     };
     if (problem.bodies.empty()) {
-      out_.add(Code::S609, first_range(), problem.what);
+      // It is about joints, or a solver that cannot have them.
+      const bool robots = !placed_.config.joints.empty() && !scene_.robots.empty();
+      out_.add(Code::S609, robots ? scene_.robots.front().range : first_range(), problem.what);
     } else if (problem.bodies.size() == 1) {
       const std::uint32_t body = problem.bodies[0];
       const Code code = problem.what == "is outside of the arena" ? Code::S602

@@ -43,8 +43,8 @@ std::optional<double> closest_hit(const SensorIndex& index, const Vec3& p_W,
 
 double calibrated(const RangeDevice& device, std::optional<double> distance) {
   using Calibration = RangeDevice::Calibration;
-  if (device.calibration == Calibration::metres) return distance.value_or(device.range);
-  if (!distance) return 0;
+  if (!distance) return without_hit(device);
+  if (device.calibration == Calibration::metres) return *distance;
   const double v = std::exp(-*distance);
   const auto& c = device.coefficients;
   if (device.calibration == Calibration::power) return c[0] * std::pow(v, c[1]);

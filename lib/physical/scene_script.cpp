@@ -97,6 +97,9 @@ std::string SceneScript::name_of(BodyId body) const {
 
 std::string SceneScript::place(ScriptThing thing, const Vec3& at, const std::optional<Quat>& turn) {
   const BodyId body = body_of(thing);
+  const auto& bodies = run_.placed_.config.bodies;
+  const auto number = static_cast<std::size_t>(body);
+  if (number < bodies.size() && bodies[number].fixed) return "it is fixed in the world";
   const Pose X_BF = thing.robot ? inverse(run_.crew_->root_pose(thing.place)) : Pose{};
   const Pose now = run_.world_.state(body).X_WB * X_BF;
   const PlaceResult placed =
@@ -125,7 +128,10 @@ std::optional<std::size_t> SceneScript::drop(const Pose& X_WB, std::string& prob
     return std::nullopt;
   }
   const AddResult added = run_.add_block(X_WB);
-  problem = added.problem;
+  problem = added.overlaps ? "it would overlap " + name_of(added.other) : added.problem;
+  // The one body of the addition.
+  constexpr std::string_view kIs = "body 0 is ";
+  if (problem.starts_with(kIs)) problem.replace(0, kIs.size(), "it would be ");
   if (!problem.empty()) return std::nullopt;
   ++dropped;
   bodies_.push_back(added.body);

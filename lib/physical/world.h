@@ -76,6 +76,8 @@ struct AddResult {
   std::string problem;  ///< a sentence, bodies and joints by their places in the addition
   BodyId body{};
   JointId joint{};
+  bool overlaps = false;  ///< that is the problem
+  BodyId other{};         ///< with which body of the world
 };
 
 /// With a problem, the world is as before. Where it is an overlap: of which bodies.

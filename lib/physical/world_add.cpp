@@ -21,18 +21,20 @@ WorldConfig alone(const WorldState& world, const Addition& addition) {
   return config;
 }
 
-std::string overlap_with(const WorldState& world, const Addition& addition) {
+void find_overlap(const WorldState& world, const Addition& addition, AddResult& out) {
   for (std::size_t i = 0; i < addition.bodies.size(); ++i) {
     const BodyDef& def = addition.bodies[i];
     for (std::size_t k = 0; k < world.bodies.size(); ++k) {
       const Body& other = world.bodies[k];
       if (other.left || (other.fixed && def.fixed)) continue;
       if (spawns_overlap(def.shape, def.X_WB, other.shape, {other.p, other.q})) {
-        return fmt::format("body {} overlaps body {} of the world", i, k);
+        out.problem = fmt::format("body {} overlaps body {} of the world", i, k);
+        out.overlaps = true;
+        out.other = BodyId{static_cast<std::uint32_t>(k)};
+        return;
       }
     }
   }
-  return {};
 }
 
 std::string problem_with(const WorldState& world, const Addition& addition) {
@@ -49,13 +51,15 @@ std::string problem_with(const WorldState& world, const Addition& addition) {
     }
   }
   if (most > kMostSizeRatio * least) return "the largest body is more than 200 times the smallest";
-  return overlap_with(world, addition);
+  return {};
 }
 
 }  // namespace
 
 AddResult World::add(const Addition& addition) {
-  AddResult out{problem_with(*state_, addition), {}, {}};
+  AddResult out;
+  out.problem = problem_with(*state_, addition);
+  if (out.problem.empty()) find_overlap(*state_, addition, out);
   if (!out.problem.empty()) return out;
   const auto first = static_cast<std::uint32_t>(state_->bodies.size());
   out.body = BodyId{first};

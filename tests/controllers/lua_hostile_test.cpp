@@ -235,6 +235,15 @@ TEST_CASE("require finds plain files beside the program only") {
     CAPTURE(name);
     CHECK(run("require '" + std::string(name) + "'").find("there is no file") != std::string::npos);
   }
+  write("in/marked.lua", "\xef\xbb\xbf#!/usr/bin/lua\nreturn 'marked'");
+  write("in/hash.lua", "#\nerror('here')");
+  CHECK(run("assert(require 'marked' == 'marked')") == "");
+  CHECK(run("require 'hash'").find("hash.lua:2: here") != std::string::npos);
+  CHECK(run("#!lua\nerror('main')").find("main.lua:2: main") != std::string::npos);
+  CHECK(run("\xef\xbb\xbf"
+            "error('main')")
+            .find("main.lua:1: main") != std::string::npos);
+  CHECK(run("assert(not load('#\\nx = 1'))") == "");  // what is no file
   CHECK(run("require(5)").find("must be a text") != std::string::npos);
   CHECK(run("require 'self'").find("requires itself") != std::string::npos);
   CHECK(run("require 'bad'").find("bad.lua:3: broken") != std::string::npos);

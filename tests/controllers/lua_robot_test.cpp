@@ -64,7 +64,7 @@ TEST_CASE("electromagnets: voltage and the three modes") {
   }
   CHECK(said("robot.electromagnet_system.set_discharge_mode('on')") ==
         "test.lua:1: electromagnet_system.set_discharge_mode: argument 1 (mode) must be "
-        "'constructive', 'destructive' or 'disable', and is string (r1)");
+        "'constructive', 'destructive' or 'disable', and is 'on' (r1)");
 }
 
 TEST_CASE("camera: enabled and disabled, tags with places, turns, pixels") {
@@ -219,18 +219,22 @@ TEST_CASE("wrong arguments name the function and the argument") {
             "differential_drive.set_target_velocity: argument 2 (right) must be a finite number, "
             "and is missing");
   complains("robot.differential_drive.set_target_velocity(0/0, 1)", "argument 1 (left)");
-  complains("robot.differential_drive.set_target_velocity('1', 1)", "and is string");
+  complains("robot.differential_drive.set_target_velocity('1', 1)", "and is '1'");
   complains("robot.differential_drive:set_target_velocity(1, 1)", "and is table");
   complains("robot.lift_system.set_position(1/0)", "lift_system.set_position: argument 1");
   complains("robot.camera_system.detect_led(1)", "camera_system.detect_led: argument 1 (position)");
   complains("robot.camera_system.detect_led(vector3(1, 2, 3) / 0)", "a finite vector3");
   complains("robot.simple_radios.nfc.send(5)", "send: argument 1 (message)");
-  complains("robot.simple_radios.nfc.send({256})", "a whole number from 0 to 255");
+  complains("robot.simple_radios.nfc.send({1, 256})",
+            "send: byte 2 of the message must be a whole number from 0 to 255, and is 256");
+  complains("robot.simple_radios.nfc.send({1, 'x'})", "and is 'x'");
   complains("robot.simple_radios.nfc.send({1.5})", "a whole number");
   complains("robot.simple_radios.nfc.send(('x'):rep(1025))", "at most 1024 bytes");
   complains("for i = 1, 65 do robot.simple_radios.nfc.send('x') end", "at most 64 messages");
   complains("robot.leds.set_led_index(3, 'red')", "from 1 to 2");
   complains("robot.leds.set_leds('reddish')", "leds.set_leds: argument 1 (color)");
+  complains("robot.leds.set_leds('reddish')", "and is 'reddish'");
+  complains("robot.leds.set_leds(('x'):rep(1000))", "and is '" + std::string(40, 'x') + "…'");
   complains("robot.joints.arm.set_target()", "joint.set_target: argument 1");
   complains("robot.show.number('x', 'y')", "show.number: argument 2 (value)");
   complains("for i = 1, 300 do robot.show.number('x' .. i, i) end", "too much in one step");

@@ -85,7 +85,7 @@ TEST_CASE("half duplex: who sends does not hear") {
 namespace {
 
 constexpr const char* kLift = R"(
-function init() robot.lift_system.set_position(0.135) end
+function init() robot.camera_system.enable() robot.lift_system.set_position(0.135) end
 function step()
   local tag = robot.camera_system.tags[1]
   if tag then log(string.format('%.4f %d', tag.center.x, robot.camera_system.detect_led(
@@ -199,6 +199,53 @@ TEST_CASE("lights off: no LED is seen, tags are") {
   };
   CHECK(seen("") == "3");
   CHECK(seen("lights: false\n") == "0");
+}
+
+TEST_CASE(
+    "cameras are off at first, and see from the step after enable() to that after disable()") {
+  const std::string program = R"(
+local n = 0
+function init() robot.lift_system.set_position(0.135) end
+function step()
+  n = n + 1
+  local camera = robot.camera_system
+  local led = camera.tags[1] and camera.detect_led(
+    vector3(0.02, 0, 0):rotate(camera.tags[1].orientation) + camera.tags[1].position)
+  if n > 9 then log(n, ' ', #camera.tags > 0, ' ', led) end
+  if n == 10 then camera.enable() elseif n == 13 then camera.disable() end
+end)";
+  const auto said = [&](const std::string& more) {
+    return recorded(crew_scene(view_scene(more), {{"p.lua", program}}), 3).said("r");
+  };
+  CHECK(said("") == std::vector<std::string>{"10 false nil", "11 true 3", "12 true 3", "13 true 3",
+                                             "14 false nil", "15 false nil"});
+  // An image that is on its way when the camera goes off does not arrive.
+  CHECK(said("noise: {camera_latency: 1}\n") ==
+        std::vector<std::string>{"10 false nil", "11 false nil", "12 true 3", "13 true 3",
+                                 "14 false nil", "15 false nil"});
+}
+
+TEST_CASE("rangefinders that are late read that nothing is there, until the first reading comes") {
+  const std::string robot = R"(stigc_robot: 1
+name: post
+bodies:
+  - {name: a, box: [0.1, 0.1, 0.1], mass: 1, base: [0, 0, 0]}
+rangefinders:
+  - {name: m, body: a, at: [0.06, 0, 0.03], look: [1, 0, 0], range: 0.3}
+  - {name: c, body: a, at: [0.06, 0, 0.03], look: [1, 0, 0], range: 0.3, calibration: power, coefficients: [2, 1]}
+)";
+  const LoadedScene loaded = crew_scene(
+      "stigc_scene: 1\nrobots: [{file: post.yaml, name: r, program: p.lua}]\n"
+      "noise: {range_latency: 2}\nblocks: [{at: [0.2, 0, 0.0275]}]\n",
+      {{"post.yaml", robot}, {"p.lua", R"(
+local function say()
+  local r = robot.rangefinders
+  log(string.format('%.2f %.0f', r.m.proximity, r.c.proximity))
+end
+init = say
+step = say)"}});
+  CHECK(recorded(loaded, 0.6).said("r") ==
+        std::vector<std::string>{"0.30 0", "0.30 0", "0.30 0", "0.11 2"});
 }
 
 TEST_CASE("noise is a function of the seed") {

@@ -39,6 +39,27 @@ end)",
   CHECK(out.run.measures().at("turn") == doctest::Approx(0.7854).epsilon(0.001));
 }
 
+TEST_CASE("what is fixed stays, a quaternion of any length turns, drops are told why not by name") {
+  const Scripted out(
+      "stock: 3\nblocks: [{name: rock, at: [0, 0, 0.0275], fixed: true},\n"
+      "         {name: cache block 1, at: [1, 0, 0.0275]}]\n",
+      R"(
+function on_start(world)
+  log(world.place('rock', vector3(0.5, 0, 0.0275)))
+  log(world.place('cache block 1', vector3(1, 0, 0.0275), quaternion(0, 0, 0, 7)))
+  log(world.block(2).orientation.z)
+  log(world.drop(vector3(0, 0, 0.05)))
+  log(world.drop(vector3(0, 1, 0)))
+  log(world.drop(vector3(0, 1e3, 1)))
+  log(world.block(world.drop(vector3(0, 1, 0.1))).name)
+end)",
+      0.1);
+  CHECK(out.said ==
+        std::vector<std::string>{"falseit is fixed in the world", "true", "1.0",
+                                 "nilit would overlap 'rock'", "nilit would be in the floor",
+                                 "nilit would be outside of the arena", "cache block 2"});
+}
+
 TEST_CASE("a push lasts as long as it says") {
   // Along a floor without friction: v = F t / m.
   const Scripted out(

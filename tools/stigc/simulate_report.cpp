@@ -182,6 +182,7 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
     r.robots.push_back({run.crew()->robot_name(i), run.crew()->robot_pose(world, i),
                         run.crew()->failed(i), run.crew()->halted(i), run.driven(i)});
   }
+  if (run.crew() != nullptr) r.failed_blocks = run.crew()->failed_blocks();
   return r;
 }
 
@@ -236,6 +237,7 @@ Json to_json(const SimulationReport& r) {
                               {"failed", robot.failed},
                               {"halted", robot.halted}});
   }
+  json["failed_blocks"] = r.failed_blocks;
   json["measures"] = r.measures;
   json["structure"] = structure_json(r.structure, r.names);
   json["hash"] = to_hex(r.hash);
@@ -286,6 +288,11 @@ std::string lines_of(const SimulationReport& r, bool speed) {
   }
   if (r.robots.size() > kMostNames) {
     out += line("", fmt::format("and {} more", r.robots.size() - kMostNames));
+  }
+  if (!r.failed_blocks.empty()) {
+    out += line("failed", fmt::format("{} of {}",
+                                      r.failed_blocks.size() == 1 ? "the program" : "the programs",
+                                      printable(some_names(r.failed_blocks))));
   }
   for (const auto& [name, value] : r.measures) {
     out += line("measure", fmt::format("{} {:g}", printable(name), value));

@@ -32,6 +32,7 @@ struct SimulationReport {
   std::vector<ScriptRobot> robots;
   std::map<std::string, double> measures;
   bool script_failed = false;
+  std::vector<std::string> failed_blocks;  ///< whose programs failed
   std::vector<std::string> names;  ///< of blocks that are there
 };
 
