@@ -30,6 +30,8 @@ local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before 
 local SLOW = 0.05              -- m/s, close to blocks
 local BEHIND = 0.05            -- m, behind the chassis, to stop from backing at 0.1 m/s
 local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
+local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
+local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local STRAIGHT = 0.04          -- m, in which a line is joined
@@ -163,6 +165,7 @@ function handling.go_to(x, y, speed, each)
    local dx, dy = x - robotics.pose.x, y - robotics.pose.y
    if dx * dx + dy * dy < 1e-4 then return true end
    local yaw = math.atan(dy, dx)
+   if math.abs(wrap(yaw - robotics.pose.yaw)) > 0.3 then handling.await_room() end
    handling.turn_to(yaw)
    return handling.follow({ x = x, y = y, yaw = yaw }, 0, speed or robotics.profile.cruise, each)
 end
@@ -266,11 +269,16 @@ local function nearest(names)
    return least
 end
 
+-- How far away something stands before the chassis, as far as a carried block does not hide it.
+local function before_chassis()
+   if handling.carrying and robot.lift_system.position < SIDE then return 1 end
+   return nearest(robotics.profile.fan and { '12', '1', '2' } or { '1', '2', '3' })
+end
+
 -- Whether something stands within `distance` of the wheels' front (45 mm, if nothing is said), or
 -- right before the effector.
 local function blocked(distance)
-   local ahead = robotics.profile.fan and { '12', '1', '2' } or { '1', '2', '3' }
-   return nearest(ahead) < (distance or 0.045) or nearest { 'front' } < 0.05
+   return before_chassis() < (distance or 0.045) or nearest { 'front' } < 0.05
 end
 handling.blocked = blocked
 
@@ -289,13 +297,20 @@ end
 -- one beside it may jut out by a block.
 function handling.between(away)
    local face = away - robotics.profile.front - SIDE / 2
-   return not robotics.profile.fan and nearest { '1', '2', '3' } < face - SIDE - 0.02
+   return not robotics.profile.fan and before_chassis() < face - SIDE - 0.02
 end
 
--- Whether nothing beside or behind would be swept by the effector in a turn on the spot.
-function handling.room_to_turn()
-   return robotics.profile.fan or
-          nearest { '4', '5', '6', '7', '8', '9', '10', '11', '12' } > SWEPT
+-- Waits a while for those to go whom the effector would sweep in a turn on the spot.
+function handling.await_room()
+   if robotics.profile.fan then return end
+   local beside = { '4', '5', '6', '7', '8', '9', '10', '11', '12' }
+   local function room() return nearest(beside) > SWEPT end
+   if not room() then wait_until(room, PATIENCE * math.random()) end
+end
+
+-- What stands ahead within the effector's reach, at the speed of travel: most likely a robot.
+function handling.meets()
+   return blocked(MEETING)
 end
 
 -- The nearest of the blocks in memory that is wanted, or nil.
@@ -313,6 +328,7 @@ handling.recall = recall
 
 -- Once round on the spot, until `found()` is something.
 local function look_round(found)
+   handling.await_room()
    local rim, turned, before = robotics.profile.search_rim, 0, robotics.pose.yaw
    local block
    while turned < 2 * math.pi and not block do
@@ -423,7 +439,16 @@ local function approach(block, options)
          -- out of reach of the block before turning
          if robotics.distance_to(block) < 0.22 then handling.back_off(0.12) end
          local away = STAND_OFF + 0.02 * (attempt - 1)
-         handling.go_to(robotics.out_of(line, -away, 0))
+         local x, y = robotics.out_of(line, -away, 0)
+         for _ = 1, 3 do
+            handling.go_to(x, y, nil, handling.meets)
+            if not handling.meets() then break end
+            handling.wait(PATIENCE * math.random())
+         end
+         if handling.meets() and (x - robotics.pose.x) ^ 2 + (y - robotics.pose.y) ^ 2 > 0.05 ^ 2 then
+            handling.back_off(0.10)
+            return false, 'busy'
+         end
       end
       handling.turn_to(line.yaw)
       lift_for_sight(block, lowest)
@@ -448,7 +473,13 @@ local function approach(block, options)
             sight = centred_at(watch, block)
          end
          local near = math.max(sight + (options.ahead or 0), 0.170)
-         if handling.follow(now_line, -near, 0.08) then
+         local function between() return handling.between(robotics.distance_to(block)) end
+         local there = handling.follow(now_line, -near, 0.08, between)
+         if between() then
+            handling.back_off(0.10)
+            return false, 'busy'
+         end
+         if there then
             handling.lift_to(watch)
             seen = look_at(block, 6)
          else
