@@ -32,7 +32,6 @@ local AT_WORK = 0.12           -- m, from the structure, that blocks in others' 
 
 local task
 local in_vain      -- searches for a block, one after the other
-local put_away     -- {x, y}: of a block that the robot did not know where to put
 local block        -- unused, to be fetched
 local tried        -- rows of this side that asked for nothing
 local row          -- {v, front, frame}: the one it stands before
@@ -55,7 +54,6 @@ local function is_unused(known)
    if known.colour ~= 0 and not dropped or known.level ~= 0 or known.seen < 2 * OFTEN then
       return false
    end
-   if put_away and lattice.apart(known, put_away) < 0.2 then return false end
    for _, other in ipairs(robotics.blocks()) do
       if other ~= known and lattice.apart(other, known) < LINKED and math.abs(other.z - known.z) < LINKED
       then return false end
@@ -122,7 +120,6 @@ function does.search_structure()
       found = lattice.in_memory()
    end
    if not found then
-      if lattice.known then lattice.lose() end
       if not handling.search(lattice.is_brick, LEGS, travel.wander) then
          travel.straight_to(0, 0)
          return 'none'
@@ -132,18 +129,17 @@ function does.search_structure()
    end
    if not found then return 'none' end
    if not lattice.remember(found) then return 'lost' end
-   put_away = nil
    if lattice.settle() then tried = {} end
    return 'found'
 end
 
--- A block that it does not know where to put goes back to the floor, dark, out of the way.
-function does.put_away()
-   handling.back_off(0.15)
-   handling.turn_by(2)
-   handling.release(0, 0)
-   put_away = { x = robotics.pose.x, y = robotics.pose.y }
-   return 'done'
+-- Lost: where blocks come from tells the directions.
+function does.find_cache()
+   local function comes_from_there(known) return known.colour == 0 and is_unused(known) end
+   local known = handling.search(comes_from_there, LEGS, travel.wander)
+   if not known then return 'none' end
+   lattice.cache = { x = known.x, y = known.y }
+   return 'found'
 end
 
 -- A row that was not tried yet, at random.
@@ -313,7 +309,7 @@ function building.start(chart, with)
    task = with
    lattice.start(task)
    handling.transport = task.transport
-   block, tried, row, wish, put_away, in_vain = nil, {}, nil, nil, nil, 0
+   block, tried, row, wish, in_vain = nil, {}, nil, nil, 0
    building.placed, building.aborted, building.busy = 0, 0, 0
    note('placed', 0)
    handling.start(function()

@@ -5,8 +5,8 @@
 -- A side's name tells nothing to a robot that has no compass. `params.side` is the side on which it
 -- finds itself when it first sees the structure; from then on it knows the lattice's directions
 -- by its own turns, put right by a few degrees whenever it sees the structure again. Where the
--- structure is not where it was, the robot is lost. Then the way from the structure to the cache
--- tells the directions, once it has fetched a block from there again.
+-- structure is far from where it was, the robot is lost. Then the way from the structure to the
+-- cache tells the directions, once it has seen a block there again.
 
 local robotics = require 'robotics'
 
@@ -18,7 +18,8 @@ local lattice = {}
 local SIDE = robotics.SIDE
 local wrap, wrap_quarter = robotics.wrap, robotics.wrap_quarter
 local FAR_LINKED = 2.3 * SIDE
-local STRAYED = 0.12           -- m, by which the structure is farther off than odometry errs
+local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
+local TURNED = 0.35            -- rad, likewise
 local SIDES = { ['+x'] = 0, ['+y'] = 1, ['-x'] = 2, ['-y'] = 3 }
 lattice.SIDES = SIDES
 
@@ -73,8 +74,9 @@ function lattice.remember(structure)
    for _, known in ipairs(structure.blocks) do x, y, n = x + known.x, y + known.y, n + 1 end
    x, y = x / n, y / n
    local before = lattice.known
-   if before and not task.turns and lattice.apart(before, { x = x, y = y }) > STRAYED + before.reach
-   then lattice.lose() end
+   if before and not task.turns and
+      (lattice.apart(before, { x = x, y = y }) > STRAYED or
+       math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > TURNED) then lattice.lose() end
    local yaw = orientation(structure, { x = x, y = y })
    if not yaw then return false end
    local reach = 0

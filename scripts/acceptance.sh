@@ -3,7 +3,7 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench laws fuzz sanitizers
+#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench laws validate fuzz sanitizers
 #
 # Without a part: all of them. N is for each fuzz target (default 60).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -12,13 +12,13 @@ fuzz_seconds=60 parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
-    bench | laws | fuzz | sanitizers) parts+=("$1") ;;
+    bench | laws | validate | fuzz | sanitizers) parts+=("$1") ;;
     -h | --help) sed -n '3,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
 done
-[[ ${#parts[@]} -gt 0 ]] || parts=(bench laws fuzz sanitizers)
+[[ ${#parts[@]} -gt 0 ]] || parts=(bench laws validate fuzz sanitizers)
 
 failures=0
 mkdir -p out
@@ -76,6 +76,30 @@ laws_part() {
     # Blocks picked up, carried and stacked by robots, and how well they sit.
     sed -n 's/.*MESSAGE: \([0-9]* stacked.*\)/| | \1 |/p' "$log"
   done < <(find build/dev/tests -name 'test_*' -type f -executable | sort)
+}
+
+# One row: what stigc validate said of these arguments.
+validate_row() {
+  local name=$1 log
+  shift
+  log=out/validate-$name.log
+  say "stigc validate $*" >&2
+  build/dev/stigc validate "$@" --quiet >"$log" 2>&1 || failures=$((failures + 1))
+  printf '| %s | %s | %s |\n' "$name" "$(sed -n 's/^  verdict *//p' "$log")" \
+    "$(sed -n 's/^  \(wrong\|seed [0-9][0-9]*\)  *//p' "$log" | head -n 3 | paste -sd ';')"
+}
+
+validate_part() {
+  printf '\n## Structures built by robots\n\n| | verdict | what went wrong first |\n|---|---|---|\n'
+  scripts/install.sh build >&2
+  configure_and_build dev >&2
+  validate_row staircase rulesets/staircase.yaml --runs 25
+  validate_row pyramid rulesets/stepped-pyramid.yaml
+  validate_row pyramid-four rulesets/stepped-pyramid.yaml --robots 4
+  local scene
+  for scene in scenes/faults/*.yaml; do
+    validate_row "$(basename "$scene" .yaml)" rulesets/staircase.yaml --scene "$scene"
+  done
 }
 
 fuzz_part() {

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The demonstration: installs what is missing, builds the program alone, then checks,
-# grows, draws and measures the shipped rule sets. Pictures and models land in out/.
+# grows, draws and measures the shipped rule sets, proves one, compiles one into a robot's
+# program and lets a robot build it. Pictures, models and the robot's report land in out/.
 #
 #   scripts/demo.sh
 #
@@ -19,7 +20,7 @@ shown=(
 
 stigc=${STIGC:-}
 if [[ -z $stigc ]]; then
-  scripts/install.sh build
+  scripts/install.sh build physics
   say "Building the program"
   configure_and_build quick stigc
   stigc=build/quick/stigc
@@ -46,6 +47,12 @@ say "Proving that every order of work builds the pyramid, and checking the proof
 "$stigc" verify rulesets/stepped-pyramid.yaml --certificate out/stepped-pyramid.cert
 "$stigc" certify rulesets/stepped-pyramid.yaml out/stepped-pyramid.cert
 
+say "Compiling the staircase's rules into a robot's program, and letting a robot build it"
+"$stigc" compile rulesets/staircase.yaml --report out/staircase.txt -o out/staircase.lua
+cat out/staircase.txt
+"$stigc" validate rulesets/staircase.yaml --runs 2 -o out/staircase-runs
+report=$PWD/out/staircase-runs/report.html
+
 say "Compiling a drawing into rules: stigc synth docs/walkthrough/fountain.txt"
 "$stigc" synth docs/walkthrough/fountain.txt --symmetry rotations --start 3,3,0 --floor \
   -o out/fountain.yaml
@@ -55,3 +62,4 @@ say "Done. Pictures to look at, and models for any glTF viewer:"
 for entry in "${shown[@]}"; do
   printf '  %s\n' "$PWD/out/${entry%% *}.png"
 done
+say "The report of the robot's staircase: $report"

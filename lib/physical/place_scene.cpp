@@ -252,7 +252,9 @@ class Placer {
   void add_robot_entry(std::size_t entry) {
     const RobotSpawn& spawn = scene_.robots[entry];
     const RobotModel& model = scene_.robot_models[spawn.model];
-    placed_.robots.push_back(add_robot(placed_.config, model, spawn.X_WR, materials_));
+    const Pose X_WR =
+        jittered(spawn.X_WR, spawn.jitter, spawn.turn_jitter, placed_.seed, kRobotJitter, entry);
+    placed_.robots.push_back(add_robot(placed_.config, model, X_WR, materials_));
     for (const BodyModel& part : model.bodies) {
       placed_.bodies.push_back({spawn.name + "/" + part.name, Led::off, entry, false, part.rgb});
     }
@@ -348,6 +350,17 @@ class Placer {
 };
 
 }  // namespace
+
+Pose jittered(const Pose& pose, double jitter, double turn, std::uint64_t seed, std::uint32_t entry,
+              std::uint64_t number) {
+  if (jitter == 0 && turn == 0) return pose;
+  Noise noise(seed, entry, number);
+  Pose out = pose;
+  out.p.x += noise() * jitter;
+  out.p.y += noise() * jitter;
+  out.q = normalised(rotation({0, 0, noise() * turn}) * pose.q);
+  return out;
+}
 
 std::optional<PlacedScene> place_scene(const Scene& scene, std::uint64_t seed,
                                        Diagnostics& diagnostics) {

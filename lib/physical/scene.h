@@ -60,7 +60,8 @@ struct RobotSpawn {
   std::size_t model = 0;  ///< in Scene::robot_models
   std::string name;
   Pose X_WR;
-  std::size_t program = kNoProgram;  ///< in Scene::programs
+  double jitter = 0, turn_jitter = 0;  ///< m and rad, most by which it stands off
+  std::size_t program = kNoProgram;    ///< in Scene::programs
   std::vector<std::pair<std::string, LuaValue>> params;
   SourceRange range;
 
@@ -71,9 +72,10 @@ struct RobotSpawn {
 struct CacheSpawn {
   Vec3 at;  ///< where it is dropped; the radius is measured on the floor
   double radius = 0.35;
-  double yaw = 0;           ///< rad
-  std::size_t model = 0;    ///< in Scene::models
-  std::size_t stock = 100;  ///< blocks that it has
+  double yaw = 0;                      ///< rad
+  double jitter = 0, turn_jitter = 0;  ///< m and rad, most by which each block is off
+  std::size_t model = 0;               ///< in Scene::models
+  std::size_t stock = 100;             ///< blocks that it has
   SourceRange range;
 };
 
@@ -140,6 +142,13 @@ inline constexpr std::size_t kMaxSceneBytes = std::size_t{1} << 20;
 /// The scene, or nothing when an error was reported.
 std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
                                 Diagnostics& diagnostics);
+/// A pose off by at most `jitter` m in x and y and `turn` rad about z, by the seed; `entry` and
+/// `number` tell cases apart.
+Pose jittered(const Pose& pose, double jitter, double turn, std::uint64_t seed, std::uint32_t entry,
+              std::uint64_t number);
+/// Entries of `jittered` for what a scene has lists of.
+inline constexpr std::uint32_t kRobotJitter = 1U << 24, kCacheJitter = 2U << 24;
+
 /// Every block in its place; what cannot be (blocks that overlap, too many of them, outside
 /// of the arena) is reported at the entries concerned.
 std::optional<PlacedScene> place_scene(const Scene& scene, std::uint64_t seed,

@@ -170,6 +170,8 @@ const Form& robot_keys() {
            .least = 2,
            .most = 2},
           above_zero("pitch", "m between the robots of a grid (default: 0.4).", kFar),
+          real("jitter", "m, at most, by which the robot is off in x and y; by the seed.", 0, 1),
+          real("turn_jitter", "Degrees, at most, by which its heading is off.", 0, 180),
           {.name = "program", .kind = text, .doc = "Lua file; without it the robot's own."},
           {.name = "params", .kind = anything, .doc = "What the program finds in robot.params."},
       }};
@@ -183,6 +185,8 @@ const Form& cache_keys() {
           vector("at", "[x, y, z] in m: where a block is dropped.", -kFar, kFar),
           above_zero("radius", "m: a block nearer than this keeps the next one back (0.35).", kFar),
           real("yaw", "Degrees, of the blocks.", -360, 360),
+          real("jitter", "m, at most, by which each block is off in x and y; by the seed.", 0, 1),
+          real("turn_jitter", "Degrees, at most, by which each is turned.", 0, 180),
           {.name = "file", .kind = text, .doc = "Block file (default: stigmergic.yaml)."},
           whole("stock", "Blocks that it has (default: 100).", 0, 10'000),
       }};

@@ -280,6 +280,8 @@ class Reader {
     const auto at = node.numbers("at");
     if (at.size() == 2) spawn.X_WR.p = {at[0], at[1], 0};
     spawn.X_WR.q = rotation({0, 0, node.number("heading") * kDegree});
+    spawn.jitter = node.number("jitter");
+    spawn.turn_jitter = node.number("turn_jitter") * kDegree;
     const YamlNode* program = node.find("program");
     if (program == nullptr) program = common;
     const std::string path = program == nullptr ? robot.program : program->text;
@@ -341,6 +343,8 @@ class Reader {
     cache.at = node.vector("at", {0, 0, side / 2});
     cache.radius = node.number("radius", cache.radius);
     cache.yaw = node.number("yaw") * kDegree;
+    cache.jitter = node.number("jitter");
+    cache.turn_jitter = node.number("turn_jitter") * kDegree;
     cache.stock = static_cast<std::size_t>(node.number("stock", 100));
     scene_.caches.push_back(cache);
   }

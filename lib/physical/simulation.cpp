@@ -128,7 +128,10 @@ void Simulation::refill_caches() {
     const CacheSpawn& cache = scene_->caches[i];
     if (dropped_[i] == cache.stock || blocks_near(cache)) continue;
     // A robot may stand there: then later.
-    if (add_block({cache.at, rotation({0, 0, cache.yaw})}).problem.empty()) ++dropped_[i];
+    const Pose X_WB =
+        jittered({cache.at, rotation({0, 0, cache.yaw})}, cache.jitter, cache.turn_jitter,
+                 placed_.seed, kCacheJitter + static_cast<std::uint32_t>(i), dropped_[i]);
+    if (add_block(X_WB).problem.empty()) ++dropped_[i];
   }
 }
 

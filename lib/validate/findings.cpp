@@ -63,15 +63,14 @@ void of_robot(const RobotRecord& robot, const Trial& trial, std::vector<std::str
   out.push_back(fmt::format("{} {}{}", robot.name, what, robot.holding ? ", with a block" : ""));
 }
 
-}  // namespace
-
-std::vector<std::string> findings_of(const BuildTarget& target, const Trial& trial) {
-  std::vector<std::string> out;
-  const Judgement& judgement = trial.judgement;
-  if (judgement.against) out.push_back("against the rules: " + judgement.against->reason);
-  of_bricks(target, judgement, out);
-  if (judgement.verdict == BuildVerdict::complete) return out;
+/// Why it ended as it did; nothing of a run that ended since all stood.
+void of_end(const Trial& trial, std::vector<std::string>& out) {
   switch (trial.end) {
+    case TrialEnd::spoilt:
+      out.push_back(fmt::format(
+          "ended at {:.0f} s: a wrong brick had stood for two minutes, and robots take none away",
+          trial.time));
+      break;
     case TrialEnd::stuck:
       out.push_back(fmt::format("nothing went on at {:.0f} s", trial.time));
       break;
@@ -88,10 +87,25 @@ std::vector<std::string> findings_of(const BuildTarget& target, const Trial& tri
       out.push_back(fmt::format("interrupted at {:.0f} s", trial.time));
       break;
     case TrialEnd::built:
-      return out;
+      return;
   }
   for (const RobotRecord& robot : trial.robots) of_robot(robot, trial, out);
-  if (trial.loose == 0) out.push_back("no loose block lies in the arena");
+  if (trial.loose.empty()) out.push_back("no loose block lies in the arena");
+  for (const WatchedBlock& block : trial.loose) {
+    if (block.led == Led::off) continue;
+    out.push_back(fmt::format("a block that shows {} lies loose at ({:.2f}, {:.2f}) m",
+                              to_string(block.led), block.X_WB.p.x, block.X_WB.p.y));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> findings_of(const BuildTarget& target, const Trial& trial) {
+  std::vector<std::string> out;
+  const Judgement& judgement = trial.judgement;
+  if (judgement.against) out.push_back("against the rules: " + judgement.against->reason);
+  if (judgement.verdict != BuildVerdict::complete) of_end(trial, out);
+  of_bricks(target, judgement, out);
   return out;
 }
 

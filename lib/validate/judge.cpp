@@ -173,13 +173,23 @@ Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& bloc
   return out;
 }
 
+namespace {
+
+bool is_right(const BuildTarget& target, const std::pair<const Cell, StandingBrick>& brick) {
+  const State wanted = target.whole.at(brick.first);
+  return is_brick(wanted) && led_of(*target.rules, wanted) == brick.second.led;
+}
+
+}  // namespace
+
 bool stands(const BuildTarget& target, const Watch& watch) {
+  return watch.bricks().size() == target.whole.size() && !spoilt(target, watch);
+}
+
+bool spoilt(const BuildTarget& target, const Watch& watch) {
   const auto& bricks = watch.bricks();
-  return bricks.size() == target.whole.size() &&
-         std::all_of(bricks.begin(), bricks.end(), [&](const auto& one) {
-           const State wanted = target.whole.at(one.first);
-           return is_brick(wanted) && led_of(*target.rules, wanted) == one.second.led;
-         });
+  return !std::all_of(bricks.begin(), bricks.end(),
+                      [&](const auto& brick) { return is_right(target, brick); });
 }
 
 }  // namespace stig

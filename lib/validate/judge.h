@@ -94,6 +94,9 @@ Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& bloc
 /// Every brick is in its cell in its colour, and none besides: what a watch alone can tell.
 bool stands(const BuildTarget& target, const Watch& watch);
 
+/// There is a brick where none should be, or one of another colour.
+bool spoilt(const BuildTarget& target, const Watch& watch);
+
 /// "Q3 brick at (0, 0, 2)", for reports.
 std::string brick_text(const RuleSet& rules, Led led, Cell cell);
 

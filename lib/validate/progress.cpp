@@ -11,7 +11,7 @@ namespace stig {
 namespace {
 
 constexpr double kMostRows = 240;
-constexpr double kWidth = 760, kHeight = 360, kLeft = 56, kRight = 16, kTop = 14, kBottom = 46;
+constexpr double kWidth = 760, kHeight = 360, kLeft = 56, kRight = 16, kTop = 24, kBottom = 46;
 
 /// A round number such that there are at most `most` of it up to `reach`.
 double round_step(double reach, double most) {
@@ -49,7 +49,7 @@ std::string frame(const Axes& axes) {
     text(out, kLeft - 8, axes.y(n) + 4, "end", fmt::format("{:g}", n));
   }
   text(out, (kLeft + kWidth - kRight) / 2, kHeight - 8, "middle", "time / s");
-  text(out, kLeft, kTop - 3, "start", "bricks placed");
+  text(out, kLeft, kTop - 9, "start", "bricks placed");
   return out;
 }
 

@@ -61,8 +61,9 @@ class Layout {
 
   std::string text() const {
     return head() + blocks() + robots() + caches() +
-           "# What cameras do in practice; without it every run would be the same.\n"
-           "noise: {pixels: 0.5, missed_tags: 0.02}\n";
+           "# What cameras do in practice: a pixel off by a half, and 1 % of colours taken for "
+           "none or another.\n"
+           "noise: {pixels: 0.5, missed_tags: 0.02, colour: 8}\n";
   }
 
  private:
@@ -132,8 +133,8 @@ class Layout {
       const Direction d = direction_of(side);
       const double way = robot_way(d), left = (i / sides) * kRobotsApart;
       out += fmt::format(
-          "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, program: {}, "
-          "params: {{side: \"{}\"}}}}\n",
+          "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "
+          "turn_jitter: 5, program: {}, params: {{side: \"{}\"}}}}\n",
           i + 1, request_.robot_file, metres(d.x * way - d.y * left - origin_.x),
           metres(d.y * way + d.x * left - origin_.y), d.degrees, kControllerFile, to_string(side));
     }
@@ -144,7 +145,8 @@ class Layout {
     std::string out = "caches:\n";
     for (const ApproachSide side : compiled_.sides) {
       const Direction d = direction_of(side);
-      out += fmt::format("  - {{at: [{:g}, {:g}, {:g}]}}\n", metres(d.x * cache_way(d) - origin_.x),
+      out += fmt::format("  - {{at: [{:g}, {:g}, {:g}], jitter: 0.02, turn_jitter: 45}}\n",
+                         metres(d.x * cache_way(d) - origin_.x),
                          metres(d.y * cache_way(d) - origin_.y), kCacheDrop);
     }
     return out;

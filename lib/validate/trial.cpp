@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kLookSeconds = 0.2;
 constexpr double kSettled = 10;        ///< s, that the whole structure has to stand
+constexpr double kSpoilt = 120;        ///< s, that a wrong brick has to stand
 constexpr double kNothingMoves = 600;  ///< s
 constexpr std::size_t kMostLines = 200;
 
@@ -60,14 +61,12 @@ class TrialRun {
     watch_.look(world.time(), blocks(), robots_.hands());
     if (hooks_.progress) hooks_.progress(world.time(), watch_.bricks().size());
     take_picture();
-    if (!stands(target_, watch_)) {
-      stands_since_ = -1;
-    } else if (stands_since_ < 0) {
-      stands_since_ = world.time();
-    }
-    if (stands_since_ >= 0 && world.time() - stands_since_ >= kSettled) {
-      return halt(TrialEnd::built);
-    }
+    const auto since = [&](bool holds, double& began) {
+      began = !holds ? -1 : began < 0 ? world.time() : began;
+      return holds ? world.time() - began : 0;
+    };
+    if (since(stands(target_, watch_), stands_since_) >= kSettled) return halt(TrialEnd::built);
+    if (since(spoilt(target_, watch_), spoilt_since_) >= kSpoilt) return halt(TrialEnd::spoilt);
     const double last = std::max(robots_.last_motion(), last_event());
     if (robots_.all_out() || world.time() - last >= kNothingMoves) halt(TrialEnd::stuck);
   }
@@ -127,7 +126,8 @@ class TrialRun {
     std::vector<WatchedBlock> free = blocks();
     std::erase_if(free, [this](const WatchedBlock& block) { return watch_.held(block.block); });
     out.judgement = judge(target_, free, out.events);
-    out.loose = free.size() - watch_.bricks().size();
+    std::erase_if(free, [this](const WatchedBlock& block) { return watch_.is_part(block.block); });
+    out.loose = std::move(free);
     out.lines = {lines_.begin(), lines_.end()};
     if (settings_.pictures >= 0) pictures_.push_back(picture());
     out.pictures = std::move(pictures_);
@@ -160,7 +160,7 @@ class TrialRun {
   std::uint64_t look_every_;
   std::atomic<bool> halt_{false};
   TrialEnd end_ = TrialEnd::time;
-  double stands_since_ = -1;  ///< s; -1: it does not
+  double stands_since_ = -1, spoilt_since_ = -1;  ///< s; -1: it does not, is not
   std::deque<TrialLine> lines_;
   std::vector<TrialPicture> pictures_;
 };
@@ -168,7 +168,7 @@ class TrialRun {
 }  // namespace
 
 std::string_view to_string(TrialEnd end) {
-  constexpr std::string_view kNames[] = {"built",  "out of time", "stuck",
+  constexpr std::string_view kNames[] = {"built",  "out of time", "spoilt",     "stuck",
                                          "script", "diverged",    "interrupted"};
   return kNames[static_cast<std::size_t>(end)];
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // One run of a set-up: a simulation with an observer, to the end of the work or of its time.
 //
-// It ends 10 s after the whole structure stands, so that what falls over has time to; when no
-// robot can go on (its program failed, it left the arena or lies on its side), or none has moved
-// for ten minutes; or when time is out.
+// It ends 10 s after the whole structure stands, so that what falls over has time to; when a brick
+// too much, or one of a wrong colour, has been part of the structure for two minutes, since robots
+// take none away; when no robot can go on (its program failed, it left the arena or lies on its
+// side), or none has moved for ten minutes; or when time is out.
 #pragma once
 
 #include <atomic>
@@ -19,7 +20,7 @@
 
 namespace stig {
 
-enum class TrialEnd : std::uint8_t { built, time, stuck, script, diverged, interrupted };
+enum class TrialEnd : std::uint8_t { built, time, spoilt, stuck, script, diverged, interrupted };
 std::string_view to_string(TrialEnd end);
 
 /// Where a robot's energy went, J: work of its motors, forward and braking alike. Electromagnets
@@ -62,9 +63,9 @@ struct Trial {
   std::vector<BrickEvent> events;
   std::vector<Haul> hauls;
   std::vector<RobotRecord> robots;
-  std::size_t loose = 0;         ///< blocks in the arena that are no bricks and that nobody holds
-  std::size_t dropped = 0;       ///< blocks that came from caches
-  std::vector<TrialLine> lines;  ///< the last of what programs said
+  std::vector<WatchedBlock> loose;  ///< blocks that are no bricks and that nobody holds
+  std::size_t dropped = 0;          ///< blocks that came from caches
+  std::vector<TrialLine> lines;     ///< the last of what programs said
   std::vector<TrialPicture> pictures;
   std::map<std::string, double> measures;  ///< of the scene's script
 };

@@ -161,4 +161,9 @@ bool Watch::held(std::size_t block) const {
   return found != known_.end() && found->second.holder != kNoRobot;
 }
 
+bool Watch::is_part(std::size_t block) const {
+  const auto found = known_.find(block);
+  return found != known_.end() && found->second.cell.has_value();
+}
+
 }  // namespace stig

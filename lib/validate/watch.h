@@ -71,6 +71,8 @@ class Watch {
   /// Has the robot a block in its hand?
   bool holding(std::size_t robot) const;
   bool held(std::size_t block) const;
+  /// Is the block one of bricks()?
+  bool is_part(std::size_t block) const;
   const BuildSite& site() const { return site_; }
 
  private:

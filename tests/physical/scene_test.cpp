@@ -145,6 +145,25 @@ TEST_CASE("grids and scatters depend on the seed alone") {
   }
 }
 
+TEST_CASE("what is off is so by the seed, and by no more than is said") {
+  const Pose pose{{1, 2, 0.5}, rotation({0, 0, 0.3})};
+  std::set<double> places;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Pose off = jittered(pose, 0.01, 0.2, seed, kRobotJitter, 3);
+    CHECK(std::abs(off.p.x - 1) <= 0.01);
+    CHECK(std::abs(off.p.y - 2) <= 0.01);
+    CHECK(off.p.z == 0.5);
+    CHECK(std::abs(off.q.x) + std::abs(off.q.y) < 1e-12);
+    CHECK(std::abs(2 * std::atan2(off.q.z, off.q.w) - 0.3) <= 0.2 + 1e-9);
+    CHECK(jittered(pose, 0.01, 0.2, seed, kRobotJitter, 3).p == off.p);
+    places.insert(off.p.x);
+  }
+  CHECK(places.size() == 50);
+  CHECK(*places.begin() < 0.995);
+  CHECK(*places.rbegin() > 1.005);
+  CHECK(jittered(pose, 0, 0, 1, kRobotJitter, 3).q == pose.q);
+}
+
 TEST_CASE("poses from a file, in the entry's frame") {
   const Scene scene =
       read("blocks: [{poses: p.csv, at: [1, 0, 0]}]",

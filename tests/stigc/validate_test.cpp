@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "program.h"
 
 namespace stig {
@@ -35,6 +37,24 @@ TEST_CASE("validate says what a scene lacks") {
   const Outcome both = place.stigc({"validate", rules, "--scene", "no-side.yaml", "--robots", "2"});
   CHECK(both.exit_code == 2);
   CHECK(place.stigc({"validate", rules, "--runs", "0"}).exit_code == 2);
+}
+
+TEST_CASE("a robot builds the staircase from its rules, and what was written runs the same") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
+  CHECK(place.stigc({"validate", rules, "-o", "out"}).exit_code == 0);
+  const auto report = nlohmann::json::parse(place.file("out/report.json"));
+  const auto& run = report["runs"][0];
+  CHECK(run["end"] == "built");
+  CHECK(run["missing"] == 0);
+  CHECK(run["against"] == nullptr);
+  CHECK(run["allowed"] == 5);
+  CHECK(run["attempts"].size() >= 5);
+  for (const auto& brick : run["bricks"]) CHECK(brick["shows"] == brick["brick"]);
+  const std::string hash = run["hash"];
+  const Outcome again = place.stigc(
+      {"simulate", "out/scene.yaml", "--duration", std::to_string(run["time"].get<double>())});
+  CHECK(again.out.find(hash) != std::string::npos);
 }
 
 TEST_CASE("a robot that does nothing leaves the structure incomplete, and the report says so") {

@@ -88,9 +88,11 @@ TEST_CASE("a whole staircase stands, its placements in order, each an attempt th
 TEST_CASE("a colour that is not the brick's does not stand") {
   Growing g;
   for (std::size_t i = 1; i < g.blocks.size(); ++i) g.bring(i);
+  CHECK_FALSE(spoilt(g.target, g.watch));
   g.there[3].led = Led::off;
   g.look(0.2);
   CHECK_FALSE(stands(g.target, g.watch));
+  CHECK(spoilt(g.target, g.watch));
 }
 
 TEST_CASE("what moves, floats alone or lies askew is no brick") {

@@ -26,6 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSceneFile = "scene.yaml";
+constexpr const char* kGivenRobot = "robot.yaml";  ///< what the scene calls the user's robot
 
 /// Does a line begin with the key?
 bool has_key(std::string_view text, std::string_view key) {
@@ -87,11 +88,12 @@ class Validation {
   int compile() {
     rules_ = app_.read_rules(options_.file);
     if (!rules_) return kFailed;
-    robot_ = read_abilities(std::nullopt, app_);
+    robot_ = read_abilities(options_.robot, app_);
     if (!robot_) return kFailed;
     stop_on_signals();
     CompileOptions settings;
     settings.verify.stop = &stop_requested();
+    for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
     app_.report(diagnostics);
@@ -108,6 +110,7 @@ class Validation {
     const auto own = rules_->physical ? rules_->physical->robots : std::nullopt;
     request.robots = options_.robots.value_or(own.value_or(1));
     request.side = robot_->block.side;
+    if (options_.robot) request.robot_file = kGivenRobot;
     return set_up_scene(*rules_, compiled_, request);
   }
 
@@ -128,9 +131,11 @@ class Validation {
     auto text = scene_text();
     const auto controller = controller_text();
     if (!text || !controller) return kFailed;
-    const SceneLoader others = scene_loader(options_.scene.value_or(kSceneFile));
+    const SceneLoader others = options_.scene ? scene_loader(*options_.scene) : own_loader();
     const SceneLoader loader = [&](const std::string& name, std::size_t most, FileError& error) {
-      return name == kControllerFile ? controller : others(name, most, error);
+      if (name == kControllerFile) return controller;
+      if (name == kGivenRobot && options_.robot) return read_file(*options_.robot, most, error);
+      return others(name, most, error);
     };
     Diagnostics diagnostics;
     const auto source =

@@ -353,6 +353,14 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object instead of the tables");
 }
 
+void add_sides(CLI::App& sub, std::vector<std::string>& sides) {
+  sub.add_option("--sides", sides,
+                 "the sides that robots work from, in place of the file's: +x -x +y -y")
+      ->type_name("SIDE")
+      ->expected(1, 4)
+      ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
+}
+
 void add_compile(CLI::App& app, CompileFileOptions& o) {
   CLI::App* sub =
       command(app, "compile", "turn a rule set into the controller of a robot",
@@ -362,11 +370,7 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
               "  stigc compile staircase.yaml --target dot | dot -Tsvg > decisions.svg\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   path(sub, "--robot", o.robot, "the robot's file (default: bebot.yaml, the paper's)");
-  sub->add_option("--sides", o.sides,
-                  "the sides that robots work from, in place of the file's: +x -x +y -y")
-      ->type_name("SIDE")
-      ->expected(1, 4)
-      ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
+  add_sides(*sub, o.sides);
   choice(sub, "--target", o.target,
          {{"table", CompileTarget::table},
           {"lua", CompileTarget::lua},
@@ -390,6 +394,8 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
                           "  stigc validate staircase.yaml --scene faults/cache-empty.yaml\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   integer(sub, "--robots", o.robots, 1, 100, "robots (default: the file's, or 1)");
+  path(sub, "--robot", o.robot, "the robots' file (default: bebot.yaml, the paper's)");
+  add_sides(*sub, o.sides);
   path(sub, "--scene", o.scene, "a scene with fixed start bricks, in place of the usual set-up");
   integer(sub, "--runs", o.runs, 1, 10'000, "runs, with one seed after the other (default: 1)");
   parsed(sub, "--seed", "N", "seed of the first run (default: 1)",

@@ -97,7 +97,7 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
   }
   json["robots"] = Json::array();
   for (const RobotRecord& robot : trial.robots) json["robots"].push_back(robot_json(robot));
-  json["loose"] = trial.loose;
+  json["loose"] = trial.loose.size();
   json["dropped"] = trial.dropped;
   json["measures"] = trial.measures;
   json["hash"] = to_hex(trial.hash);

@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Draws the pictures of docs/validate.md, compiler.md and staircase.md. Run it when controllers or the pictures have changed.
+#
+#   scripts/validate_pictures.sh
+#
+# STIGC=PATH uses a program that is built already.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+program_for_pictures
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+say "stigc validate rulesets/staircase.yaml --runs 25"
+# Runs that go wrong belong in the picture.
+"$stigc" validate rulesets/staircase.yaml --runs 25 -o "$folder" --quiet >/dev/null || true
+cp "$folder/progress.svg" docs/gallery/validate-progress.svg
+picture=docs/gallery/validate-staircase.png
+"$stigc" replay "$folder/run-1.stigp" -o "$picture" --quiet >/dev/null
+pngquant --force --strip --speed 1 --output "$picture" 64 "$picture"
+
+# The second graph of the two: the chart.
+"$stigc" compile rulesets/staircase.yaml --target dot -o "$folder/graphs.dot" --quiet
+dot -Tsvg -O "$folder/graphs.dot"
+cp "$folder/graphs.dot.2.svg" docs/gallery/chart.svg
