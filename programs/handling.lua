@@ -296,8 +296,9 @@ end
 -- Whether something stands between the robot and a column, `away` from its middle, that it faces;
 -- one beside it may jut out by a block.
 function handling.between(away)
+   if robotics.profile.fan then return false end
    local face = away - robotics.profile.front - SIDE / 2
-   return not robotics.profile.fan and before_chassis() < face - SIDE - 0.02
+   return before_chassis() < face - SIDE - 0.02
 end
 
 -- Waits a while for those to go whom the effector would sweep in a turn on the spot.
