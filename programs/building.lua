@@ -25,6 +25,10 @@ local LOOK_TIME = 1.0          -- s, for each look
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LINKED = 1.25 * SIDE
+local PEEK_FROM, PEEK = 0.20, 0.5  -- m from a column, rad to each side
+local BUSY = 10                -- s, the longest wait where another robot is at a row
+local STAY = 0.75              -- probability to try a side again before going to the next
+local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 
 local task
 local in_vain      -- searches for a block, one after the other
@@ -98,11 +102,11 @@ function does.pick_up()
    if handling.grip_block(block, task.transport) then
       lattice.side, in_vain = nil, 0
       if fresh then lattice.cache = place end
-      handling.go_by(-0.10, 0.1)
+      handling.back_off(0.10)
       return 'holds'
    end
    tally('aborted')
-   handling.go_by(-0.12, 0.1)
+   handling.back_off(0.12)
    return 'failed'
 end
 
@@ -155,7 +159,8 @@ end
 -- All rows were tried: to the next side, or after a while again from this one.
 function does.next_side()
    tried = {}
-   if #task.sides == 1 then
+   -- others' work may open a row here, and who changes sides is in somebody's way
+   if #task.sides == 1 or math.random() < STAY then
       handling.wait(2 + 4 * math.random())
       return 'there'
    end
@@ -171,6 +176,20 @@ function does.next_side()
    return 'lost'
 end
 
+-- Says whether another robot stands before the row, on the way in along a line.
+local function in_between(line)
+   return function() return handling.between(-handling.on_line(line)) end
+end
+
+-- Another robot is at the row: out of its way, and another try after a while.
+local function give_up_row()
+   handling.back_off(0.10)
+   handling.wait(BUSY * math.random())
+   tally('aborted')
+   tally('busy')
+   return 'blocked'
+end
+
 function does.stand_before()
    local line = column.line_before(row)
    local away = column.distance_for(task.looks[1])
@@ -184,14 +203,23 @@ function does.stand_before()
       end
    end
    handling.turn_to(line.yaw)
-   handling.follow(line, -away, 0.10)
+   handling.follow(line, -away, 0.10, in_between(line))
+   if handling.between(-handling.on_line(line)) then return give_up_row() end
    return 'there'
 end
 
 function does.look()
    local seen = { task = task, row = row, bricks = {}, empty = {} }
    for _, look in ipairs(task.looks) do
-      handling.follow(column.line_before(seen.row), -column.distance_for(look), 0.08)
+      local line = column.line_before(seen.row)
+      handling.follow(line, -column.distance_for(look), 0.08, in_between(line))
+      if handling.between(-handling.on_line(line)) then
+         handling.back_off(0.10)
+         tried[row.v] = true
+         tally('aborted')
+         tally('busy')
+         return 'unseen'
+      end
       handling.lift_to(look.lift)
       local start = robotics.time
       while robotics.time - start < LOOK_TIME do
@@ -220,7 +248,31 @@ function does.look()
    return 'decided'
 end
 
+-- Whether another robot is at work at the structure, as a look to both sides tells: the camera
+-- sees what it holds from PEEK_FROM, and nobody sees what comes from beside while it looks ahead.
+local function others_at_work()
+   local line = column.line_before(row)
+   handling.follow(line, -PEEK_FROM, 0.08, handling.backed)
+   handling.lift_to(robotics.profile.lift_top - 0.0015)
+   local busy = false
+   local function held()
+      return handling.held_near(lattice.known.x, lattice.known.y, lattice.known.reach + AT_WORK)
+   end
+   for _, angle in ipairs { -PEEK, PEEK } do
+      handling.turn_to(line.yaw + angle)
+      busy = busy or handling.wait_until(held, 0.6)
+   end
+   handling.turn_to(line.yaw)
+   return busy
+end
+
 function does.approach_site()
+   if task.delay > 0 and others_at_work() then
+      handling.back_off(0.12)
+      tally('aborted')
+      tally('busy')
+      return 'busy'
+   end
    local where, target = wish.what, wish.top
    if where ~= 'raise' then target = wish.foot or wish.top end
    local near, seen = handling.approach_site(target, where, {
@@ -245,7 +297,7 @@ end
 
 function does.let_go()
    handling.let_go()
-   handling.go_by(-0.15, 0.1)
+   handling.back_off(0.15)
    return 'done'
 end
 
@@ -256,6 +308,7 @@ end
 function building.start(chart, with)
    task = with
    lattice.start(task)
+   handling.transport = task.transport
    block, tried, row, wish, in_vain = nil, {}, nil, nil, 0
    building.placed, building.aborted, building.busy = 0, 0, 0
    note('placed', 0)

@@ -8,7 +8,8 @@
 --     function step()  handling.step()  end
 
 local robotics = require 'robotics'
-local handling = { carrying = false, state = '' }
+-- transport: colour that a block has on its way in a robot's hand
+local handling = { carrying = false, state = '', transport = 4 }
 
 local SIDE = robotics.SIDE
 local TIME_OUT = 7.5
@@ -27,9 +28,16 @@ local REST = 0.0015            -- of a block over what it is let go on, and less
 local LET_GO = 0.030           -- up from a block that was put down
 local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it
 local SLOW = 0.05              -- m/s, close to blocks
+local BEHIND = 0.05            -- m, behind the chassis, to stop from backing at 0.1 m/s
+local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
+local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
+local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
+local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
+local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local STRAIGHT = 0.04          -- m, in which a line is joined
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
 local ATTEMPTS = 4
+local SEEN_LATELY = 2          -- s
 local LEG = 0.33               -- m, between two looks round
 local NEAR_LOOK = 0.070        -- height of the lift; what it carries passes over a block
 
@@ -157,6 +165,7 @@ function handling.go_to(x, y, speed, each)
    local dx, dy = x - robotics.pose.x, y - robotics.pose.y
    if dx * dx + dy * dy < 1e-4 then return true end
    local yaw = math.atan(dy, dx)
+   if math.abs(wrap(yaw - robotics.pose.yaw)) > 0.3 then handling.await_room() end
    handling.turn_to(yaw)
    return handling.follow({ x = x, y = y, yaw = yaw }, 0, speed or robotics.profile.cruise, each)
 end
@@ -253,17 +262,57 @@ local function glimpse()
    return false
 end
 
--- Whether something stands right before the wheels, or before the effector.
-local function blocked()
-   for _, name in ipairs { '1', '2', '3', '12' } do
-      local range = robotics.range(name)
-      if range and range < 0.045 and (name ~= '3' and name ~= '12' or robotics.profile.fan)
-      then return true end
-   end
-   local ahead = robotics.range('front')
-   return ahead ~= nil and ahead < 0.05
+-- The least of some rangefinders' readings, m; more than any of them reaches where nothing is near.
+local function nearest(names)
+   local least = 1
+   for _, name in ipairs(names) do least = math.min(least, robotics.range(name) or 1) end
+   return least
+end
+
+-- How far away something stands before the chassis, as far as a carried block does not hide it.
+local function before_chassis()
+   if handling.carrying and robot.lift_system.position < SIDE then return 1 end
+   return nearest(robotics.profile.fan and { '12', '1', '2' } or { '1', '2', '3' })
+end
+
+-- Whether something stands within `distance` of the wheels' front (45 mm, if nothing is said), or
+-- right before the effector.
+local function blocked(distance)
+   return before_chassis() < (distance or 0.045) or nearest { 'front' } < 0.05
 end
 handling.blocked = blocked
+
+-- Whether something stands behind, which would be pushed.
+function handling.backed()
+   return not robotics.profile.fan and nearest { '7', '8', '9' } < BEHIND
+end
+
+-- Back by so much, or as far as there is room.
+function handling.back_off(way)
+   local pose = robotics.pose
+   return handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, -way, 0.1, handling.backed)
+end
+
+-- Whether something stands between the robot and a column, `away` from its middle, that it faces;
+-- one beside it may jut out by a block.
+function handling.between(away)
+   if robotics.profile.fan then return false end
+   local face = away - robotics.profile.front - SIDE / 2
+   return before_chassis() < face - SIDE - 0.02
+end
+
+-- Waits a while for those to go whom the effector would sweep in a turn on the spot.
+function handling.await_room()
+   if robotics.profile.fan then return end
+   local beside = { '4', '5', '6', '7', '8', '9', '10', '11', '12' }
+   local function room() return nearest(beside) > SWEPT end
+   if not room() then wait_until(room, PATIENCE * math.random()) end
+end
+
+-- What stands ahead within the effector's reach, at the speed of travel: most likely a robot.
+function handling.meets()
+   return blocked(MEETING)
+end
 
 -- The nearest of the blocks in memory that is wanted, or nil.
 local function recall(wanted, age)
@@ -280,6 +329,7 @@ handling.recall = recall
 
 -- Once round on the spot, until `found()` is something.
 local function look_round(found)
+   handling.await_room()
    local rim, turned, before = robotics.profile.search_rim, 0, robotics.pose.yaw
    local block
    while turned < 2 * math.pi and not block do
@@ -380,11 +430,26 @@ local function approach(block, options)
       local heading = options.heading or heading_to(block)
       local line = line_to(block, heading, options)
       local along, aside = handling.on_line(line)
+      if attempt == 1 and along > -0.22 and math.abs(aside) < 0.02 and
+         math.abs(wrap(robotics.pose.yaw - line.yaw)) < 0.2 then
+         -- it faces it already, and a turn sweeps more than going back
+         handling.follow(line, -STAND_OFF, 0.1, handling.backed)
+         along, aside = handling.on_line(line)
+      end
       if attempt > 1 or along > -0.22 or math.abs(aside) > 0.02 then
          -- out of reach of the block before turning
-         if robotics.distance_to(block) < 0.22 then handling.go_by(-0.12, 0.1) end
+         if robotics.distance_to(block) < 0.22 then handling.back_off(0.12) end
          local away = STAND_OFF + 0.02 * (attempt - 1)
-         handling.go_to(robotics.out_of(line, -away, 0))
+         local x, y = robotics.out_of(line, -away, 0)
+         for _ = 1, 3 do
+            handling.go_to(x, y, nil, handling.meets)
+            if not handling.meets() then break end
+            handling.wait(PATIENCE * math.random())
+         end
+         if handling.meets() and (x - robotics.pose.x) ^ 2 + (y - robotics.pose.y) ^ 2 > 0.05 ^ 2 then
+            handling.back_off(0.10)
+            return false, 'busy'
+         end
       end
       handling.turn_to(line.yaw)
       lift_for_sight(block, lowest)
@@ -409,7 +474,13 @@ local function approach(block, options)
             sight = centred_at(watch, block)
          end
          local near = math.max(sight + (options.ahead or 0), 0.170)
-         if handling.follow(now_line, -near, 0.08) then
+         local function between() return handling.between(robotics.distance_to(block)) end
+         local there = handling.follow(now_line, -near, 0.08, between)
+         if between() then
+            handling.back_off(0.10)
+            return false, 'busy'
+         end
+         if there then
             handling.lift_to(watch)
             seen = look_at(block, 6)
          else
@@ -419,8 +490,8 @@ local function approach(block, options)
       if seen then
          line = line_to(seen, heading, options)
          local _, off, angle = handling.on_line(line)
-         if options.free and not options.free(line) then
-            handling.go_by(-0.10, 0.1)
+         if options.free and not options.free(line, seen) then
+            handling.back_off(0.10)
             return false, 'busy'
          end
          if math.abs(off) < 0.005 and math.abs(angle) < 0.12 then
@@ -428,13 +499,20 @@ local function approach(block, options)
             line = misjudge(line, options.misjudged)
             local to = -grip + (options.short or 0)
             handling.follow(line, to, SLOW, options.stop)
-            if options.stop and options.stop() then creep(to - handling.on_line(line)) end
+            if options.stop and options.stop() then
+               creep(to - handling.on_line(line))
+               -- so far before its place stands no column, but another robot
+               if to - handling.on_line(line) > SHORT then
+                  handling.back_off(0.15)
+                  return false, 'busy'
+               end
+            end
             return true, seen
          end
          block = seen
       end
       enter('back off')
-      handling.go_by(-0.10, 0.1)
+      handling.back_off(0.10)
       block = robotics.again(block) or block
    end
    return false, 'no approach succeeded'
@@ -536,7 +614,7 @@ function handling.pick_up(block, options)
       block = seen
       if handling.grip_block(block, options.colour) then return true end
       enter('back off')
-      handling.go_by(-0.12, 0.1)
+      handling.back_off(0.12)
       options.misjudged = nil
    end
    return false, 'it does not hold'
@@ -572,8 +650,20 @@ local function slide_in(level)
    robot.electromagnet_system.set_discharge_mode('disable')
 end
 
+-- Whether another robot is seen to hold a block over a place, `within` m of it beside.
+function handling.held_near(x, y, within)
+   for _, known in ipairs(robotics.tracks) do
+      local dx, dy = known.x - x, known.y - y
+      if known.colour == handling.transport and known.z > SIDE and
+         robotics.time - known.time < SEEN_LATELY and dx * dx + dy * dy < within * within
+      then return true end
+   end
+   return false
+end
+
 -- Whether a place that is to be filled is free as far as the camera has seen.
 local function is_free(x, y, level)
+   if handling.held_near(x, y, CARRIED) then return false end
    for _, known in ipairs(robotics.tracks) do
       local dx, dy, dz = known.x - x, known.y - y, known.z - SIDE * (level + 0.5)
       if known.missed == 0 and dx * dx + dy * dy + dz * dz < (0.6 * SIDE) ^ 2 then return false end
@@ -598,7 +688,12 @@ function handling.approach_site(block, where, options)
    local near, seen = approach(block, {
       heading = options.heading, lowest = lowest, short = (raise and 0 or -DRAW) - back,
       misjudged = options.misjudged, ahead = ahead, left = left,
-      stop = raise and column_ahead or nil, free = function(line) return is_free(line.x, line.y, level) end,
+      stop = raise and column_ahead or nil,
+      -- a block that another robot is putting there hides the top
+      free = function(line, top)
+         return is_free(line.x, line.y, level) and
+                (not raise or robotics.time - top.top_time < SEEN_LATELY)
+      end,
    })
    if not near then return false, seen end
    if not handling.holds() then return false, 'the block was lost' end

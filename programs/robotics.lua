@@ -19,11 +19,12 @@ local MEMORY = 60                 -- s, of a block out of sight
 local LED_OFFSET = 0.020
 
 -- Figures that the interface does not tell. `grip`: the middle of a carried block, ahead of the
--- robot's; `anchor`: the middle of the body that holds the camera, with the lift down; `under`: the effector's lower side over the floor with the lift down; `gap`: from the
+-- robot's; `anchor`: the middle of the body that holds the camera, with the lift down; `front`: how far ahead the chassis rangefinders
+-- are; `under`: the effector's lower side over the floor with the lift down; `gap`: from the
 -- support to a carried block's face; `fan`: the front rangefinders are 12, 1 and 2, a fan; `zero`: the charge at which the magnets' field vanishes.
 local PROFILES = {
    ['vertical link'] = {
-      name = 'bebot', track = 0.07106, acceleration = 1.0, cruise = 0.165, grip = 0.093755,
+      name = 'bebot', front = 0.044755, track = 0.07106, acceleration = 1.0, cruise = 0.165, grip = 0.093755,
       under = 0.05575, gap = 0.008455, reach = 0.1298, lift_top = 0.1365, lift_slack = 0.001,
       zero = 165, full = 250,
       anchor = { 0.055755, 0, 0.079 }, focal = 883.961, counts = true, search_rim = 0.050,

@@ -11,6 +11,8 @@ local LOOK_TIME = 1.0          -- s
 local DRIVE_LOW = 0.020        -- height of the lift at which the front rangefinder sees columns of two
 local CLEAR_OF = 0.26          -- m, from the outermost brick, to go round the structure
 local TOO_NEAR = 0.165         -- of a way past a brick
+local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
+local FAR = 0.9                -- m, from the structure's middle, that a search goes at most
 local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
 travel.CLEAR_OF = CLEAR_OF
 
@@ -27,18 +29,30 @@ local function way_past(x, y)
                     (robotics.pose.y + t * dy - lattice.known.y) ^ 2)
 end
 
--- Straight to a place; back, aside and on where something stands in the way.
+-- Back, and aside: away from the structure where that is known.
+local function give_way()
+   handling.back_off(0.08)
+   handling.await_room()
+   local turn = math.random() < 0.5 and 1 or -1
+   if lattice.known then
+      local out = math.atan(robotics.pose.y - lattice.known.y, robotics.pose.x - lattice.known.x)
+      turn = robotics.clamp(robotics.wrap(out - robotics.pose.yaw), -1.5, 1.5)
+   end
+   handling.turn_by(turn)
+   local pose = robotics.pose
+   handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, 0.15, 0.1, handling.meets)
+end
+
+-- Straight to a place. Where something stands in the way: waits for it to go, then gives way.
 function travel.straight_to(x, y)
    if not handling.carrying then handling.lift_to(DRIVE_LOW) end
    for _ = 1, 6 do
-      handling.go_to(x, y, nil, handling.blocked)
+      handling.go_to(x, y, nil, handling.meets)
       local dx, dy = x - robotics.pose.x, y - robotics.pose.y
       if dx * dx + dy * dy < 0.02 ^ 2 then return true end
-      handling.go_by(-0.08, 0.1)
-      handling.wait(math.random() * 4)
-      handling.turn_by(math.random() < 0.5 and 1 or -1)
-      local pose = robotics.pose
-      handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, 0.15, 0.1, handling.blocked)
+      if not handling.wait_until(function() return not handling.meets() end, PATIENCE * math.random()) then
+         give_way()
+      end
    end
    return false
 end
@@ -69,8 +83,8 @@ function travel.wander(x, y)
    local structure = lattice.in_memory()
    if lattice.known and structure then lattice.remember(structure) end
    local off = lattice.known and lattice.apart(lattice.known, { x = x, y = y })
-   if off and off < lattice.known.reach + CLEAR_OF then
-      local out = (lattice.known.reach + CLEAR_OF) / math.max(off, 1e-3)
+   if off then
+      local out = robotics.clamp(off, lattice.known.reach + CLEAR_OF, FAR) / math.max(off, 1e-3)
       x, y = lattice.known.x + out * (x - lattice.known.x), lattice.known.y + out * (y - lattice.known.y)
    end
    return travel.to(x, y)

@@ -55,7 +55,7 @@ void check_friction(const FormView& table, const Scene& scene, const YamlDocumen
     for (const std::string& name : pair.names("of")) {
       if (made.contains(name)) continue;
       const std::string_view near = nearest(name, known);
-      out.add(Code::R104, document.head(of == nullptr ? pair.node() : *of),
+      out.add(Code::S609, document.head(of == nullptr ? pair.node() : *of),
               fmt::format("nothing is made of {}: materials are {}{}", in_quotes(name),
                           fmt::join(known, ", "),
                           near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
