@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "base/degree.h"
@@ -50,8 +51,16 @@ void check_friction(const FormView& table, const Scene& scene, const YamlDocumen
     for (const BodyModel& body : robot.bodies) made.insert(body.material);
   }
   const std::vector<std::string_view> known(made.begin(), made.end());
+  std::map<std::set<std::string>, FormView> pairs;
   for (const FormView& pair : table.forms("pairs")) {
     const YamlNode* of = pair.find("of");
+    const auto names = pair.names("of");
+    const auto [first, fresh] = pairs.emplace(std::set(names.begin(), names.end()), pair);
+    if (!fresh && first->second.number("is") != pair.number("is")) {
+      out.add(Code::S609, document.head(pair.node()),
+              "this pair of materials has another friction already")
+          .note(document.head(first->second.node()), "it is given here");
+    }
     for (const std::string& name : pair.names("of")) {
       if (made.contains(name)) continue;
       const std::string_view near = nearest(name, known);

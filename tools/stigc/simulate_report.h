@@ -33,7 +33,7 @@ struct SimulationReport {
   std::map<std::string, double> measures;
   bool script_failed = false;
   std::vector<std::string> failed_blocks;  ///< whose programs failed
-  std::vector<std::string> names;  ///< of blocks that are there
+  std::vector<std::string> names;          ///< of blocks that are there
 };
 
 inline constexpr double kMovedFrom = 1e-3;  ///< m
