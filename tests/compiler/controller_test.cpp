@@ -65,10 +65,10 @@ TEST_CASE(
   CHECK(decisions(program) ==
         "local function decide(column)\n"
         "   if column.top_colour == 1 then\n"
-        "      -- o.yaml:17 up\n"
+        "      -- o.yaml:15 up\n"
         "      return { what = 'raise', colour = 2 }\n"
         "   elseif column.top_colour == 2 then\n"
-        "      -- o.yaml:23 out\n"
+        "      -- o.yaml:21 out\n"
         "      return { what = 'extend', colour = 3, level = 1 }\n"
         "   end\n"
         "end\n");
