@@ -72,7 +72,7 @@ TEST_CASE("a fixed block between cells is no brick, and never left") {
   Growing g;
   g.there.push_back(g.blocks[0]);
   g.there.back().block = 9;
-  g.there.back().X_WB.p += Vec3{0, 0.3, 0};  // 5.45 sides
+  g.there.back().X_WB.p += Vec3{0.3, 0, 0.02};
   g.look(5);
   CHECK(g.watch.bricks().size() == 1);
   CHECK(g.watch.events().empty());
