@@ -229,21 +229,18 @@ function does.look()
    end
    row, seen.top = seen.row, column.top(seen)
    if not handling.holds() then return 'dropped' end
-   if not seen.top then
-      tried[row.v] = true
-      tally('aborted')
-      return 'unseen'
-   end
    wish = task.decide {
-      top_colour = seen.top.colour, top_level = seen.top.level,
+      top_colour = seen.top and seen.top.colour, top_level = seen.top and seen.top.level,
       cell = function(du, dv, level) return column.cell(seen, du, dv, level) end,
    }
    if not wish then
       tried[row.v] = true
-      return 'nothing'
+      if seen.top then return 'nothing' end
+      tally('aborted')
+      return 'unseen'
    end
-   wish.top = seen.top.known
-   wish.foot = seen.bricks['0 0 ' .. (wish.level or seen.top.level)]
+   wish.top = column.highest(seen)
+   wish.foot = seen.bricks['0 0 ' .. (wish.level or 0)]
    wish.aside = column.room_beside(seen, wish)
    return 'decided'
 end

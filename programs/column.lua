@@ -72,6 +72,14 @@ function column.top(seen)
    return top
 end
 
+-- The highest of its bricks, whatever is below.
+function column.highest(seen)
+   for level = seen.task.levels, 0, -1 do
+      local known = seen.bricks['0 0 ' .. level]
+      if known then return known end
+   end
+end
+
 -- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to
 -- its left, so that the block goes in a little off and does not catch on it.
 function column.room_beside(seen, wish)
@@ -79,7 +87,7 @@ function column.room_beside(seen, wish)
    local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
    local function stands(at)
       return type(column.cell(seen, du, at, wish.level)) == 'number' or
-             du == 0 and at == 0 and wish.level <= seen.top.level
+             du == 0 and at == 0 and seen.bricks['0 0 ' .. wish.level] ~= nil
    end
    return (stands(dv - 1) and 1 or 0) - (stands(dv + 1) and 1 or 0)
 end

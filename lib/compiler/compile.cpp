@@ -136,6 +136,7 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
   // What lies straight ahead is enough for most, and asks for less.
   for (const PlacementKinds kinds : {PlacementKinds::ahead, PlacementKinds::all}) {
     out.policy = explore(*out.target, robot, out.sides, kinds, options.limits);
+    if (options.limits.stop != nullptr && options.limits.stop->load()) return out;
     if (out.policy.too_large) {
       diagnostics
           .add(Code::P712, whole(rules),

@@ -75,7 +75,7 @@ class Printer {
 
   void decide(const DecisionNode& root) {
     line("-- What to do before a column. A rule's name stands where it is followed.");
-    line("local function decide(column)");
+    line(fmt::format("local function decide({})", root.question ? "column" : "_"));
     node(root, 1);
     line("end");
     line();
@@ -85,7 +85,7 @@ class Printer {
   void node(const DecisionNode& one, int depth) {
     const std::string space(static_cast<std::size_t>(3 * depth), ' ');
     if (!one.question) {
-      leaf(one, space);
+      if (one.placement) leaf(one, space);
       return;
     }
     std::string_view word = "if";

@@ -114,7 +114,8 @@ class Builder {
     auto node = std::make_unique<DecisionNode>();
     node->question = best->first;
     for (const auto& [got, part] : best->second) {
-      auto child = got == kNotSeen ? leaf(part, {std::nullopt}) : build(part);
+      if (got == kNotSeen) continue;  // no branch: nothing is done
+      auto child = build(part);
       if (!child) return nullptr;
       const auto alike = std::find_if(node->branches.begin(), node->branches.end(),
                                       [&](const auto& b) { return same(*b.second, *child); });

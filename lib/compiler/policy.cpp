@@ -33,7 +33,8 @@ class Explorer {
     for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
       out_.first.push_back(out_.situations.size());
       visit(s);
-      if (out_.states.size() > limits_.states) {
+      const bool stopped = limits_.stop != nullptr && limits_.stop->load();
+      if (stopped || out_.states.size() > limits_.states) {
         out_.too_large = true;
         return;
       }

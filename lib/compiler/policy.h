@@ -24,6 +24,7 @@
 // walking all the structures that the policy can lead to.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -86,6 +87,7 @@ struct Policy {
 
 struct PolicyLimits {
   std::size_t states = 100'000;
+  const std::atomic<bool>* stop = nullptr;  ///< set by others: give up, as if the limit were met
 };
 
 /// Which placements next to a column are looked at.

@@ -44,10 +44,10 @@ void Watch::follow(double time, const WatchedBlock& block, const std::vector<Wat
     known.since = time;
   }
   if (block.fixed) {
-    const Cell cell = fit_of(site_, block.X_WB).cell;
-    if (block.led != Led::off && (!known.cell || *known.cell == cell)) {
-      known.cell = cell;
-      bricks_[cell] = {block.block, block.led};
+    const CellFit fit = fit_of(site_, block.X_WB);
+    if (block.led != Led::off && in_cell(fit) && (!known.cell || *known.cell == fit.cell)) {
+      known.cell = fit.cell;
+      bricks_[fit.cell] = {block.block, block.led};
     }
     return;
   }

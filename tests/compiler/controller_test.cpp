@@ -56,6 +56,30 @@ TEST_CASE("the staircase's decisions as Lua") {
   CHECK(program.lines.size() == 8);
 }
 
+TEST_CASE(
+    "columns whose foot is not there are cases like others, without a branch for what is not "
+    "seen") {
+  const Planned overhang(rule_set(STIG_TESTS_DIR "/compiler/overhang.yaml"));
+  const ControllerText program =
+      controller_lua(overhang.rules, "o.yaml", overhang.plan, overhang.compiled, {});
+  CHECK(decisions(program) ==
+        "local function decide(column)\n"
+        "   if column.top_colour == 1 then\n"
+        "      -- o.yaml:15 up\n"
+        "      return { what = 'raise', colour = 2 }\n"
+        "   elseif column.top_colour == 2 then\n"
+        "      -- o.yaml:21 out\n"
+        "      return { what = 'extend', colour = 3, level = 1 }\n"
+        "   end\n"
+        "end\n");
+}
+
+TEST_CASE("where nothing is to be done, the program does nothing") {
+  const Planned done(rule_set(STIG_TESTS_DIR "/compiler/done.yaml"));
+  const ControllerText program = controller_lua(done.rules, "d.yaml", done.plan, done.compiled, {});
+  CHECK(decisions(program) == "local function decide(_)\nend\n");
+}
+
 TEST_CASE("names from untrusted files stay in their comments and texts") {
   RuleSet rules = shipped("staircase");
   rules.name = "x\nos.exit()";

@@ -68,6 +68,16 @@ TEST_CASE("a block is a brick once it has been let go for a second") {
   CHECK(event.time > let_go - 0.3);
 }
 
+TEST_CASE("a fixed block between cells is no brick, and never left") {
+  Growing g;
+  g.there.push_back(g.blocks[0]);
+  g.there.back().block = 9;
+  g.there.back().X_WB.p += Vec3{0.3, 0, 0.02};
+  g.look(5);
+  CHECK(g.watch.bricks().size() == 1);
+  CHECK(g.watch.events().empty());
+}
+
 TEST_CASE("a whole staircase stands, its placements in order, each an attempt that succeeded") {
   Growing g;
   for (std::size_t i = 1; i < g.blocks.size(); ++i) {

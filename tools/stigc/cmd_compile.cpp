@@ -91,9 +91,14 @@ int run(const CompileFileOptions& options, App& app) {
   settings.verify.seconds = options.budget;
   settings.verify.stop = &stop_requested();
   settings.limits.states = options.states;
+  settings.limits.stop = &stop_requested();
   Diagnostics diagnostics;
   const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
   app.report(diagnostics);
+  if (stop_requested()) {
+    app.complain("interrupted: nothing was written");
+    return kRunFailed;
+  }
   if (!compiled.decision) {
     for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
     return compiled.proof.interrupted ? kRunFailed : kFailed;

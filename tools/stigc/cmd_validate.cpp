@@ -92,11 +92,15 @@ class Validation {
     if (!robot_) return kFailed;
     stop_on_signals();
     CompileOptions settings;
-    settings.verify.stop = &stop_requested();
+    settings.verify.stop = settings.limits.stop = &stop_requested();
     for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
     app_.report(diagnostics);
+    if (stop_requested()) {
+      app_.complain("interrupted before the first run");
+      return kRunFailed;
+    }
     for (const RefusalDrawing& one : compiled_.drawings) app_.say(one.title + ":\n" + one.drawing);
     if (!compiled_.decision) return compiled_.proof.interrupted ? kRunFailed : kFailed;
     target_.rules = &*rules_;
@@ -124,6 +128,10 @@ class Validation {
   }
 
   int load() {
+    if (const std::string problem = overwriting(); !problem.empty()) {
+      app_.complain(printable(problem));
+      return kUsage;
+    }
     if (options_.scene && options_.robots) {
       app_.complain("a scene says what robots there are: leave --robots out");
       return kUsage;
@@ -151,16 +159,39 @@ class Validation {
     return kOk;
   }
 
+  /// One that robots work from.
+  bool is_side(const LuaValue& value) const {
+    const auto* text = std::get_if<std::string>(&value);
+    return text != nullptr &&
+           std::any_of(compiled_.sides.begin(), compiled_.sides.end(),
+                       [&](ApproachSide side) { return to_string(side) == *text; });
+  }
+
+  /// Would what is written stand over what is read?
+  std::string overwriting() const {
+    if (!options_.output) return {};
+    for (const char* name : {kSceneFile, kGivenRobot, "controller.lua", "report.html",
+                             "report.json", "progress.csv", "progress.svg"}) {
+      std::string problem = same_file_problem({*options_.output + "/" + name},
+                                              {options_.file, options_.scene, options_.robot});
+      if (!problem.empty()) return problem;
+    }
+    return {};
+  }
+
   /// The compiled program asks on which side it begins.
   void check_robots(Diagnostics& diagnostics) const {
     for (const RobotSpawn& robot : scene_->robots) {
       const bool compiled = robot.program < scene_->programs.size() &&
                             scene_->programs[robot.program].path == kControllerFile;
-      const bool knows = std::any_of(robot.params.begin(), robot.params.end(),
+      const auto side = std::find_if(robot.params.begin(), robot.params.end(),
                                      [](const auto& param) { return param.first == "side"; });
-      if (!compiled || knows) continue;
-      diagnostics.add(Code::V802, robot.range,
-                      fmt::format("'{}' is not told on which side it begins", robot.name));
+      if (!compiled || (side != robot.params.end() && is_side(side->second))) continue;
+      diagnostics
+          .add(Code::V802, robot.range,
+               fmt::format("'{}' is not told on which side it begins", robot.name))
+          .note(fmt::format("`params: {{side: \"{}\"}}`, or another that robots work from",
+                            to_string(compiled_.sides.front())));
     }
   }
 
