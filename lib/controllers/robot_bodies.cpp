@@ -193,7 +193,7 @@ void check_count(const FormView& root, const RobotParts& parts) {
       joints.begin(), joints.end(), std::size_t{0},
       [](std::size_t sum, const JointModel& joint) { return sum + joint.axes.size(); });
   if (axes <= kMostRobotAxes) return;
-  parts.out.add(Code::R107, parts.document.head(*root.node().find("joints")),
+  parts.out.add(Code::P608, parts.document.head(*root.node().find("joints")),
                 fmt::format("'joints' has {} axes in all, it takes at most {}: with the six ways "
                             "in which a robot moves, what can be simulated",
                             axes, kMostRobotAxes));
