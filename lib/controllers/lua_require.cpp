@@ -33,15 +33,13 @@ std::optional<std::string> read_module(const LuaProgram& program, const std::str
     if (known == name) return text;
   }
   const auto path = program.whole ? std::nullopt : find_beside(program.path, name);
-  if (!path && program.whole) {
-    problem = "'" + name +
-              "' is not among the files that came with the program: its name must stand in the "
-              "program's text, as require '" +
-              name + "'";
-    return std::nullopt;
-  }
   if (!path) {
     problem = "there is no file '" + name + ".lua' beside the program";
+    // Only what the text names came with it.
+    if (program.whole) {
+      problem +=
+          ", or its name does not stand in the program's text: it must, as require '" + name + "'";
+    }
     return std::nullopt;
   }
   FileError error;

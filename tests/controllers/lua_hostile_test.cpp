@@ -244,6 +244,9 @@ TEST_CASE("require finds plain files beside the program only") {
             "error('main')")
             .find("main.lua:1: main") != std::string::npos);
   CHECK(run("assert(not load('#\\nx = 1'))") == "");  // what is no file
+  LuaController whole({"main.lua", "local n = 'mod' require(n)", {}, true}, {}, small_settings());
+  RobotCommands ignored;
+  CHECK(whole.init(ignored).error.find("it must, as require 'mod'") != std::string::npos);
   CHECK(run("require(5)").find("must be a text") != std::string::npos);
   CHECK(run("require 'self'").find("requires itself") != std::string::npos);
   CHECK(run("require 'bad'").find("bad.lua:3: broken") != std::string::npos);
