@@ -11,8 +11,11 @@
 --     task.sides           sides to work from, '+x' ...; task.turns: the rules hold in every turn
 --     task.transport       colour of a block on its way (0: dark)
 --     task.delay           s, the longest random wait before a site is approached
+--
+-- A scene may bind a robot to some of the sides: `params.sides`.
 
 local robotics = require 'robotics'
+local avoidance = require 'avoidance'
 local handling = require 'handling'
 local lattice = require 'lattice'
 local travel = require 'travel'
@@ -25,15 +28,22 @@ local LOOK_TIME = 1.0          -- s, for each look
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LINKED = 1.25 * SIDE
-local PEEK_FROM, PEEK = 0.20, 0.5  -- m from a column, rad to each side
+local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
+local PEEK_RIM = 0.03          -- m/s: a rangefinder measures every 10 degrees
+local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
+local AT_SITE = 0.22           -- m, from a site, where others are in the way
+local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
 local BUSY = 10                -- s, the longest wait where another robot is at a row
-local STAY = 0.75              -- probability to try a side again before going to the next
+local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
+local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 
 local task
 local in_vain      -- searches for a block, one after the other
 local block        -- unused, to be fetched
 local tried        -- rows of this side that asked for nothing
+local obstructed   -- how often somebody was in the way, or nothing to be done, since the last block
+local standing     -- what stands near sites, and may be robots: {x, y, since}
 local row          -- {v, front, frame}: the one it stands before
 local wish         -- what task.decide said
 
@@ -44,6 +54,13 @@ end
 local function tally(name)
    building[name] = building[name] + 1
    note(name, building[name])
+end
+
+-- Another robot was in the way.
+local function give_up()
+   obstructed = obstructed + 1
+   tally('aborted')
+   tally('busy')
 end
 
 -- Blocks -------------------------------------------------------------------------------------
@@ -142,28 +159,42 @@ function does.find_cache()
    return 'found'
 end
 
--- A row that was not tried yet, at random.
+-- The row, of those not tried yet, that juts out furthest; of several the one straight ahead, which
+-- keeps robots apart that work from several sides.
 function does.choose_row()
    if not handling.holds() then return 'dropped' end
+   if obstructed > OBSTRUCTED and #task.sides > 1 then return 'none' end
    local rows = lattice.rows()
    if not rows then return 'lost' end
-   local open = {}
+   row = nil
+   local least
    for _, of in pairs(rows) do
-      if not tried[of.v] and lattice.room_before(rows, of) then table.insert(open, of) end
+      if not tried[of.v] and lattice.room_before(rows, of) then
+         local _, aside = handling.on_line(column.line_before(of))
+         local order = math.abs(aside) - of.front
+         if not row or order < least then row, least = of, order end
+      end
    end
-   if #open == 0 then return 'none' end
-   row = open[math.random(#open)]
-   return 'chosen'
+   return row and 'chosen' or 'none'
 end
 
--- All rows were tried: to the next side, or after a while again from this one.
+-- Out of the others' way.
+local function withdraw()
+   local away = lattice.apart(lattice.known, robotics.pose) - lattice.known.reach
+   if away < WITHDRAWN then handling.back_off(WITHDRAWN - away) end
+end
+
+-- All rows were tried, or somebody was in the way once too often. Others' work may open a row
+-- here after a while; who is obstructed again and again goes to the next of its sides.
 function does.next_side()
    tried = {}
-   -- others' work may open a row here, and who changes sides is in somebody's way
-   if #task.sides == 1 or math.random() < STAY then
+   withdraw()
+   if #task.sides == 1 or obstructed <= OBSTRUCTED then
+      obstructed = obstructed + 1
       handling.wait(2 + 4 * math.random())
       return 'there'
    end
+   obstructed = 0
    local here = 1
    for i, name in ipairs(task.sides) do
       if lattice.SIDES[name] == lattice.side then here = i end
@@ -185,8 +216,7 @@ end
 local function give_up_row()
    handling.back_off(0.10)
    handling.wait(BUSY * math.random())
-   tally('aborted')
-   tally('busy')
+   give_up()
    return 'blocked'
 end
 
@@ -198,7 +228,7 @@ function does.stand_before()
       math.abs(robotics.wrap(robotics.pose.yaw - line.yaw)) > 0.5 then
       handling.lift_to(math.max(robot.lift_system.position, 0.070))
       if not travel.to(robotics.out_of(line, -away - 0.03, 0)) then
-         tally('aborted')
+         give_up()
          return 'blocked'
       end
    end
@@ -216,8 +246,7 @@ function does.look()
       if handling.between(-handling.on_line(line)) then
          handling.back_off(0.10)
          tried[row.v] = true
-         tally('aborted')
-         tally('busy')
+         give_up()
          return 'unseen'
       end
       handling.lift_to(look.lift)
@@ -245,41 +274,55 @@ function does.look()
    return 'decided'
 end
 
--- Whether another robot is at work at the structure, as a look to both sides tells: the camera
--- sees what it holds from PEEK_FROM, and nobody sees what comes from beside while it looks ahead.
-local function others_at_work()
-   local line = column.line_before(row)
+-- Whether a point is no part of what stands there for good: robots leave after a while.
+local function comes_and_goes(point)
+   for _, known in ipairs(standing) do
+      if lattice.apart(known, point) < OF_ONE then return robotics.time - known.since < GOES end
+   end
+   table.insert(standing, { x = point.x, y = point.y, since = robotics.time })
+   return true
+end
+
+-- Whether no other robot is at work about the end of a line, as a look to both sides tells.
+-- Who passes here stays nearer than PEEK_FROM until it has put its block down, where the others
+-- see it from the places from which they look in their turn: of two robots at work on adjoining
+-- sides, the one that looks last sees the other. On the far side one hides behind the column: what
+-- it holds is seen over that.
+local function is_alone(line)
    handling.follow(line, -PEEK_FROM, 0.08, handling.backed)
-   handling.lift_to(robotics.profile.lift_top - 0.0015)
-   local busy = false
+   local start, before = robotics.time, robot.lift_system.position
    local function held()
       return handling.held_near(lattice.known.x, lattice.known.y, lattice.known.reach + AT_WORK)
    end
-   for _, angle in ipairs { -PEEK, PEEK } do
-      handling.turn_to(line.yaw + angle)
-      busy = busy or handling.wait_until(held, 0.6)
+   handling.lift_to(robotics.clamp(before + PEEK_OVER, 0, robotics.profile.lift_top - 0.0015))
+   local busy = handling.wait_until(held, 0.6)
+   for _, angle in ipairs { -PEEK, PEEK, 0 } do
+      local turn = robotics.wrap(line.yaw + angle - robotics.pose.yaw)
+      if not busy and not avoidance.sweeps(turn) then handling.turn_to(line.yaw + angle, PEEK_RIM) end
+      busy = busy or held()
    end
    handling.turn_to(line.yaw)
-   return busy
+   for _, point in ipairs(avoidance.strangers(line.x, line.y, AT_SITE, start)) do
+      busy = busy or comes_and_goes(point)
+   end
+   return not busy
 end
 
 function does.approach_site()
-   if task.delay > 0 and others_at_work() then
-      handling.back_off(0.12)
-      tally('aborted')
-      tally('busy')
-      return 'busy'
-   end
    local where, target = wish.what, wish.top
    if where ~= 'raise' then target = wish.foot or wish.top end
    local near, seen = handling.approach_site(target, where, {
       heading = row.frame.yaw, level = wish.level, left = wish.left and wish.left * SIDE,
-      aside = wish.aside,
+      aside = wish.aside, alone = task.delay > 0 and is_alone or nil,
    })
    if near then return 'near' end
+   if seen == 'busy' then
+      withdraw()
+      give_up()
+      return 'busy'
+   end
    tally('aborted')
-   if seen == 'busy' then tally('busy') end
-   return seen == 'busy' and 'busy' or seen == 'the block was lost' and 'dropped' or 'lost'
+   return seen == 'the block was lost' and 'dropped' or 'lost'
 end
 
 function does.attach()
@@ -287,7 +330,7 @@ function does.attach()
       tally('aborted')
       return 'failed'
    end
-   tried, wish = {}, nil
+   tried, wish, obstructed = {}, nil, 0
    tally('placed')
    return 'placed'
 end
@@ -300,13 +343,26 @@ end
 
 -- Life ----------------------------------------------------------------------------------------
 
+-- Those of the task's sides that the robot is bound to: `params.sides`, '+x +y', or all.
+local function own_sides(of)
+   local out, first = {}, of.turns and lattice.SIDES[robot.params.side or of.sides[1]] or 0
+   for name in string.gmatch(robot.params.sides or '', '%S+') do
+      -- where the rules hold in every turn, a robot's first side is its +x
+      for other, index in pairs(lattice.SIDES) do
+         if index == ((lattice.SIDES[name] or 0) - first) % 4 then table.insert(out, other) end
+      end
+   end
+   return #out > 0 and out or of.sides
+end
+
 -- Follows the chart for ever: each of its states is something done, which ends with an event, and
 -- the chart says which state that leads to.
 function building.start(chart, with)
-   task = with
+   task = setmetatable({ sides = own_sides(with) }, { __index = with })
    lattice.start(task)
    handling.transport = task.transport
-   block, tried, row, wish, in_vain = nil, {}, nil, nil, 0
+   block, tried, row, wish, standing = nil, {}, nil, nil, {}
+   in_vain, obstructed = 0, 0
    building.placed, building.aborted, building.busy = 0, 0, 0
    note('placed', 0)
    handling.start(function()

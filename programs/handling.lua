@@ -8,6 +8,7 @@
 --     function step()  handling.step()  end
 
 local robotics = require 'robotics'
+local avoidance = require 'avoidance'
 -- transport: colour that a block has on its way in a robot's hand
 local handling = { carrying = false, state = '', transport = 4 }
 
@@ -38,6 +39,7 @@ local STRAIGHT = 0.04          -- m, in which a line is joined
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
 local ATTEMPTS = 4
 local SEEN_LATELY = 2          -- s
+local SEEN_NOW = 0.7           -- s, in which a tag in sight was seen
 local LEG = 0.33               -- m, between two looks round
 local NEAR_LOOK = 0.070        -- height of the lift; what it carries passes over a block
 
@@ -480,6 +482,13 @@ local function approach(block, options)
             handling.back_off(0.10)
             return false, 'busy'
          end
+         if there and options.alone then
+            if not options.alone(now_line() or line) then
+               handling.back_off(0.10)
+               return false, 'busy'
+            end
+            there = handling.follow(now_line, -near, 0.08, between)
+         end
          if there then
             handling.lift_to(watch)
             seen = look_at(block, 6)
@@ -675,7 +684,7 @@ end
 -- 'extend': in front of it, on the robot's side; 'beside': to the left of it by `left`. True, or
 -- false and why not. options: heading, misjudged, left, level (of the place; default: over the
 -- block, or on the floor), aside (1 or -1: a little to the left or right, since a neighbour stands
--- on the other side).
+-- on the other side), alone(line): asked on the way in, whether nobody else is at work there.
 function handling.approach_site(block, where, options)
    options = options or {}
    if not handling.holds() then return false, 'the block was lost' end
@@ -692,8 +701,9 @@ function handling.approach_site(block, where, options)
       -- a block that another robot is putting there hides the top
       free = function(line, top)
          return is_free(line.x, line.y, level) and
-                (not raise or robotics.time - top.top_time < SEEN_LATELY)
+                (not raise or robotics.time - top.top_time < SEEN_NOW)
       end,
+      alone = options.alone,
    })
    if not near then return false, seen end
    if not handling.holds() then return false, 'the block was lost' end
@@ -725,6 +735,7 @@ end
 -- Runs `main` from now on, a step of it in each `step()`. `figures`: as robotics.start has them.
 function handling.start(main, figures)
    robotics.start(figures)
+   avoidance.start()
    handling.carrying = false
    behaviour = coroutine.create(main)
 end
@@ -732,6 +743,7 @@ end
 -- Senses, and goes on with the behaviour. False when it has ended.
 function handling.step()
    robotics.sense()
+   avoidance.sense()
    if coroutine.status(behaviour) == 'dead' then return false end
    local good, problem = coroutine.resume(behaviour)
    if not good then error(problem, 0) end

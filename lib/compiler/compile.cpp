@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "compiler/refusal.h"
 #include "rules/rule_printer.h"
@@ -96,14 +97,18 @@ bool turns(const RuleSet& rules) {
 }
 
 void choose_sides(const RuleSet& rules, const CompileOptions& options, CompiledRules& out) {
-  out.sides = options.sides;
-  if (out.sides.empty() && rules.physical) {
+  std::vector<ApproachSide> wanted = options.sides;
+  if (wanted.empty() && rules.physical) {
     for (const std::string& text : rules.physical->sides) {
-      if (const auto side = parse_side(text)) out.sides.push_back(*side);
+      if (const auto side = parse_side(text)) wanted.push_back(*side);
     }
   }
-  const bool declared = !out.sides.empty();
-  if (!declared) out.sides.assign(kAllSides.begin(), kAllSides.end());
+  const bool declared = !wanted.empty();
+  // in turn about the structure, whatever order they were named in
+  std::copy_if(kAllSides.begin(), kAllSides.end(), std::back_inserter(out.sides),
+               [&](ApproachSide side) {
+                 return !declared || std::find(wanted.begin(), wanted.end(), side) != wanted.end();
+               });
   out.directions = turns(rules) ? KnownDirections::symmetric
                    : declared   ? KnownDirections::declared
                                 : KnownDirections::shown;

@@ -32,8 +32,8 @@ struct RuntimeModule {
   std::string text;
 };
 /// What a controller needs, in this order.
-inline constexpr std::string_view kRuntimeModules[] = {"robotics", "handling", "lattice",
-                                                       "travel",   "column",   "building"};
+inline constexpr std::string_view kRuntimeModules[] = {
+    "robotics", "avoidance", "handling", "lattice", "travel", "column", "building"};
 
 /// `file` is what comments call the rule set's file.
 ControllerText controller_lua(const RuleSet& rules, std::string_view file,

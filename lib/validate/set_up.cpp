@@ -125,18 +125,37 @@ class Layout {
     return out;
   }
 
+  /// Of those that robots work from; the first is where it begins.
+  std::vector<ApproachSide> sides_of(int robot) const {
+    const auto& sides = compiled_.sides;
+    const auto count = static_cast<int>(sides.size());
+    if (request_.allocation == Allocation::dynamic_ || request_.robots >= count) {
+      return {sides[static_cast<std::size_t>(robot % count)]};
+    }
+    const auto first = sides.begin() + robot * count / request_.robots;
+    const auto last = sides.begin() + (robot + 1) * count / request_.robots;
+    return {first, last};
+  }
+
   std::string robots() const {
     std::string out = "robots:\n";
     const auto sides = static_cast<int>(compiled_.sides.size());
     for (int i = 0; i < request_.robots; ++i) {
-      const ApproachSide side = compiled_.sides[static_cast<std::size_t>(i % sides)];
-      const Direction d = direction_of(side);
+      const std::vector<ApproachSide> own = sides_of(i);
+      const Direction d = direction_of(own.front());
       const double way = robot_way(d), left = (i / sides) * kRobotsApart;
+      std::string bound;
+      if (request_.allocation == Allocation::fixed) {
+        for (const ApproachSide side : own)
+          bound += fmt::format("{}{}", bound.empty() ? ", sides: \"" : " ", to_string(side));
+        bound += '"';
+      }
       out += fmt::format(
           "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "
-          "turn_jitter: 5, program: {}, params: {{side: \"{}\"}}}}\n",
+          "turn_jitter: 5, program: {}, params: {{side: \"{}\"{}}}}}\n",
           i + 1, request_.robot_file, metres(d.x * way - d.y * left - origin_.x),
-          metres(d.y * way + d.x * left - origin_.y), d.degrees, kControllerFile, to_string(side));
+          metres(d.y * way + d.x * left - origin_.y), d.degrees, kControllerFile,
+          to_string(own.front()), bound);
     }
     return out;
   }

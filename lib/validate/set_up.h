@@ -13,6 +13,9 @@
 //               side, further ones 0.25 m to the left of the last on that side
 //     the arena to 1.5 m, or 0.7 m beyond the farthest of these
 //
+// Fixed allocation: robots and sides are dealt out in turn; of fewer robots than sides each has
+// sides that follow each other.
+//
 // One text for all: what validate runs is what `stigc simulate` makes of the file.
 #pragma once
 
@@ -27,8 +30,13 @@ namespace stig {
 inline constexpr std::string_view kControllerFile = "controller.lua";
 inline constexpr double kMostBuildTime = 2400;  ///< s
 
+/// Who works on which side. dynamic_: any robot on any, and one that is obstructed again and again
+/// goes to the next; fixed: each has its own for good, as in Allwright et al. 2017.
+enum class Allocation : std::uint8_t { dynamic_, fixed };
+
 struct SetUpRequest {
   int robots = 1;
+  Allocation allocation = Allocation::dynamic_;
   std::string robot_file = "bebot.yaml";
   double side = 0.055;  ///< of a block, m
 };

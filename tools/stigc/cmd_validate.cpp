@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "base/file_io.h"
 #include "commands.h"
@@ -113,6 +114,7 @@ class Validation {
     SetUpRequest request;
     const auto own = rules_->physical ? rules_->physical->robots : std::nullopt;
     request.robots = options_.robots.value_or(own.value_or(1));
+    request.allocation = options_.allocation;
     request.side = robot_->block.side;
     if (options_.robot) request.robot_file = kGivenRobot;
     return set_up_scene(*rules_, compiled_, request);
@@ -132,8 +134,10 @@ class Validation {
       app_.complain(printable(problem));
       return kUsage;
     }
-    if (options_.scene && options_.robots) {
-      app_.complain("a scene says what robots there are: leave --robots out");
+    if (options_.scene && (options_.robots || options_.allocation == Allocation::fixed)) {
+      app_.complain(
+          "a scene says what robots there are, and what sides are theirs: leave --robots and "
+          "--allocation out");
       return kUsage;
     }
     auto text = scene_text();
@@ -159,12 +163,19 @@ class Validation {
     return kOk;
   }
 
-  /// One that robots work from.
-  bool is_side(const LuaValue& value) const {
+  /// One that robots work from, or `several`.
+  bool is_side(const LuaValue& value, bool several) const {
     const auto* text = std::get_if<std::string>(&value);
-    return text != nullptr &&
-           std::any_of(compiled_.sides.begin(), compiled_.sides.end(),
-                       [&](ApproachSide side) { return to_string(side) == *text; });
+    if (text == nullptr) return false;
+    std::istringstream words(*text);
+    int count = 0;
+    for (std::string word; words >> word; ++count) {
+      if (std::none_of(compiled_.sides.begin(), compiled_.sides.end(),
+                       [&](ApproachSide side) { return to_string(side) == word; })) {
+        return false;
+      }
+    }
+    return count == 1 || (several && count > 0);
   }
 
   /// Would what is written stand over what is read?
@@ -184,12 +195,19 @@ class Validation {
     for (const RobotSpawn& robot : scene_->robots) {
       const bool compiled = robot.program < scene_->programs.size() &&
                             scene_->programs[robot.program].path == kControllerFile;
-      const auto side = std::find_if(robot.params.begin(), robot.params.end(),
-                                     [](const auto& param) { return param.first == "side"; });
-      if (!compiled || (side != robot.params.end() && is_side(side->second))) continue;
+      const auto param = [&](std::string_view name) {
+        const auto found = std::find_if(robot.params.begin(), robot.params.end(),
+                                        [&](const auto& one) { return one.first == name; });
+        return found == robot.params.end() ? nullptr : &found->second;
+      };
+      const bool begins = param("side") && is_side(*param("side"), false);
+      const bool bound = !param("sides") || is_side(*param("sides"), true);
+      if (!compiled || (begins && bound)) continue;
       diagnostics
           .add(Code::V802, robot.range,
-               fmt::format("'{}' is not told on which side it begins", robot.name))
+               fmt::format("'{}' is {}", robot.name,
+                           begins ? "bound to sides that nobody works from"
+                                  : "not told on which side it begins"))
           .note(fmt::format("`params: {{side: \"{}\"}}`, or another that robots work from",
                             to_string(compiled_.sides.front())));
     }

@@ -11,6 +11,7 @@
 
 #include "lattice/swarm.h"
 #include "synthesis/synthesise.h"
+#include "validate/set_up.h"
 
 namespace stig {
 
@@ -140,8 +141,9 @@ struct ValidateOptions {
   std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
   std::vector<std::string> sides;    ///< "+x" "-x" "+y" "-y"; empty: the file's
   std::optional<int> robots;         ///< otherwise as the file says
-  std::optional<double> duration;    ///< s
-  std::uint64_t seed = 1;            ///< of the first run
+  Allocation allocation = Allocation::dynamic_;
+  std::optional<double> duration;  ///< s
+  std::uint64_t seed = 1;          ///< of the first run
   int runs = 1;
   int threads = 0;                    ///< 0: all cores
   std::optional<std::string> output;  ///< folder
