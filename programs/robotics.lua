@@ -300,7 +300,7 @@ function robotics.would_see(x, y, level, heading)
       local function world(a, b, d) return vector3(c * a - s * b, s * a + c * b, d) end
       local normal = world(face[1], face[2], face[3])
       local right = face[3] == 1 and world(0, 1, 0) or world(-face[2], face[1], 0)
-      local up = normal:cross(right)
+      local up = vector3(normal):cross(right)  -- ARGoS changes the first
       local centre = middle + normal * TAG_TO_MIDDLE
       local way = eye - centre
       local all = way:dot(normal) >= way:length() * math.cos(math.rad(70))
