@@ -166,8 +166,8 @@ local function standing_of(tag, place, eye, turn)
    local normal, right = vector3(0, 0, 1):rotate(orientation), vector3(1, 0, 0):rotate(orientation)
    local ray = place - eye
    local distance = ray:length()
-   ray = ray / distance
-   local slant = normal:cross(ray):length()
+   ray = vector3(ray.x / distance, ray.y / distance, ray.z / distance)  -- ARGoS has no /
+   local slant = vector3(normal):cross(ray):length()
    local first
    for mirrored = 0, robotics.profile.focal * slant * (TAG / distance) ^ 2 < PLAIN and 1 or 0 do
       if mirrored == 1 then

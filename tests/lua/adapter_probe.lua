@@ -2,6 +2,7 @@
 -- A controller's script below the adapter, in the world that check_argos.py sets up for it: a block
 -- ahead of the chassis (the magnets draw it), one 30 mm to the left, one 40 mm behind, and an orange
 -- one farther ahead, turned by 20 degrees.
+-- luacheck: read globals argos
 
 local robot, math = argos.robot, argos.math
 

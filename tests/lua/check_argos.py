@@ -254,6 +254,7 @@ def check_others_readers(root, folder):
     for path in scripts:
         good("luac5.4", "-p", path)
     good("luacheck", "--config", root / ".luacheckrc", *scripts)
+    good("luacheck", "--config", root / ".luacheckrc", "--std", "lua53", *scripts)  # ARGoS's
     if shutil.which("xmllint"):
         good("xmllint", "--noout", *folder.glob("*.argos"))
 
