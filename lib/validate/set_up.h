@@ -16,13 +16,16 @@
 // Fixed allocation: robots and sides are dealt out in turn; of fewer robots than sides each has
 // sides that follow each other.
 //
-// One text for all: what validate runs is what `stigc simulate` makes of the file.
+// One text for all: what validate runs is what `stigc simulate` makes of the file. The layout
+// itself is there too, for other simulators' files.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/vec.h"
 #include "compiler/compile.h"
 
 namespace stig {
@@ -40,6 +43,30 @@ struct SetUpRequest {
   std::string robot_file = "bebot.yaml";
   double side = 0.055;  ///< of a block, m
 };
+
+/// Where things stand; m, in the world's frame, z over the floor, rounded to 10 µm.
+struct SetUpLayout {
+  struct Block {
+    Vec3 centre;
+    Colour brick = 0;
+  };
+  struct Robot {
+    Vec3 at;
+    int heading = 0;                           ///< degrees
+    ApproachSide side = ApproachSide::plus_x;  ///< where it begins
+    std::vector<ApproachSide> bound;           ///< to these sides for good; empty: to none
+  };
+  struct Cache {
+    Vec3 at;           ///< where blocks are dropped
+    int outwards = 0;  ///< degrees, away from the structure
+  };
+  double arena = 0;           ///< half its side
+  std::vector<Block> blocks;  ///< the start
+  std::vector<Robot> robots;
+  std::vector<Cache> caches;  ///< one on each side
+};
+SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
+                    const SetUpRequest& request);
 
 /// YAML; robots run kControllerFile.
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
