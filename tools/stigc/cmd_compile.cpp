@@ -87,6 +87,7 @@ int run(const CompileFileOptions& options, App& app) {
   if (!robot) return kFailed;
   CompileOptions settings;
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
+  settings.robots = options.robots;
   stop_on_signals();
   settings.verify.seconds = options.budget;
   settings.verify.stop = &stop_requested();
@@ -99,10 +100,8 @@ int run(const CompileFileOptions& options, App& app) {
     app.complain("interrupted: nothing was written");
     return kRunFailed;
   }
-  if (!compiled.decision) {
-    for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
-    return compiled.proof.interrupted ? kRunFailed : kFailed;
-  }
+  for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
+  if (!compiled.decision) return compiled.proof.interrupted ? kRunFailed : kFailed;
   return print(options, {&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)},
                app);
 }

@@ -371,6 +371,7 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   path(sub, "--robot", o.robot, "the robot's file (default: bebot.yaml, the paper's)");
   add_sides(*sub, o.sides);
+  integer(sub, "--robots", o.robots, 1, 100, "robots that work at once (default: the file's)");
   choice(sub, "--target", o.target,
          {{"table", CompileTarget::table},
           {"lua", CompileTarget::lua},

@@ -127,6 +127,7 @@ struct CompileFileOptions {
   std::string file;
   std::optional<std::string> robot;     ///< a robot's file; otherwise the paper's robot
   std::vector<std::string> sides;       ///< "+x" "-x" "+y" "-y"; empty: the file's
+  std::optional<int> robots;            ///< that work at once; otherwise the file's
   std::optional<CompileTarget> target;  ///< otherwise by the output's name: .lua, or a table
   std::optional<std::string> output;
   std::optional<std::string> report;  ///< the table, whatever the target
