@@ -26,7 +26,8 @@ local ASIDE = 0.002            -- from a neighbour beside, which draws the block
 local ASIDE_LOOK = 0.080       -- height of the lift to see a block beside the way
 local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
 local LET_GO = 0.030           -- up from a block that was put down
-local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it
+local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it, at least
+local HELD_OFF = 0.010         -- of a carried block's face from a column's, which would draw it off
 local SLOW = 0.05              -- m/s, close to blocks
 local BEHIND = 0.05            -- m, behind the chassis, to stop from backing at 0.1 m/s
 local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
@@ -388,10 +389,12 @@ local function column_ahead()
    return ahead ~= nil and ahead < 0.020
 end
 
--- Straight on, slowly, as far as that leaves the effector before what is ahead of it.
-local function creep(way)
+-- Straight on, slowly, as far as that leaves the effector before what is ahead of it, and the
+-- block's face `off` it: the effector is longer by a little.
+local function creep(way, off)
    local ahead = robotics.range('front')
-   if ahead then way = math.min(way, ahead - EFFECTOR_GAP) end
+   local longer = robotics.profile.reach - robotics.profile.grip - SIDE / 2
+   if ahead then way = math.min(way, ahead - math.max(EFFECTOR_GAP, (off or 0) - longer)) end
    if math.abs(way) > 0.0002 then handling.go_by(way, 0.02) end
 end
 
@@ -500,7 +503,7 @@ local function approach(block, options)
             local to = -grip + (options.short or 0)
             handling.follow(line, to, SLOW, options.stop)
             if options.stop and options.stop() then
-               creep(to - handling.on_line(line))
+               creep(to - handling.on_line(line), HELD_OFF)
                -- so far before its place stands no column, but another robot
                if to - handling.on_line(line) > SHORT then
                   handling.back_off(0.15)
@@ -696,7 +699,11 @@ function handling.approach_site(block, where, options)
       end,
    })
    if not near then return false, seen end
-   if not handling.holds() then return false, 'the block was lost' end
+   if not handling.holds() then
+      -- a turn would sweep the structure
+      handling.back_off(0.15)
+      return false, 'the block was lost'
+   end
    if math.abs(yaw) > 0.004 then handling.turn_by(-yaw, 0.01) end
    handling.site_level = level
    return true, seen

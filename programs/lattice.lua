@@ -114,8 +114,7 @@ end
 -- robot).
 function lattice.rows()
    local structure = lattice.in_memory()
-   if not structure then return nil end
-   lattice.remember(structure)
+   if not structure or not lattice.remember(structure) then return nil end
    local frame = { x = lattice.known.origin.x, y = lattice.known.origin.y, yaw = lattice.heading_of(lattice.side) }
    local rows = {}
    for _, known in ipairs(structure.blocks) do

@@ -17,6 +17,8 @@ local LINK = 1.25 * SIDE          -- nearer blocks are of one structure
 local SEEN_OFTEN, MISSED_OFTEN = 3, 3
 local MEMORY = 60                 -- s, of a block out of sight
 local LED_OFFSET = 0.020
+local TAG = 0.024                 -- its side
+local PLAIN = 4                   -- px, of depth that a tag shows, to be sure which way it tilts
 
 -- Figures that the interface does not tell. `grip`: the middle of a carried block, ahead of the
 -- robot's; `anchor`: the middle of the body that holds the camera, with the lift down; `front`: how far ahead the chassis rangefinders
@@ -156,31 +158,52 @@ local function colour_about(tag)
    return best
 end
 
+-- What a tag says of its block, turned as in the robot's frame. A tag that tilts away from the
+-- camera looks nearly as one that tilts towards it: when few pixels tell the two apart, the height
+-- does, where either may stand on a level.
+local function standing_of(tag, place, eye, turn)
+   local orientation = turn * tag.orientation
+   local normal, right = vector3(0, 0, 1):rotate(orientation), vector3(1, 0, 0):rotate(orientation)
+   local ray = place - eye
+   local distance = ray:length()
+   ray = vector3(ray.x / distance, ray.y / distance, ray.z / distance)  -- ARGoS has no /
+   local slant = vector3(normal):cross(ray):length()
+   local first
+   for mirrored = 0, robotics.profile.focal * slant * (TAG / distance) ^ 2 < PLAIN and 1 or 0 do
+      if mirrored == 1 then
+         normal, right = ray * (2 * normal:dot(ray)) - normal, right - ray * (2 * right:dot(ray))
+      end
+      local top = normal.z > 0.7
+      if top or math.abs(normal.z) <= 0.5 then
+         local level = robotics.level_of(place.z - (top and TAG_TO_MIDDLE or 0))
+         local height = SIDE * level + (top and SIDE + TAG_HEIGHT or HALF)
+         local stands = level >= 0 and math.abs(height - place.z) < 0.015
+         local standing = { axis = top and right or normal, normal = normal, top = top, height = height,
+                            level = stands and eye.z - height > 0.02 and level or nil }
+         if stands then return standing end
+         first = first or standing
+      end
+   end
+   return first
+end
+
 -- A block from one of its tags, in the robot's frame. Blocks stand upright on floor or blocks, so
 -- the height of the tag is known, and the line through its middle says the rest far better than
 -- the tag's size.
 local function block_of(tag, eye, turn)
    local place = vector3(tag.position):rotate(turn) + eye
-   local normal = vector3(0, 0, 1):rotate(turn * tag.orientation)
-   local middle = place - normal * TAG_TO_MIDDLE
-   local level = robotics.level_of(middle.z)
-   local on_top = normal.z > 0.7
-   if not on_top and math.abs(normal.z) > 0.5 then return nil end
-   local height = SIDE * level + (on_top and SIDE + TAG_HEIGHT or HALF)
-   if level >= 0 and math.abs(height - place.z) < 0.015 and eye.z - height > 0.02 then
-      place = eye + (place - eye) * ((height - eye.z) / (place.z - eye.z))
-   else
-      level = nil
-   end
-   local axis = normal
-   if on_top then axis = vector3(1, 0, 0):rotate(turn * tag.orientation) end
+   local standing = standing_of(tag, place, eye, turn)
+   if not standing then return nil end
+   local level, axis = standing.level, standing.axis
+   local free = place.z - standing.normal.z * TAG_TO_MIDDLE
+   if level then place = eye + (place - eye) * ((standing.height - eye.z) / (place.z - eye.z)) end
    local size = math.sqrt(axis.x ^ 2 + axis.y ^ 2)
-   local back = on_top and 0 or TAG_TO_MIDDLE / size
+   local back = standing.top and 0 or TAG_TO_MIDDLE / size
    local distance = (place - eye):length()
    return {
       x = place.x - axis.x * back, y = place.y - axis.y * back,
-      z = level and SIDE * level + HALF or middle.z, level = level,
-      yaw = math.atan(axis.y, axis.x), colour = colour_about(tag), top = on_top,
+      z = level and SIDE * level + HALF or free, level = level,
+      yaw = math.atan(axis.y, axis.x), colour = colour_about(tag), top = standing.top,
       variance = (0.0004 * (distance / 0.1) ^ 2) ^ 2, tags = 1,
    }
 end
@@ -300,7 +323,7 @@ function robotics.would_see(x, y, level, heading)
       local function world(a, b, d) return vector3(c * a - s * b, s * a + c * b, d) end
       local normal = world(face[1], face[2], face[3])
       local right = face[3] == 1 and world(0, 1, 0) or world(-face[2], face[1], 0)
-      local up = normal:cross(right)
+      local up = vector3(normal):cross(right)  -- ARGoS changes the first
       local centre = middle + normal * TAG_TO_MIDDLE
       local way = eye - centre
       local all = way:dot(normal) >= way:length() * math.cos(math.rad(70))

@@ -94,6 +94,7 @@ validate_part() {
   scripts/install.sh build >&2
   configure_and_build dev >&2
   validate_row staircase rulesets/staircase.yaml --runs 25
+  validate_row staircase-later-robot rulesets/staircase.yaml --robot robots/builderbot.yaml --runs 10
   validate_row pyramid rulesets/stepped-pyramid.yaml
   validate_row pyramid-four rulesets/stepped-pyramid.yaml --robots 4
   local scene

@@ -57,6 +57,14 @@ TEST_CASE("a robot builds the staircase from its rules, and what was written run
   CHECK(again.out.find(hash) != std::string::npos);
 }
 
+TEST_CASE("the later robot builds it too: what differs is data") {
+  const Workplace place;
+  CHECK(place
+            .stigc({"validate", STIG_SOURCE_DIR "/rulesets/staircase.yaml", "--robot",
+                    STIG_SOURCE_DIR "/robots/builderbot.yaml", "--runs", "2"})
+            .exit_code == 0);
+}
+
 TEST_CASE("a robot that does nothing leaves the structure incomplete, and the report says so") {
   const Workplace place;
   const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
