@@ -170,8 +170,8 @@ local function standing_of(tag, place, eye, turn)
    local normal, right = vector3(0, 0, 1):rotate(orientation), vector3(1, 0, 0):rotate(orientation)
    local ray = place - eye
    local distance = ray:length()
-   ray = ray / distance
-   local slant = normal:cross(ray):length()
+   ray = vector3(ray.x / distance, ray.y / distance, ray.z / distance)  -- ARGoS has no /
+   local slant = vector3(normal):cross(ray):length()
    local first
    for mirrored = 0, robotics.profile.focal * slant * (TAG / distance) ^ 2 < PLAIN and 1 or 0 do
       if mirrored == 1 then
@@ -330,7 +330,7 @@ function robotics.would_see(x, y, level, heading)
       local function world(a, b, d) return vector3(c * a - s * b, s * a + c * b, d) end
       local normal = world(face[1], face[2], face[3])
       local right = face[3] == 1 and world(0, 1, 0) or world(-face[2], face[1], 0)
-      local up = normal:cross(right)
+      local up = vector3(normal):cross(right)  -- ARGoS changes the first
       local centre = middle + normal * TAG_TO_MIDDLE
       local way = eye - centre
       local all = way:dot(normal) >= way:length() * math.cos(math.rad(70))

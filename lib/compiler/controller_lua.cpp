@@ -195,12 +195,9 @@ void print_task(Printer& out, const ControllerPlan& plan) {
   out.line();
 }
 
-}  // namespace
-
-ControllerText controller_lua(const RuleSet& rules, std::string_view file,
-                              const ControllerPlan& plan, const CompiledRules& compiled,
-                              const std::vector<RuntimeModule>& library) {
-  Printer out(rules, file, compiled);
+/// What does not depend on where the program runs.
+void print_head(Printer& out, const RuleSet& rules, std::string_view file,
+                const ControllerPlan& plan, const CompiledRules& compiled) {
   out.line(fmt::format("-- Builds '{}' from the rules in {}.", plain(rules.name), plain(file)));
   out.line(fmt::format("-- Written by stigc compile. Proved: every order of work completes it; {}.",
                        to_string(compiled.directions)));
@@ -209,11 +206,48 @@ ControllerText controller_lua(const RuleSet& rules, std::string_view file,
   out.decide(*plan.decision);
   print_chart(out, *plan.chart);
   print_task(out, plan);
+}
+
+}  // namespace
+
+ControllerText controller_lua(const RuleSet& rules, std::string_view file,
+                              const ControllerPlan& plan, const CompiledRules& compiled,
+                              const std::vector<RuntimeModule>& library) {
+  Printer out(rules, file, compiled);
+  print_head(out, rules, file, plan, compiled);
   for (const RuntimeModule& one : library) out.module(one);
   out.lines(
       "function init() building.start(CHART, TASK) end\n"
       "function reset() building.start(CHART, TASK) end\n"
       "function step() building.step() end\n");
+  return out.take();
+}
+
+ControllerText controller_argos(const RuleSet& rules, std::string_view file,
+                                const ControllerPlan& plan, const CompiledRules& compiled,
+                                const RuntimeModule& adapter,
+                                const std::vector<RuntimeModule>& library) {
+  Printer out(rules, file, compiled);
+  print_head(out, rules, file, plan, compiled);
+  out.module(adapter);
+  out.lines(
+      "-- What the library calls robot and math from here on.\n"
+      "local robot, math = argos.robot, argos.math\n"
+      "for name, figure in pairs(argos.figures) do TASK.profile[name] = figure end\n\n");
+  for (const RuntimeModule& one : library) out.module(one);
+  out.lines(
+      "local function start()\n"
+      "   argos.start()\n"
+      "   building.start(CHART, TASK)\n"
+      "end\n\n"
+      "-- ARGoS calls all four.\n"
+      "function init() start() end\n"
+      "function reset() start() end\n"
+      "function step()\n"
+      "   argos.sense()\n"
+      "   building.step()\n"
+      "end\n"
+      "function destroy() end\n");
   return out.take();
 }
 

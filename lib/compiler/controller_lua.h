@@ -40,4 +40,13 @@ ControllerText controller_lua(const RuleSet& rules, std::string_view file,
                               const ControllerPlan& plan, const CompiledRules& compiled,
                               const std::vector<RuntimeModule>& library);
 
+/// What stands between the library and ARGoS, and the program of blocks there.
+inline constexpr std::string_view kArgosAdapter = "argos", kArgosBlock = "argos_block";
+
+/// The same program for ARGoS 3: `adapter` is kArgosAdapter's file.
+ControllerText controller_argos(const RuleSet& rules, std::string_view file,
+                                const ControllerPlan& plan, const CompiledRules& compiled,
+                                const RuntimeModule& adapter,
+                                const std::vector<RuntimeModule>& library);
+
 }  // namespace stig

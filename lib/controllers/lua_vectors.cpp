@@ -229,8 +229,12 @@ int dot_method(lua_State* state) {
   return 1;
 }
 
+/// Changes the first, as in ARGoS.
 int cross_method(lua_State* state) {
-  return push(state, cross(check<Vec3>(state, 1), check<Vec3>(state, 2)));
+  Vec3& v = check<Vec3>(state, 1);
+  v = cross(v, check<Vec3>(state, 2));
+  lua_settop(state, 1);
+  return 1;
 }
 /// Of the vector from the x axis; or to another vector, counter-clockwise.
 int angle2(lua_State* state) {

@@ -59,12 +59,7 @@ class Layout {
     }
   }
 
-  std::string text() const {
-    return head() + blocks() + robots() + caches() +
-           "# What cameras do in practice: a pixel off by a half, and 1 % of colours taken for "
-           "none or another.\n"
-           "noise: {pixels: 0.5, missed_tags: 0.02, colour: 8}\n";
-  }
+  SetUpLayout layout() const { return {metres(arena()), blocks(), robots(), caches()}; }
 
  private:
   bool several() const { return compiled_.sides.size() > 1; }
@@ -98,56 +93,38 @@ class Layout {
     return std::max(kArena, far + kArenaBeyond);
   }
 
-  std::string head() const {
-    const std::string& title = rules_.title.empty() ? rules_.name : rules_.title;
-    std::string quoted;
-    for (const char c : title)
-      quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-    return fmt::format(
-        "# The set-up of `stigc validate`; controller.lua is what the robots run.\n"
-        "stigc_scene: 1\n"
-        "title: \"{}\"\n"
-        "duration: {:g}\n"
-        "arena: {:g}\n",
-        quoted, kMostBuildTime, metres(arena()));
+  Vec3 place(double x, double y, double z) const {
+    return {metres(x - origin_.x), metres(y - origin_.y), metres(z)};
   }
 
-  std::string blocks() const {
-    std::string out = "blocks:\n";
-    for (std::size_t i = 0; i < rules_.start.size(); ++i) {
-      const PlacedBrick& brick = rules_.start[i];
+  std::vector<SetUpLayout::Block> blocks() const {
+    std::vector<SetUpLayout::Block> out;
+    for (const PlacedBrick& brick : rules_.start) {
       const double level = brick.at.z - compiled_.target->floor_level() + 0.5;
-      out += fmt::format("  - {{name: start {}, at: [{:g}, {:g}, {:g}], color: {}, fixed: true}}\n",
-                         i + 1, metres(brick.at.x * request_.side - middle_.x - origin_.x),
-                         metres(brick.at.y * request_.side - middle_.y - origin_.y),
-                         metres(level * request_.side), rules_.brick(brick.brick).led);
+      out.push_back({place(brick.at.x * request_.side - middle_.x,
+                           brick.at.y * request_.side - middle_.y, level * request_.side),
+                     brick.brick});
     }
     return out;
   }
 
-  std::string robots() const {
-    std::string out = "robots:\n";
+  std::vector<SetUpLayout::Robot> robots() const {
+    std::vector<SetUpLayout::Robot> out;
     const auto sides = static_cast<int>(compiled_.sides.size());
     for (int i = 0; i < request_.robots; ++i) {
       const ApproachSide side = compiled_.sides[static_cast<std::size_t>(i % sides)];
       const Direction d = direction_of(side);
       const double way = robot_way(d), left = (i / sides) * kRobotsApart;
-      out += fmt::format(
-          "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "
-          "turn_jitter: 5, program: {}, params: {{side: \"{}\"}}}}\n",
-          i + 1, request_.robot_file, metres(d.x * way - d.y * left - origin_.x),
-          metres(d.y * way + d.x * left - origin_.y), d.degrees, kControllerFile, to_string(side));
+      out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees, side});
     }
     return out;
   }
 
-  std::string caches() const {
-    std::string out = "caches:\n";
+  std::vector<SetUpLayout::Cache> caches() const {
+    std::vector<SetUpLayout::Cache> out;
     for (const ApproachSide side : compiled_.sides) {
       const Direction d = direction_of(side);
-      out += fmt::format("  - {{at: [{:g}, {:g}, {:g}], jitter: 0.02, turn_jitter: 45}}\n",
-                         metres(d.x * cache_way(d) - origin_.x),
-                         metres(d.y * cache_way(d) - origin_.y), kCacheDrop);
+      out.push_back({place(d.x * cache_way(d), d.y * cache_way(d), kCacheDrop), d.degrees});
     }
     return out;
   }
@@ -159,11 +136,55 @@ class Layout {
   Vec3 origin_;  ///< of the world, from the start's middle
 };
 
+std::string scene_head(const RuleSet& rules, double arena) {
+  const std::string& title = rules.title.empty() ? rules.name : rules.title;
+  std::string quoted;
+  for (const char c : title)
+    quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+  return fmt::format(
+      "# The set-up of `stigc validate`; controller.lua is what the robots run.\n"
+      "stigc_scene: 1\n"
+      "title: \"{}\"\n"
+      "duration: {:g}\n"
+      "arena: {:g}\n",
+      quoted, kMostBuildTime, arena);
+}
+
 }  // namespace
+
+SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
+                    const SetUpRequest& request) {
+  return Layout(rules, compiled, request).layout();
+}
 
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
                          const SetUpRequest& request) {
-  return Layout(rules, compiled, request).text();
+  const SetUpLayout layout = lay_out(rules, compiled, request);
+  std::string out = scene_head(rules, layout.arena) + "blocks:\n";
+  int number = 0;
+  for (const SetUpLayout::Block& block : layout.blocks) {
+    out += fmt::format("  - {{name: start {}, at: [{:g}, {:g}, {:g}], color: {}, fixed: true}}\n",
+                       ++number, block.centre.x, block.centre.y, block.centre.z,
+                       rules.brick(block.brick).led);
+  }
+  out += "robots:\n";
+  number = 0;
+  for (const SetUpLayout::Robot& robot : layout.robots) {
+    out += fmt::format(
+        "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "
+        "turn_jitter: 5, program: {}, params: {{side: \"{}\"}}}}\n",
+        ++number, request.robot_file, robot.at.x, robot.at.y, robot.heading, kControllerFile,
+        to_string(robot.side));
+  }
+  out += "caches:\n";
+  for (const SetUpLayout::Cache& cache : layout.caches) {
+    out += fmt::format("  - {{at: [{:g}, {:g}, {:g}], jitter: 0.02, turn_jitter: 45}}\n",
+                       cache.at.x, cache.at.y, cache.at.z);
+  }
+  return out +
+         "# What cameras do in practice: a pixel off by a half, and 1 % of colours taken for "
+         "none or another.\n"
+         "noise: {pixels: 0.5, missed_tags: 0.02, colour: 8}\n";
 }
 
 }  // namespace stig

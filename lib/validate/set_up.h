@@ -13,13 +13,16 @@
 //               side, further ones 0.25 m to the left of the last on that side
 //     the arena to 1.5 m, or 0.7 m beyond the farthest of these
 //
-// One text for all: what validate runs is what `stigc simulate` makes of the file.
+// One text for all: what validate runs is what `stigc simulate` makes of the file. The layout
+// itself is there too, for other simulators' files.
 #pragma once
 
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "base/vec.h"
 #include "compiler/compile.h"
 
 namespace stig {
@@ -32,6 +35,29 @@ struct SetUpRequest {
   std::string robot_file = "bebot.yaml";
   double side = 0.055;  ///< of a block, m
 };
+
+/// Where things stand; m, in the world's frame, z over the floor, rounded to 10 µm.
+struct SetUpLayout {
+  struct Block {
+    Vec3 centre;
+    Colour brick = 0;
+  };
+  struct Robot {
+    Vec3 at;
+    int heading = 0;  ///< degrees
+    ApproachSide side = ApproachSide::plus_x;
+  };
+  struct Cache {
+    Vec3 at;           ///< where blocks are dropped
+    int outwards = 0;  ///< degrees, away from the structure
+  };
+  double arena = 0;           ///< half its side
+  std::vector<Block> blocks;  ///< the start
+  std::vector<Robot> robots;
+  std::vector<Cache> caches;  ///< one on each side
+};
+SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
+                    const SetUpRequest& request);
 
 /// YAML; robots run kControllerFile.
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,

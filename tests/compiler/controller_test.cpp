@@ -74,6 +74,32 @@ TEST_CASE(
         "end\n");
 }
 
+TEST_CASE("for ARGoS the same program, its library between the adapter and four callbacks") {
+  const Planned staircase(shipped("staircase"));
+  const RuntimeModule adapter{"argos", "local argos = {}\nreturn argos\n"};
+  const RuntimeModule building{"building", "local lattice = require 'lattice'\nreturn {}\n"};
+  const ControllerText ours =
+      controller_lua(staircase.rules, "s.yaml", staircase.plan, staircase.compiled, {building});
+  const ControllerText argos = controller_argos(staircase.rules, "s.yaml", staircase.plan,
+                                                staircase.compiled, adapter, {building});
+  CHECK(decisions(argos) == decisions(ours));
+  const std::size_t own = ours.text.find("local building = ");
+  CHECK(argos.text.substr(0, own) == ours.text.substr(0, own));
+  std::size_t at = 0;
+  for (const char* next :
+       {"local argos = (function()", "local robot, math = argos.robot, argos.math",
+        "local building = (function()", "function init()", "function reset()", "function step()",
+        "function destroy()"}) {
+    CAPTURE(next);
+    at = argos.text.find(next, at);
+    REQUIRE(at != std::string::npos);
+  }
+  REQUIRE(argos.lines.size() == ours.lines.size());
+  for (std::size_t i = 0; i < ours.lines.size(); ++i) {
+    CHECK(argos.lines[i].line == ours.lines[i].line);
+  }
+}
+
 TEST_CASE("where nothing is to be done, the program does nothing") {
   const Planned done(rule_set(STIG_TESTS_DIR "/compiler/done.yaml"));
   const ControllerText program = controller_lua(done.rules, "d.yaml", done.plan, done.compiled, {});

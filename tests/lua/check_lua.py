@@ -14,7 +14,7 @@ import tempfile
 RULE_SETS = ["rulesets/staircase.yaml", "rulesets/stepped-pyramid.yaml",
              "tests/compiler/line.yaml", "tests/compiler/column.yaml",
              "tests/compiler/overhang.yaml", "tests/compiler/done.yaml"]
-SHIPPED = ["programs", "blocks", "scenes", "tests/controllers"]
+SHIPPED = ["programs", "blocks", "scenes", "tests/controllers", "tests/lua"]
 
 
 def run(*command):

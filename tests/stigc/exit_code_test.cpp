@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "program.h"
+#include "support/golden.h"
 
 namespace stig {
 namespace {
@@ -137,6 +138,17 @@ TEST_CASE("nothing is written over what is read, or over another output") {
         "stigc compile sets/line.yaml -o sets/line.yaml"}) {
     CAPTURE(line);
     CHECK(place.shell(line).exit_code == 2);
+  }
+  // What is written for ARGoS is several files, each as safe as one.
+  place.write("s.yaml", project_file("rulesets/staircase.yaml"));
+  for (const std::string ending : {".argos", "_robot.lua", "_block.lua", "_robot.lua.map"}) {
+    CAPTURE(ending);
+    CHECK(place
+              .shell("cp s.yaml out" + ending + "; stigc compile out" + ending +
+                     " --target argos -o out; [ $? = 2 ] && cmp s.yaml out" + ending)
+              .exit_code == 0);
+    CHECK(place.shell("rm -f out*; stigc compile s.yaml -o out.argos --report out" + ending)
+              .exit_code == 2);
   }
   CHECK(place.shell("stigc synth x.txt -o x.txt").exit_code == 3);
   CHECK(place.shell("stigc check scene.yaml").exit_code == 0);

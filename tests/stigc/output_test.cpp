@@ -6,6 +6,7 @@
 #include <set>
 
 #include "program.h"
+#include "support/golden.h"
 
 namespace stig {
 namespace {
@@ -225,6 +226,35 @@ TEST_CASE("bash completes commands, options, words and files") {
   CHECK(completed("stigc explore --motion te", 3) == "teleport\n");
   CHECK(completed("stigc completions f", 2) == "fish\n");
   CHECK(completed("stigc check se", 2) == "sets\n");
+}
+
+TEST_CASE("compile writes all that an ARGoS experiment needs, or nothing") {
+  const Workplace place;
+  place.write("s.yaml", project_file("rulesets/staircase.yaml"));
+  const std::vector<std::string> all = {"e.argos", "e_block.lua", "e_robot.lua", "e_robot.lua.map",
+                                        "s.yaml"};
+  CHECK(place.stigc({"compile", "s.yaml", "--target", "argos", "-o", "e"}).exit_code == 0);
+  CHECK(place.files() == all);
+  const std::string first = place.file("e.argos") + place.file("e_robot.lua");
+  CHECK(place.stigc({"compile", "s.yaml", "-o", "e.argos"}).exit_code == 0);
+  CHECK(place.files() == all);
+  CHECK(place.file("e.argos") + place.file("e_robot.lua") == first);
+  CHECK(place.file("e.argos").find("script=\"e_robot.lua\"") != std::string::npos);
+  CHECK(place.file("e_block.lua") == project_file("programs/argos_block.lua"));
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"compile", "s.yaml", "--target", "argos"},
+        {"compile", "s.yaml", "--target", "argos", "-o", "-"},
+        {"compile", "s.yaml", "--target", "argos", "-o", ".argos"},
+        {"compile", "s.yaml", "--target", "argos", "-o", "n\x01"},
+        {"compile", "s.yaml", "--target", "argos", "-o", "n\xff"},
+        {"compile", "s.yaml", "--target", "argos", "-o", "none/n"},
+        {"compile", "s.yaml", "--robot", "r.yaml", "--target", "argos", "-o", "n"}}) {
+    CAPTURE(wrong.back());
+    CHECK(place.stigc(wrong).exit_code == 2);
+  }
+  // A rule set that cannot be compiled leaves nothing either.
+  CHECK(place.stigc({"compile", "sets/corner.yaml", "-o", "n.argos"}).exit_code == 1);
+  CHECK(place.files() == all);
 }
 
 TEST_CASE("doctor has a line a finding, each with its health") {

@@ -6,12 +6,14 @@
 #include <filesystem>
 
 #include "base/file_io.h"
+#include "base/text.h"
 #include "commands.h"
 #include "compile_report.h"
 #include "compiler/compile.h"
 #include "outputs.h"
 #include "robot_input.h"
 #include "runtime_input.h"
+#include "validate/argos_experiment.h"
 
 namespace stig {
 namespace {
@@ -26,18 +28,63 @@ int write(const std::string& path, const std::string& text, const App& app) {
   return kOk;
 }
 
+constexpr std::string_view kArgosEnding = ".argos";
+
 CompileTarget target_of(const CompileFileOptions& options) {
-  const bool lua = options.output && options.output->ends_with(".lua");
-  return options.target.value_or(lua ? CompileTarget::lua : CompileTarget::table);
+  if (options.target) return *options.target;
+  if (options.output && options.output->ends_with(".lua")) return CompileTarget::lua;
+  if (options.output && options.output->ends_with(kArgosEnding)) return CompileTarget::argos;
+  return CompileTarget::table;
+}
+
+/// What is written for ARGoS, next to each other.
+struct ArgosFiles {
+  std::string experiment, robot, block;
+};
+std::optional<ArgosFiles> argos_files(const CompileFileOptions& options) {
+  if (!options.output || target_of(options) != CompileTarget::argos) return std::nullopt;
+  std::string name = *options.output;
+  if (name.ends_with(kArgosEnding)) name.resize(name.size() - kArgosEnding.size());
+  return ArgosFiles{name + ".argos", name + "_robot.lua", name + "_block.lua"};
 }
 
 std::optional<std::string> line_map_of(const CompileFileOptions& options) {
+  if (const auto argos = argos_files(options)) return argos->robot + ".map";
   if (!options.output || target_of(options) != CompileTarget::lua) return std::nullopt;
   return *options.output + ".map";
 }
 
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+/// The scripts first: an experiment never names what is not there.
+int write_argos(const CompileFileOptions& options, const CompileJob& job, App& app) {
+  const auto library = read_runtime(app);
+  const auto adapter = read_module(kArgosAdapter, app), block = read_module(kArgosBlock, app);
+  if (!library || !adapter || !block) return kFailed;
+  const ArgosFiles files = *argos_files(options);
+  const ControllerText program = controller_argos(*job.rules, file_name(options.file), job.plan,
+                                                  *job.compiled, *adapter, *library);
+  SetUpRequest request;
+  if (job.rules->physical) request.robots = job.rules->physical->robots.value_or(request.robots);
+  request.side = job.robot->block.side;
+  const std::string experiment = argos_experiment(*job.rules, *job.compiled, request,
+                                                  {file_name(files.robot), file_name(files.block)});
+  const std::pair<std::string, std::string> written[] = {
+      {files.robot + ".map", line_map_json(job, program)},
+      {files.robot, program.text},
+      {files.block, block->text},
+      {files.experiment, experiment}};
+  for (const auto& [path, text] : written) {
+    if (const int code = write(path, text, app); code != kOk) return code;
+  }
+  return kOk;
+}
+
 int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
   std::string text, map;
+  const int reported = options.report ? write(*options.report, compile_table(job), app) : kOk;
   switch (target_of(options)) {
     case CompileTarget::table:
       text = compile_table(job);
@@ -51,27 +98,47 @@ int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
     case CompileTarget::lua: {
       const auto library = read_runtime(app);
       if (!library) return kFailed;
-      const std::string name = std::filesystem::path(options.file).filename().string();
-      ControllerText program = controller_lua(*job.rules, name, job.plan, *job.compiled, *library);
+      ControllerText program =
+          controller_lua(*job.rules, file_name(options.file), job.plan, *job.compiled, *library);
       map = line_map_json(job, program);
       text = std::move(program.text);
       break;
     }
+    case CompileTarget::argos:
+      return std::max(reported, write_argos(options, job, app));
   }
-  int worst = options.report ? write(*options.report, compile_table(job), app) : kOk;
+  int worst = reported;
   if (const auto path = line_map_of(options)) worst = std::max(worst, write(*path, map, app));
   if (options.output) return std::max(worst, write(*options.output, text, app));
   app.print(text);
   return worst;
 }
 
+std::string argos_problem(const CompileFileOptions& options) {
+  if (target_of(options) != CompileTarget::argos) return {};
+  if (options.robot) return "ARGoS brings its own robot, the BuilderBot: leave --robot out";
+  if (!options.output || *options.output == "-")
+    return "for ARGoS several files are written: say where with -o NAME";
+  const std::string name = file_name(argos_files(options)->experiment);
+  if (name == kArgosEnding) return fmt::format("'{}' has no name before .argos", *options.output);
+  if (printable(name) != name)
+    return fmt::format("the name '{}' cannot stand in an experiment's file", name);
+  return {};
+}
+
 std::string output_problem(const CompileFileOptions& options) {
+  if (std::string problem = argos_problem(options); !problem.empty()) return problem;
   for (const auto& path : {options.output, options.report}) {
     std::string problem = path ? folder_problem(*path) : "";
     if (!problem.empty()) return problem;
   }
-  return same_file_problem({options.output, options.report, line_map_of(options)},
-                           {options.file, options.robot});
+  const std::vector<std::optional<std::string>> read = {options.file, options.robot};
+  if (const auto argos = argos_files(options)) {
+    return same_file_problem(
+        {argos->experiment, argos->robot, argos->block, line_map_of(options), options.report},
+        read);
+  }
+  return same_file_problem({options.output, options.report, line_map_of(options)}, read);
 }
 
 }  // namespace
@@ -83,7 +150,8 @@ int run(const CompileFileOptions& options, App& app) {
   }
   const std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
-  const std::optional<Abilities> robot = read_abilities(options.robot, app);
+  const std::optional<Abilities> robot = read_abilities(
+      options.robot, app, target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot);
   if (!robot) return kFailed;
   CompileOptions settings;
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));

@@ -367,6 +367,7 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
               "  stigc compile staircase.yaml\n"
               "  stigc compile staircase.yaml -o staircase.lua --report staircase.txt\n"
               "  stigc compile line.yaml --sides +x --robot robots/builderbot.yaml\n"
+              "  stigc compile staircase.yaml --target argos -o staircase\n"
               "  stigc compile staircase.yaml --target dot | dot -Tsvg > decisions.svg\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   path(sub, "--robot", o.robot, "the robot's file (default: bebot.yaml, the paper's)");
@@ -374,11 +375,14 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
   choice(sub, "--target", o.target,
          {{"table", CompileTarget::table},
           {"lua", CompileTarget::lua},
+          {"argos", CompileTarget::argos},
           {"dot", CompileTarget::dot},
           {"ir", CompileTarget::ir}},
-         "what to print (default: lua into a file named .lua, otherwise table)");
+         "what to print (default: lua into a file named .lua, argos into one named .argos, "
+         "otherwise table)");
   path(sub, "-o,--output", o.output,
-       "write it to a file; .lua.map beside it says which lines are rules");
+       "write it to a file; .lua.map beside it says which lines are rules; for ARGoS "
+       "NAME[.argos], beside which NAME_robot.lua and NAME_block.lua are written");
   path(sub, "--report", o.report, "write the table to a file as well");
   parsed(sub, "--budget", "S", "seconds for the proof of the rule set (default: 60)",
          [&o](const std::string& text) { return parse_seconds(text, o.budget); });

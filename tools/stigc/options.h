@@ -122,12 +122,13 @@ struct SimulateOptions {
 };
 
 /// What `stigc compile` prints.
-enum class CompileTarget : std::uint8_t { table, lua, dot, ir };
+enum class CompileTarget : std::uint8_t { table, lua, argos, dot, ir };
 struct CompileFileOptions {
   std::string file;
-  std::optional<std::string> robot;     ///< a robot's file; otherwise the paper's robot
-  std::vector<std::string> sides;       ///< "+x" "-x" "+y" "-y"; empty: the file's
-  std::optional<CompileTarget> target;  ///< otherwise by the output's name: .lua, or a table
+  std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
+  std::vector<std::string> sides;    ///< "+x" "-x" "+y" "-y"; empty: the file's
+  std::optional<CompileTarget>
+      target;  ///< otherwise by the output's name: .lua, .argos, or a table
   std::optional<std::string> output;
   std::optional<std::string> report;  ///< the table, whatever the target
   double budget = 60;                 ///< s, of the proof

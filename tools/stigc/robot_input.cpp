@@ -13,7 +13,6 @@
 namespace stig {
 namespace {
 
-constexpr const char* kDefaultRobot = "bebot.yaml";
 constexpr const char* kBlock = "stigmergic.yaml";
 
 SourceRef find_source(const std::string& name, const SceneLoader& load, const App& app) {
@@ -27,10 +26,10 @@ SourceRef find_source(const std::string& name, const SceneLoader& load, const Ap
 }  // namespace
 
 std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
-                                        const App& app) {
+                                        const App& app, const char* usual) {
   const SourceRef robot_source = robot_file
                                      ? find_source(*robot_file, scene_loader(*robot_file), app)
-                                     : find_source(kDefaultRobot, own_loader(), app);
+                                     : find_source(usual, own_loader(), app);
   const SourceRef block_source = find_source(kBlock, own_loader(), app);
   if (!robot_source || !block_source) return std::nullopt;
   Diagnostics diagnostics;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "app.h"
@@ -10,6 +11,8 @@
 
 namespace stig {
 
+/// One of its files, "argos" for argos.lua; said when it is missing.
+std::optional<RuntimeModule> read_module(std::string_view name, const App& app);
 /// In the order of kRuntimeModules; what is missing is said.
 std::optional<std::vector<RuntimeModule>> read_runtime(const App& app);
 

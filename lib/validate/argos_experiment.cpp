@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "validate/argos_experiment.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "validate/build_site.h"
+
+namespace stig {
+namespace {
+
+constexpr double kMargin = 0.3;  ///< m, of the arena round the outermost block
+constexpr int kInRow = 3;
+
+constexpr const char* kBuilderDevices = R"(      <actuators>
+        <builderbot_differential_drive implementation="default"/>
+        <builderbot_electromagnet_system implementation="default"/>
+        <builderbot_lift_system implementation="default"/>
+        <simple_radios implementation="default"/>
+      </actuators>
+      <sensors>
+        <builderbot_camera_system implementation="default"/>
+        <builderbot_differential_drive implementation="default"/>
+        <builderbot_electromagnet_system implementation="default"/>
+        <builderbot_lift_system implementation="default"/>
+        <builderbot_rangefinders implementation="default"/>
+        <builderbot_system implementation="default"/>
+        <simple_radios implementation="default"/>
+      </sensors>
+)";
+
+constexpr const char* kBlockDevices = R"(      <actuators>
+        <directional_leds implementation="default"/>
+        <simple_radios implementation="default"/>
+      </actuators>
+      <sensors>
+        <simple_radios implementation="default"/>
+      </sensors>
+)";
+
+constexpr const char* kPhysicsAndMedia = R"(  <physics_engines>
+    <dynamics3d id="dyn3d" iterations="25">
+      <floor/>
+      <gravity g="9.8"/>
+      <srocs/>
+    </dynamics3d>
+  </physics_engines>
+
+  <media>
+    <directional_led id="directional_leds" index="grid" grid_size="20,20,20"/>
+    <tag id="tags" index="grid" grid_size="20,20,20"/>
+    <simple_radio id="nfc" index="grid" grid_size="20,20,20"/>
+    <simple_radio id="wifi" index="grid" grid_size="20,20,20"/>
+  </media>
+
+  <visualization/>
+
+</argos-configuration>
+)";
+
+/// As an attribute's value or in text.
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+/// What ARGoS's camera takes for a quadrant.
+const char* colour_name(Led led) {
+  constexpr const char* kNames[] = {"black", "magenta", "orange", "green", "blue"};
+  return kNames[static_cast<std::size_t>(led)];
+}
+
+/// Blocks that nobody uses yet, their centres' places on the floor.
+std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
+  const std::size_t sides = layout.caches.size();
+  const std::size_t each = (wanted + sides - 1) / sides + 1;
+  std::vector<Vec3> out;
+  for (const SetUpLayout::Cache& cache : layout.caches) {
+    const int quarter = cache.outwards / 90;
+    const int dx = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
+    const int dy = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
+    for (std::size_t i = 0; i < each; ++i) {
+      const int number = static_cast<int>(i % kInRow);  // the middle, then left, then right
+      const double left = kBlocksApart * (number == 1 ? 1 : number == 2 ? -1 : 0);
+      const double out_by = kBlocksApart * static_cast<double>(i / kInRow);
+      out.push_back(
+          {cache.at.x + dx * out_by - dy * left, cache.at.y + dy * out_by + dx * left, 0});
+    }
+  }
+  return out;
+}
+
+std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) {
+  std::string out = "  <controllers>\n";
+  std::vector<ApproachSide> sides;
+  for (const SetUpLayout::Robot& robot : layout.robots) {
+    if (std::find(sides.begin(), sides.end(), robot.side) == sides.end())
+      sides.push_back(robot.side);
+  }
+  for (const ApproachSide side : sides) {
+    out +=
+        fmt::format("    <lua_controller id=\"builder{}\">\n{}", to_string(side), kBuilderDevices);
+    out += fmt::format("      <params script=\"{}\" side=\"{}\"/>\n    </lua_controller>\n",
+                       escaped(scripts.robot), to_string(side));
+  }
+  out += fmt::format("    <lua_controller id=\"block\">\n{}", kBlockDevices);
+  out += fmt::format("      <params script=\"{}\"/>\n    </lua_controller>\n  </controllers>\n\n",
+                     escaped(scripts.block));
+  return out;
+}
+
+std::string block_element(const std::string& id, const char* attributes, const char* colour,
+                          const Vec3& base) {
+  return fmt::format(
+      "    <block id=\"{}\"{} init_led_color=\"{}\">\n"
+      "      <body position=\"{:g},{:g},{:g}\" orientation=\"0,0,0\"/>\n"
+      "      <controller config=\"block\"/>\n"
+      "    </block>\n",
+      id, attributes, colour, base.x, base.y, base.z);
+}
+
+std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRequest& request,
+                  const std::vector<Vec3>& loose) {
+  double half = layout.arena;
+  for (const Vec3& at : loose) half = std::max({half, std::abs(at.x), std::abs(at.y)});
+  if (half > layout.arena) half += kMargin;
+  std::string out = fmt::format(
+      "  <arena size=\"{0:g},{0:g},2\" center=\"0,0,0.5\"\n"
+      "         positional_index=\"grid\" positional_grid_size=\"1,1,1\">\n",
+      2 * half);
+  int number = 0;
+  for (const SetUpLayout::Block& block : layout.blocks) {
+    out += block_element(fmt::format("start{}", ++number), " movable=\"false\"",
+                         colour_name(led_of(rules, block.brick)),
+                         block.centre - Vec3{0, 0, request.side / 2});
+  }
+  number = 0;
+  for (const Vec3& at : loose) {
+    out += block_element(fmt::format("block{}", ++number), "", "black", at);
+  }
+  number = 0;
+  for (const SetUpLayout::Robot& robot : layout.robots) {
+    // A robot's id is what the tag on its top says, and cameras read tags as numbers.
+    out += fmt::format(
+        "    <builderbot id=\"{}\" wifi_medium=\"wifi\" nfc_medium=\"nfc\" tag_medium=\"tags\">\n"
+        "      <body position=\"{:g},{:g},0\" orientation=\"{},0,0\"/>\n"
+        "      <controller config=\"builder{}\"/>\n"
+        "    </builderbot>\n",
+        ++number, robot.at.x, robot.at.y, robot.heading, to_string(robot.side));
+  }
+  return out + "  </arena>\n\n";
+}
+
+}  // namespace
+
+std::string argos_experiment(const RuleSet& rules, const CompiledRules& compiled,
+                             const SetUpRequest& request, const ArgosScripts& scripts) {
+  const SetUpLayout layout = lay_out(rules, compiled, request);
+  const std::vector<Vec3> loose =
+      loose_blocks(layout, compiled.target->bricks() - compiled.target->start_bricks());
+  std::string out =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<!-- Written by stigc compile. To be run in this folder: ARGoS looks for scripts there. "
+      "-->\n"
+      "<argos-configuration>\n\n";
+  out += fmt::format(
+      "  <framework>\n"
+      "    <system threads=\"0\"/>\n"
+      "    <experiment length=\"{:g}\" ticks_per_second=\"5\" random_seed=\"1\"/>\n"
+      "  </framework>\n\n",
+      kMostBuildTime);
+  return out + controllers(layout, scripts) + arena(rules, layout, request, loose) +
+         kPhysicsAndMedia;
+}
+
+}  // namespace stig

@@ -1,0 +1,91 @@
+-- SPDX-License-Identifier: MIT
+-- ARGoS 3 as the library finds its host. `robot` stands where ARGoS's own table would: names, units
+-- and signs are the same there, and what differs is turned round here (docs/argos.md has each, and
+-- where it is from). ARGoS's table stays where it is, since its functions look for it there.
+--
+-- Call start() in init and reset, and sense() first in every step.
+
+local argos = { robot = {}, math = setmetatable({}, { __index = math }) }
+local robot = argos.robot
+
+-- Of the BuilderBot that ARGoS has, in place of those that robotics.lua has for ours. The four magnets
+-- lie 3.06 mm behind the end effector's middle, the wheels' motors know no ramp, and the field of the
+-- magnets vanishes at 10 V.
+argos.figures = {
+   grip = 0.095025, gap = 0.0037375, anchor = { 0.0980875, 0, 0.055 }, zero = 10, acceleration = 10,
+}
+
+-- Finders that look where ours of that name does, or nearest to it: ours begin in front and go round
+-- to the left by 30 degrees, ARGoS's begin behind on the left side.
+local RING = {
+   ['1'] = { '6', '7' }, ['2'] = { '5' }, ['3'] = { '5' }, ['4'] = { '3', '4' },
+   ['5'] = { '2' }, ['6'] = { '2' }, ['7'] = { '1', '12' }, ['8'] = { '11' },
+   ['9'] = { '11' }, ['10'] = { '9', '10' }, ['11'] = { '8' }, ['12'] = { '8' },
+}
+-- How far they lie inside the end effector, behind the face that ours begin at; m.
+local INSIDE = { front = 0.0085375, underneath = 0.0010, left = 0, right = 0 }
+local REACH = 0.05             -- m; what they say when nothing is nearer
+
+local host                     -- ARGoS's table
+local flip                     -- a tag's z axis points into its block there
+
+-- As in Lua, from the generator that the experiment's seed is for.
+function argos.math.random(low, high)
+   local share = host.random.uniform()
+   if not low then return share end
+   if not high then low, high = 1, low end
+   return math.min(high, low + math.floor((high - low + 1) * share))
+end
+
+function argos.start()
+   host = _G.robot
+   flip = quaternion(math.pi, vector3(1, 0, 0))
+   local camera, lift = host.camera_system, host.lift_system
+   robot.id, robot.params, robot.system = host.id, host.params, host.system
+   robot.differential_drive, robot.electromagnet_system = host.differential_drive, host.electromagnet_system
+   robot.simple_radios = host.simple_radios
+   robot.lift_system = {
+      set_position = lift.set_position, stop = lift.stop, calibrate = lift.calibrate, limit_switches = {},
+   }
+   robot.camera_system = {
+      enable = camera.enable, disable = camera.disable, detect_led = camera.detect_led,
+      resolution = camera.resolution, tags = {},
+      transform = {
+         anchor = 'end effector', position = camera.transform.position,
+         orientation = camera.transform.orientation,
+      },
+   }
+   robot.rangefinders = {}
+   for name in pairs(RING) do robot.rangefinders[name] = {} end
+   for name in pairs(INSIDE) do robot.rangefinders[name] = {} end
+   argos.sense()
+end
+
+function argos.sense()
+   local lift = host.lift_system
+   robot.lift_system.state, robot.lift_system.position = lift.state, lift.position
+   for _, name in ipairs { 'top', 'bottom' } do
+      -- a number in some versions
+      local pressed = lift.limit_switches[name]
+      robot.lift_system.limit_switches[name] = pressed == true or pressed == 1
+   end
+   local tags = {}
+   for i, tag in ipairs(host.camera_system.tags) do
+      tags[i] = {
+         id = tag.id, center = tag.center, position = tag.position,
+         orientation = tag.orientation * flip,
+      }
+   end
+   robot.camera_system.tags, robot.camera_system.timestamp = tags, host.camera_system.timestamp
+   for name, theirs in pairs(RING) do
+      local nearest = REACH
+      for _, one in ipairs(theirs) do nearest = math.min(nearest, host.rangefinders[one].proximity) end
+      robot.rangefinders[name].proximity = nearest
+   end
+   for name, inside in pairs(INSIDE) do
+      local reading = host.rangefinders[name].proximity
+      robot.rangefinders[name].proximity = reading < REACH and math.max(0, reading - inside) or REACH
+   end
+end
+
+return argos
