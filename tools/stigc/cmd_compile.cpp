@@ -84,7 +84,9 @@ int write_argos(const CompileFileOptions& options, const CompileJob& job, App& a
 
 int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
   std::string text, map;
-  const int reported = options.report ? write(*options.report, compile_table(job), app) : kOk;
+  const auto report = [&] {
+    return options.report ? write(*options.report, compile_table(job), app) : kOk;
+  };
   switch (target_of(options)) {
     case CompileTarget::table:
       text = compile_table(job);
@@ -104,10 +106,12 @@ int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
       text = std::move(program.text);
       break;
     }
-    case CompileTarget::argos:
-      return std::max(reported, write_argos(options, job, app));
+    case CompileTarget::argos: {
+      const int code = write_argos(options, job, app);
+      return code == kFailed ? code : std::max(code, report());
+    }
   }
-  int worst = reported;
+  int worst = report();
   if (const auto path = line_map_of(options)) worst = std::max(worst, write(*path, map, app));
   if (options.output) return std::max(worst, write(*options.output, text, app));
   app.print(text);
