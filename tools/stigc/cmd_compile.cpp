@@ -12,6 +12,7 @@
 #include "compiler/compile.h"
 #include "outputs.h"
 #include "robot_input.h"
+#include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "validate/argos_experiment.h"
 
@@ -152,8 +153,9 @@ int run(const CompileFileOptions& options, App& app) {
     app.complain(printable(problem));
     return kUsage;
   }
-  const std::optional<RuleSet> rules = app.read_rules(options.file);
+  std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  rules = worked_from_own(std::move(*rules), options.sides);
   const std::optional<Abilities> robot = read_abilities(
       options.robot, app, target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot);
   if (!robot) return kFailed;

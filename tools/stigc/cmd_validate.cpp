@@ -15,6 +15,7 @@
 #include "outputs.h"
 #include "report.h"
 #include "robot_input.h"
+#include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "scene_input.h"
 #include "validate/set_up.h"
@@ -89,6 +90,7 @@ class Validation {
   int compile() {
     rules_ = app_.read_rules(options_.file);
     if (!rules_) return kFailed;
+    rules_ = worked_from_own(std::move(*rules_), options_.sides);
     robot_ = read_abilities(options_.robot, app_);
     if (!robot_) return kFailed;
     stop_on_signals();
