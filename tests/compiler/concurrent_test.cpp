@@ -286,6 +286,14 @@ TEST_CASE("a robot is walled in by another's work, which is a warning where one 
   CHECK(walled.conflicts() == std::set{ConflictKind::walled_in});
   check_against_crew(walled, 2);
   check_against_crew(walled, 3);
+  // From two sides robots cannot wait for each other in a circle; from three they might.
+  CHECK(!walled.compiled.concurrency.ways_cross);
+  RuleSet wider = walled.rules;
+  wider.physical->sides.emplace_back("-x");
+  wider.start.push_back({{4, -3, 0}, 1});  // hides the arm's foot from -x
+  const Checked three(wider);
+  REQUIRE(three.compiled.decision);
+  CHECK(three.compiled.concurrency.ways_cross);
   const Checked unsaid(rule_set(file), std::nullopt);
   CHECK(unsaid.compiled.decision);
   REQUIRE(unsaid.diagnostics.all().size() == 1);
