@@ -64,8 +64,8 @@ struct Concurrency {
   std::vector<Conflict> conflicts;
   std::size_t structures = 0;  ///< that several robots can come to
   std::size_t pairs = 0;       ///< of pending decisions
-  /// A robot may stand across another's way out, and so on in a circle: that they never wait for
-  /// each other for ever is not proved then.
+  /// From three or four sides: a robot may stand across another's way out, and so on, perhaps in a
+  /// circle. That they never wait for each other for ever is not proved then.
   bool ways_cross = false;
 };
 

@@ -84,6 +84,18 @@ std::string conflict_text(const CompiledRules& compiled, const Conflict& conflic
   return {};
 }
 
+std::string robots_text(const CompiledRules& compiled) {
+  const Concurrency& found = compiled.concurrency;
+  if (!found.conflicts.empty()) {
+    return "one alone: " + conflict_text(compiled, found.conflicts.front());
+  }
+  std::string out =
+      fmt::format("any number at once: {} pairs of decisions in {} structures, no conflict",
+                  found.pairs, found.structures);
+  if (found.ways_cross) out += "; ways out cross";
+  return out;
+}
+
 bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics& diagnostics) {
   if (compiled.robots == 1 || compiled.concurrency.conflicts.empty()) return false;
   const Conflict& conflict = compiled.concurrency.conflicts.front();

@@ -72,7 +72,7 @@ class Validation {
       return kRunFailed;
     }
     ValidationReport report{&target_, decision_text(*rules_, *compiled_.decision),
-                            std::move(batch.trials)};
+                            robots_text(compiled_), std::move(batch.trials)};
     app_.print(options_.json ? dump(to_json(report)) : lines_of(report, app_.color_out()));
     const int written = options_.output ? write(report, batch) : kOk;
     const bool broken =

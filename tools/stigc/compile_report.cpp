@@ -47,18 +47,6 @@ Json node_json(const RuleSet& rules, const DecisionNode& node) {
   return out;
 }
 
-std::string robots_text(const CompiledRules& compiled) {
-  const Concurrency& found = compiled.concurrency;
-  if (!found.conflicts.empty()) {
-    return "one alone: " + conflict_text(compiled, found.conflicts.front());
-  }
-  std::string out =
-      fmt::format("any number at once: {} pairs of decisions in {} structures, no conflict",
-                  found.pairs, found.structures);
-  if (found.ways_cross) out += "; ways out cross";
-  return out;
-}
-
 Json robots_json(const CompiledRules& compiled) {
   const Concurrency& found = compiled.concurrency;
   Json out = {{"wanted", compiled.robots ? Json(*compiled.robots) : Json(nullptr)},
