@@ -129,7 +129,9 @@ class Layout {
       const double way = robot_way(d), left = (i / sides) * kRobotsApart;
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
                      own.front(),
-                     request_.allocation == Allocation::fixed ? own : std::vector<ApproachSide>{}});
+                     request_.allocation == Allocation::fixed && request_.robots > 1
+                         ? own
+                         : std::vector<ApproachSide>{}});
     }
     return out;
   }

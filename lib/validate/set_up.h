@@ -14,7 +14,7 @@
 //     the arena to 1.5 m, or 0.7 m beyond the farthest of these
 //
 // Fixed allocation: robots and sides are dealt out in turn; of fewer robots than sides each has
-// sides that follow each other.
+// sides that follow each other. One robot is bound to none.
 //
 // One text for all: what validate runs is what `stigc simulate` makes of the file. The layout
 // itself is there too, for other simulators' files.
@@ -39,7 +39,7 @@ enum class Allocation : std::uint8_t { dynamic_, fixed };
 
 struct SetUpRequest {
   int robots = 1;
-  Allocation allocation = Allocation::dynamic_;
+  Allocation allocation = Allocation::fixed;
   std::string robot_file = "bebot.yaml";
   double side = 0.055;  ///< of a block, m
 };

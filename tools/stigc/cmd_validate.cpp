@@ -140,7 +140,7 @@ class Validation {
       app_.complain(printable(problem));
       return kUsage;
     }
-    if (options_.scene && (options_.robots || options_.allocation == Allocation::fixed)) {
+    if (options_.scene && (options_.robots || options_.allocation == Allocation::dynamic_)) {
       app_.complain(
           "a scene says what robots there are, and what sides are theirs: leave --robots and "
           "--allocation out");

@@ -405,7 +405,7 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
                           "  stigc validate staircase.yaml\n"
                           "  stigc validate staircase.yaml --runs 25 -o staircase-runs\n"
                           "  stigc validate stepped-pyramid.yaml --robots 4 --json\n"
-                          "  stigc validate stepped-pyramid.yaml --robots 4 --allocation fixed\n"
+                          "  stigc validate stepped-pyramid.yaml --robots 4 --allocation dynamic\n"
                           "  stigc validate staircase.yaml --scene faults/cache-empty.yaml\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   integer(sub, "--robots", o.robots, 1, 100, "robots (default: the file's, or 1)");
@@ -414,7 +414,7 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
   choice(
       sub, "--allocation", o.allocation,
       {{"dynamic", Allocation::dynamic_}, {"fixed", Allocation::fixed}},
-      "dynamic: who is obstructed goes to another side (default); fixed: each robot has its own");
+      "fixed: each robot has its own sides (default); dynamic: who is obstructed goes to another");
   path(sub, "--scene", o.scene, "a scene with fixed start bricks, in place of the usual set-up");
   integer(sub, "--runs", o.runs, 1, 10'000, "runs, with one seed after the other (default: 1)");
   parsed(sub, "--seed", "N", "seed of the first run (default: 1)",

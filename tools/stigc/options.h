@@ -145,7 +145,7 @@ struct ValidateOptions {
   std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
   std::vector<std::string> sides;    ///< "+x" "-x" "+y" "-y"; empty: the file's
   std::optional<int> robots;         ///< otherwise as the file says
-  Allocation allocation = Allocation::dynamic_;
+  Allocation allocation = Allocation::fixed;
   std::optional<double> duration;  ///< s
   std::uint64_t seed = 1;          ///< of the first run
   int runs = 1;
