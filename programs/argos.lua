@@ -24,6 +24,7 @@ local RING = {
 }
 -- How far they lie inside the end effector, behind the face that ours begin at; m.
 local INSIDE = { front = 0.0085375, underneath = 0.0010, left = 0, right = 0 }
+local RING_RADIUS = 0.065      -- m
 local REACH = 0.05             -- m; what they say when nothing is nearer
 
 local host                     -- ARGoS's table
@@ -56,7 +57,14 @@ function argos.start()
       },
    }
    robot.rangefinders = {}
-   for name in pairs(RING) do robot.rangefinders[name] = {} end
+   for name in pairs(RING) do
+      -- the ring's rays, 30 degrees apart from straight ahead to the left
+      local angle = math.rad(30 * (tonumber(name) - 1))
+      robot.rangefinders[name] = { transform = {
+         position = vector3(RING_RADIUS * math.cos(angle), RING_RADIUS * math.sin(angle), 0),
+         orientation = quaternion(math.pi / 2, vector3(-math.sin(angle), math.cos(angle), 0)),
+      } }
+   end
    for name in pairs(INSIDE) do robot.rangefinders[name] = {} end
    argos.sense()
 end

@@ -34,7 +34,11 @@ local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
 local BUSY = 10                -- s, the longest wait where another robot is at a row
+local BEFORE_CACHE = 0.16      -- m, from a cache, likewise at least
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
+local ROUNDS = 3               -- likewise one that found nothing to do so often, where others are
+local COMPANY = 600            -- s, for which it counts on others after it met one
+local WATCHED, NEAR_CACHE = 75, 0.08  -- s, m: a cache is used sooner where somebody works
 local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 
@@ -42,9 +46,11 @@ local task
 local in_vain      -- searches for a block, one after the other
 local block        -- unused, to be fetched
 local tried        -- rows of this side that asked for nothing
+local rounds       -- how often all rows of this side were tried, likewise
+local company      -- when another robot was in the way last
 local obstructed   -- how often somebody was in the way, or nothing to be done, since the last block
 local standing     -- what stands near sites, and may be robots: {x, y, since}
-local row          -- {v, front, frame}: the one it stands before
+local row          -- {v, front, frame, juts}: the one it stands before
 local wish         -- what task.decide said
 
 local function note(name, value)
@@ -58,7 +64,7 @@ end
 
 -- Another robot was in the way.
 local function give_up()
-   obstructed = obstructed + 1
+   obstructed, company = obstructed + 1, robotics.time
    tally('aborted')
    tally('busy')
 end
@@ -178,31 +184,72 @@ function does.choose_row()
    return row and 'chosen' or 'none'
 end
 
--- Out of the others' way.
+-- Out of the others' way, as far as the cache leaves room.
 local function withdraw()
-   local away = lattice.apart(lattice.known, robotics.pose) - lattice.known.reach
-   if away < WITHDRAWN then handling.back_off(WITHDRAWN - away) end
+   local known = lattice.known
+   local away = math.min(known.reach + WITHDRAWN, (lattice.cache_way or math.huge) - BEFORE_CACHE)
+   local more = away - lattice.apart(known, robotics.pose)
+   if more > 0 then handling.back_off(more) end
+end
+
+-- Whether someone works on a side: a block of its cache goes away while the robot looks on from
+-- behind, where it is in nobody's way.
+local function is_worked_from(heading)
+   local away = lattice.cache_way + travel.BEHIND_CACHE
+   local x, y = lattice.known.x, lattice.known.y
+   travel.straight_to(x - away * math.cos(heading), y - away * math.sin(heading))
+   local cache = { x = x - lattice.cache_way * math.cos(heading),
+                   y = y - lattice.cache_way * math.sin(heading) }
+   local watched
+   local function lies_there(known)
+      return known.colour == 0 and known.level == 0 and lattice.apart(known, cache) < NEAR_CACHE
+   end
+   travel.look_again(cache, function() return false end)
+   local start = robotics.time
+   while robotics.time - start < WATCHED do
+      local now = handling.recall(lies_there, 1)
+      if watched and not now then return true end
+      watched = now or watched
+      handling.wait(0.4)
+   end
+   return false
 end
 
 -- All rows were tried, or somebody was in the way once too often. Others' work may open a row
--- here after a while; who is obstructed again and again goes to the next of its sides.
+-- here after a while. A robot that is alone goes on to its next side; one that is not looks for
+-- a side where nobody is, outside the caches, and comes back to where it was when there is none.
 function does.next_side()
-   tried = {}
+   tried, rounds = {}, rounds + 1
    withdraw()
-   if #task.sides == 1 or obstructed <= OBSTRUCTED then
-      obstructed = obstructed + 1
+   local alone = robotics.time - company > COMPANY or robot.params.sides
+   if #task.sides == 1 or not alone and obstructed <= OBSTRUCTED and rounds < ROUNDS then
       handling.wait(2 + 4 * math.random())
       return 'there'
    end
-   obstructed = 0
+   obstructed, rounds = 0, 0
    local here = 1
    for i, name in ipairs(task.sides) do
       if lattice.SIDES[name] == lattice.side then here = i end
    end
-   lattice.side = lattice.SIDES[task.sides[here % #task.sides + 1]]
-   local heading, middle = lattice.heading_of(lattice.side), lattice.known
+   local function heading_of(step)
+      lattice.side = lattice.SIDES[task.sides[(here + step - 1) % #task.sides + 1]]
+      return lattice.heading_of(lattice.side)
+   end
+   local middle, heading = lattice.known, nil
+   if alone or not lattice.cache_way then
+      heading = heading_of(1)
+   else
+      for step = 1, #task.sides do
+         heading = heading_of(step)
+         travel.outside(heading)
+         if step == #task.sides or not is_worked_from(heading) then break end
+      end
+      travel.inside(heading)
+   end
    local away = middle.reach + travel.CLEAR_OF
    travel.to(middle.x - away * math.cos(heading), middle.y - away * math.sin(heading))
+   -- what was seen before the turns on the way does not fit what is seen now
+   robotics.tracks = {}
    if travel.look_again(lattice.known, lattice.in_memory) then return 'there' end
    return 'lost'
 end
@@ -222,12 +269,18 @@ end
 
 function does.stand_before()
    local line = column.line_before(row)
-   local away = column.distance_for(task.looks[1])
+   -- where what juts out beside is not swept in a turn
+   local away = column.distance_for(task.looks[1]) + row.juts
    local along, aside = handling.on_line(line)
    if math.abs(aside) > 0.015 or along > -away + 0.01 or along < -away - 0.20 or
       math.abs(robotics.wrap(robotics.pose.yaw - line.yaw)) > 0.5 then
       handling.lift_to(math.max(robot.lift_system.position, 0.070))
-      if not travel.to(robotics.out_of(line, -away - 0.03, 0)) then
+      local x, y = robotics.out_of(line, -away - 0.03, 0)
+      -- where there is room to turn before the cache
+      if lattice.cache and lattice.apart(lattice.cache, { x = x, y = y }) < BEFORE_CACHE then
+         x, y = robotics.out_of(line, -away, 0)
+      end
+      if not travel.to(x, y) then
          give_up()
          return 'blocked'
       end
@@ -264,6 +317,7 @@ function does.look()
    }
    if not wish then
       tried[row.v] = true
+      if row.juts > 0 then handling.back_off(row.juts) end
       if seen.top then return 'nothing' end
       tally('aborted')
       return 'unseen'
@@ -330,7 +384,8 @@ function does.attach()
       tally('aborted')
       return 'failed'
    end
-   tried, wish, obstructed = {}, nil, 0
+   if row.juts > 0 then handling.back_off(row.juts) end
+   tried, wish, obstructed, rounds = {}, nil, 0, 0
    tally('placed')
    return 'placed'
 end
@@ -362,7 +417,7 @@ function building.start(chart, with)
    lattice.start(task)
    handling.transport = task.transport
    block, tried, row, wish, standing = nil, {}, nil, nil, {}
-   in_vain, obstructed = 0, 0
+   in_vain, obstructed, rounds, company = 0, 0, 0, -math.huge
    building.placed, building.aborted, building.busy = 0, 0, 0
    note('placed', 0)
    handling.start(function()

@@ -33,6 +33,7 @@ local SLOW = 0.05              -- m/s, close to blocks
 local BEHIND = 0.05            -- m, behind the chassis, to stop from backing at 0.1 m/s
 local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
 local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
+local EFFECTOR = 0.095         -- m, the effector before the chassis, and some more
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
@@ -312,9 +313,10 @@ function handling.await_room()
    if not room() then wait_until(room, PATIENCE * math.random()) end
 end
 
--- What stands ahead within the effector's reach, at the speed of travel: most likely a robot.
-function handling.meets()
-   return blocked(MEETING)
+-- What stands ahead within the effector's reach, at the speed of travel: most likely a robot. With
+-- `left` m to go what is beyond does not count.
+function handling.meets(left)
+   return blocked(math.min(MEETING, (left or 1) + EFFECTOR))
 end
 
 -- The nearest of the blocks in memory that is wanted, or nil.

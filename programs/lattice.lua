@@ -12,7 +12,8 @@ local robotics = require 'robotics'
 
 -- known: {x, y, reach, yaw, origin}: middle and radius of the structure as last seen, the heading
 -- that faces it from params.side, and the middle of one cell; nil when it is not known.
--- cache: {x, y}, where the last block came from. side: index of the side that the robot works from.
+-- cache: {x, y}, where the last block came from; cache_way: its distance from the structure's
+-- middle. side: index of the side that the robot works from.
 local lattice = {}
 
 local SIDE = robotics.SIDE
@@ -123,6 +124,13 @@ function lattice.nearest_side()
    return best
 end
 
+-- By how much, m, columns beside a row stand before it where the effector would sweep them.
+local function juts_beside(rows, of)
+   local most = of.front
+   for dv = -2, 2 do most = math.max(most, rows[of.v + dv] and rows[of.v + dv].front or most) end
+   return SIDE * (most - of.front)
+end
+
 -- Rows of the structure as seen from this side: by v (to the left), the foremost u (towards the
 -- robot).
 function lattice.rows()
@@ -136,6 +144,7 @@ function lattice.rows()
       rows[v] = rows[v] or { v = v, front = u, frame = frame }
       rows[v].front = math.max(rows[v].front, u)
    end
+   for _, of in pairs(rows) do of.juts = juts_beside(rows, of) end
    return rows
 end
 
@@ -157,6 +166,7 @@ function lattice.settle()
    lost = false
    if lattice.cache then
       bearing = wrap(angle_to(lattice.known, lattice.cache) - lattice.known.yaw)
+      lattice.cache_way = lattice.apart(lattice.known, lattice.cache)
    end
    if lattice.side then return false end
    lattice.side = lattice.nearest_side()
@@ -167,7 +177,7 @@ end
 function lattice.start(with)
    task = with
    bearing, lost = nil, false
-   lattice.known, lattice.cache, lattice.side = nil, nil, nil
+   lattice.known, lattice.cache, lattice.side, lattice.cache_way = nil, nil, nil, nil
 end
 
 return lattice

@@ -11,10 +11,14 @@ local LOOK_TIME = 1.0          -- s
 local DRIVE_LOW = 0.020        -- height of the lift at which the front rangefinder sees columns of two
 local CLEAR_OF = 0.26          -- m, from the outermost brick, to go round the structure
 local TOO_NEAR = 0.165         -- of a way past a brick
+local BEHIND_CACHE = 0.24      -- m, from a cache to those that pass outside, or look on
+local PAST_CACHE = 0.17        -- m, from a cache, of a way past it
+local ASIDE_OF = 0.45         -- rad, of the way in or out past a cache
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local FAR = 0.9                -- m, from the structure's middle, that a search goes at most
 local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
 travel.CLEAR_OF = CLEAR_OF
+travel.BEHIND_CACHE = BEHIND_CACHE
 
 -- How near the straight way to x, y comes to the structure's middle.
 local function way_past(x, y)
@@ -29,14 +33,15 @@ local function way_past(x, y)
                     (robotics.pose.y + t * dy - lattice.known.y) ^ 2)
 end
 
--- Back, and aside: away from the structure where that is known.
+-- Back, and aside.
 local function give_way()
    handling.back_off(0.08)
    handling.await_room()
    local turn = math.random() < 0.5 and 1 or -1
    if lattice.known then
+      -- along the structure rather than out: there are the caches
       local out = math.atan(robotics.pose.y - lattice.known.y, robotics.pose.x - lattice.known.x)
-      turn = robotics.clamp(robotics.wrap(out - robotics.pose.yaw), -1.5, 1.5)
+      turn = robotics.clamp(robotics.wrap(out + turn - robotics.pose.yaw), -1.5, 1.5)
    end
    handling.turn_by(turn)
    local pose = robotics.pose
@@ -47,10 +52,11 @@ end
 function travel.straight_to(x, y)
    if not handling.carrying then handling.lift_to(DRIVE_LOW) end
    for _ = 1, 6 do
-      handling.go_to(x, y, nil, handling.meets)
-      local dx, dy = x - robotics.pose.x, y - robotics.pose.y
-      if dx * dx + dy * dy < 0.02 ^ 2 then return true end
-      if not handling.wait_until(function() return not handling.meets() end, PATIENCE * math.random()) then
+      local function left() return lattice.apart(robotics.pose, { x = x, y = y }) end
+      local function meets() return handling.meets(left()) end
+      handling.go_to(x, y, nil, meets)
+      if left() < 0.02 then return true end
+      if not handling.wait_until(function() return not meets() end, PATIENCE * math.random()) then
          give_way()
       end
    end
@@ -74,7 +80,50 @@ function travel.to(x, y)
          travel.straight_to(lattice.known.x + radius * math.cos(to), lattice.known.y + radius * math.sin(to))
       end
    end
+   travel.past_cache(x, y)
    return travel.straight_to(x, y)
+end
+
+-- To a place beside the cache, if that stands in the way.
+function travel.past_cache(x, y)
+   local cache, pose = lattice.cache, robotics.pose
+   if not cache then return end
+   local line = { x = pose.x, y = pose.y, yaw = math.atan(y - pose.y, x - pose.x) }
+   local far = lattice.apart(pose, { x = x, y = y })
+   local along, left = robotics.into(line, cache.x, cache.y)
+   if along < 0.05 or along > far - 0.05 or math.abs(left) > PAST_CACHE then return end
+   local aside = left < 0 and left + PAST_CACHE or left - PAST_CACHE
+   travel.straight_to(robotics.out_of(line, along, aside))
+end
+
+local function on_ring(angle, radius)
+   return lattice.known.x + radius * math.cos(angle), lattice.known.y + radius * math.sin(angle)
+end
+
+-- Outside the caches, beside the one on the side that robots face with `heading`: out past the
+-- nearest cache, and round.
+function travel.outside(heading)
+   local radius = lattice.cache_way + BEHIND_CACHE
+   local goal, at = heading + math.pi, math.atan(robotics.pose.y - lattice.known.y,
+                                                 robotics.pose.x - lattice.known.x)
+   local left = robotics.wrap(goal - at)
+   if lattice.apart(lattice.known, robotics.pose) < radius - 0.1 then
+      at = at + (left < 0 and -1 or 1) * 1.5 * ASIDE_OF
+      travel.straight_to(on_ring(at, radius))
+   end
+   for _ = 1, 8 do
+      left = robotics.wrap(goal - at)
+      if math.abs(left) < ASIDE_OF then break end
+      at = at + robotics.clamp(left, -ASIDE_OF, ASIDE_OF)
+      travel.straight_to(on_ring(at, radius))
+   end
+end
+
+-- And in, past the cache of that side.
+function travel.inside(heading)
+   local goal = heading + math.pi
+   travel.straight_to(on_ring(goal + ASIDE_OF, lattice.cache_way + BEHIND_CACHE))
+   travel.straight_to(on_ring(goal, lattice.known.reach + CLEAR_OF))
 end
 
 -- On a search: what is seen of the structure meanwhile keeps its place known, and it is not come
