@@ -10,7 +10,7 @@
 --     task.looks           where to look from: {distance from camera to column, height of the lift}
 --     task.sides           sides to work from, '+x' ...; task.turns: the rules hold in every turn
 --     task.transport       colour of a block on its way (0: dark)
---     task.delay           s, the longest random wait before a site is approached
+--     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
 --
 -- A scene may bind a robot to some of the sides: `params.sides`.
 
@@ -28,7 +28,7 @@ local LOOK_TIME = 1.0          -- s, for each look
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LINKED = 1.25 * SIDE
-local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
+local PEEK_FROM, PEEK = 0.17, 0.8  -- m from a site, rad to each side
 local PEEK_RIM = 0.03          -- m/s: a rangefinder measures every 10 degrees
 local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
@@ -36,8 +36,7 @@ local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long s
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local BEFORE_CACHE = 0.16      -- m, from a cache, likewise at least
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
-local ROUNDS = 3               -- likewise one that found nothing to do so often, where others are
-local COMPANY = 600            -- s, for which it counts on others after it met one
+local ROUNDS = 5               -- likewise one that found nothing to do so often, where others are
 local WATCHED, NEAR_CACHE = 75, 0.08  -- s, m: a cache is used sooner where somebody works
 local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -47,7 +46,6 @@ local in_vain      -- searches for a block, one after the other
 local block        -- unused, to be fetched
 local tried        -- rows of this side that asked for nothing
 local rounds       -- how often all rows of this side were tried, likewise
-local company      -- when another robot was in the way last
 local obstructed   -- how often somebody was in the way, or nothing to be done, since the last block
 local standing     -- what stands near sites, and may be robots: {x, y, since}
 local row          -- {v, front, frame, juts}: the one it stands before
@@ -64,7 +62,7 @@ end
 
 -- Another robot was in the way.
 local function give_up()
-   obstructed, company = obstructed + 1, robotics.time
+   obstructed = obstructed + 1
    tally('aborted')
    tally('busy')
 end
@@ -221,7 +219,7 @@ end
 function does.next_side()
    tried, rounds = {}, rounds + 1
    withdraw()
-   local alone = robotics.time - company > COMPANY or robot.params.sides
+   local alone = task.delay == 0 or robot.params.sides
    if #task.sides == 1 or not alone and obstructed <= OBSTRUCTED and rounds < ROUNDS then
       handling.wait(2 + 4 * math.random())
       return 'there'
@@ -417,7 +415,7 @@ function building.start(chart, with)
    lattice.start(task)
    handling.transport = task.transport
    block, tried, row, wish, standing = nil, {}, nil, nil, {}
-   in_vain, obstructed, rounds, company = 0, 0, 0, -math.huge
+   in_vain, obstructed, rounds = 0, 0, 0
    building.placed, building.aborted, building.busy = 0, 0, 0
    note('placed', 0)
    handling.start(function()
