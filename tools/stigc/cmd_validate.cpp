@@ -99,6 +99,8 @@ class Validation {
     settings.verify.stop = settings.limits.stop = &stop_requested();
     for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
     settings.robots = options_.robots;
+    if (!options_.scene && !options_.robots)
+      settings.robots = rules_->physical ? rules_->physical->robots.value_or(1) : 1;
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
     app_.report(diagnostics);
