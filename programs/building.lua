@@ -146,7 +146,7 @@ function does.search_structure()
          return 'none'
       end
       handling.wait(LOOK_TIME)
-      found = lattice.in_memory()
+      found = lattice.in_memory(true)
    end
    if not found then return 'none' end
    if not lattice.remember(found) then return 'lost' end

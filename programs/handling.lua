@@ -32,6 +32,7 @@ local HELD_OFF = 0.010         -- of a carried block's face from a column's, whi
 local SLOW = 0.05              -- m/s, close to blocks
 local BEHIND = 0.05            -- m, behind the chassis, to stop from backing at 0.1 m/s
 local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
+local FACING = 0.18            -- m, before the effector, where another's may come towards it
 local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
 local EFFECTOR = 0.095         -- m, the effector before the chassis, and some more
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
@@ -323,7 +324,8 @@ end
 -- What stands ahead within the effector's reach, at the speed of travel: most likely a robot. With
 -- `left` m to go what is beyond does not count.
 function handling.meets(left)
-   return blocked(math.min(MEETING, (left or 1) + EFFECTOR))
+   return blocked(math.min(MEETING, (left or 1) + EFFECTOR)) or
+          nearest { 'front' } < math.min(FACING, left or 0)
 end
 
 -- The nearest of the blocks in memory that is wanted, or nil.

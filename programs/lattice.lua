@@ -32,12 +32,26 @@ function lattice.is_brick(known)
    return known.colour > 0 and known.colour ~= task.transport
 end
 
--- The largest structure of bricks, of what is known. Some of its bricks may be out of sight, and
--- those known not be linked.
-function lattice.in_memory()
-   local best
+local function middle_of(structure)
+   local x, y, n = 0, 0, #structure.blocks
+   for _, known in ipairs(structure.blocks) do x, y = x + known.x / n, y + known.y / n end
+   return { x = x, y = y }
+end
+
+-- The largest structure of bricks, of what is in memory; of two alike the one nearer to where the
+-- structure is known, or the robot began. Some of its bricks may be out of sight, and those in memory
+-- not be linked. Where the structure is known, a brick far from there is one that somebody lost,
+-- unless `anywhere` is true.
+function lattice.in_memory(anywhere)
+   local home = lattice.known or { x = 0, y = 0 }
+   local best, least
    for _, structure in ipairs(robotics.structures(lattice.is_brick, FAR_LINKED)) do
-      if not best or #structure.blocks > #best.blocks then best = structure end
+      local away = lattice.apart(home, middle_of(structure))
+      local far = lattice.known and not anywhere and away > STRAYED
+      if not far and (not best or #structure.blocks > #best.blocks or
+                      #structure.blocks == #best.blocks and away < least) then
+         best, least = structure, away
+      end
    end
    return best
 end
@@ -71,14 +85,13 @@ end
 
 -- Learns where the structure is, and how the lattice lies. False where the latter is not known.
 function lattice.remember(structure)
-   local x, y, n = 0, 0, 0
-   for _, known in ipairs(structure.blocks) do x, y, n = x + known.x, y + known.y, n + 1 end
-   x, y = x / n, y / n
+   local middle = middle_of(structure)
+   local x, y = middle.x, middle.y
    local before = lattice.known
    if before and not task.turns and
-      (lattice.apart(before, { x = x, y = y }) > STRAYED or
+      (lattice.apart(before, middle) > STRAYED or
        math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > TURNED) then lattice.lose() end
-   local yaw = orientation(structure, { x = x, y = y })
+   local yaw = orientation(structure, middle)
    if not yaw then return false end
    local reach = 0
    for _, known in ipairs(structure.blocks) do

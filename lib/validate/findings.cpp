@@ -9,6 +9,7 @@ namespace stig {
 namespace {
 
 constexpr double kDegree = 3.14159265358979323846 / 180;
+constexpr double kComesBy = 0.40;  ///< m: robots come straight at a site from 0.30 m
 
 std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
@@ -44,27 +45,54 @@ void of_bricks(const BuildTarget& target, const Judgement& judgement,
   }
 }
 
-void of_robot(const RobotRecord& robot, const Trial& trial, std::vector<std::string>& out) {
-  std::string what;
-  if (robot.left) {
-    what = "has left the arena";
-  } else if (robot.fallen) {
-    what = "lies on its side";
-  } else if (robot.failed) {
-    what = "has stopped: its program failed";
-    for (const TrialLine& line : trial.lines) {
-      if (line.failure && line.who == robot.name) what += " (" + line.text + ")";
-    }
-  } else {
-    what = robot.state.empty()
+/// The nearest place that a brick is missing from, as seen from above, where that is so near that
+/// robots who fill it come by.
+std::string missing_near(const BuildTarget& target, const Judgement& judgement, const Vec3& at) {
+  const BrickCheck* nearest = nullptr;
+  double least = kComesBy;
+  for (const BrickCheck& brick : judgement.bricks) {
+    const Vec3 away = centre_of(target.site, brick.cell) - at;
+    const double way = std::hypot(away.x, away.y);
+    if (brick.block || way >= least) continue;
+    nearest = &brick;
+    least = way;
+  }
+  return nearest == nullptr ? ""
+                            : fmt::format(", {:.2f} m from the missing brick at {}", least,
+                                          cell_text(nearest->cell));
+}
+
+/// What a robot is at that cannot go on, or where it is in its program.
+std::string plight_of(const RobotRecord& robot, const Trial& trial) {
+  const std::string at = robot.state.empty() ? "" : fmt::format(" in state '{}'", robot.state);
+  if (robot.left) return "has left the arena";
+  if (robot.fallen) return "lies on its side" + at;
+  if (robot.halted) return "was stopped for good" + at;
+  if (!robot.failed) {
+    return robot.state.empty()
                ? "shows no state"
                : fmt::format("is in state '{}' since {:.0f} s", robot.state, robot.since);
   }
-  out.push_back(fmt::format("{} {}{}", robot.name, what, robot.holding ? ", with a block" : ""));
+  std::string what = "has stopped: its program failed";
+  for (const TrialLine& line : trial.lines) {
+    if (line.failure && line.who == robot.name) what += " (" + line.text + ")";
+  }
+  return what;
+}
+
+void of_robot(const BuildTarget& target, const RobotRecord& robot, const Trial& trial,
+              std::vector<std::string>& out) {
+  std::string text = robot.name + " " + plight_of(robot, trial);
+  if (robot.holding) text += ", with a block";
+  if (!robot.left && (robot.fallen || robot.failed)) {
+    text += fmt::format(", at ({:.2f}, {:.2f}) m", robot.X_WR.p.x, robot.X_WR.p.y) +
+            missing_near(target, trial.judgement, robot.X_WR.p);
+  }
+  out.push_back(std::move(text));
 }
 
 /// Why it ended as it did; nothing of a run that ended since all stood.
-void of_end(const Trial& trial, std::vector<std::string>& out) {
+void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::string>& out) {
   switch (trial.end) {
     case TrialEnd::spoilt:
       out.push_back(fmt::format(
@@ -89,13 +117,15 @@ void of_end(const Trial& trial, std::vector<std::string>& out) {
     case TrialEnd::built:
       return;
   }
-  for (const RobotRecord& robot : trial.robots) of_robot(robot, trial, out);
+  for (const RobotRecord& robot : trial.robots) of_robot(target, robot, trial, out);
   if (trial.loose.empty()) out.push_back("no loose block lies in the arena");
   for (const WatchedBlock& block : trial.loose) {
     if (block.led == Led::off) continue;
-    out.push_back(fmt::format("a block that shows {} lies loose at ({:.2f}, {:.2f}) m",
-                              to_string(block.led), block.X_WB.p.x, block.X_WB.p.y));
+    out.push_back(fmt::format("a block that shows {} lies loose at ({:.2f}, {:.2f}) m{}",
+                              to_string(block.led), block.X_WB.p.x, block.X_WB.p.y,
+                              missing_near(target, trial.judgement, block.X_WB.p)));
   }
+  out.insert(out.end(), trial.caches.begin(), trial.caches.end());
 }
 
 }  // namespace
@@ -104,7 +134,7 @@ std::vector<std::string> findings_of(const BuildTarget& target, const Trial& tri
   std::vector<std::string> out;
   const Judgement& judgement = trial.judgement;
   if (judgement.against) out.push_back("against the rules: " + judgement.against->reason);
-  if (judgement.verdict != BuildVerdict::complete) of_end(trial, out);
+  if (judgement.verdict != BuildVerdict::complete) of_end(target, trial, out);
   of_bricks(target, judgement, out);
   return out;
 }

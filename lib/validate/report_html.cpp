@@ -183,6 +183,7 @@ void hauls(const Trial& trial, Page& page) {
     rows.push_back({fmt::format("@{}", trial.robots[haul.robot].name), fixed(haul.from, 1),
                     fixed(haul.to, 1), fixed(haul.way, 2), "@" + outcome});
   }
+  page.add("<p>Blocks: {}.</p>\n", escaped(count_text(trial.blocks)));
   page.raw("<h3>Attempts: every block that a robot took</h3>\n");
   page.table({"@robot", "from / s", "to / s", "way / m", "@and then"}, rows);
 }

@@ -120,6 +120,7 @@ std::vector<RobotRecord> RobotWatch::finish(const Watch& watch) {
     record.X_WR = run_.crew()->robot_pose(run_.world(), i);
     record.driven = run_.driven(i);
     record.failed = run_.crew()->failed(i);
+    record.halted = run_.crew()->halted(i);
     record.left = run_.world().state(run_.crew()->root_body(i)).left;
     record.fallen = !record.left && matrix(record.X_WR.q).z.z < kUpright;
     record.holding = watch.holding(i);

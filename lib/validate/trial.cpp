@@ -122,15 +122,29 @@ class TrialRun {
     out.hauls = watch_.hauls();
     out.robots = robots_.finish(watch_);
     out.measures = run_.measures();
-    out.dropped = run_.world().size() - run_.placed().config.bodies.size();
     std::vector<WatchedBlock> free = blocks();
+    out.blocks = count(free);
+    out.caches = cache_troubles(*target_.rules, free, watch_, run_.scene().caches);
     std::erase_if(free, [this](const WatchedBlock& block) { return watch_.held(block.block); });
     out.judgement = judge(target_, free, out.events);
-    std::erase_if(free, [this](const WatchedBlock& block) { return watch_.is_part(block.block); });
+    std::erase_if(free, [this](const WatchedBlock& block) {
+      return block.fixed || watch_.is_part(block.block);
+    });
     out.loose = std::move(free);
     out.lines = {lines_.begin(), lines_.end()};
     if (settings_.pictures >= 0) pictures_.push_back(picture());
     out.pictures = std::move(pictures_);
+    return out;
+  }
+
+  BlockCount count(const std::vector<WatchedBlock>& there) const {
+    BlockCount out = count_blocks(there, watch_, run_.scene().caches);
+    const std::size_t began = run_.placed().config.bodies.size();
+    for (std::size_t i = 0; i < run_.world().size(); ++i) {
+      if (!run_.placed().bodies[i].block) continue;
+      ++(i < began ? out.began : out.dropped);
+      if (run_.world().state(BodyId{static_cast<std::uint32_t>(i)}).left) ++out.left;
+    }
     return out;
   }
 

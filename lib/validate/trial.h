@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "physical/simulation.h"
+#include "validate/block_count.h"
 #include "validate/judge.h"
 
 namespace stig {
@@ -39,7 +40,8 @@ struct RobotRecord {
   std::map<std::string, double> shown;  ///< numbers, the newest of each name
   double still = 0;                     ///< s with neither wheels nor lift in motion
   EnergyUse energy;
-  bool failed = false, left = false, fallen = false, holding = false;
+  /// Halted: by the scene's script. It has failed then, too.
+  bool failed = false, halted = false, left = false, fallen = false, holding = false;
 };
 
 /// A moment of a run, drawn.
@@ -63,8 +65,9 @@ struct Trial {
   std::vector<BrickEvent> events;
   std::vector<Haul> hauls;
   std::vector<RobotRecord> robots;
-  std::vector<WatchedBlock> loose;  ///< blocks that are no bricks and that nobody holds
-  std::size_t dropped = 0;          ///< blocks that came from caches
+  std::vector<WatchedBlock> loose;  ///< blocks that are no bricks, not fixed, and that nobody holds
+  BlockCount blocks;                ///< where each is at the end
+  std::vector<std::string> caches;  ///< what keeps them from dropping blocks: sentences
   std::vector<TrialLine> lines;     ///< the last of what programs said
   std::vector<TrialPicture> pictures;
   std::map<std::string, double> measures;  ///< of the scene's script

@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <nlohmann/json.hpp>
 #include <thread>
 
 #include "program.h"
@@ -138,6 +139,20 @@ TEST_CASE("simulate's usage errors") {
 TEST_CASE("the schema of scenes") {
   const Workplace place;
   check_golden("tests/golden/scene-schema.json", place.stigc({"schema", "scene"}).out);
+}
+
+TEST_CASE("robots that meet head on in a corridor get past each other, and none falls over") {
+  const Workplace place;
+  const Outcome runs = place.stigc(
+      {"simulate", STIG_SOURCE_DIR "/scenes/faults/robots-head-on.yaml", "--runs", "4", "--json"});
+  REQUIRE(runs.exit_code == 0);
+  const auto report = nlohmann::json::parse(runs.out);
+  REQUIRE(report["runs"].size() == 4);
+  for (const auto& run : report["runs"]) {
+    CAPTURE(run["seed"].get<int>());
+    CHECK(run["message"] == "both are through");
+    CHECK(run["measures"]["through"] == 2);
+  }
 }
 
 }  // namespace stig

@@ -36,12 +36,19 @@ Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
 }
 
 Json robot_json(const RobotRecord& robot) {
-  Json json{{"name", robot.name},          {"driven_m", robot.driven},
-            {"state", robot.state},        {"since", robot.since},
-            {"holding", robot.holding},    {"failed", robot.failed},
-            {"left", robot.left},          {"fallen", robot.fallen},
-            {"still_s", robot.still},      {"wheels_J", robot.energy.wheels},
-            {"lift_J", robot.energy.lift}, {"current_s", robot.energy.current_time}};
+  Json json{{"name", robot.name},
+            {"driven_m", robot.driven},
+            {"state", robot.state},
+            {"since", robot.since},
+            {"holding", robot.holding},
+            {"failed", robot.failed},
+            {"halted", robot.halted},
+            {"left", robot.left},
+            {"fallen", robot.fallen},
+            {"still_s", robot.still},
+            {"wheels_J", robot.energy.wheels},
+            {"lift_J", robot.energy.lift},
+            {"current_s", robot.energy.current_time}};
   json["shown"] = robot.shown;
   json["states_s"] = robot.spent;
   return json;
@@ -71,6 +78,12 @@ Json judgement_json(const RuleSet& rules, const Judgement& judgement) {
   return json;
 }
 
+Json count_json(const BlockCount& count) {
+  return {{"began", count.began},     {"dropped", count.dropped}, {"structure", count.structure},
+          {"carried", count.carried}, {"caches", count.caches},   {"loose", count.loose},
+          {"fixed", count.fixed},     {"left", count.left},       {"adds_up", count.adds_up()}};
+}
+
 Json trial_json(const BuildTarget& target, const Trial& trial) {
   Json json{{"seed", trial.seed},
             {"verdict", to_string(trial.judgement.verdict)},
@@ -98,8 +111,7 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
   }
   json["robots"] = Json::array();
   for (const RobotRecord& robot : trial.robots) json["robots"].push_back(robot_json(robot));
-  json["loose"] = trial.loose.size();
-  json["dropped"] = trial.dropped;
+  json["blocks"] = count_json(trial.blocks);
   json["measures"] = trial.measures;
   json["hash"] = to_hex(trial.hash);
   return json;
@@ -172,6 +184,7 @@ std::string one_run(const ValidationReport& report, const Trial& trial, bool col
                                 brick_text(*report.target->rules, event.led, event.cell),
                                 event.kind == BrickEvent::Kind::placed ? "" : " left"));
   }
+  out += line("blocks", count_text(trial.blocks));
   out += line("attempts", attempts_in_words(trial));
   for (const RobotRecord& robot : trial.robots) out += robot_lines(robot);
   for (const auto& [name, value] : trial.measures) {
