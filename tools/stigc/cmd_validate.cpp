@@ -17,6 +17,7 @@
 #include "robot_input.h"
 #include "runtime_input.h"
 #include "scene_input.h"
+#include "validate/progress_svg.h"
 #include "validate/set_up.h"
 #include "validate_report.h"
 #include "validate_runs.h"
@@ -71,7 +72,7 @@ class Validation {
       return kRunFailed;
     }
     ValidationReport report{&target_, decision_text(*rules_, *compiled_.decision),
-                            std::move(batch.trials)};
+                            std::move(batch.trials), &compiled_};
     app_.print(options_.json ? dump(to_json(report)) : lines_of(report, app_.color_out()));
     const int written = options_.output ? write(report, batch) : kOk;
     const bool broken =
