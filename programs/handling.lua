@@ -37,6 +37,7 @@ local PATIENCE = 8             -- s, the longest random wait for a robot to go i
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local STRAIGHT = 0.04          -- m, in which a line is joined
+local LAST_STRAIGHT = 0.025    -- m, likewise on the last, blind 50 to 85 mm of an approach
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
 local ATTEMPTS = 4
 local SEEN_LATELY = 2          -- s
@@ -131,9 +132,10 @@ function handling.on_line(line)
 end
 
 -- Along a line to its point `to` (0: where the line begins), forward or backward, as the way
--- there asks; joins it within some 4 STRAIGHT. `line` may be a function that says it anew in each
+-- there asks; joins it within some 4 `straight` (default: STRAIGHT). `line` may be a function that says it anew in each
 -- step; nil ends the drive. `each` is called in every step and may end it by returning true.
-function handling.follow(line, to, speed, each)
+function handling.follow(line, to, speed, each, straight)
+   straight = straight or STRAIGHT
    local start = robotics.time
    while robotics.time - start < 60 do
       local now_line = line
@@ -148,7 +150,7 @@ function handling.follow(line, to, speed, each)
       local v = speed_for(way, now, speed)
       -- critically damped over the way: e'' = -2 e'/L - e/L²
       local back = way < 0 and -1 or 1
-      local bend = -back * aside / STRAIGHT ^ 2 - 2 * angle / STRAIGHT
+      local bend = -back * aside / straight ^ 2 - 2 * angle / straight
       robotics.drive(v, math.abs(v) * clamp(bend, -15, 15))
       coroutine.yield()
    end
@@ -173,6 +175,11 @@ function handling.go_to(x, y, speed, each)
    return handling.follow({ x = x, y = y, yaw = yaw }, 0, speed or robotics.profile.cruise, each)
 end
 
+-- Whether current flows that makes the magnets hold harder, until their charge has sunk.
+local function hold_fast(on)
+   robot.electromagnet_system.set_discharge_mode(on and 'constructive' or 'disable')
+end
+
 -- The lift -----------------------------------------------------------------------------------
 
 -- It rests within `lift_slack` of where it is sent, on the side that it came from; so it is
@@ -185,7 +192,7 @@ function handling.lift_to(height)
    local sent = height + (height > position and slack or -slack)
    sent = clamp(sent, 0, robotics.profile.lift_top)
    if handling.carrying then
-      robot.electromagnet_system.set_discharge_mode('constructive')
+      hold_fast(true)
       coroutine.yield()
    end
    robot.lift_system.set_position(sent)
@@ -200,7 +207,7 @@ function handling.lift_to(height)
    end, 20)
    if handling.carrying then
       coroutine.yield()
-      robot.electromagnet_system.set_discharge_mode('disable')
+      hold_fast(false)
    end
    return reached
 end
@@ -408,7 +415,7 @@ end
 
 -- The line to a block, squarely to its face; ends in its middle, or `ahead` and `left` of that.
 local function line_to(block, heading, options)
-   local square = heading + wrap_quarter(block.yaw - heading)
+   local square = heading + wrap_quarter(robotics.square_of(block) - heading)
    local line = { x = block.x, y = block.y, yaw = square }
    local ahead, left = options.ahead or 0, options.left or 0
    line.x, line.y = robotics.out_of(line, ahead, left)
@@ -510,12 +517,15 @@ local function approach(block, options)
             enter('reach')
             line = misjudge(line, options.misjudged)
             local to = -grip + (options.short or 0)
-            handling.follow(line, to, SLOW, options.stop)
+            handling.follow(line, to, SLOW, options.stop, LAST_STRAIGHT)
             if options.stop and options.stop() then
+               -- the column draws the block, which is held until it has been let down
+               hold_fast(true)
                creep(to - handling.on_line(line), HELD_OFF)
                -- so far before its place stands no column, but another robot
                if to - handling.on_line(line) > SHORT then
                   handling.back_off(0.15)
+                  hold_fast(false)
                   return false, 'busy'
                end
             end
@@ -657,9 +667,9 @@ end
 local function slide_in(level)
    enter('slide in')
    handling.lift_to(SIDE * level + REST)
-   robot.electromagnet_system.set_discharge_mode('constructive')
+   hold_fast(true)
    creep(DRAW - SHY)
-   robot.electromagnet_system.set_discharge_mode('disable')
+   hold_fast(false)
 end
 
 -- Whether another robot is seen to hold a block over a place, `within` m of it beside.
@@ -711,6 +721,7 @@ function handling.approach_site(block, where, options)
    if not near then return false, seen end
    if not handling.holds() then
       -- a turn would sweep the structure
+      hold_fast(false)
       handling.back_off(0.15)
       return false, 'the block was lost'
    end

@@ -14,7 +14,9 @@ local TAG_HEIGHT = 0.001          -- of a tag over its face
 local MERGE = HALF                -- detections nearer than this are one block
 local GATE = 0.050                -- a block moves less than this between two pictures
 local LINK = 1.25 * SIDE          -- nearer blocks are of one structure
+local ASKEW = 0.2                 -- rad, by which no two blocks of a lattice are off
 local SEEN_OFTEN, MISSED_OFTEN = 3, 3
+local LEAST_TURN = 0.03           -- of a sighting, in a block's yaw
 local MEMORY = 60                 -- s, of a block out of sight
 local LED_OFFSET = 0.020
 local TAG = 0.024                 -- its side
@@ -113,7 +115,9 @@ local function odometry()
       robotics.travelled = robotics.travelled + math.abs(ahead)
       -- what is remembered gets less certain as the robot moves
       local doubt = (0.01 * ahead) ^ 2 + (0.002 * turn) ^ 2
-      for _, track in ipairs(robotics.tracks) do track.variance = track.variance + doubt end
+      for _, track in ipairs(robotics.tracks) do
+         track.variance, track.turned = track.variance + doubt, track.turned + (0.002 * turn) ^ 2
+      end
    end
    robotics.left, robotics.right = left, right
 end
@@ -205,6 +209,8 @@ local function block_of(tag, eye, turn)
       z = level and SIDE * level + HALF or free, level = level,
       yaw = math.atan(axis.y, axis.x), colour = colour_about(tag), top = standing.top,
       variance = (0.0004 * (distance / 0.1) ^ 2) ^ 2, tags = 1,
+      -- of the yaw: a tag on top shows it plainly, one in front by how it tilts
+      turned = (distance / (robotics.profile.focal * TAG) * (standing.top and 1 or distance / TAG)) ^ 2,
    }
 end
 
@@ -212,7 +218,8 @@ local function merge(into, other)
    local share = into.variance / (into.variance + other.variance)
    into.x = into.x + share * (other.x - into.x)
    into.y = into.y + share * (other.y - into.y)
-   into.yaw = into.yaw + share * wrap_quarter(other.yaw - into.yaw)
+   local turn = into.turned / (into.turned + other.turned)
+   into.yaw, into.turned = into.yaw + turn * wrap_quarter(other.yaw - into.yaw), into.turned * (1 - turn)
    if into.colour == 0 then into.colour = other.colour end
    into.top = into.top or other.top
    into.variance = into.variance * (1 - share)
@@ -343,7 +350,9 @@ local function update(track, block)
    if dx * dx + dy * dy > 0.015 ^ 2 or track.level ~= block.level then share = 1 end
    track.x, track.y, track.z, track.level = track.x + share * dx, track.y + share * dy,
                                             block.z, block.level
-   track.yaw = track.yaw + share * wrap_quarter(block.yaw - track.yaw)
+   local turn = share == 1 and 1 or math.max(LEAST_TURN, track.turned / (track.turned + block.turned))
+   track.yaw = track.yaw + turn * wrap_quarter(block.yaw - track.yaw)
+   track.turned = turn == 1 and block.turned or track.turned * (1 - turn)
    track.variance = share == 1 and block.variance or track.variance * (1 - share)
    for colour = 0, 4 do track.votes[colour] = 0.7 * track.votes[colour] end
    track.votes[block.colour] = track.votes[block.colour] + 1
@@ -434,12 +443,18 @@ end
 
 -- Structures ----------------------------------------------------------------------------------
 
-local function fit(structure)
-   local first, c, s = structure.blocks[1], 0, 0
-   for _, block in ipairs(structure.blocks) do
-      c, s = c + math.cos(4 * block.yaw), s + math.sin(4 * block.yaw)
+-- The yaw of blocks that stand squarely to each other, modulo a quarter turn.
+local function mean_yaw(blocks)
+   local c, s = 0, 0
+   for _, block in ipairs(blocks) do
+      c, s = c + math.cos(4 * block.yaw) / block.turned, s + math.sin(4 * block.yaw) / block.turned
    end
-   local frame = { x = first.x, y = first.y, yaw = math.atan(s, c) / 4 }
+   return math.atan(s, c) / 4
+end
+
+local function fit(structure)
+   local first = structure.blocks[1]
+   local frame = { x = first.x, y = first.y, yaw = mean_yaw(structure.blocks) }
    local x, y = 0, 0
    structure.cells = {}
    for i, block in ipairs(structure.blocks) do
@@ -480,6 +495,19 @@ function robotics.structures(wanted, link)
       end
    end
    return out
+end
+
+-- A block's yaw, as all that it is linked to and that stands squarely to it says.
+function robotics.square_of(block)
+   for _, structure in ipairs(robotics.structures()) do
+      local own, square = false, {}
+      for _, known in ipairs(structure.blocks) do
+         own = own or known.id == block.id
+         if math.abs(wrap_quarter(known.yaw - block.yaw)) < ASKEW then table.insert(square, known) end
+      end
+      if own then return mean_yaw(square) end
+   end
+   return block.yaw
 end
 
 -- Life ----------------------------------------------------------------------------------------

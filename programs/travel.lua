@@ -90,13 +90,24 @@ function travel.wander(x, y)
    return travel.to(x, y)
 end
 
+-- Where to look at a place from, FAR_LOOK away: on the way there, or else round the place until it
+-- is clear of the structure, which may lie on the way.
+local function view_of(place)
+   local first = math.atan(robotics.pose.y - place.y, robotics.pose.x - place.x)
+   for i = 0, 12 do
+      local angle = first + (i % 2 == 0 and 1 or -1) * ((i + 1) // 2) * math.pi / 6
+      local view = { x = place.x + FAR_LOOK * math.cos(angle), y = place.y + FAR_LOOK * math.sin(angle) }
+      if i == 12 or not lattice.known or place == lattice.known or
+         lattice.apart(lattice.known, view) > lattice.known.reach + TOO_NEAR then return view end
+   end
+end
+
 -- Looks at a place in memory from a little away. Whether `found()` says something.
 function travel.look_again(place, found)
-   local dx, dy = place.x - robotics.pose.x, place.y - robotics.pose.y
-   local away = math.sqrt(dx * dx + dy * dy)
+   local away = lattice.apart(place, robotics.pose)
    if away > FAR_LOOK + 0.02 then
-      local share = (away - FAR_LOOK) / away
-      travel.to(robotics.pose.x + share * dx, robotics.pose.y + share * dy)
+      local view = view_of(place)
+      travel.to(view.x, view.y)
       away = FAR_LOOK
    end
    handling.lift_to(away > 0.27 and robotics.profile.lift_top - 0.0015 or 0.070)

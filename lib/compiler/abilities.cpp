@@ -81,7 +81,8 @@ void measure_bodies(const RobotModel& robot, Abilities& out) {
   const std::vector<bool> lifted = lifted_bodies(robot);
   const double half = out.block.side / 2;
   double underside = 1e9;
-  out.body_front = out.body_half_width = out.effector_front = out.effector_half_width = 0;
+  out.body_front = out.body_back = out.body_half_width = out.effector_front =
+      out.effector_half_width = 0;
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
     const Extent extent = extent_of(robot.bodies[i]);
     const double width = std::max(extent.high.y, -extent.low.y);
@@ -93,6 +94,7 @@ void measure_bodies(const RobotModel& robot, Abilities& out) {
       underside = std::min(underside, extent.low.z);
     } else {
       out.body_front = std::max(out.body_front, extent.high.x);
+      out.body_back = std::max(out.body_back, -extent.low.x);
       if (!lifted[i]) out.body_half_width = std::max(out.body_half_width, width);
     }
   }

@@ -52,6 +52,7 @@ struct Abilities {
   /// The carried block's centre ahead of R, and what of the robot stands behind and beside it.
   double carried_x = 0.0938;
   double body_front = 0.058;  ///< x of the foremost part that cannot be above a structure
+  double body_back = 0.0738;  ///< how far it goes back behind R
   double body_half_width = 0.0438;
   /// The end-effector over the carried block, which sticks out beyond it.
   double effector_front = 0.1298, effector_half_width = 0.030;

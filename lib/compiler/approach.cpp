@@ -25,21 +25,12 @@ struct View3 {
   }
 };
 
-/// The first brick that stands in the way of a body behind `site`, in rows as far as its half
-/// width goes.
+/// The first brick that stands in the way of a robot to `site`.
 std::optional<Cell> in_the_way(const View3& view, SideCell site, const Abilities& robot) {
-  const double side = robot.block.side;
-  // Cells that the body reaches into, beyond the block's near face.
-  const double gap = robot.carried_x - side / 2 - robot.body_front;
-  const int first = site.u + 1 + static_cast<int>(std::max(0.0, std::floor(gap / side)));
-  const int rows = static_cast<int>(std::ceil((robot.body_half_width - side / 2) / side - 1e-9));
   for (std::size_t i = 0; i < view.target.bricks(); ++i) {
     if (!view.state.has(i)) continue;
-    const SideCell at = seen_from(view.side, view.target.cell(i));
-    const int across = std::abs(at.v - site.v);
-    if (at.u >= first && across <= rows) return view.target.cell(i);
-    // The block itself passes along its row.
-    if (at.u > site.u && across == 0 && at.z >= site.z) return view.target.cell(i);
+    const Cell cell = view.target.cell(i);
+    if (in_lane(site, seen_from(view.side, cell), robot)) return cell;
   }
   return std::nullopt;
 }
@@ -124,6 +115,24 @@ Cell cell_from(ApproachSide side, SideCell c) {
       return {-c.v, -c.u, c.z};
   }
   return {};
+}
+
+bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot) {
+  const double side = robot.block.side;
+  // Cells that the body reaches into, beyond the block's near face, in rows as far as its half
+  // width goes.
+  const double gap = robot.carried_x - side / 2 - robot.body_front;
+  const int first = site.u + 1 + static_cast<int>(std::max(0.0, std::floor(gap / side)));
+  const int rows = static_cast<int>(std::ceil((robot.body_half_width - side / 2) / side - 1e-9));
+  const int across = std::abs(brick.v - site.v);
+  if (brick.u >= first && across <= rows) return true;
+  // The block itself passes along its row.
+  return brick.u > site.u && across == 0 && brick.z >= site.z;
+}
+
+bool behind_robot(const SideCell& site, const SideCell& brick, const Abilities& robot) {
+  const double to_face = (brick.u - site.u - 0.5) * robot.block.side;
+  return to_face >= robot.carried_x + robot.body_back;
 }
 
 ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, ApproachSide side,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "compiler/conflict_text.h"
 #include "compiler/refusal.h"
 #include "rules/rule_printer.h"
 
@@ -132,6 +133,8 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
                             const CompileOptions& options, Diagnostics& diagnostics) {
   CompiledRules out;
   choose_sides(rules, options, out);
+  out.robots = options.robots;
+  if (!out.robots && rules.physical) out.robots = rules.physical->robots;
   const bool form = report_form(rules, diagnostics);
   if (!report_colours(rules, diagnostics) || !form) return out;
   out.proof = verify(rules, options.verify);
@@ -153,6 +156,8 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
     out.decision = settle(*out.target, out.policy);
     if (!out.decision) continue;
     out.decision = simplify(*out.target, out.policy, std::move(out.decision));
+    out.concurrency = check_concurrency(*out.target, robot, out.policy, *out.decision);
+    if (report_conflict(rules, out, diagnostics)) out.decision.reset();
     return out;
   }
   explain_refusal(rules, robot, out, diagnostics);

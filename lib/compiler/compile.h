@@ -7,6 +7,7 @@
 //     sides       from where robots work, and so what they know of the lattice's directions
 //     policy      what to do where, so that every order of work completes (policy.h)
 //     decision    the same as questions about what the camera sees (decision.h)
+//     concurrent  whether several robots may work at once (concurrent.h)
 //
 // A robot has no compass. It knows directions relative to the side it works from: where rules
 // hold in all four turns, that is enough. Otherwise the sides are declared (in the file, the
@@ -20,6 +21,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "compiler/concurrent.h"
 #include "compiler/decision.h"
 #include "compiler/policy.h"
 #include "verify/verify.h"
@@ -35,11 +37,12 @@ std::string_view to_string(KnownDirections directions);
 
 struct CompileOptions {
   std::vector<ApproachSide> sides;  ///< empty: the file's, or all
+  std::optional<int> robots;        ///< that will work at once; otherwise the file's
   VerifyOptions verify;
   PolicyLimits limits;
 };
 
-/// A picture that goes with a refusal.
+/// A picture that goes with a refusal or a warning.
 struct RefusalDrawing {
   std::string title, drawing;
 };
@@ -48,10 +51,12 @@ struct CompiledRules {
   VerifyResult proof;
   std::unique_ptr<TargetStates> target;
   std::vector<ApproachSide> sides;
+  std::optional<int> robots;  ///< that will work at once; none: nobody said
   KnownDirections directions = KnownDirections::symmetric;
   Policy policy;
   std::unique_ptr<DecisionNode> decision;  ///< null: refused
-  std::vector<RefusalDrawing> drawings;    ///< of a refusal
+  Concurrency concurrency;                 ///< of what was not refused before
+  std::vector<RefusalDrawing> drawings;    ///< that go with what is reported
 };
 
 /// Reports why not to `diagnostics`, codes P7xx. The rule set must outlive the result.

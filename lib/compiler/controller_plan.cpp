@@ -29,12 +29,6 @@ int transport_colour(const RuleSet& rules) {
   return 0;
 }
 
-std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
-  std::uint32_t i = 0;
-  while (i < bricks && before.has(i) == after.has(i)) ++i;
-  return i;
-}
-
 }  // namespace
 
 ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
@@ -50,8 +44,7 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   out.turns = compiled.directions != KnownDirections::declared;
   out.levels = compiled.target->levels();
   out.transport = transport_colour(rules);
-  const bool alone = rules.physical && rules.physical->robots.value_or(2) == 1;
-  out.longest_wait = alone ? 0 : kLongestWait;
+  out.longest_wait = compiled.robots == 1 ? 0 : kLongestWait;
   out.figures = {robot.carried_x, robot.lowest + robot.block.side, robot.effector_front,
                  robot.lift_travel - kLiftSlack, robot.cameras.front().intrinsics.fx};
   return out;

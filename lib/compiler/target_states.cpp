@@ -36,6 +36,12 @@ std::uint64_t BrickSet::hash() const {
   return out;
 }
 
+std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
+  std::uint32_t i = 0;
+  while (i < bricks && before.has(i) == after.has(i)) ++i;
+  return i;
+}
+
 TargetStates::TargetStates(const RuleSet& rules, const VerifyResult& proof)
     : rules_(&rules), model_(std::make_unique<Model>(rules, proof.run)) {
   assert(proof.verdict == ProofVerdict::proved);

@@ -31,6 +31,9 @@ class BrickSet {
   std::vector<std::uint64_t> words_;
 };
 
+/// The lowest brick that `after` has and `before` has not.
+std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks);
+
 class TargetStates {
  public:
   /// Of a proved rule set with a single stage. Both arguments must outlive it.

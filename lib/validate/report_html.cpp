@@ -312,6 +312,9 @@ std::string report_html(const ValidationReport& report) {
   if (!report.decision.empty()) {
     page.add("<h2>What robots do</h2>\n<pre>{}</pre>\n", escaped_lines(report.decision));
   }
+  if (!report.robots.empty()) {
+    page.add("<p>Robots at work, as proved: {}.</p>\n", escaped(report.robots));
+  }
   for (const Trial& trial : report.trials) trial_part(target, trial, page);
   page.raw("</body>\n</html>\n");
   return page.take();

@@ -13,6 +13,7 @@ namespace stig {
 struct ValidationReport {
   const BuildTarget* target = nullptr;
   std::string decision;                     ///< the robots' decisions in words; empty: not known
+  std::string robots;                       ///< how many may work at once, likewise
   std::vector<Trial> trials;                ///< one a run, by seed
   const CompiledRules* compiled = nullptr;  ///< null: what sites are open is not known
 };

@@ -21,6 +21,7 @@ TEST_CASE("the paper's robot, measured from its file, is the one of the publishe
   CHECK(robot.levels == 3);
   CHECK(robot.carried_x == doctest::Approx(paper.carried_x).epsilon(0.001));
   CHECK(robot.body_front == doctest::Approx(0.057755));
+  CHECK(robot.body_back == doctest::Approx(paper.body_back).epsilon(0.001));
   CHECK(robot.body_half_width == doctest::Approx(0.04375));
   CHECK(robot.effector_front == doctest::Approx(0.129755));
   CHECK(robot.effector_half_width == doctest::Approx(0.033).epsilon(0.1));

@@ -50,11 +50,16 @@ TEST_CASE("compile prints decisions, or why there are none") {
   place.write("high.yaml", project_file("tests/compiler/refused/P705-too-high.yaml"));
   place.write("stuck.yaml", project_file("tests/compiler/refused/P711-deadlock.yaml"));
   place.write("cart.yaml", project_file("robots/gripper_cart.yaml"));
+  place.write("lock.yaml", project_file("tests/compiler/refused/P713-lock.yaml"));
+  place.write("walled.yaml", project_file("tests/compiler/conflicts/walled.yaml"));
   hold(place, "compile", "stigc compile staircase.yaml");
   hold(place, "compile-dot", "stigc compile staircase.yaml --target dot");
   hold(place, "compile-ir", "stigc compile staircase.yaml --target ir");
   hold(place, "compile-refused",
        "stigc compile exact.yaml; stigc compile high.yaml; stigc compile stuck.yaml");
+  hold(place, "compile-robots",
+       "stigc compile lock.yaml; stigc compile lock.yaml --robots 1 --target ir; stigc compile "
+       "walled.yaml");
   hold(place, "compile-cart", "stigc compile staircase.yaml --robot cart.yaml");
   hold(place, "compile-usage", "stigc compile staircase.yaml --sides up");
 }

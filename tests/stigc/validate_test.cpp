@@ -39,6 +39,39 @@ TEST_CASE("validate says what a scene lacks") {
   CHECK(place.stigc({"validate", rules, "--runs", "0"}).exit_code == 2);
 }
 
+TEST_CASE("validate sets no robots to work that get in each other's way") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/tests/compiler/conflicts/walled.yaml";
+  const Outcome two = place.stigc({"validate", rules, "--robots", "2"});
+  CHECK(two.exit_code == 1);
+  CHECK(two.err.find("error[P713]") != std::string::npos);
+  const std::string start =
+      "blocks:\n"
+      "  - {at: [0, 0, 0.0275], color: Q1, fixed: true}\n"
+      "  - {at: [0.33, -0.165, 0.0275], color: Q2, fixed: true}\n"
+      "  - {at: [0.44, -0.165, 0.0275], color: Q1, fixed: true}\n"
+      "robots:\n"
+      "  - {name: one, file: bebot.yaml, at: [0.7, 0], params: {side: +x}}\n";
+  place.write("one.yaml", "stigc_scene: 1\n" + start);
+  place.write("two.yaml",
+              "stigc_scene: 1\n" + start +
+                  "  - {name: two, file: bebot.yaml, at: [0, 0.5], params: {side: +y}}\n");
+  const std::vector<std::string> run = {"validate", rules, "--duration", "1", "--scene"};
+  const auto with = [&](const std::string& scene) {
+    std::vector<std::string> all = run;
+    all.push_back(scene);
+    return place.stigc(all);
+  };
+  const Outcome alone = with("one.yaml");
+  CHECK(alone.err.find("warning[P714]") != std::string::npos);
+  CHECK(alone.err.find("P713") == std::string::npos);
+  CHECK(!alone.out.empty());
+  const Outcome both = with("two.yaml");
+  CHECK(both.exit_code == 1);
+  CHECK(both.err.find("error[P713]") != std::string::npos);
+  CHECK(both.out.empty());
+}
+
 TEST_CASE("a robot builds the staircase from its rules, and what was written runs the same") {
   const Workplace place;
   const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";

@@ -22,6 +22,7 @@ struct MadeUpReport : Staircase {
     report.target = &target;
     report.compiled = &set.compiled;
     report.decision = "colour of the column's top?\n  Q1: nothing <&>\n";
+    report.robots = "any number at once";
     for (std::uint64_t seed = 1; seed <= 3; ++seed) report.trials.push_back(trial(seed));
   }
 
@@ -119,6 +120,7 @@ TEST_CASE("the report is one well-formed file") {
   const std::string html = report_html(made.report);
   CHECK(tag_problem(html) == "");
   CHECK(html.find("1 &lt; 2 &amp; &quot;so&quot;") != std::string::npos);
+  CHECK(html.find("any number at once") != std::string::npos);
   CHECK(html.find("data:image/png;base64,iVBORwD/") != std::string::npos);
   CHECK(html.find("missing: a Q1 brick at (2, 0, 0)") != std::string::npos);
   CHECK(html.find("robot 1 is in state 'search' since 40 s") != std::string::npos);

@@ -15,6 +15,7 @@
 #include "proof_box.h"
 #include "report.h"
 #include "rules/rule_printer.h"
+#include "rules/worked_from.h"
 
 namespace stig {
 namespace {
@@ -80,8 +81,9 @@ void print_json(const CertifyOptions& options, const RuleSet& rules, const Check
 }
 
 int certify_rules(const CertifyOptions& options, App& app) {
-  const std::optional<RuleSet> rules = app.read_rules(options.file);
+  std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  rules = worked_from(std::move(*rules), options.sides);
   const auto text = bytes_of(options.proof, kMostCertificateBytes, app);
   if (!text) return kFailed;
   Diagnostics diagnostics;

@@ -12,6 +12,7 @@
 #include "compiler/compile.h"
 #include "outputs.h"
 #include "robot_input.h"
+#include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "validate/argos_experiment.h"
 
@@ -152,13 +153,15 @@ int run(const CompileFileOptions& options, App& app) {
     app.complain(printable(problem));
     return kUsage;
   }
-  const std::optional<RuleSet> rules = app.read_rules(options.file);
+  std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  rules = worked_from_own(std::move(*rules), options.sides);
   const std::optional<Abilities> robot = read_abilities(
       options.robot, app, target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot);
   if (!robot) return kFailed;
   CompileOptions settings;
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
+  settings.robots = options.robots;
   stop_on_signals();
   settings.verify.seconds = options.budget;
   settings.verify.stop = &stop_requested();
@@ -171,10 +174,8 @@ int run(const CompileFileOptions& options, App& app) {
     app.complain("interrupted: nothing was written");
     return kRunFailed;
   }
-  if (!compiled.decision) {
-    for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
-    return compiled.proof.interrupted ? kRunFailed : kFailed;
-  }
+  for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
+  if (!compiled.decision) return compiled.proof.interrupted ? kRunFailed : kFailed;
   return print(options, {&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)},
                app);
 }

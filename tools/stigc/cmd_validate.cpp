@@ -11,10 +11,12 @@
 #include "base/file_io.h"
 #include "commands.h"
 #include "compiler/compile.h"
+#include "compiler/conflict_text.h"
 #include "compiler/decision_text.h"
 #include "outputs.h"
 #include "report.h"
 #include "robot_input.h"
+#include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "scene_input.h"
 #include "validate/progress_svg.h"
@@ -72,7 +74,7 @@ class Validation {
       return kRunFailed;
     }
     ValidationReport report{&target_, decision_text(*rules_, *compiled_.decision),
-                            std::move(batch.trials), &compiled_};
+                            robots_text(compiled_), std::move(batch.trials), &compiled_};
     app_.print(options_.json ? dump(to_json(report)) : lines_of(report, app_.color_out()));
     const int written = options_.output ? write(report, batch) : kOk;
     const bool broken =
@@ -90,12 +92,14 @@ class Validation {
   int compile() {
     rules_ = app_.read_rules(options_.file);
     if (!rules_) return kFailed;
+    rules_ = worked_from_own(std::move(*rules_), options_.sides);
     robot_ = read_abilities(options_.robot, app_);
     if (!robot_) return kFailed;
     stop_on_signals();
     CompileOptions settings;
     settings.verify.stop = settings.limits.stop = &stop_requested();
     for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
+    settings.robots = options_.robots;
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
     app_.report(diagnostics);
@@ -154,7 +158,7 @@ class Validation {
     const auto source =
         std::make_shared<const SourceFile>(options_.scene.value_or(kSceneFile), std::move(*text));
     scene_ = read_scene(source, loader, diagnostics);
-    if (scene_) check_robots(diagnostics);
+    if (scene_ && check_robots(diagnostics) > 1) check_crew(diagnostics);
     const auto placed = scene_ ? place_scene(*scene_, options_.seed, diagnostics) : std::nullopt;
     const auto site = placed ? find_site(*rules_, *scene_, *placed, diagnostics) : std::nullopt;
     if (!diagnostics.all().empty()) app_.report(diagnostics);
@@ -191,8 +195,9 @@ class Validation {
     return {};
   }
 
-  /// The compiled program asks on which side it begins.
-  void check_robots(Diagnostics& diagnostics) const {
+  /// The compiled program asks on which side it begins. How many robots have it?
+  int check_robots(Diagnostics& diagnostics) const {
+    int count = 0;
     for (const RobotSpawn& robot : scene_->robots) {
       const bool compiled = robot.program < scene_->programs.size() &&
                             scene_->programs[robot.program].path == kControllerFile;
@@ -203,6 +208,7 @@ class Validation {
       };
       const bool begins = param("side") && is_side(*param("side"), false);
       const bool bound = !param("sides") || is_side(*param("sides"), true);
+      count += compiled ? 1 : 0;
       if (!compiled || (begins && bound)) continue;
       diagnostics
           .add(Code::V802, robot.range,
@@ -212,6 +218,14 @@ class Validation {
           .note(fmt::format("`params: {{side: \"{}\"}}`, or another that robots work from",
                             to_string(compiled_.sides.front())));
     }
+    return count;
+  }
+
+  /// A scene of several robots, whatever the file says.
+  void check_crew(Diagnostics& diagnostics) {
+    if (!options_.scene) return;
+    compiled_.robots = static_cast<int>(scene_->robots.size());
+    report_conflict(*rules_, compiled_, diagnostics);
   }
 
   bool make_folder() const {

@@ -11,6 +11,7 @@
 #include "progress.h"
 #include "proof_box.h"
 #include "report.h"
+#include "rules/worked_from.h"
 #include "verify_report.h"
 
 namespace stig {
@@ -78,8 +79,9 @@ int complain(const std::string& problem, const App& app) {
 int run(const VerifyFileOptions& options, App& app) {
   std::string problem = usage_problem(options);
   if (!problem.empty()) return complain(problem, app);
-  const std::optional<RuleSet> rules = app.read_rules(options.file);
+  std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  rules = worked_from(std::move(*rules), options.sides);
   VerifyOptions settings;
   settings.box = chosen_box(*rules, options);
   SwarmConfig config;

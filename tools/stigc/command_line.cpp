@@ -239,6 +239,21 @@ void add_test(CLI::App& app, TestOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
+void add_sides(CLI::App& sub, std::vector<std::string>& sides, const char* what) {
+  sub.add_option("--sides", sides, what)
+      ->type_name("SIDE")
+      ->expected(1, 4)
+      ->delimiter(',')  // "--sides -x" would be an option -x
+      ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
+}
+
+constexpr const char* kSidesOfRobots =
+    "the sides that robots work from, in place of the file's, as --sides=+x,-x; of symmetric rules "
+    "those turns hold that these sides have";
+constexpr const char* kTurnsOfSides =
+    "of symmetric rules, the turns alone that robots at these sides follow, as --sides=+x,-x; +x: "
+    "as written";
+
 void add_verify(CLI::App& app, VerifyFileOptions& o) {
   CLI::App* sub =
       command(app, "verify", "prove that every order of events ends alike, or refute it",
@@ -251,6 +266,7 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
       "the world that is meant, a size laid around the start, or none for unbounded space "
       "(default: the file's box, else none)");
   sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+  add_sides(*sub, o.sides, kTurnsOfSides);
   parsed(sub, "--budget", "S", "seconds after which the verdict is 'unknown' (default: 60)",
          [&o](const std::string& text) { return parse_seconds(text, o.budget); });
   integer(sub, "--states", o.states, 1, std::int64_t{1} << 31,
@@ -282,6 +298,7 @@ void add_certify(CLI::App& app, CertifyOptions& o) {
       "the world that is meant, a size laid around the start, or none for unbounded space "
       "(default: the file's box, else none)");
   sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+  add_sides(*sub, o.sides, kTurnsOfSides);
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
@@ -353,14 +370,6 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object instead of the tables");
 }
 
-void add_sides(CLI::App& sub, std::vector<std::string>& sides) {
-  sub.add_option("--sides", sides,
-                 "the sides that robots work from, in place of the file's: +x -x +y -y")
-      ->type_name("SIDE")
-      ->expected(1, 4)
-      ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
-}
-
 void add_compile(CLI::App& app, CompileFileOptions& o) {
   CLI::App* sub =
       command(app, "compile", "turn a rule set into the controller of a robot",
@@ -371,7 +380,8 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
               "  stigc compile staircase.yaml --target dot | dot -Tsvg > decisions.svg\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   path(sub, "--robot", o.robot, "the robot's file (default: bebot.yaml, the paper's)");
-  add_sides(*sub, o.sides);
+  add_sides(*sub, o.sides, kSidesOfRobots);
+  integer(sub, "--robots", o.robots, 1, 100, "robots that work at once (default: the file's)");
   choice(sub, "--target", o.target,
          {{"table", CompileTarget::table},
           {"lua", CompileTarget::lua},
@@ -400,7 +410,7 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   integer(sub, "--robots", o.robots, 1, 100, "robots (default: the file's, or 1)");
   path(sub, "--robot", o.robot, "the robots' file (default: bebot.yaml, the paper's)");
-  add_sides(*sub, o.sides);
+  add_sides(*sub, o.sides, kSidesOfRobots);
   choice(
       sub, "--allocation", o.allocation,
       {{"dynamic", Allocation::dynamic_}, {"fixed", Allocation::fixed}},

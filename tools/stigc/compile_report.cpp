@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "compiler/conflict_text.h"
 #include "compiler/decision_text.h"
 #include "report.h"
 
@@ -45,6 +46,21 @@ Json node_json(const RuleSet& rules, const DecisionNode& node) {
   return out;
 }
 
+Json robots_json(const CompiledRules& compiled) {
+  const Concurrency& found = compiled.concurrency;
+  Json out = {{"wanted", compiled.robots ? Json(*compiled.robots) : Json(nullptr)},
+              {"any_number", found.conflicts.empty()},
+              {"structures", found.structures},
+              {"pairs", found.pairs},
+              {"ways_cross", found.ways_cross}};
+  out["conflicts"] = Json::array();
+  for (const Conflict& one : found.conflicts) {
+    out["conflicts"].push_back(
+        {{"kind", to_string(one.kind)}, {"what", conflict_text(compiled, one)}});
+  }
+  return out;
+}
+
 Json chart_json(const Chart& chart) {
   Json out = Json::array();
   for (const ChartState& state : chart.states) {
@@ -71,6 +87,7 @@ std::string compile_table(const CompileJob& job) {
   out += fmt::format(
       "proved       every order of work completes it: {} structures can occur on the way\n",
       reached(compiled));
+  out += fmt::format("robots       {}\n", robots_text(compiled));
   return out;
 }
 
@@ -93,6 +110,7 @@ std::string compile_ir(const CompileJob& job) {
   out["structure"] = {{"bricks", compiled.target->bricks()},
                       {"start", compiled.target->start_bricks()},
                       {"on_the_way", reached(compiled)}};
+  out["robots"] = robots_json(compiled);
   out["decision"] = node_json(*job.rules, *compiled.decision);
   out["looks"] = Json::array();
   for (const Stance& look : job.plan.looks) {

@@ -75,6 +75,7 @@ struct TestOptions {
 
 struct VerifyFileOptions {
   std::string file;
+  std::vector<std::string> sides;  ///< rules for robots at these alone; empty: in every turn
   std::optional<BoxOption> box;
   bool periodic = false;
   double budget = 60;  ///< seconds
@@ -86,8 +87,9 @@ struct VerifyFileOptions {
 
 /// A certificate for a rule set, or a proof for a formula.
 struct CertifyOptions {
-  std::string file;     ///< rule set, or formula
-  std::string proof;    ///< certificate, or proof
+  std::string file;                ///< rule set, or formula
+  std::string proof;               ///< certificate, or proof
+  std::vector<std::string> sides;  ///< as with VerifyFileOptions
   bool fewest = false;  ///< `file` is a folder with the proof that fewer colours do not do
   bool drat = false;
   std::optional<BoxOption> box;  ///< in place of the file's
@@ -128,6 +130,7 @@ struct CompileFileOptions {
   std::string file;
   std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
   std::vector<std::string> sides;    ///< "+x" "-x" "+y" "-y"; empty: the file's
+  std::optional<int> robots;         ///< that work at once; otherwise the file's
   std::optional<CompileTarget>
       target;  ///< otherwise by the output's name: .lua, .argos, or a table
   std::optional<std::string> output;

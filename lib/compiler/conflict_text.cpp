@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/conflict_text.h"
+
+#include <fmt/format.h>
+
+#include "rules/pattern_text.h"
+
+namespace stig {
+
+namespace {
+
+std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
+
+std::string work_text(const TargetStates& target, const Work& work) {
+  return fmt::format("the brick at {} from {}", cell_text(target.cell(work.brick)),
+                     to_string(work.side));
+}
+
+/// The rule that speaks of the work that the conflict is about.
+SourceRange range_of(const RuleSet& rules, const CompiledRules& compiled) {
+  const Conflict& conflict = compiled.concurrency.conflicts.front();
+  const auto& work = conflict.other ? conflict.other : conflict.placed;
+  if (!work) return {rules.file, 0, 0};
+  const auto since = conflict.other ? conflict.other_decided_in : conflict.decided_in;
+  const auto rule = compiled.target->rule_for(compiled.policy.states[since], work->brick);
+  return rules.rules[rule.value_or(0)].range;
+}
+
+void draw(const RuleSet& rules, CompiledRules& compiled, std::string title, std::uint32_t state) {
+  compiled.drawings.push_back(
+      {std::move(title),
+       draw_structure(rules, compiled.target->structure(compiled.policy.states[state]).bricks())});
+}
+
+void add_drawings(const RuleSet& rules, CompiledRules& compiled) {
+  const Conflict conflict = compiled.concurrency.conflicts.front();
+  const TargetStates& target = *compiled.target;
+  if (conflict.other && conflict.other_decided_in != conflict.state) {
+    draw(rules, compiled, "when one decided on " + work_text(target, *conflict.other),
+         conflict.other_decided_in);
+  }
+  if (conflict.placed && conflict.decided_in != conflict.state) {
+    draw(rules, compiled, "when one decided on " + work_text(target, *conflict.placed),
+         conflict.decided_in);
+  }
+  const bool before = conflict.kind != ConflictKind::stuck && conflict.kind != ConflictKind::misled;
+  draw(rules, compiled,
+       before ? "before one puts " + work_text(target, *conflict.placed)
+       : conflict.kind == ConflictKind::stuck ? std::string("stuck")
+                                              : std::string("what stands then"),
+       conflict.state);
+}
+
+}  // namespace
+
+std::string conflict_text(const CompiledRules& compiled, const Conflict& conflict) {
+  const TargetStates& target = *compiled.target;
+  const auto placed = [&] { return work_text(target, *conflict.placed); };
+  const auto stands = [&] {
+    return fmt::format("at {}, {}", cell_text(*conflict.column), to_string(conflict.stands_at));
+  };
+  switch (conflict.kind) {
+    case ConflictKind::outdated:
+      return fmt::format("one robot decides on {}; another puts {}, and no rule wants the first",
+                         work_text(target, *conflict.other), placed());
+    case ConflictKind::barred:
+      return fmt::format("one robot decides on {}; another puts {}, and the first is out of reach",
+                         work_text(target, *conflict.other), placed());
+    case ConflictKind::stuck:
+      return fmt::format("robots that decide at the same time get stuck: {} bricks of {}",
+                         compiled.policy.states[conflict.state].count(), target.bricks());
+    case ConflictKind::misled:
+      return fmt::format(
+          "robots that decide at the same time come to a structure that one alone never sees, in "
+          "which one {} does what is wrong",
+          stands());
+    case ConflictKind::unwalked:
+      return fmt::format("a robot puts {} so late that nothing is known of what stands then",
+                         placed());
+    case ConflictKind::walled_in:
+      return fmt::format("a robot {}, is walled in when another puts {}", stands(), placed());
+  }
+  return {};
+}
+
+std::string robots_text(const CompiledRules& compiled) {
+  const Concurrency& found = compiled.concurrency;
+  if (!found.conflicts.empty()) {
+    return "one alone: " + conflict_text(compiled, found.conflicts.front());
+  }
+  std::string out =
+      fmt::format("any number at once: {} pairs of decisions in {} structures, no conflict",
+                  found.pairs, found.structures);
+  if (found.ways_cross) out += "; ways out cross";
+  return out;
+}
+
+bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics& diagnostics) {
+  if (compiled.robots == 1 || compiled.concurrency.conflicts.empty()) return false;
+  const Conflict& conflict = compiled.concurrency.conflicts.front();
+  const TargetStates& target = *compiled.target;
+  Diagnostic& diagnostic =
+      diagnostics.add(compiled.robots ? Code::P713 : Code::P714, range_of(rules, compiled),
+                      conflict_text(compiled, conflict));
+  if (conflict.kind == ConflictKind::barred) diagnostic.note(explain(conflict.reach));
+  if (conflict.placed && conflict.decided_in != conflict.state) {
+    diagnostic.note(fmt::format("{} was right when it was decided on, {} bricks of {} standing",
+                                work_text(target, *conflict.placed),
+                                compiled.policy.states[conflict.decided_in].count(),
+                                target.bricks()));
+  }
+  diagnostic.note("one robot alone completes it: --robots 1, or `physical: {robots: 1}`");
+  add_drawings(rules, compiled);
+  return compiled.robots.has_value();
+}
+
+}  // namespace stig

@@ -1,0 +1,413 @@
+// SPDX-License-Identifier: MIT
+// The claim for several robots against two and three of them at lattice level, every
+// interleaving walked: they come, look and decide, put what they decided on as late as they like,
+// and leave. The walk knows nothing of pending sets; it knows the paper's robot in cells, the
+// decision tree, sight and reach, and what every single robot is at.
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <set>
+
+#include "compiler/concurrent.h"
+#include "support.h"
+#include "support/oracle.h"
+
+namespace stig {
+namespace {
+
+/// Cells behind the block that the paper's robot fills: 94 + 74 mm of 55 each.
+constexpr int kRobotCells = 3;
+
+struct RobotAt {
+  enum class Doing : std::uint8_t { away, stands, decided } doing = Doing::away;
+  ApproachSide side{};
+  SideCell place;     ///< deepest of the lane; of one that has decided, the site
+  Colour colour = 0;  ///< decided on
+  auto operator<=>(const RobotAt&) const = default;
+};
+
+bool in_its_lane(const RobotAt& robot, Cell brick) {
+  const SideCell at = seen_from(robot.side, brick);
+  return at.u > robot.place.u && std::abs(at.v - robot.place.v) <= 1;
+}
+bool behind_it(const RobotAt& robot, Cell brick) {
+  return seen_from(robot.side, brick).u > robot.place.u + kRobotCells;
+}
+
+/// Every interleaving of some robots.
+class Crew {
+ public:
+  Crew(const RuleSet& rules, const CompiledRules& compiled, std::size_t robots)
+      : rules_(rules), compiled_(compiled) {
+    meet({number(start_of(rules)), std::vector<RobotAt>(robots)});
+    while (!todo_.empty()) {
+      const Moment now = todo_.front();
+      todo_.pop_front();
+      for (std::size_t i = 0; i < robots; ++i) {
+        // One of those that are at the same is enough.
+        if (i == 0 || now.robots[i] != now.robots[i - 1]) move(now, i);
+      }
+    }
+  }
+
+  std::set<ConflictKind> failures;
+  std::set<int> whole;  ///< structures met in which nothing is to be done, and which are complete
+
+ private:
+  struct Moment {
+    int structure = 0;
+    std::vector<RobotAt> robots;  ///< in order
+    auto operator<=>(const Moment&) const = default;
+  };
+  /// What a robot can come to in a structure.
+  struct Structure {
+    BrickMap bricks;
+    BrickSet set;
+    std::vector<PlacedBrick> events;
+    std::vector<RobotAt> arrivals;
+  };
+
+  int number(const BrickMap& bricks) {
+    const auto [at, added] = numbers_.emplace(bricks, static_cast<int>(structures_.size()));
+    if (added) {
+      Structure one;
+      one.bricks = bricks;
+      one.set = BrickSet(compiled_.target->bricks());
+      OracleWorld world(rules_, std::nullopt);
+      for (const auto& [cell, colour] : bricks) {
+        world.place({cell, colour});
+        one.set.add(compiled_.target->brick_at(cell));
+      }
+      one.events = world.events(1);
+      arrive(one);
+      structures_.push_back(std::move(one));
+    }
+    return at->second;
+  }
+
+  void arrive(Structure& one) {
+    bool something = false;
+    for (const ApproachSide side : compiled_.sides) {
+      std::map<int, int> foremost;
+      for (const auto& [cell, colour] : one.bricks) {
+        const SideCell c = seen_from(side, cell);
+        int& u = foremost.emplace(c.v, c.u).first->second;
+        u = std::max(u, c.u);
+      }
+      for (const auto& [v, u] : foremost) {
+        RobotAt robot{RobotAt::Doing::stands, side, {u, v, 0}, 0};
+        const auto barred = [&](const auto& brick) { return in_its_lane(robot, brick.first); };
+        if (std::any_of(one.bricks.begin(), one.bricks.end(), barred)) ++robot.place.u;
+        if (std::any_of(one.bricks.begin(), one.bricks.end(), barred)) continue;
+        one.arrivals.push_back(robot);
+        const auto wish = decide(*compiled_.decision, sight_.look(one.set, side, u, v));
+        if (!wish) continue;
+        robot.doing = RobotAt::Doing::decided;
+        robot.colour = wish->colour;
+        robot.place = {u + wish->at.du, v + wish->at.dv, wish->at.z};
+        if (kind_of(*wish) == PlacementKind::raise) {
+          while (one.bricks.contains(cell_from(side, robot.place))) ++robot.place.z;
+        }
+        if (!wanted(one, robot) || !reaches(one, robot)) {
+          failures.insert(ConflictKind::misled);
+          continue;
+        }
+        something = true;
+        one.arrivals.push_back(robot);
+      }
+    }
+    if (something) return;
+    if (one.bricks.size() == compiled_.target->bricks()) {
+      whole.insert(static_cast<int>(structures_.size()));
+    } else {
+      failures.insert(ConflictKind::stuck);
+    }
+  }
+
+  static bool wanted(const Structure& here, const RobotAt& robot) {
+    const PlacedBrick brick{cell_from(robot.side, robot.place), robot.colour};
+    return std::find(here.events.begin(), here.events.end(), brick) != here.events.end();
+  }
+  bool reaches(const Structure& here, const RobotAt& robot) const {
+    return reach(*compiled_.target, here.set, cell_from(robot.side, robot.place), robot.side,
+                 abilities_)
+               .obstruction == Obstruction::none;
+  }
+
+  void meet(Moment moment) {
+    std::sort(moment.robots.begin(), moment.robots.end());
+    if (met_.insert(moment).second) todo_.push_back(std::move(moment));
+  }
+
+  void move(const Moment& now, std::size_t i) {
+    const RobotAt robot = now.robots[i];
+    if (robot.doing == RobotAt::Doing::decided) return place(now, i);
+    Moment next = now;
+    if (robot.doing == RobotAt::Doing::away) {
+      const std::vector<RobotAt> arrivals = structures_[at(now.structure)].arrivals;
+      for (const RobotAt& arrival : arrivals) {
+        next.robots[i] = arrival;
+        meet(next);
+      }
+      return;
+    }
+    next.robots[i] = {};
+    meet(next);
+  }
+
+  void place(const Moment& now, std::size_t i) {
+    Moment next = now;
+    RobotAt& robot = next.robots[i];
+    const Cell cell = cell_from(robot.side, robot.place);
+    const Structure here = structures_[at(now.structure)];
+    const Colour colour = robot.colour;
+    robot.doing = RobotAt::Doing::stands;
+    robot.colour = 0;
+    // The site is seen to be filled: the block goes elsewhere.
+    if (here.bricks.contains(cell)) return meet(std::move(next));
+    if (!wanted(here, now.robots[i])) {
+      failures.insert(ConflictKind::outdated);
+      return;
+    }
+    if (!reaches(here, robot)) {
+      failures.insert(ConflictKind::barred);
+      return;
+    }
+    for (std::size_t k = 0; k < now.robots.size(); ++k) {
+      const RobotAt& other = now.robots[k];
+      if (k == i || other.doing == RobotAt::Doing::away || !in_its_lane(other, cell)) continue;
+      if (behind_it(other, cell)) {
+        failures.insert(ConflictKind::walled_in);
+        next.robots[k] = {};  // and is carried away by hand
+      } else if (other.doing == RobotAt::Doing::stands) {
+        return;  // it stands where the brick is to go, and has to leave first
+      }
+    }
+    BrickMap bricks = here.bricks;
+    bricks.emplace(cell, colour);
+    next.structure = number(bricks);
+    meet(std::move(next));
+  }
+
+  static std::size_t at(int number) { return static_cast<std::size_t>(number); }
+
+  const RuleSet& rules_;
+  const CompiledRules& compiled_;
+  Abilities abilities_ = paper_robot();
+  Sight sight_{*compiled_.target, abilities_};
+  std::map<BrickMap, int> numbers_;
+  std::deque<Structure> structures_;
+  std::set<Moment> met_;
+  std::deque<Moment> todo_;
+};
+
+struct Checked {
+  RuleSet rules;
+  Diagnostics diagnostics;
+  CompiledRules compiled;
+
+  explicit Checked(RuleSet set, std::optional<int> robots = 1, std::size_t states = 100'000)
+      : rules(std::move(set)) {
+    CompileOptions options;
+    options.robots = robots;
+    options.limits.states = states;
+    compiled = compile_rules(rules, paper_robot(), options, diagnostics);
+  }
+  /// The tree as it was before a smaller one was looked for, which may leave less to be decided.
+  void take_first_tree() {
+    const Abilities robot = paper_robot();
+    compiled.policy = explore(*compiled.target, robot, compiled.sides, PlacementKinds::ahead);
+    compiled.decision = settle(*compiled.target, compiled.policy);
+    if (!compiled.decision) return;
+    compiled.concurrency =
+        check_concurrency(*compiled.target, robot, compiled.policy, *compiled.decision);
+  }
+  std::set<ConflictKind> conflicts() const {
+    std::set<ConflictKind> out;
+    for (const Conflict& one : compiled.concurrency.conflicts) out.insert(one.kind);
+    return out;
+  }
+};
+
+std::string names(const std::set<ConflictKind>& kinds) {
+  std::string out;
+  for (const ConflictKind kind : kinds) out += std::string(to_string(kind)) + " ";
+  return out;
+}
+
+/// What a crew meets is what the check says.
+void check_against_crew(const Checked& one, std::size_t robots) {
+  REQUIRE(one.compiled.decision);
+  const Crew crew(one.rules, one.compiled, robots);
+  CAPTURE(robots);
+  CHECK(names(crew.failures) == names(one.conflicts()));
+  CHECK(crew.whole.size() == 1);
+}
+
+TEST_CASE("any number of robots may build the staircase, the pyramid, a line and a column") {
+  for (const RuleSet& rules : {shipped("staircase"), rule_set(STIG_TESTS_DIR "/compiler/line.yaml"),
+                               rule_set(STIG_TESTS_DIR "/compiler/column.yaml")}) {
+    CAPTURE(rules.name);
+    const Checked one(rules);
+    CHECK(one.conflicts().empty());
+    check_against_crew(one, 2);
+    check_against_crew(one, 3);
+  }
+  const Checked pyramid(shipped("stepped-pyramid"));
+  CHECK(pyramid.conflicts().empty());
+  CHECK(!pyramid.compiled.concurrency.ways_cross);
+  check_against_crew(pyramid, 2);
+}
+
+TEST_CASE("two robots lock each other where one would not") {
+  const Checked lock(rule_set(STIG_TESTS_DIR "/compiler/refused/P713-lock.yaml"));
+  CHECK(lock.diagnostics.all().empty());
+  CHECK(lock.conflicts() == std::set{ConflictKind::stuck, ConflictKind::barred});
+  check_against_crew(lock, 3);
+  CHECK(Crew(lock.rules, lock.compiled, 2).failures.contains(ConflictKind::stuck));
+  // One after the other does it.
+  const Crew alone(lock.rules, lock.compiled, 1);
+  CHECK(alone.failures.empty());
+  CHECK(alone.whole.size() == 1);
+  // The brick that was one too many, and what it stood beside when it was decided on.
+  const Conflict& stuck = lock.compiled.concurrency.conflicts.front();
+  REQUIRE(stuck.placed);
+  CHECK(lock.compiled.policy.states[stuck.state].count() == 3);
+  CHECK(lock.compiled.policy.states[stuck.decided_in].count() == 1);
+  CHECK(lock.compiled.target->cell(stuck.placed->brick).z == 0);
+}
+
+TEST_CASE("a robot is walled in by another's work, which is a warning where one may be meant") {
+  const std::string file = STIG_TESTS_DIR "/compiler/conflicts/walled.yaml";
+  const Checked walled(rule_set(file));
+  CHECK(walled.conflicts() == std::set{ConflictKind::walled_in});
+  check_against_crew(walled, 2);
+  check_against_crew(walled, 3);
+  // From two sides robots cannot wait for each other in a circle; from three they might.
+  CHECK(!walled.compiled.concurrency.ways_cross);
+  RuleSet wider = walled.rules;
+  wider.physical->sides.emplace_back("-x");
+  wider.start.push_back({{4, -3, 0}, 1});  // hides the arm's foot from -x
+  const Checked three(wider);
+  REQUIRE(three.compiled.decision);
+  CHECK(three.compiled.concurrency.ways_cross);
+  const Checked unsaid(rule_set(file), std::nullopt);
+  CHECK(unsaid.compiled.decision);
+  REQUIRE(unsaid.diagnostics.all().size() == 1);
+  CHECK(unsaid.diagnostics.all()[0].code == Code::P714);
+  const Checked two(rule_set(file), 2);
+  CHECK(!two.compiled.decision);
+  REQUIRE(two.diagnostics.all().size() == 1);
+  CHECK(two.diagnostics.all()[0].code == Code::P713);
+}
+
+TEST_CASE("what was right once is no longer wanted") {
+  Checked outdated(rule_set(STIG_TESTS_DIR "/compiler/conflicts/outdated.yaml"));
+  CHECK(outdated.conflicts().empty());
+  outdated.take_first_tree();
+  CHECK(outdated.conflicts() == std::set{ConflictKind::outdated, ConflictKind::barred});
+  check_against_crew(outdated, 2);
+  check_against_crew(outdated, 3);
+}
+
+/// Some bricks at the start, and rules by which bricks of a higher colour come next to those of a
+/// lower one, mostly on a further condition.
+class AnySite {
+ public:
+  RuleSet make() {
+    rules_.name = "any site";
+    rules_.floor = true;
+    rules_.conflicts = Conflicts::random;
+    rules_.symmetry = one_in(6) ? Symmetry::rotations : Symmetry::none;
+    for (const char* led : {"Q1", "Q2", "Q3", "Q4"}) {
+      rules_.bricks.push_back({std::string(led + 1), led, "#e6194b", led, {}});
+    }
+    BrickMap start;
+    for (int i = number(1, 3); i > 0; --i) {
+      start.emplace(Cell{number(0, 4), number(0, 2), 0}, static_cast<Colour>(number(1, 2)));
+    }
+    for (const auto& [cell, colour] : start) rules_.start.push_back({cell, colour});
+    rules_.physical = PhysicalSpec{};
+    for (const ApproachSide side : kAllSides) {
+      if (!one_in(3)) rules_.physical->sides.emplace_back(to_string(side));
+    }
+    for (int i = number(2, 5); i > 0; --i) add_rule();
+    return rules_;
+  }
+
+ private:
+  static int number(int low, int high) { return *rc::gen::inRange(low, high + 1); }
+  static bool one_in(int n) { return number(1, n) == 1; }
+
+  void add_rule() {
+    // At times the mirror image of the last one about x or y, or the same on another condition.
+    if (!rules_.rules.empty() && one_in(2)) return add_another(rules_.rules.back());
+    Rule rule;
+    rule.place = static_cast<Colour>(number(2, 4));
+    const bool up = one_in(3);
+    if (!up) rule.height_max = 0;
+    if (up) rule.height_min = 1;
+    const Offset beside[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}};
+    from_ = up ? Offset{0, 0, -1} : beside[number(0, 3)];
+    colour_ = StateSet::of(static_cast<State>(number(1, rule.place - 1)));
+    add(rule);
+  }
+
+  void add_another(Rule rule) {
+    if (one_in(2)) {
+      const Neighbourhood& n = neighbourhood(Lattice::cubic);
+      const int x = one_in(2) ? -1 : 1, y = -x;
+      Pattern turned;
+      for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+        const Offset o = n.offsets[i];
+        const auto image = static_cast<std::size_t>(n.index_of({x * o.x, y * o.y, o.z}));
+        turned.allowed[image] = rule.pattern.allowed[i];
+      }
+      rule.pattern = turned;
+      from_ = {x * from_.x, y * from_.y, from_.z};
+      rules_.rules.push_back(rule);
+    } else {
+      rule.pattern = {};
+      add(rule);
+    }
+  }
+
+  void add(Rule rule) {
+    const Neighbourhood& n = neighbourhood(Lattice::cubic);
+    for (int more = number(0, 2); more > 0; --more) {
+      rule.pattern.allowed[static_cast<std::size_t>(number(0, n.size - 1))] =
+          one_in(2) ? StateSet::empty_cell() : StateSet::bricks(4);
+    }
+    rule.pattern.allowed[static_cast<std::size_t>(n.index_of(from_))] = colour_;
+    rule.name = "rule " + std::to_string(rules_.rules.size());
+    rules_.rules.push_back(rule);
+  }
+
+  RuleSet rules_;
+  Offset from_;
+  StateSet colour_;
+};
+
+TEST_CASE("on rule sets by chance the check says what crews of three meet") {
+  int clear = 0, conflicts = 0;
+  CHECK(rc::check("the same failures, and none left out", [&] {
+    for (int i = 0; i < 4; ++i) {
+      Checked one(AnySite().make(), 1, 300);
+      if (!one.compiled.decision) continue;
+      if (*rc::gen::inRange(0, 2) == 1) one.take_first_tree();
+      if (!one.compiled.decision) continue;
+      const Crew crew(one.rules, one.compiled, 3);
+      RC_ASSERT(names(crew.failures) == names(one.conflicts()));
+      RC_ASSERT(crew.whole.size() == 1U);
+      ++(one.conflicts().empty() ? clear : conflicts);
+    }
+  }));
+  CHECK(clear > 100);
+  CHECK(conflicts > 0);
+}
+
+}  // namespace
+}  // namespace stig
