@@ -4,8 +4,8 @@
 
     scaling_table.py FILE…
 
-Files are named …-ROBOTS-ALLOCATION.json. Times are means of the last brick in complete runs, of
-the robots' own numbers of runs; the speed-up is over one robot.
+Files are named …-ROBOTS-ALLOCATION.json. Times are those of the last brick, mean and deviation of
+complete runs; the speed-up is over one robot.
 """
 
 import json
@@ -42,8 +42,8 @@ def main():
               f"| {all_['busy_per_brick']:.2f} | {100 * all_['idle_share']:.0f} % |")
     for (robots, allocation), time in finish.items():
         if allocation == "fixed":
-            print(f"\nDynamic over fixed allocation, {robots} robots: the time to the last brick is "
-                  f"{ratio(finish.get((robots, 'dynamic')), time)} of it.")
+            print(f"\nTime to the last brick, dynamic over fixed allocation, {robots} robots: "
+                  f"{ratio(finish.get((robots, 'dynamic')), time)}")
 
 
 if __name__ == "__main__":
