@@ -131,10 +131,6 @@ void show(std::string& out, const Diagnostic& d, const Paint& paint) {
   }
 }
 
-std::string counted(std::size_t number, std::string_view what) {
-  return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
-}
-
 std::string summary(const Diagnostics& diagnostics, std::size_t shown) {
   const std::size_t errors = diagnostics.count(Severity::error);
   const std::size_t warnings = diagnostics.count(Severity::warning);

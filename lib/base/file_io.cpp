@@ -7,8 +7,11 @@
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <climits>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -93,13 +96,46 @@ bool write_all(int fd, std::string_view bytes) {
   return true;
 }
 
+/// A name that a signal handler may read: plain memory, published by the flag.
+struct Unfinished {
+  std::atomic<bool> taken{false}, valid{false};
+  std::array<char, PATH_MAX> name{};
+};
+static_assert(std::atomic<bool>::is_always_lock_free, "read by a signal handler");
+/// More files than are written at a time; those beyond are not cleaned up.
+std::array<Unfinished, 64> unfinished;
+
+/// The slot that now holds the name; -1: none is free, or the name is too long.
+int note_unfinished(const std::string& name) {
+  if (name.size() >= PATH_MAX) return -1;
+  for (std::size_t i = 0; i < unfinished.size(); ++i) {
+    if (unfinished[i].taken.exchange(true)) continue;
+    std::memcpy(unfinished[i].name.data(), name.c_str(), name.size() + 1);
+    unfinished[i].valid.store(true);
+    return static_cast<int>(i);
+  }
+  return -1;
+}
+
+void forget_unfinished(int slot) {
+  if (slot < 0) return;
+  unfinished[static_cast<std::size_t>(slot)].valid.store(false);
+  unfinished[static_cast<std::size_t>(slot)].taken.store(false);
+}
+
 /// Makes a file with a name of its own beside the target; -1 with errno set. The
-/// kernel applies the process's mask to the permissions.
-int open_temporary(const std::string& target, std::string& name) {
+/// kernel applies the process's mask to the permissions. The name is noted first, since a signal
+/// may come in between.
+int open_temporary(const std::string& target, std::string& name, int& slot) {
   for (int attempt = 0; attempt < 1000; ++attempt) {
     name = fmt::format("{}.{}-{}.tmp", target, ::getpid(), attempt);
+    slot = note_unfinished(name);
     const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd >= 0 || errno != EEXIST) return fd;
+    if (fd >= 0) return fd;
+    const int problem = errno;
+    forget_unfinished(std::exchange(slot, -1));
+    errno = problem;
+    if (problem != EEXIST) return fd;
   }
   return -1;
 }
@@ -166,7 +202,7 @@ bool GrowingFile::open(const std::string& path, FileError& error) {
   struct stat status {};
   const bool replaces = ::stat(target_.c_str(), &status) == 0;
   if (replaces && !check_regular(status, "write", path, error)) return false;
-  fd_ = open_temporary(target_, temporary_);
+  fd_ = open_temporary(target_, temporary_, slot_);
   const bool good = fd_ >= 0 && (!replaces || ::fchmod(fd_, status.st_mode & 07777U) == 0);
   if (!good) {
     fail(error, "write", path_);
@@ -184,11 +220,14 @@ bool GrowingFile::append(std::string_view bytes, FileError& error) {
 
 bool GrowingFile::commit(FileError& error) {
   Descriptor fd(std::exchange(fd_, -1));
-  if (::fsync(fd.get()) != 0 || !fd.close() || ::rename(temporary_.c_str(), target_.c_str()) != 0) {
+  const bool good =
+      ::fsync(fd.get()) == 0 && fd.close() && ::rename(temporary_.c_str(), target_.c_str()) == 0;
+  if (!good) {
     fail(error, "write", path_);
     ::unlink(temporary_.c_str());
-    return false;
   }
+  forget_unfinished(std::exchange(slot_, -1));
+  if (!good) return false;
   const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
   sync_directory(folder.empty() ? "." : folder);
   return true;
@@ -198,6 +237,13 @@ void GrowingFile::discard() {
   if (fd_ < 0) return;
   ::close(std::exchange(fd_, -1));
   ::unlink(temporary_.c_str());
+  forget_unfinished(std::exchange(slot_, -1));
+}
+
+void remove_unfinished_files() {
+  for (const Unfinished& one : unfinished) {
+    if (one.valid.load()) ::unlink(one.name.data());
+  }
 }
 
 }  // namespace stig

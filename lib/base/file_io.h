@@ -45,6 +45,11 @@ class GrowingFile {
  private:
   std::string path_, target_, temporary_;
   int fd_ = -1;
+  int slot_ = -1;  ///< where remove_unfinished_files() finds the name
 };
+
+/// Takes away what files that were not committed have left beside their targets. For signal
+/// handlers that end the program: it calls nothing that they may not.
+void remove_unfinished_files();
 
 }  // namespace stig

@@ -81,4 +81,8 @@ std::string in_quotes(std::string_view text) {
   return "'" + printable(text.substr(0, end)) + (end < text.size() ? "…'" : "'");
 }
 
+std::string counted(std::uint64_t number, std::string_view one) {
+  return fmt::format("{} {}{}", number, one, number == 1 ? "" : "s");
+}
+
 }  // namespace stig

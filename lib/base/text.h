@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -32,5 +33,8 @@ std::string printable(std::string_view text, const CodePoint& point);
 
 /// 'text' in quotes, printable, cut after 60 characters.
 std::string in_quotes(std::string_view text);
+
+/// "1 brick", "2 bricks"; of words that take an s.
+std::string counted(std::uint64_t number, std::string_view one);
 
 }  // namespace stig

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "base/text.h"
 #include "certify/stage_check.h"
 #include "rules/rule_printer.h"
 
@@ -94,8 +95,8 @@ std::string refusal_of(const RuleSet& rules, const Certificate& certificate,
   }
   report.structure = bricks_of(cells);
   if (report.structure.size() != certificate.bricks) {
-    return fmt::format("the structure has {} bricks, and the certificate says {}",
-                       report.structure.size(), certificate.bricks);
+    return fmt::format("the structure has {}, and the certificate says {}",
+                       counted(report.structure.size(), "brick"), certificate.bricks);
   }
   return "";
 }

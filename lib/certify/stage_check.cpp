@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "base/text.h"
 #include "certify/filling.h"
 
 namespace stig {
@@ -85,8 +86,8 @@ bool StageCheck::within_limit() {
   if (found == rules_.stages.end() || found->second <= 0) return true;
   const auto limit = static_cast<std::uint64_t>(found->second);
   if (stage_.order.size() > limit) {
-    return refuse(fmt::format("{} bricks are placed, and the stage ends with {}",
-                              stage_.order.size(), limit));
+    return refuse(fmt::format("{} placed, and the stage ends with {}",
+                              counted(stage_.order.size(), "brick"), limit));
   }
   spent_ = stage_.order.size() == limit && stage_.windows.size() == 1 &&
            stage_.windows.front().group.size() == limit;
@@ -201,9 +202,10 @@ bool StageCheck::windows_progress() {
       });
       if (missing == by_order.end() || !in_group(missing->first) || leads_on_[w][f]) continue;
       return refuse(fmt::format(
-          "a filling of {} bricks is a dead end: no rule places a brick of "
+          "a filling of {} is a dead end: no rule places a brick of "
           "the group of the brick at {}",
-          count_bricks(window.fillings[f]), cell_text(stage_.order[missing->first].at)));
+          counted(static_cast<std::uint64_t>(count_bricks(window.fillings[f])), "brick"),
+          cell_text(stage_.order[missing->first].at)));
     }
   }
   return true;

@@ -362,10 +362,10 @@ bool StageCheck::refuse_rule(const Site& site, std::uint32_t rule) {
 }
 
 bool StageCheck::refuse_filling(const Site& site, const Filling& filling) {
-  return refuse(
-      fmt::format("the brick at {} can be placed in a filling of {} bricks, and the "
-                  "window does not list the filling with it",
-                  cell_text(site.at), count_bricks(filling)));
+  return refuse(fmt::format(
+      "the brick at {} can be placed in a filling of {}, and the "
+      "window does not list the filling with it",
+      cell_text(site.at), counted(static_cast<std::uint64_t>(count_bricks(filling)), "brick")));
 }
 
 bool StageCheck::refuse_too_many(const Site& site) {

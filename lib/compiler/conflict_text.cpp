@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "rules/pattern_text.h"
 
 namespace stig {
@@ -104,10 +105,10 @@ bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics&
                       conflict_text(compiled, conflict));
   if (conflict.kind == ConflictKind::barred) diagnostic.note(explain(conflict.reach));
   if (conflict.placed && conflict.decided_in != conflict.state) {
-    diagnostic.note(fmt::format("{} was right when it was decided on, {} bricks of {} standing",
+    diagnostic.note(fmt::format("{} was right when it was decided on, {} of {} standing",
                                 work_text(target, *conflict.placed),
                                 compiled.policy.states[conflict.decided_in].count(),
-                                target.bricks()));
+                                counted(target.bricks(), "brick")));
   }
   diagnostic.note("one robot alone completes it: --robots 1, or `physical: {robots: 1}`");
   add_drawings(rules, compiled);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "base/text.h"
 #include "rules/pattern_text.h"
 
 namespace stig {
@@ -54,17 +55,34 @@ class Explainer {
     return out;
   }
 
-  /// Why a brick cannot be placed from any of the sides; notes of each.
+  /// Would a robot that is stuck place the brick next to a column that it faces from this side?
+  bool faced(std::uint32_t brick, ApproachSide side) const {
+    for (std::size_t i = policy_.first[*policy_.stuck]; i < policy_.first[*policy_.stuck + 1];
+         ++i) {
+      const Situation& situation = policy_.situations[i];
+      if (situation.side != side) continue;
+      for (const auto& [placement, to] : situation.placements) {
+        if (policy_.states[to].has(brick)) return true;
+      }
+    }
+    return false;
+  }
+
+  /// Why a brick cannot be placed from any of the sides, when a robot is stuck; notes of each.
   struct Blocked {
     bool unsupported = true;
     std::vector<std::string> notes;
   };
-  Blocked blocked(const BrickSet& state, std::uint32_t brick) const {
+  Blocked blocked(std::uint32_t brick) const {
     Blocked out;
     for (const ApproachSide side : compiled_.sides) {
-      const ReachResult result = reach(target_, state, target_.cell(brick), side, robot_);
+      const ReachResult result = reach(target_, stuck(), target_.cell(brick), side, robot_);
       out.unsupported = out.unsupported && result.obstruction == Obstruction::unsupported;
-      out.notes.push_back(fmt::format("from {}: {}", to_string(side), stig::explain(result)));
+      const bool alone = result.obstruction == Obstruction::none && !faced(brick, side);
+      out.notes.push_back(fmt::format(
+          "from {}: {}", to_string(side),
+          alone ? "it is not on, before or beside any column that the robot can drive up to"
+                : stig::explain(result)));
     }
     return out;
   }
@@ -80,7 +98,7 @@ class Explainer {
 
   void report_never(std::uint32_t brick) {
     const Rule& rule = rule_of(stuck(), brick);
-    const Blocked why = blocked(stuck(), brick);
+    const Blocked why = blocked(brick);
     Diagnostic& diagnostic =
         out_.add(why.unsupported ? Code::P709 : Code::P710, rule.range,
                  fmt::format("rule '{}' places the brick at {}, which {}", rule.name,
@@ -96,10 +114,10 @@ class Explainer {
     const Rule& rule = open.empty() ? rules_.rules.front() : rule_of(stuck(), open.front());
     Diagnostic& diagnostic =
         out_.add(Code::P711, rule.range,
-                 fmt::format("the structure cannot be completed: {} bricks of {} and no way on",
-                             stuck().count(), target_.bricks()));
+                 fmt::format("the structure cannot be completed: {} of {} and no way on",
+                             stuck().count(), counted(target_.bricks(), "brick")));
     for (const std::uint32_t brick : open) {
-      for (const std::string& note : blocked(stuck(), brick).notes) {
+      for (const std::string& note : blocked(brick).notes) {
         diagnostic.note(fmt::format("the brick at {} {}", cell_text(target_.cell(brick)), note));
       }
     }

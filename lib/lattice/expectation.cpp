@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/text.h"
 #include "lattice/swarm.h"
 
 namespace stig {
@@ -113,7 +114,7 @@ std::string ends_in_words(const Findings& findings, const ExpectationLimits& lim
     most = std::max(most, end.size());
   }
   const std::string bricks =
-      least == most ? fmt::format("{} bricks", least) : fmt::format("{} to {} bricks", least, most);
+      least == most ? counted(least, "brick") : fmt::format("{} to {} bricks", least, most);
   if (findings.ends.size() == 1) return "one end, " + bricks;
   return fmt::format("{}{} different ends, {}", findings.exhausted ? "" : "at least ",
                      findings.ends.size(), bricks);
@@ -190,7 +191,8 @@ void judge_structure(const RuleSet& rules, const Findings& findings,
     const Structure got = to_origin(end);
     if (got == wanted) continue;
     item.standing = Standing::failed;
-    item.found = fmt::format("{} bricks; {}", got.size(), first_difference(rules, wanted, got));
+    item.found =
+        fmt::format("{}; {}", counted(got.size(), "brick"), first_difference(rules, wanted, got));
     return;
   }
   item.standing = standing_of_agreement(findings);
@@ -213,7 +215,7 @@ std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& finding
   if (!expect.structure.empty()) {
     items.push_back({"structure",
                      {},
-                     fmt::format("{} bricks as drawn", expect.structure.size()),
+                     counted(expect.structure.size(), "brick") + " as drawn",
                      {},
                      {},
                      expect.structure_range});

@@ -190,7 +190,8 @@ void check_expected_structure(const RuleSet& rules, const Expectation& expect, D
   if (amount == 0) return;
   if (expect.bricks && *expect.bricks != amount) {
     out.add(Code::R311, expect.structure_range,
-            fmt::format("the structure has {} bricks, expected are {}", amount, *expect.bricks))
+            fmt::format("the structure has {}, expected are {}",
+                        counted(static_cast<std::uint64_t>(amount), "brick"), *expect.bricks))
         .note(expect.bricks_range, "expected here");
   }
   std::vector<std::int64_t> left(static_cast<std::size_t>(rules.colours()) + 1);
@@ -212,7 +213,8 @@ void check_expectation(const RuleSet& rules, Diagnostics& out) {
   const auto start = static_cast<std::int64_t>(rules.start.size());
   if (expect.bricks && *expect.bricks < start) {
     out.add(Code::R311, expect.bricks_range,
-            fmt::format("the end cannot have {} bricks: the start has {}", *expect.bricks, start))
+            fmt::format("the end cannot have {}: the start has {}",
+                        counted(static_cast<std::uint64_t>(*expect.bricks), "brick"), start))
         .note(rules.places.start, "the start");
   }
   const bool end = expect.bricks || !expect.structure.empty();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "base/text.h"
 #include "synthesis/reasons.h"
 #include "synthesis/recolour.h"
 #include "synthesis/scaffold.h"
@@ -50,12 +51,9 @@ class RemedyFinder {
   }
 
   void add(const std::string& what, const Solution& solution) {
-    const auto count = [](std::size_t n, const char* of) {
-      return fmt::format("{} {}{}", n, of, n == 1 ? "" : "s");
-    };
     remedies_.push_back(fmt::format(
-        "{} ({}, {})", what, count(static_cast<std::size_t>(solution.colour_count), "colour"),
-        count(solution.rules.size(), "rule")));
+        "{} ({}, {})", what, counted(static_cast<std::size_t>(solution.colour_count), "colour"),
+        counted(solution.rules.size(), "rule")));
   }
 
   void other_start() {

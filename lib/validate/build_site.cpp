@@ -88,16 +88,28 @@ Colour colour_of(const RuleSet& rules, Led led) {
   return 0;
 }
 
-std::optional<BuildSite> find_site(const RuleSet& rules, const Scene& scene,
-                                   const PlacedScene& placed, Diagnostics& diagnostics) {
+std::optional<BuildSite> find_site(const RuleSet& rules, std::int32_t floor_level,
+                                   const Scene& scene, const PlacedScene& placed,
+                                   Diagnostics& diagnostics) {
+  std::optional<double> floats;
   const std::vector<FixedBlock> blocks = fixed_blocks(placed);
   const PlacedBrick& first = rules.start.front();
   for (int quarters = 0; quarters < 4 && !scene.models.empty(); ++quarters) {
     for (const FixedBlock& block : blocks) {
       if (block.led != led_of(rules, first.brick)) continue;
       const BuildSite site = site_of(first, block.X_WB, scene.models.front().side, quarters);
-      if (holds_start(rules, site, blocks)) return site;
+      if (!holds_start(rules, site, blocks)) continue;
+      const double over = centre_of(site, {0, 0, floor_level}).z - site.pitch / 2;
+      if (std::abs(over) < kStartTolerance) return site;
+      floats = over;
     }
+  }
+  if (floats) {
+    diagnostics.add(Code::V801, {scene.source, 0, 0},
+                    fmt::format("the start of '{}' is there, but its structure would stand {:.1f} "
+                                "mm {} the floor",
+                                rules.name, std::abs(*floats) * 1e3, *floats > 0 ? "over" : "in"));
+    return std::nullopt;
   }
   diagnostics.add(
       Code::V801, {scene.source, 0, 0},

@@ -38,8 +38,10 @@ Led led_of(const RuleSet& rules, Colour colour);
 /// The brick that a block of this colour is; 0: none.
 Colour colour_of(const RuleSet& rules, Led led);
 
-/// Finds the start among the scene's fixed blocks; otherwise a diagnostic, code V801.
-std::optional<BuildSite> find_site(const RuleSet& rules, const Scene& scene,
-                                   const PlacedScene& placed, Diagnostics& diagnostics);
+/// Finds the start among the scene's fixed blocks, cells of `floor_level` on the floor; otherwise a
+/// diagnostic, code V801.
+std::optional<BuildSite> find_site(const RuleSet& rules, std::int32_t floor_level,
+                                   const Scene& scene, const PlacedScene& placed,
+                                   Diagnostics& diagnostics);
 
 }  // namespace stig

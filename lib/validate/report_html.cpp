@@ -302,9 +302,8 @@ std::string report_html(const ValidationReport& report) {
   page.add(kHead, escaped(title));
   page.add("<h1>{}: <span class=\"{}\">{}</span></h1>\n", escaped(title),
            all_complete(report) ? "good" : "bad", escaped(verdict_text(report)));
-  page.add("<p>{} bricks, {} at the start; {} robot{}.</p>\n", target.whole.size(),
-           target.rules->start.size(), report.trials.front().robots.size(),
-           report.trials.front().robots.size() == 1 ? "" : "s");
+  page.add("<p>{}, {} at the start; {}.</p>\n", counted(target.whole.size(), "brick"),
+           target.rules->start.size(), counted(report.trials.front().robots.size(), "robot"));
   runs(report, page);
   page.raw("<h2>Progress</h2>\n");
   page.raw(progress_svg(curves, band_of(curves), bricks));

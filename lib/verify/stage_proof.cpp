@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "base/text.h"
 #include "verify/far_order.h"
 #include "verify/groups.h"
 #include "verify/other_orders.h"
@@ -133,8 +134,9 @@ class StageProver {
       if (!failure) return true;
       if (failure->kind == WindowFailure::Kind::too_many) {
         gave_up_ = true;
-        proof_.open = fmt::format("{} fillings of {} bricks were explored, and there are more",
-                                  window.count(), window.group.size());
+        proof_.open =
+            fmt::format("{} of {} explored, and there are more", counted(window.count(), "filling"),
+                        counted(window.group.size(), "brick"));
         return false;
       }
       const bool wrong = failure->kind == WindowFailure::Kind::wrong;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/text.h"
 #include "certify/check.h"
 #include "rules/rule_printer.h"
 #include "verify/endless.h"
@@ -96,7 +97,7 @@ class Verification {
     }
     if (!run.ended) return leave_growing(run, probe, repetition);
     if (repetition) return refute(begin, run, probe.deposits);
-    say(fmt::format("proving {} bricks", run.deposits.size()));
+    say("proving " + counted(run.deposits.size(), "brick"));
     StageProof proof = prove_stage(rules_, table_, begin, run, budget_);
     result_.local_states += proof.local_states;
     if (proof.kind == StageProof::Kind::refuted) return refute(begin, run, proof.other.deposits);
@@ -141,8 +142,8 @@ class Verification {
     if (!repetition) {
       result_.verdict = ProofVerdict::unknown;
       result_.open = fmt::format(
-          "a run placed {} bricks and was not at its end; no repetition was seen in its growth",
-          run.deposits.size());
+          "a run placed {} and was not at its end; no repetition was seen in its growth",
+          counted(run.deposits.size(), "brick"));
       return;
     }
     result_.verdict = ProofVerdict::endless;

@@ -45,6 +45,21 @@ TEST_CASE("what is written is read back, and nothing else is left behind") {
   CHECK(folder.files() == 1);
 }
 
+TEST_CASE("unfinished files are taken away on demand, whole ones stay") {
+  const Folder folder;
+  FileError error;
+  GrowingFile whole, half;
+  REQUIRE(whole.open(folder / "whole", error));
+  REQUIRE(whole.commit(error));
+  REQUIRE(half.open(folder / "half", error));
+  REQUIRE(half.append("begun", error));
+  CHECK(folder.files() == 2);
+  remove_unfinished_files();
+  CHECK(folder.files() == 1);
+  CHECK(read(folder / "whole").empty());
+  CHECK_FALSE(half.commit(error));
+}
+
 TEST_CASE("permissions of a replaced file are kept") {
   const Folder folder;
   FileError error;

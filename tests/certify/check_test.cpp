@@ -231,8 +231,7 @@ TEST_CASE("(4) a brick of a context, with and without its filling") {
   CHECK(refusal(rules, {stage}).find("can be placed in a filling of 0 bricks") !=
         std::string::npos);
   stage.windows = {{{0}, {1}, {{0}, {1}, {2}}}};
-  CHECK(refusal(rules, {stage}).find("can be placed in a filling of 1 bricks") !=
-        std::string::npos);
+  CHECK(refusal(rules, {stage}).find("can be placed in a filling of 1 brick") != std::string::npos);
 }
 
 TEST_CASE("(4) a group brick has nothing before it, and a filling is no dead end") {
@@ -252,7 +251,7 @@ TEST_CASE("(4) a group brick has nothing before it, and a filling is no dead end
   const CertifiedStage dead{
       {{{1, 0, 0}, 2, 0}, {{0, 1, 0}, 3, 0}}, {}, {{{0, 1}, {}, {{0}, {1}, {2}, {3}}}}};
   CHECK(refusal(two_ways, {dead}) ==
-        "stage 1: a filling of 1 bricks is a dead end: no rule places a brick of the group of the "
+        "stage 1: a filling of 1 brick is a dead end: no rule places a brick of the group of the "
         "brick at (1, 0, 0)");
 }
 
@@ -308,11 +307,11 @@ TEST_CASE("(5) a stage's number of deposits") {
   first.windows = {{{0, 1}, {}, {{0}, {1}, {3}}}};
   CHECK(refusal(set, {first, last}).empty());
   first.windows[0].fillings = {{0}, {1}};
-  CHECK(refusal(set, {first, last}).find("can be placed in a filling of 1 bricks") !=
+  CHECK(refusal(set, {first, last}).find("can be placed in a filling of 1 brick") !=
         std::string::npos);
   first.windows.clear();
   first.order.push_back({{3, 0, 0}, 2, kWest});
-  CHECK(refusal(set, {first, last}) == "stage 1: 3 bricks are placed, and the stage ends with 2");
+  CHECK(refusal(set, {first, last}) == "stage 1: 3 bricks placed, and the stage ends with 2");
   // With one deposit fewer the stage has not ended: what follows must not be left out.
   first.order = {{{1, 0, 0}, 2, 0}};
   first.windows = {{{0}, {}, {{0}, {1}}}};

@@ -79,7 +79,19 @@ TEST_CASE("what a robot cannot build is refused, each with its own reason") {
     CHECK(compiled.codes() == name.substr(0, 4) + " ");
     ++files;
   }
-  CHECK(files == 12);
+  CHECK(files == 13);
+}
+
+TEST_CASE("a site that touches the start by an edge alone is next to no column") {
+  const Compiled compiled(rule_set(STIG_TESTS_DIR "/compiler/refused/P710-edge.yaml"));
+  std::size_t alone = 0;
+  REQUIRE(compiled.diagnostics.all().size() == 1);
+  for (const Note& note : compiled.diagnostics.all()[0].notes) {
+    CAPTURE(note.message);
+    CHECK(note.message.find("it can be reached") == std::string::npos);
+    alone += note.message.find("it is not on, before or beside any column") != std::string::npos;
+  }
+  CHECK(alone == 2);
 }
 
 TEST_CASE("the exact staircase needs directions, and with them cannot be reached") {

@@ -391,22 +391,28 @@ class AnySite {
   StateSet colour_;
 };
 
-TEST_CASE("on rule sets by chance the check says what crews of three meet") {
-  int clear = 0, conflicts = 0;
-  CHECK(rc::check("the same failures, and none left out", [&] {
+TEST_CASE("on rule sets by chance crews of three meet what the check says, and hardly less") {
+  int clear = 0, conflicts = 0, stricter = 0;
+  CHECK(rc::check("no failure is left out", [&] {
     for (int i = 0; i < 4; ++i) {
       Checked one(AnySite().make(), 1, 300);
       if (!one.compiled.decision) continue;
       if (*rc::gen::inRange(0, 2) == 1) one.take_first_tree();
       if (!one.compiled.decision) continue;
       const Crew crew(one.rules, one.compiled, 3);
-      RC_ASSERT(names(crew.failures) == names(one.conflicts()));
+      const std::set<ConflictKind> said = one.conflicts();
+      RC_ASSERT(
+          std::includes(said.begin(), said.end(), crew.failures.begin(), crew.failures.end()));
       RC_ASSERT(crew.whole.size() == 1U);
-      ++(one.conflicts().empty() ? clear : conflicts);
+      ++(said.empty() ? clear : conflicts);
+      stricter += crew.failures != said ? 1 : 0;
     }
   }));
+  MESSAGE(clear, " without conflict, ", conflicts, " with; ", stricter,
+          " said to have more kinds than crews of three meet");
   CHECK(clear > 100);
   CHECK(conflicts > 0);
+  CHECK(2 * stricter <= conflicts);
 }
 
 }  // namespace

@@ -106,6 +106,23 @@ TEST_CASE("an interrupted run keeps its trace and leaves a checkpoint to go on f
   CHECK(place.stigc({"simulate", "--resume", "c.stigk", "--duration", "1"}).exit_code == 0);
 }
 
+TEST_CASE("a second signal ends the program at once, and leaves no half file") {
+  const Workplace place;
+  const pid_t process =
+      place.start({"simulate", "sets/fall.yaml", "--duration", "1000000", "--trace", "t.stigp"});
+  for (int i = 0; i < 500 && place.files().empty(); ++i) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  REQUIRE(place.files().size() == 1);
+  // Both at the same time: the first is not acted on before the second is there.
+  kill(process, SIGSTOP);
+  kill(process, SIGINT);
+  kill(process, SIGTERM);
+  kill(process, SIGCONT);
+  CHECK(place.finish(process).exit_code == -1);  // of a signal
+  CHECK(place.files().empty());
+}
+
 TEST_CASE("simulate's usage errors") {
   const Workplace place;
   hold(place, "simulate-usage",

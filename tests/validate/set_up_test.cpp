@@ -42,7 +42,8 @@ TEST_CASE("the set-up of the staircase is the paper's") {
   REQUIRE(read.scene->caches.size() == 1);
   CHECK(read.scene->caches[0].at.x == doctest::Approx(0.35));
   Diagnostics diagnostics;
-  const auto site = find_site(set.rules, *read.scene, *read.placed, diagnostics);
+  const auto site = find_site(set.rules, set.compiled.target->floor_level(), *read.scene,
+                              *read.placed, diagnostics);
   REQUIRE(site);
   CHECK(length(centre_of(*site, {0, 0, 0}) - Vec3{-0.15, 0, 0.0275}) < 1e-9);
   CHECK(length(centre_of(*site, {1, 0, 2}) - Vec3{-0.095, 0, 0.1375}) < 1e-9);
@@ -75,7 +76,8 @@ TEST_CASE("many robots stand apart, and no cache counts blocks of the structure 
     const ReadSetUp read(set_up_scene(set.rules, set.compiled, request));
     CHECK(read.scene->robots.size() == 12);
     Diagnostics diagnostics;
-    const auto site = find_site(set.rules, *read.scene, *read.placed, diagnostics);
+    const auto site = find_site(set.rules, set.compiled.target->floor_level(), *read.scene,
+                                *read.placed, diagnostics);
     REQUIRE(site);
     for (const PlacedBrick& brick : set.compiled.proof.structure->bricks()) {
       for (const CacheSpawn& cache : read.scene->caches) {
@@ -90,9 +92,10 @@ TEST_CASE("the start is found wherever a scene has it, and missed where it is no
   const CompiledSet set("staircase");
   const auto site_in = [&](const std::string& blocks, Diagnostics& diagnostics) {
     const ReadSetUp read("stigc_scene: 1\nblocks:\n" + blocks);
-    return find_site(set.rules, *read.scene, *read.placed, diagnostics);
+    return find_site(set.rules, set.compiled.target->floor_level(), *read.scene, *read.placed,
+                     diagnostics);
   };
-  Diagnostics good, loose, dark;
+  Diagnostics good, loose, dark, floating;
   const auto site = site_in(
       "  - {at: [1, 2, 0.0275], turn: [100, 0, 0], color: Q3, fixed: true}\n"
       "  - {at: [0, 0, 0.0275], color: Q3}\n",
@@ -107,6 +110,10 @@ TEST_CASE("the start is found wherever a scene has it, and missed where it is no
   REQUIRE(loose.all().size() == 1);
   CHECK(loose.all()[0].code == Code::V801);
   CHECK_FALSE(site_in("  - {at: [0, 0, 0.0275], fixed: true}\n", dark));
+  CHECK_FALSE(site_in("  - {at: [0, 0, 0.0775], color: Q3, fixed: true}\n", floating));
+  REQUIRE(floating.all().size() == 1);
+  CHECK(floating.all()[0].code == Code::V801);
+  CHECK(floating.all()[0].message.find("50.0 mm over the floor") != std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/file_io.h"
 #include "rules/rule_reader.h"
 
 namespace stig {
@@ -21,7 +22,28 @@ constexpr std::size_t kPiece = std::size_t{1} << 20;
 std::atomic<bool> stop_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
-void on_signal(int) { stop_flag.store(true, std::memory_order_relaxed); }
+/// As the signal would have ended the program by itself, but without half a file left behind.
+void die_of(int signal) {
+  remove_unfinished_files();
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+void on_signal(int signal) {
+  if (stop_flag.exchange(true, std::memory_order_relaxed)) die_of(signal);
+}
+
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = SA_RESTART;
+  sigaction(signal, &action, nullptr);
+}
+
+bool is_ignored(int signal) {
+  struct sigaction action {};
+  return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
 
 bool is_terminal(int descriptor) { return isatty(descriptor) == 1; }
 
@@ -121,14 +143,15 @@ void prepare_process() {
   }
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
+  // Where the shell has a signal ignored, as nohup does, it stays so.
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (!is_ignored(signal)) handle(signal, die_of);
+  }
 }
 
 void stop_on_signals() {
-  struct sigaction action {};
-  action.sa_handler = on_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  handle(SIGINT, on_signal);
+  handle(SIGTERM, on_signal);
 }
 
 const std::atomic<bool>& stop_requested() { return stop_flag; }

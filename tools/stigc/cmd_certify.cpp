@@ -6,6 +6,7 @@
 
 #include "base/file_io.h"
 #include "base/hash.h"
+#include "base/text.h"
 #include "certify/check.h"
 #include "certify/drat.h"
 #include "certify/fewest.h"
@@ -49,9 +50,8 @@ void print_text(const CertifyOptions& options, const CheckReport& report, std::u
                 std::size_t stages, App& app) {
   print_verdict(options.proof, report.refusal, app);
   if (!report.accepted) return;
-  app.print(fmt::format("  every order of events ends in the same structure of {} {}, hash {}\n",
-                        report.structure.size(), report.structure.size() == 1 ? "brick" : "bricks",
-                        to_hex(hash)));
+  app.print(fmt::format("  every order of events ends in the same structure of {}, hash {}\n",
+                        counted(report.structure.size(), "brick"), to_hex(hash)));
   app.print(fmt::format("  {}; {} {}, {} sites, {} local states\n", place_of(report.box), stages,
                         stages == 1 ? "stage" : "stages", report.sites, report.local_states));
 }
@@ -155,12 +155,12 @@ int certify_fewest(const CertifyOptions& options, App& app) {
     print_verdict(options.file, printable(refusal), app);
     if (drat.refuted) {
       app.print(
-          fmt::format("  {} {} not do for these {} bricks in the order '{}'\n"
+          fmt::format("  {} {} not do for these {} in the order '{}'\n"
                       "  {} clauses, derived again, {} of them of sites that look alike; "
                       "{} {}\n",
-                      claim.colours, claim.colours == 1 ? "colour does" : "colours do", claim.cells,
-                      printable(claim.order), drat.clauses, claim.clashes, drat.lemmas,
-                      drat.lemmas == 1 ? "lemma" : "lemmas"));
+                      claim.colours, claim.colours == 1 ? "colour does" : "colours do",
+                      counted(claim.cells, "brick"), printable(claim.order), drat.clauses,
+                      claim.clashes, drat.lemmas, drat.lemmas == 1 ? "lemma" : "lemmas"));
     }
   }
   return drat.refuted ? kOk : kFailed;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
+#include "base/text.h"
 #include "certify/certificate.h"
 #include "certify/fewest.h"
 #include "commands.h"
@@ -85,7 +86,7 @@ std::string_view ended_early() {
 Wording wording(const SynthOptions& options, const Solution& solution, bool cut_short) {
   const std::string file = file_name(options.target);
   return {set_name(options.target),
-          fmt::format("{}, {} bricks", file, solution.frame->cells.size()),
+          fmt::format("{}, {}", file, counted(solution.frame->cells.size(), "brick")),
           fmt::format("compiled by stigc synth from {}{}; {}{}", file, options_in_words(options),
                       solution.order.name,
                       cut_short ? fmt::format("; {}", ended_early()) : std::string())};

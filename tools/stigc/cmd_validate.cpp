@@ -160,7 +160,9 @@ class Validation {
     scene_ = read_scene(source, loader, diagnostics);
     if (scene_ && check_robots(diagnostics) > 1) check_crew(diagnostics);
     const auto placed = scene_ ? place_scene(*scene_, options_.seed, diagnostics) : std::nullopt;
-    const auto site = placed ? find_site(*rules_, *scene_, *placed, diagnostics) : std::nullopt;
+    const auto site =
+        placed ? find_site(*rules_, compiled_.target->floor_level(), *scene_, *placed, diagnostics)
+               : std::nullopt;
     if (!diagnostics.all().empty()) app_.report(diagnostics);
     if (!site || app_.invalid(diagnostics)) return kFailed;
     target_.site = *site;

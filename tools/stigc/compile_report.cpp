@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "base/text.h"
 #include "compiler/conflict_text.h"
 #include "compiler/decision_text.h"
 #include "report.h"
@@ -77,16 +78,15 @@ std::string compile_table(const CompileJob& job) {
   const CompiledRules& compiled = *job.compiled;
   std::string out = fmt::format("{}: before the foremost column of a row\n\n", job.rules->name);
   out += decision_text(*job.rules, *compiled.decision);
-  out += fmt::format("\nstructure    {} bricks, {} at the start\n", compiled.target->bricks(),
-                     compiled.target->start_bricks());
+  out += fmt::format("\nstructure    {}, {} at the start\n",
+                     counted(compiled.target->bricks(), "brick"), compiled.target->start_bricks());
   out += fmt::format("sides        {}; {}\n", sides_text(compiled), to_string(compiled.directions));
   for (const Stance& look : job.plan.looks) {
     out += fmt::format("looks from   {:.0f} mm before the column, lift at {:.0f} mm\n",
                        1e3 * look.distance, 1e3 * look.lift);
   }
-  out += fmt::format(
-      "proved       every order of work completes it: {} structures can occur on the way\n",
-      reached(compiled));
+  out += fmt::format("proved       every order of work completes it: {} can occur on the way\n",
+                     counted(reached(compiled), "structure"));
   out += fmt::format("robots       {}\n", robots_text(compiled));
   return out;
 }

@@ -9,6 +9,7 @@
 
 #include "app.h"
 #include "base/hash.h"
+#include "base/text.h"
 #include "report.h"
 #include "validate/findings.h"
 #include "validate_work.h"
@@ -156,8 +157,9 @@ std::string attempts_in_words(const Trial& trial) {
                                     [](const Haul& haul) { return haul.placed.has_value(); });
   const auto held = std::count_if(trial.hauls.begin(), trial.hauls.end(),
                                   [](const Haul& haul) { return !haul.ended; });
-  return fmt::format("{} blocks taken, {} placed, {} held, {} let go elsewhere", trial.hauls.size(),
-                     placed, held, trial.hauls.size() - static_cast<std::size_t>(placed + held));
+  return fmt::format("{} taken, {} placed, {} held, {} let go elsewhere",
+                     counted(trial.hauls.size(), "block"), placed, held,
+                     trial.hauls.size() - static_cast<std::size_t>(placed + held));
 }
 
 std::string verdict_in_colour(BuildVerdict verdict, bool color) {
@@ -171,8 +173,10 @@ std::string one_run(const ValidationReport& report, const Trial& trial, bool col
                                                 verdict_in_colour(judgement.verdict, color),
                                                 to_string(trial.end), trial.time, trial.seed));
   out += line("bricks", bricks_in_words(judgement));
-  out += line("order", fmt::format("{} placements, {} as the rules allow", judgement.placements,
-                                   judgement.allowed));
+  out += line("order",
+              fmt::format("{}, {} as the rules allow",
+                          counted(static_cast<std::uint64_t>(judgement.placements), "placement"),
+                          judgement.allowed));
   for (const BrickEvent& event : trial.events) {
     out += line("", fmt::format("{:8.1f} s  {}{}", event.time,
                                 brick_text(*report.target->rules, event.led, event.cell),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/hash.h"
+#include "base/text.h"
 #include "rules/explain.h"
 #include "rules/rule_printer.h"
 #include "verify_report.h"
@@ -12,10 +13,6 @@ namespace stig {
 namespace {
 
 constexpr std::size_t kMostNames = 8;
-
-std::string counted(std::uint64_t number, std::string_view one, std::string_view many) {
-  return fmt::format("{} {}", number, number == 1 ? one : many);
-}
 
 std::string rule_name(const RuleSet& rules, std::uint32_t rule) {
   const Rule& r = rules.rules[rule];
@@ -70,9 +67,8 @@ std::string proved_text(const VerifyReport& report, bool color) {
   } else if (result.method == ProofMethod::exhaustive) {
     method = "all orders";
   }
-  return out +
-         line("method", fmt::format("{} ({}), {}", to_string(result.method), method,
-                                    counted(result.local_states, "local state", "local states")));
+  return out + line("method", fmt::format("{} ({}), {}", to_string(result.method), method,
+                                          counted(result.local_states, "local state")));
 }
 
 std::string deposit_in_words(const RuleSet& rules, const Deposit& deposit) {
@@ -81,7 +77,7 @@ std::string deposit_in_words(const RuleSet& rules, const Deposit& deposit) {
 }
 
 std::string end_in_words(const Structure& structure, bool ended) {
-  return fmt::format("{}{}, hash {}", counted(structure.size(), "brick", "bricks"),
+  return fmt::format("{}{}, hash {}", counted(structure.size(), "brick"),
                      ended ? "" : " and growing", to_hex(structure_hash(structure)));
 }
 
@@ -96,8 +92,7 @@ std::string refuted_text(const VerifyReport& report, bool color) {
   if (structure_hash(found.first_end) == structure_hash(found.second_end)) {
     out += line("", "the same shape, but in another place");
   }
-  out +=
-      fmt::format("\nAfter {} these two are at odds", counted(found.common, "deposit", "deposits"));
+  out += fmt::format("\nAfter {} these two are at odds", counted(found.common, "deposit"));
   if (report.rules.stage_count() > 1) out += fmt::format(" (stage {})", report.result.stage);
   out += ":\n";
   out += fmt::format("  {}, which sees\n{}", deposit_in_words(report.rules, found.rival),
@@ -115,7 +110,7 @@ std::string endless_text(const VerifyReport& report, bool color) {
   out +=
       line("period",
            fmt::format("after {}, the last {} again and again, each time ({}, {}, {}) further on",
-                       counted(endless.run.size(), "deposit", "deposits"),
+                       counted(endless.run.size(), "deposit"),
                        endless.period == 1 ? "one" : fmt::to_string(endless.period), endless.step.x,
                        endless.step.y, endless.step.z));
   return out;
@@ -141,15 +136,16 @@ std::string repair_text(const VerifyReport& report, const Repair& repair) {
   const std::string where =
       repair.whole ? "" : fmt::format(" up to the end of stage {}", report.result.stage);
   if (!repair.removed.empty()) {
-    out += line("repair", fmt::format("without rule {} every order ends in the same {} bricks{}",
-                                      names(rules, repair.removed), repair.bricks, where));
+    out += line("repair",
+                fmt::format("without rule {} every order ends in the same {}{}",
+                            names(rules, repair.removed), counted(repair.bricks, "brick"), where));
   }
   if (repair.added.empty()) return out;
-  out += line("repair", fmt::format("with {} every order ends in the same {} bricks{}:",
+  out += line("repair", fmt::format("with {} every order ends in the same {}{}:",
                                     repair.added.size() == 1
                                         ? std::string("one rule more")
                                         : fmt::format("{} rules more", repair.added.size()),
-                                    repair.bricks, where));
+                                    counted(repair.bricks, "brick"), where));
   for (const Rule& rule : repair.added) {
     out += fmt::format("    place {}{} when\n{}", brick(rules, rule.place),
                        rule.stage > 0 ? fmt::format(" in stage {}", rule.stage) : "",
@@ -163,15 +159,14 @@ std::string findings_text(const VerifyReport& report) {
   const RuleSet& rules = report.rules;
   std::string out;
   if (f.level_count > 0) {
-    out += line("levels",
-                fmt::format("the rules follow each other in {}",
-                            counted(static_cast<std::uint64_t>(f.level_count), "level", "levels")));
+    out += line("levels", fmt::format("the rules follow each other in {}",
+                                      counted(static_cast<std::uint64_t>(f.level_count), "level")));
   }
   if (f.parallelism && !f.parallelism->rounds.empty()) {
-    out += line("parallel", fmt::format("{}, up to {} at once, {:.1f} on average",
-                                        counted(f.parallelism->rounds.size(), "round", "rounds"),
-                                        counted(f.parallelism->widest(), "brick", "bricks"),
-                                        f.parallelism->mean()));
+    out += line("parallel",
+                fmt::format("{}, up to {} at once, {:.1f} on average",
+                            counted(f.parallelism->rounds.size(), "round"),
+                            counted(f.parallelism->widest(), "brick"), f.parallelism->mean()));
   }
   if (!f.dead.empty()) out += line("never fires", names(rules, f.dead));
   if (!f.redundant.empty()) {
@@ -189,11 +184,11 @@ std::string findings_text(const VerifyReport& report) {
   for (const WalledIn& walled : f.walled_in) {
     out += line("walled in",
                 fmt::format("{} can be cut off while it is open, after {}", to_text(walled.site),
-                            counted(walled.order.size(), "deposit", "deposits")));
+                            counted(walled.order.size(), "deposit")));
   }
   if (f.maybe_walled_in > 0) {
     out += line("walled in?", fmt::format("{} could not be shown to be in reach at all times",
-                                          counted(f.maybe_walled_in, "site", "sites")));
+                                          counted(f.maybe_walled_in, "site")));
   }
   if (f.repair) out += repair_text(report, *f.repair);
   return out;
