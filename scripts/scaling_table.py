@@ -5,7 +5,7 @@
     scaling_table.py FILE…
 
 Files are named …-ROBOTS-ALLOCATION.json. Times are those of the last brick, mean and deviation of
-complete runs; the speed-up is over one robot.
+complete runs. Bricks an hour are over all runs, whole or not; the speed-up is theirs over one robot's.
 """
 
 import json
@@ -31,14 +31,22 @@ def time_of(summary):
     return f"{summary['finish_s']:.0f} ± {summary['finish_deviation_s']:.0f}"
 
 
+def rate_of(robots, summary):
+    """Bricks placed in an hour of simulated time."""
+    return 3600 * summary["placed"] * robots / summary["robots_s"]
+
+
 def main():
     rows = [row(pathlib.Path(name)) for name in sys.argv[1:]]
     finish = {(robots, allocation): all_["finish_s"] for robots, allocation, all_ in rows}
-    print("| robots | allocation | complete | last brick / s | speed-up | busy a brick | idle |")
-    print("|---:|---|---:|---:|---:|---:|---:|")
+    rates = {(robots, allocation): rate_of(robots, all_) for robots, allocation, all_ in rows}
+    print("| robots | allocation | complete | last brick / s | bricks an hour | speed-up "
+          "| busy a brick | idle |")
+    print("|---:|---|---:|---:|---:|---:|---:|---:|")
     for robots, allocation, all_ in rows:
+        rate = rates[robots, allocation]
         print(f"| {robots} | {allocation} | {all_['complete']} of {all_['runs']} "
-              f"| {time_of(all_)} | {ratio(finish.get((1, 'dynamic')), all_['finish_s'])} "
+              f"| {time_of(all_)} | {rate:.0f} | {ratio(rate, rates.get((1, 'dynamic')))} "
               f"| {all_['busy_per_brick']:.2f} | {100 * all_['idle_share']:.0f} % |")
     for (robots, allocation), time in finish.items():
         if allocation == "fixed":
