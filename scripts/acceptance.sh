@@ -3,7 +3,7 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench laws validate five fuzz sanitizers
+#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench laws validate robots five fuzz sanitizers
 #
 # Without a part: all of them. N is for each fuzz target (default 60).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -12,7 +12,7 @@ fuzz_seconds=60 parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
-    bench | laws | validate | five | fuzz | sanitizers) parts+=("$1") ;;
+    bench | laws | validate | robots | five | fuzz | sanitizers) parts+=("$1") ;;
     -h | --help) sed -n '3,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
@@ -130,6 +130,13 @@ five_part() {
   awk -v core="$(cat out/five/seconds)" '/^  end/ { for (i = 1; i < NF; i++) if ($i == "after") s = $(i + 1) }
     END { printf "- %.0f s simulated in %.0f s of a core: %.1f times real time\n", s, core, s / core }' \
     out/five/run.log
+}
+
+robots_part() {
+  printf '\n## More robots at one pyramid\n\n'
+  scripts/install.sh build >&2
+  configure_and_build dev stigc >&2
+  STIGC=build/dev/stigc scripts/scaling.sh || failures=$((failures + 1))
 }
 
 fuzz_part() {

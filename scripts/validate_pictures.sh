@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws the pictures of docs/validate.md, compiler.md and staircase.md. Run it when controllers or the pictures have changed.
+# Draws the pictures of docs/validate.md, reproduction.md, compiler.md and staircase.md. Run it when
+# controllers or the pictures have changed.
 #
 #   scripts/validate_pictures.sh
 #
@@ -18,6 +19,11 @@ cp "$folder/progress.svg" docs/gallery/validate-progress.svg
 picture=docs/gallery/validate-staircase.png
 "$stigc" replay "$folder/run-1.stigp" -o "$picture" --quiet >/dev/null
 pngquant --force --strip --speed 1 --output "$picture" 64 "$picture"
+
+say "stigc validate rulesets/stepped-pyramid.yaml --robots 4 --runs 5"
+"$stigc" validate rulesets/stepped-pyramid.yaml --robots 4 --runs 5 -o "$folder/four" --quiet \
+  >/dev/null || true
+cp "$folder/four/progress.svg" docs/gallery/validate-pyramid.svg
 
 # The second graph of the two: the chart.
 "$stigc" compile rulesets/staircase.yaml --target dot -o "$folder/graphs.dot" --quiet

@@ -2,13 +2,15 @@
 // How a structure grew over time: a curve a run, and mean and spread over many.
 //
 // A curve counts right bricks: those that stand in a cell of the structure in its colour, the
-// start left out. After its run a curve stays where it ended.
+// start left out. After its run a curve stays where it ended. Beside them: how many sites were
+// open, how many robots idle, how often one was in another's way.
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "validate/trial.h"
+#include "validate/work_sites.h"
 
 namespace stig {
 
@@ -16,24 +18,33 @@ struct ProgressCurve {
   std::uint64_t seed = 1;
   std::vector<std::pair<double, int>> steps;  ///< s, bricks from then on
   double end = 0;                             ///< s, of the run
+  int robots = 0;
+  bool complete = false;
+  std::vector<std::pair<double, int>> sites;  ///< open, likewise; empty: not known
+  std::vector<TimeSpan> idle;                 ///< of all robots
+  std::vector<double> busy;  ///< s: attempts aborted since another robot was in the way
   int at(double time) const;
 };
-ProgressCurve curve_of(const BuildTarget& target, const Trial& trial);
+/// Sites are not known without `sites`.
+ProgressCurve curve_of(const BuildTarget& target, const Trial& trial,
+                       const WorkSites* sites = nullptr);
 
 /// Over runs, on a grid of times.
 struct ProgressBand {
   struct Row {
     double time = 0, mean = 0, deviation = 0;  ///< of the sample; 0 for one run
     int least = 0, most = 0;
+    double sites = 0, idle = 0;  ///< open, robots: means of the runs that still went on
+    double busy = 0;             ///< aborted so far, of all runs
   };
   std::vector<Row> rows;
 };
 ProgressBand band_of(const std::vector<ProgressCurve>& curves);
 
-/// time,mean,deviation,least,most and a column for each run; a line for each time.
+/// A round number such that there are at most `most` of it up to `reach`: for grids and axes.
+double round_step(double reach, double most);
+
+/// time,mean,deviation,least,most,sites,idle,busy and a column for each run; a line for each time.
 std::string progress_csv(const std::vector<ProgressCurve>& curves, const ProgressBand& band);
-/// A drawing: every run thin, the mean and one deviation about it.
-std::string progress_svg(const std::vector<ProgressCurve>& curves, const ProgressBand& band,
-                         int bricks);
 
 }  // namespace stig

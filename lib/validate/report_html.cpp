@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
 
 #include "base/text.h"
 #include "validate/findings.h"
+#include "validate/progress_svg.h"
 
 namespace stig {
 namespace {
@@ -137,6 +139,30 @@ void runs(const ValidationReport& report, Page& page) {
       rows);
 }
 
+/// Over all runs: phases, states, what came of waiting for each other.
+void work(const ValidationReport& report, const std::vector<ProgressCurve>& curves, Page& page) {
+  const WorkSummary all = summary_of(*report.target, report.trials);
+  page.raw("<h2>What robots' time went into</h2>\n");
+  page.add(
+      "<p>Of all robots' time {:.1f} % idle: neither wheels nor lift in motion and no current in "
+      "the electromagnets, for more than {:g} s in a row. {} attempts were aborted since another "
+      "robot was in the way, {:.2f} for each brick placed.</p>\n",
+      100 * all.idle_share(), kIdleAfter, all.busy, all.busy_per_brick());
+  std::vector<std::vector<std::string>> rows;
+  for (const WorkPhase& phase : phases_of(curves)) {
+    rows.push_back({fmt::format("@{}", phase.name), fixed(phase.from, 0), fixed(phase.to, 0),
+                    fixed(phase.sites, 1), fixed(phase.bricks, 1), fixed(phase.busy, 1),
+                    fixed(100 * phase.idle, 1)});
+  }
+  page.table({"@phase", "from / s", "to / s", "sites open", "bricks", "busy", "idle / %"}, rows);
+  rows.clear();
+  for (const StateTime& one : all.states) {
+    rows.push_back({"@" + one.state, fixed(one.time, 1), fixed(100 * one.time / all.time, 1),
+                    fixed(one.idle, 1)});
+  }
+  page.table({"@state", "time / s", "share / %", "idle / s"}, rows);
+}
+
 void bricks(const BuildTarget& target, const Judgement& judgement, Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const BrickCheck& brick : judgement.bricks) {
@@ -190,22 +216,24 @@ void hauls(const Trial& trial, Page& page) {
 
 void robots(const Trial& trial, Page& page) {
   std::vector<std::vector<std::string>> rows, states;
+  const double whole = std::max(trial.time, 1e-9);
   for (const RobotRecord& robot : trial.robots) {
     const auto shown = [&](const char* name) {
       const auto found = robot.shown.find(name);
       return found == robot.shown.end() ? std::string("–") : fmt::format("{:g}", found->second);
     };
     rows.push_back({robot.name, fixed(robot.driven, 2), shown("placed"), shown("aborted"),
-                    shown("busy"), fixed(robot.still, 0), fixed(robot.energy.wheels, 1),
+                    shown("busy"), fixed(robot.still, 0), fixed(robot.idle_time(), 0),
+                    fixed(100 * (1 - robot.idle_time() / whole), 0), fixed(robot.energy.wheels, 1),
                     fixed(robot.energy.lift, 1), fixed(robot.energy.current_time, 0)});
     for (const auto& [state, seconds] : robot.spent) {
-      states.push_back({robot.name, "@" + state, fixed(seconds, 1),
-                        fixed(100 * seconds / std::max(trial.time, 1e-9), 1)});
+      states.push_back(
+          {robot.name, "@" + state, fixed(seconds, 1), fixed(100 * seconds / whole, 1)});
     }
   }
   page.raw("<h3>Robots</h3>\n");
-  page.table({"robot", "driven / m", "placed", "aborted", "busy", "still / s", "wheels / J",
-              "lift / J", "current / s"},
+  page.table({"robot", "driven / m", "placed", "aborted", "busy", "still / s", "idle / s",
+              "at work / %", "wheels / J", "lift / J", "current / s"},
              rows);
   page.raw("<h3>Time in each state</h3>\n");
   page.table({"robot", "@state", "time / s", "share / %"}, states);
@@ -258,7 +286,11 @@ std::string verdict_text(const ValidationReport& report) {
 
 std::vector<ProgressCurve> curves_of(const ValidationReport& report) {
   std::vector<ProgressCurve> out;
-  for (const Trial& trial : report.trials) out.push_back(curve_of(*report.target, trial));
+  std::optional<WorkSites> sites;
+  if (report.compiled != nullptr) sites.emplace(*report.compiled);
+  for (const Trial& trial : report.trials) {
+    out.push_back(curve_of(*report.target, trial, sites ? &*sites : nullptr));
+  }
   return out;
 }
 
@@ -276,6 +308,7 @@ std::string report_html(const ValidationReport& report) {
   runs(report, page);
   page.raw("<h2>Progress</h2>\n");
   page.raw(progress_svg(curves, band_of(curves), bricks));
+  work(report, curves, page);
   if (!report.decision.empty()) {
     page.add("<h2>What robots do</h2>\n<pre>{}</pre>\n", escaped_lines(report.decision));
   }

@@ -1,20 +1,21 @@
 // SPDX-License-Identifier: MIT
 // The report of a validation as one HTML file that needs nothing else: the verdict, pictures,
-// the curve, bricks as they stand, attempts, times, what went wrong.
+// the curve, what robots' time went into, bricks as they stand, attempts, what went wrong.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "validate/progress.h"
+#include "validate/work_summary.h"
 
 namespace stig {
 
 struct ValidationReport {
   const BuildTarget* target = nullptr;
-  std::string decision;       ///< the robots' decisions in words; empty: not known
-  std::string robots;         ///< how many may work at once, likewise
-  std::vector<Trial> trials;  ///< one a run, by seed
+  std::string decision;                     ///< the robots' decisions in words; empty: not known
+  std::string robots;                       ///< how many may work at once, likewise
+  std::vector<Trial> trials;                ///< one a run, by seed
+  const CompiledRules* compiled = nullptr;  ///< null: what sites are open is not known
 };
 
 /// Did every run build the right structure, in an order that the rules allow?

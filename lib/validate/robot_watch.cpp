@@ -14,6 +14,12 @@ constexpr double kUpright = 0.5;       ///< cosine of the tilt of a robot that s
 
 }  // namespace
 
+double RobotRecord::idle_time() const {
+  double out = 0;
+  for (const TimeSpan& span : idle) out += span.to - span.from;
+  return out;
+}
+
 RobotWatch::RobotWatch(const Simulation& run)
     : run_(run), step_(run.placed().config.step), robots_(run.scene().robots.size()) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
@@ -46,7 +52,11 @@ void RobotWatch::note_shown(std::size_t robot) {
   follow.tick = tick;
   RobotRecord& record = follow.record;
   const UserData& user = run_.crew()->commands(robot).user;
-  for (const auto& [name, value] : user.numbers) record.shown[name] = value;
+  for (const auto& [name, value] : user.numbers) {
+    double& before = record.shown[name];
+    if (name == "busy" && value > before) record.busy.push_back(run_.world().time());
+    before = value;
+  }
   for (const auto& [name, text] : user.texts) {
     if (name != "state" || text == record.state) continue;
     const double now = run_.world().time();
@@ -73,9 +83,31 @@ void RobotWatch::note_motors(std::size_t robot) {
   }
   if (robot_model.lift) record.energy.lift += work(robot_model.lift->axis, kStillLift);
   if (still) record.still += step_;
-  if (!robot_model.magnets || robot_model.magnets->poles.empty()) return;
-  const BodyId pole = body.bodies[robot_model.magnets->poles.front().body];
-  if (run_.world().current(pole, body.poles.front()) != 0) record.energy.current_time += step_;
+  bool current = false;
+  if (robot_model.magnets && !robot_model.magnets->poles.empty()) {
+    const BodyId pole = body.bodies[robot_model.magnets->poles.front().body];
+    current = run_.world().current(pole, body.poles.front()) != 0;
+  }
+  if (current) record.energy.current_time += step_;
+  note_rest(robots_[robot], still && !current);
+}
+
+void RobotWatch::note_rest(Follow& follow, bool rests) const {
+  if (!rests) return end_rest(follow);
+  const std::string& state = follow.record.state;
+  if (follow.rest.empty() || follow.rest.back().first != state) follow.rest.emplace_back(state, 0);
+  follow.rest.back().second += step_;
+}
+
+void RobotWatch::end_rest(Follow& follow) const {
+  double seconds = 0;
+  for (const auto& [state, part] : follow.rest) seconds += part;
+  if (seconds > kIdleAfter) {
+    const double now = run_.world().time();
+    follow.record.idle.push_back({now - seconds, now});
+    for (const auto& [state, part] : follow.rest) follow.record.idle_in[state] += part;
+  }
+  follow.rest.clear();
 }
 
 std::vector<WatchedHand> RobotWatch::hands() const {
@@ -115,6 +147,7 @@ std::vector<RobotRecord> RobotWatch::finish(const Watch& watch) {
   std::vector<RobotRecord> records;
   const double now = run_.world().time();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    end_rest(robots_[i]);
     RobotRecord record = robots_[i].record;
     if (!record.state.empty()) record.spent[record.state] += now - record.since;
     record.X_WR = run_.crew()->robot_pose(run_.world(), i);

@@ -29,9 +29,13 @@ class RobotWatch {
     RobotRecord record;
     std::uint64_t tick = UINT64_MAX;  ///< of its controller, seen last
     Vec3 place;                       ///< where it stood when it last moved
+    /// Since it did something last: s in each state that it showed.
+    std::vector<std::pair<std::string, double>> rest;
   };
   void note_shown(std::size_t robot);
   void note_motors(std::size_t robot);
+  void note_rest(Follow& follow, bool rests) const;
+  void end_rest(Follow& follow) const;
   const RobotModel& model(std::size_t robot) const;
   bool out(std::size_t robot) const;
 

@@ -30,18 +30,34 @@ struct EnergyUse {
   double wheels = 0, lift = 0, current_time = 0;
 };
 
+/// From one time to another, s.
+struct TimeSpan {
+  double from = 0, to = 0;
+  friend bool operator==(const TimeSpan&, const TimeSpan&) = default;
+};
+
+/// A robot is *idle* while wheels and lift stand still and no current flows in its electromagnets,
+/// once that has lasted for so long, s: then from its beginning. That is seen from outside,
+/// whatever the program calls what it does; looks at blocks and pulses of the magnets are shorter.
+inline constexpr double kIdleAfter = 4;
+
 struct RobotRecord {
   std::string name;
-  Pose X_WR;                            ///< at the end
-  double driven = 0;                    ///< m
-  std::map<std::string, double> spent;  ///< s in each state that it showed
-  std::string state;                    ///< the last
-  double since = 0;                     ///< s
-  std::map<std::string, double> shown;  ///< numbers, the newest of each name
-  double still = 0;                     ///< s with neither wheels nor lift in motion
+  Pose X_WR;                              ///< at the end
+  double driven = 0;                      ///< m
+  std::map<std::string, double> spent;    ///< s in each state that it showed
+  std::string state;                      ///< the last
+  double since = 0;                       ///< s
+  std::map<std::string, double> shown;    ///< numbers, the newest of each name
+  double still = 0;                       ///< s with neither wheels nor lift in motion
+  std::vector<TimeSpan> idle;             ///< when it did nothing, for more than kIdleAfter
+  std::map<std::string, double> idle_in;  ///< s of that, by the state that it showed
+  std::vector<double> busy;               ///< s: when it aborted since another robot was in the way
   EnergyUse energy;
   /// Halted: by the scene's script. It has failed then, too.
   bool failed = false, halted = false, left = false, fallen = false, holding = false;
+
+  double idle_time() const;  ///< s
 };
 
 /// A moment of a run, drawn.

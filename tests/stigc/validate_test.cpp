@@ -130,4 +130,38 @@ TEST_CASE("a robot that does nothing leaves the structure incomplete, and the re
             .out);
 }
 
+TEST_CASE("a robot is idle when it does nothing for long, whatever it says") {
+  const Workplace place;
+  place.write("idle.lua", "function step() robot.show.text('state', 'hard at work') end\n");
+  // Still for three seconds and more, time and again.
+  place.write("slow.lua",
+              "local n = 0\n"
+              "function step()\n"
+              "   n = n + 1\n"
+              "   local v = n % 20 < 2 and 0.05 or 0\n"
+              "   robot.differential_drive.set_target_velocity(v, -v)\n"
+              "   robot.show.text('state', 'slow')\n"
+              "   robot.show.number('busy', n // 20)\n"
+              "end\n");
+  place.write("two.yaml",
+              "stigc_scene: 1\nduration: 10\n"
+              "robots:\n"
+              "  - {file: bebot.yaml, at: [0, 0], program: idle.lua}\n"
+              "  - {file: bebot.yaml, at: [0.5, 0], program: slow.lua}\n"
+              "blocks: [{at: [-0.15, 0, 0.0275], color: Q3, fixed: true}]\n");
+  const Outcome two = place.stigc(
+      {"validate", STIG_SOURCE_DIR "/rulesets/staircase.yaml", "--scene", "two.yaml", "--json"});
+  const auto report = nlohmann::json::parse(two.out);
+  const auto& robots = report["runs"][0]["robots"];
+  CHECK(robots[0]["idle_s"].get<double>() > 9);
+  CHECK(robots[0]["idle_states_s"]["hard at work"].get<double>() > 9);
+  CHECK(robots[1]["idle_s"] == 0);
+  CHECK(robots[1]["still_s"].get<double>() > 6);
+  CHECK(robots[1]["busy_at"].size() == 2);
+  CHECK(report["summary"]["idle_share"].get<double>() == doctest::Approx(0.5).epsilon(0.1));
+  CHECK(report["summary"]["busy"] == 2);
+  CHECK(report["summary"]["states"].size() == 2);
+  CHECK(report["summary"]["finish_s"] == nullptr);
+}
+
 }  // namespace stig

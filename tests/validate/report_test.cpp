@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "validate/progress_svg.h"
 #include "validate/report_html.h"
 
 #include <doctest/doctest.h>
@@ -19,6 +20,7 @@ struct MadeUpReport : Staircase {
 
   MadeUpReport() {
     report.target = &target;
+    report.compiled = &set.compiled;
     report.decision = "colour of the column's top?\n  Q1: nothing <&>\n";
     report.robots = "any number at once";
     for (std::uint64_t seed = 1; seed <= 3; ++seed) report.trials.push_back(trial(seed));
@@ -44,7 +46,10 @@ struct MadeUpReport : Staircase {
     robot.state = "search";
     robot.since = 40;
     robot.spent = {{"approach", 30.5}, {"search", 12}};
-    robot.shown = {{"aborted", 2}, {"placed", 5}};
+    robot.shown = {{"aborted", 2}, {"busy", 1}, {"placed", 5}};
+    robot.idle = {{20, 26}, {30, 34.5}};
+    robot.idle_in = {{"approach", 8.5}, {"search", 2}};
+    robot.busy = {25};
     out.robots = {robot};
     out.hauls = {{0, 1, 2.0, 12.0, 0.5, true, Cell{0, 0, 1}}, {0, 2, 14.0, 20.0, 0.3, true, {}}};
     out.lines = {{1.5, "robot 1", "1 < 2 & \"so\"", false}};
@@ -120,6 +125,10 @@ TEST_CASE("the report is one well-formed file") {
   CHECK(html.find("missing: a Q1 brick at (2, 0, 0)") != std::string::npos);
   CHECK(html.find("robot 1 is in state 'search' since 40 s") != std::string::npos);
   CHECK(html.find("time was out at 150 s") != std::string::npos);
+  // Of three robots; one attempt each, and 5 + 5 + 2 bricks.
+  CHECK(html.find("<td class=\"t\">approach</td><td>91.5</td>") != std::string::npos);
+  CHECK(html.find("3 attempts were aborted since another robot was in the way, 0.25 for each") !=
+        std::string::npos);
   CHECK(html.find("src=\"http") == std::string::npos);
   CHECK(html.find("href=") == std::string::npos);
 }

@@ -49,6 +49,19 @@ TEST_CASE("the set-up of the staircase is the paper's") {
   CHECK(length(centre_of(*site, {1, 0, 2}) - Vec3{-0.095, 0, 0.1375}) < 1e-9);
 }
 
+TEST_CASE("two robots share four sides that follow each other, or are bound to none") {
+  const CompiledSet set("stepped-pyramid");
+  SetUpRequest request;
+  request.robots = 2;
+  const std::string fixed = set_up_scene(set.rules, set.compiled, request);
+  CHECK(fixed.find("params: {side: \"+x\", sides: \"+x +y\"}") != std::string::npos);
+  CHECK(fixed.find("params: {side: \"-x\", sides: \"-x -y\"}") != std::string::npos);
+  request.allocation = Allocation::dynamic_;
+  const std::string dynamic = set_up_scene(set.rules, set.compiled, request);
+  CHECK(dynamic.find("params: {side: \"+y\"}") != std::string::npos);
+  CHECK(dynamic.find("sides:") == std::string::npos);
+}
+
 TEST_CASE("the set-up of the pyramid for four robots") {
   const CompiledSet set("stepped-pyramid");
   SetUpRequest request;

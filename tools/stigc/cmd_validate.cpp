@@ -19,6 +19,7 @@
 #include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "scene_input.h"
+#include "validate/progress_svg.h"
 #include "validate/set_up.h"
 #include "validate_report.h"
 #include "validate_runs.h"
@@ -73,7 +74,7 @@ class Validation {
       return kRunFailed;
     }
     ValidationReport report{&target_, decision_text(*rules_, *compiled_.decision),
-                            robots_text(compiled_), std::move(batch.trials)};
+                            robots_text(compiled_), std::move(batch.trials), &compiled_};
     app_.print(options_.json ? dump(to_json(report)) : lines_of(report, app_.color_out()));
     const int written = options_.output ? write(report, batch) : kOk;
     const bool broken =

@@ -4,14 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
 
 #include "app.h"
 #include "base/hash.h"
 #include "base/text.h"
 #include "report.h"
 #include "validate/findings.h"
+#include "validate_work.h"
 
 namespace stig {
 namespace {
@@ -36,21 +37,17 @@ Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
 }
 
 Json robot_json(const RobotRecord& robot) {
-  Json json{{"name", robot.name},
-            {"driven_m", robot.driven},
-            {"state", robot.state},
-            {"since", robot.since},
-            {"holding", robot.holding},
-            {"failed", robot.failed},
-            {"halted", robot.halted},
-            {"left", robot.left},
-            {"fallen", robot.fallen},
-            {"still_s", robot.still},
-            {"wheels_J", robot.energy.wheels},
-            {"lift_J", robot.energy.lift},
-            {"current_s", robot.energy.current_time}};
+  Json json{{"name", robot.name},          {"driven_m", robot.driven},
+            {"state", robot.state},        {"since", robot.since},
+            {"holding", robot.holding},    {"failed", robot.failed},
+            {"halted", robot.halted},      {"left", robot.left},
+            {"fallen", robot.fallen},      {"still_s", robot.still},
+            {"idle_s", robot.idle_time()}, {"wheels_J", robot.energy.wheels},
+            {"lift_J", robot.energy.lift}, {"current_s", robot.energy.current_time}};
   json["shown"] = robot.shown;
   json["states_s"] = robot.spent;
+  json["idle_states_s"] = robot.idle_in;
+  json["busy_at"] = robot.busy;
   return json;
 }
 
@@ -186,6 +183,7 @@ std::string one_run(const ValidationReport& report, const Trial& trial, bool col
   }
   out += line("blocks", count_text(trial.blocks));
   out += line("attempts", attempts_in_words(trial));
+  out += line("robots", work_in_words(summary_of(*report.target, std::span(&trial, 1))));
   for (const RobotRecord& robot : trial.robots) out += robot_lines(robot);
   for (const auto& [name, value] : trial.measures) {
     out += line("measure", fmt::format("{} {:g}", printable(name), value));
@@ -217,24 +215,6 @@ std::string table(const ValidationReport& report) {
   return out;
 }
 
-/// Mean and deviation of the time that complete runs took.
-std::string time_in_words(const ValidationReport& report) {
-  std::vector<double> times;
-  for (const Trial& trial : report.trials) {
-    if (trial.judgement.verdict == BuildVerdict::complete && !trial.events.empty()) {
-      times.push_back(trial.events.back().time);
-    }
-  }
-  if (times.empty()) return "no run was complete";
-  double mean = 0, squares = 0;
-  for (const double t : times) mean += t / static_cast<double>(times.size());
-  for (const double t : times) squares += (t - mean) * (t - mean);
-  const double deviation =
-      times.size() > 1 ? std::sqrt(squares / static_cast<double>(times.size() - 1)) : 0;
-  return fmt::format("the last brick after {:.0f} s on average, deviation {:.0f} s", mean,
-                     deviation);
-}
-
 }  // namespace
 
 Json to_json(const ValidationReport& report) {
@@ -245,13 +225,19 @@ Json to_json(const ValidationReport& report) {
             {"runs", Json::array()}};
   for (const Trial& trial : report.trials)
     json["runs"].push_back(trial_json(*report.target, trial));
+  json["summary"] = to_json(summary_of(*report.target, report.trials));
+  const std::vector<ProgressCurve> curves = curves_of(report);
+  json["phases"] = to_json(phases_of(curves));
   json["progress"] = Json::array();
-  for (const ProgressBand::Row& row : band_of(curves_of(report)).rows) {
+  for (const ProgressBand::Row& row : band_of(curves).rows) {
     json["progress"].push_back({{"time", row.time},
                                 {"mean", row.mean},
                                 {"deviation", row.deviation},
                                 {"least", row.least},
-                                {"most", row.most}});
+                                {"most", row.most},
+                                {"sites", row.sites},
+                                {"idle", row.idle},
+                                {"busy", row.busy}});
   }
   return json;
 }
@@ -261,7 +247,9 @@ std::string lines_of(const ValidationReport& report, bool color) {
   if (report.trials.size() == 1) return out + one_run(report, report.trials.front(), color);
   out += line("verdict", all_complete(report) ? green(verdict_text(report), color)
                                               : red(verdict_text(report), color));
-  out += line("time", time_in_words(report)) + table(report);
+  const WorkSummary all = summary_of(*report.target, report.trials);
+  out += line("time", time_in_words(all)) + line("robots", work_in_words(all)) + table(report);
+  out += lines_of(phases_of(curves_of(report))) + state_lines(all);
   for (const Trial& trial : report.trials) {
     for (const std::string& finding : findings_of(*report.target, trial)) {
       out += line(fmt::format("seed {}", trial.seed), printable(finding));

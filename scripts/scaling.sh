@@ -1,0 +1,42 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# How a swarm's work scales: `stigc validate` with 1, 2, 4 and 8 robots, and with two and four
+# that are bound to their sides, as a markdown table on standard output; progress goes to standard error.
+#
+#   scripts/scaling.sh [--runs R] [--duration S] [RULESET]
+#
+# R seeds each (default 5), at most S simulated seconds (default 2400). What validate says of each
+# stays in out/scaling-*.json. STIGC=PATH uses a program that is built already.
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+runs=5 duration=2400 rules=rulesets/stepped-pyramid.yaml
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --runs) runs=${2:?--runs needs a number}; shift ;;
+    --duration) duration=${2:?--duration needs a number}; shift ;;
+    -h | --help) sed -n '3,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -*) die "unknown argument '$1'; see --help" ;;
+    *) rules=$1 ;;
+  esac
+  shift
+done
+
+stigc=${STIGC:-}
+if [[ -z $stigc ]]; then
+  scripts/install.sh build >&2
+  configure_and_build dev stigc >&2
+  stigc=build/dev/stigc
+fi
+mkdir -p out
+files=()
+for work in 1-dynamic 2-dynamic 4-dynamic 8-dynamic 2-fixed 4-fixed; do
+  file=out/scaling-$work.json
+  say "${work/-/ robots, }" >&2
+  status=0
+  "$stigc" validate "$rules" --robots "${work%-*}" --allocation "${work#*-}" --runs "$runs" \
+    --duration "$duration" --json --quiet >"$file" || status=$?
+  # Structures that are not complete belong in the table.
+  [[ $status -le 1 ]] || die "stigc validate failed with status $status"
+  files+=("$file")
+done
+python3 scripts/scaling_table.py "${files[@]}"
