@@ -74,6 +74,13 @@ ReachResult effector(const View3& view, SideCell site, const Abilities& robot) {
       return {Obstruction::effector_blocked,
               cell_from(view.side, {site.u, site.v + side, site.z + 1}), beside, 0};
     }
+    // A column straight behind stops the effector before it; without one its corners come over
+    // those to the left and right of that.
+    if (beside > 0 && ahead > 0 && !view.filled(site.u - 1, site.v, site.z + 1) &&
+        view.filled(site.u - 1, site.v + side, site.z + 1)) {
+      return {Obstruction::effector_blocked,
+              cell_from(view.side, {site.u - 1, site.v + side, site.z + 1}), beside, 0};
+    }
   }
   return {};
 }

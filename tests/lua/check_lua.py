@@ -13,7 +13,8 @@ import tempfile
 
 RULE_SETS = ["rulesets/staircase.yaml", "rulesets/stepped-pyramid.yaml",
              "tests/compiler/line.yaml", "tests/compiler/column.yaml",
-             "tests/compiler/overhang.yaml", "tests/compiler/done.yaml"]
+             "tests/compiler/overhang.yaml", "tests/compiler/done.yaml",
+             "tests/compiler/plus.yaml"]
 SHIPPED = ["programs", "blocks", "scenes", "tests/controllers", "tests/lua"]
 
 
