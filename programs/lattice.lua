@@ -3,7 +3,7 @@
 -- sides it has, and what rows of columns are seen from them.
 --
 -- A side's name tells nothing to a robot that has no compass. `params.side` is the side on which it
--- finds itself when it first sees the structure; from then on it knows the lattice's directions
+-- begins, as it makes out when it first sees the structure; from then on it knows the lattice's directions
 -- by its own turns, put right by a few degrees whenever it sees the structure again. Where the
 -- structure is far from where it was, the robot is lost. Then the way from the structure to the
 -- cache tells the directions, once it has seen a block there again.
@@ -65,6 +65,16 @@ local function nearest_to(angle, yaw)
    return angle + wrap_quarter(yaw - angle)
 end
 
+-- The heading that faces a structure, seen for the first time, from the side on which the robot
+-- began: what two of three say. It began there, most likely with its back to the structure, and
+-- it will not have gone far; each alone may be wrong after a search, or in a crowd.
+local function facing_at_first(middle, yaw)
+   local here = nearest_to(angle_to(robotics.pose, middle), yaw)
+   local there = nearest_to(angle_to({ x = 0, y = 0 }, middle), yaw)
+   local behind = nearest_to(math.pi, yaw)
+   return math.abs(wrap(there - behind)) < 0.1 and there or here
+end
+
 -- The heading that faces the structure from params.side; nil where the robot cannot know.
 local function orientation(structure, middle)
    local yaw = structure.frame.yaw
@@ -72,7 +82,7 @@ local function orientation(structure, middle)
    if lost and not task.turns then
       return lattice.cache and bearing and nearest_to(angle_to(middle, lattice.cache) - bearing, yaw)
    end
-   return nearest_to(angle_to(robotics.pose, middle), yaw)
+   return facing_at_first(middle, yaw)
 end
 
 function lattice.apart(a, b)
