@@ -16,13 +16,22 @@ local HALF_EFFECTOR = 0.25     -- rad, of the effector about the robot's middle
 local OF_BLOCK = 0.050         -- m, from a block's middle to points on it
 
 local points                   -- by place on the grid: {x, y, time}
+local rays                     -- of the chassis' rangefinders, in the robot's frame: {name, from, to}
 
 local function key_of(x, y)
    return math.floor(x / GRID + 0.5) * 65536 + math.floor(y / GRID + 0.5)
 end
 
 function avoidance.start()
-   points = {}
+   points, rays = {}, {}
+   for number = 1, 12 do
+      local name = tostring(number)
+      local finder = robot.rangefinders and robot.rangefinders[name]
+      if finder then
+         local way = vector3(0, 0, 1):rotate(finder.transform.orientation)
+         table.insert(rays, { name = name, from = finder.transform.position, to = way })
+      end
+   end
 end
 
 -- Call it in every step, after robotics.sense(): what is seen, and what is seen through.
@@ -31,20 +40,15 @@ function avoidance.sense()
    for key, point in pairs(points) do
       if now - point.time > KEPT then points[key] = nil end
    end
-   for number = 1, 12 do
-      local name = tostring(number)
-      local finder = robot.rangefinders and robot.rangefinders[name]
-      if finder then
-         local from, to = finder.transform.position, vector3(0, 0, 1):rotate(finder.transform.orientation)
-         local distance = robotics.range(name)
-         local function at(way)
-            return robotics.out_of(robotics.pose, from.x + way * to.x, from.y + way * to.y)
-         end
-         for way = 0, (distance or SEES) - 1.5 * GRID, GRID / 2 do points[key_of(at(way))] = nil end
-         if distance then
-            local x, y = at(distance)
-            points[key_of(x, y)] = { x = x, y = y, time = now }
-         end
+   for _, ray in ipairs(rays) do
+      local distance = robotics.range(ray.name)
+      local function at(way)
+         return robotics.out_of(robotics.pose, ray.from.x + way * ray.to.x, ray.from.y + way * ray.to.y)
+      end
+      for way = 0, (distance or SEES) - 1.5 * GRID, GRID / 2 do points[key_of(at(way))] = nil end
+      if distance then
+         local x, y = at(distance)
+         points[key_of(x, y)] = { x = x, y = y, time = now }
       end
    end
 end

@@ -13,12 +13,17 @@ local CLEAR_OF = 0.26          -- m, from the outermost brick, to go round the s
 local TOO_NEAR = 0.165         -- of a way past a brick
 local BEHIND_CACHE = 0.24      -- m, from a cache to those that pass outside, or look on
 local PAST_CACHE = 0.17        -- m, from a cache, of a way past it
-local ASIDE_OF = 0.45         -- rad, of the way in or out past a cache
+local ASIDE_OF = 0.45          -- rad, of the way in or out past a cache
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local FAR = 0.9                -- m, from the structure's middle, that a search goes at most
 local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
 travel.CLEAR_OF = CLEAR_OF
 travel.BEHIND_CACHE = BEHIND_CACHE
+
+-- A place so far from the structure's middle.
+local function on_ring(angle, radius)
+   return lattice.known.x + radius * math.cos(angle), lattice.known.y + radius * math.sin(angle)
+end
 
 -- How near the straight way to x, y comes to the structure's middle.
 local function way_past(x, y)
@@ -29,8 +34,7 @@ local function way_past(x, y)
       t = ((lattice.known.x - robotics.pose.x) * dx + (lattice.known.y - robotics.pose.y) * dy) / square
    end
    t = robotics.clamp(t, 0, 1)
-   return math.sqrt((robotics.pose.x + t * dx - lattice.known.x) ^ 2 +
-                    (robotics.pose.y + t * dy - lattice.known.y) ^ 2)
+   return lattice.apart({ x = robotics.pose.x + t * dx, y = robotics.pose.y + t * dy }, lattice.known)
 end
 
 -- Back, and aside.
@@ -72,12 +76,11 @@ function travel.to(x, y)
       for _ = 1, 8 do
          local at = angle_of(robotics.pose.x, robotics.pose.y)
          local left = robotics.wrap(goal - at)
-         local away = math.sqrt((robotics.pose.x - lattice.known.x) ^ 2 +
-                                (robotics.pose.y - lattice.known.y) ^ 2)
+         local away = lattice.apart(robotics.pose, lattice.known)
          if math.abs(left) < 0.3 or
             (away > radius - 0.03 and way_past(x, y) >= lattice.known.reach + TOO_NEAR) then break end
          local to = at + robotics.clamp(left, -math.pi / 4, math.pi / 4)
-         travel.straight_to(lattice.known.x + radius * math.cos(to), lattice.known.y + radius * math.sin(to))
+         travel.straight_to(on_ring(to, radius))
       end
    end
    travel.past_cache(x, y)
@@ -94,10 +97,6 @@ function travel.past_cache(x, y)
    if along < 0.05 or along > far - 0.05 or math.abs(left) > PAST_CACHE then return end
    local aside = left < 0 and left + PAST_CACHE or left - PAST_CACHE
    travel.straight_to(robotics.out_of(line, along, aside))
-end
-
-local function on_ring(angle, radius)
-   return lattice.known.x + radius * math.cos(angle), lattice.known.y + radius * math.sin(angle)
 end
 
 -- Outside the caches, beside the one on the side that robots face with `heading`: out past the

@@ -34,6 +34,9 @@ std::string printable(std::string_view text, const CodePoint& point);
 /// 'text' in quotes, printable, cut after 60 characters.
 std::string in_quotes(std::string_view text);
 
+/// As text or an attribute's value of XML or HTML.
+std::string escaped_markup(std::string_view text);
+
 /// "1 brick", "2 bricks"; of words that take an s.
 std::string counted(std::uint64_t number, std::string_view one);
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.h"
 #include "validate/build_site.h"
 
 namespace stig {
@@ -60,30 +61,6 @@ constexpr const char* kPhysicsAndMedia = R"(  <physics_engines>
 </argos-configuration>
 )";
 
-/// As an attribute's value or in text.
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
-
 /// What ARGoS's camera takes for a quadrant.
 const char* colour_name(Led led) {
   constexpr const char* kNames[] = {"black", "magenta", "orange", "green", "blue"};
@@ -121,11 +98,11 @@ std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) 
     out +=
         fmt::format("    <lua_controller id=\"builder{}\">\n{}", to_string(side), kBuilderDevices);
     out += fmt::format("      <params script=\"{}\" side=\"{}\"/>\n    </lua_controller>\n",
-                       escaped(scripts.robot), to_string(side));
+                       escaped_markup(scripts.robot), to_string(side));
   }
   out += fmt::format("    <lua_controller id=\"block\">\n{}", kBlockDevices);
   out += fmt::format("      <params script=\"{}\"/>\n    </lua_controller>\n  </controllers>\n\n",
-                     escaped(scripts.block));
+                     escaped_markup(scripts.block));
   return out;
 }
 

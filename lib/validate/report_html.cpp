@@ -38,28 +38,7 @@ svg {{ max-width: 100%; height: auto }}
 <body>
 )";
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
+std::string escaped(std::string_view text) { return escaped_markup(printable(text)); }
 
 /// Several lines, as they are.
 std::string escaped_lines(std::string_view text) {

@@ -168,6 +168,10 @@ std::string scene_head(const RuleSet& rules, double arena) {
 
 }  // namespace
 
+int robots_of(const RuleSet& rules, std::optional<int> asked) {
+  return asked.value_or(rules.physical ? rules.physical->robots.value_or(1) : 1);
+}
+
 SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
                     const SetUpRequest& request) {
   return Layout(rules, compiled, request).layout();

@@ -21,6 +21,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -43,6 +44,9 @@ struct SetUpRequest {
   std::string robot_file = "bebot.yaml";
   double side = 0.055;  ///< of a block, m
 };
+
+/// The number that was asked for, the file's, or 1.
+int robots_of(const RuleSet& rules, std::optional<int> asked);
 
 /// Where things stand; m, in the world's frame, z over the floor, rounded to 10 µm.
 struct SetUpLayout {

@@ -59,12 +59,6 @@ std::string file_name(const std::string& path) {
   return std::filesystem::path(path).filename().string();
 }
 
-/// An experiment has a number of robots, a program by itself need not say it.
-std::optional<int> robots_of(const CompileFileOptions& options, const RuleSet& rules) {
-  if (options.robots || target_of(options) != CompileTarget::argos) return options.robots;
-  return rules.physical ? rules.physical->robots.value_or(1) : 1;
-}
-
 /// The scripts first: an experiment never names what is not there.
 int write_argos(const CompileFileOptions& options, const CompileJob& job, App& app) {
   const auto library = read_runtime(app);
@@ -74,7 +68,7 @@ int write_argos(const CompileFileOptions& options, const CompileJob& job, App& a
   const ControllerText program = controller_argos(*job.rules, file_name(options.file), job.plan,
                                                   *job.compiled, *adapter, *library);
   SetUpRequest request;
-  request.robots = *robots_of(options, *job.rules);
+  request.robots = robots_of(*job.rules, options.robots);
   request.side = job.robot->block.side;
   const std::string experiment = argos_experiment(*job.rules, *job.compiled, request,
                                                   {file_name(files.robot), file_name(files.block)});
@@ -167,7 +161,11 @@ int run(const CompileFileOptions& options, App& app) {
   if (!robot) return kFailed;
   CompileOptions settings;
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
-  settings.robots = robots_of(options, *rules);
+  // an experiment has a number of robots, a program by itself need not say it
+  settings.robots = options.robots;
+  if (target_of(options) == CompileTarget::argos) {
+    settings.robots = robots_of(*rules, options.robots);
+  }
   stop_on_signals();
   settings.verify.seconds = options.budget;
   settings.verify.stop = &stop_requested();

@@ -100,8 +100,7 @@ class Validation {
     settings.verify.stop = settings.limits.stop = &stop_requested();
     for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
     settings.robots = options_.robots;
-    if (!options_.scene && !options_.robots)
-      settings.robots = rules_->physical ? rules_->physical->robots.value_or(1) : 1;
+    if (!options_.scene) settings.robots = robots_of(*rules_, options_.robots);
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
     app_.report(diagnostics);
@@ -119,8 +118,7 @@ class Validation {
   std::optional<std::string> scene_text() const {
     if (options_.scene) return given_scene(*options_.scene, app_);
     SetUpRequest request;
-    const auto own = rules_->physical ? rules_->physical->robots : std::nullopt;
-    request.robots = options_.robots.value_or(own.value_or(1));
+    request.robots = robots_of(*rules_, options_.robots);
     request.allocation = options_.allocation;
     request.side = robot_->block.side;
     if (options_.robot) request.robot_file = kGivenRobot;
