@@ -2,6 +2,7 @@
 #include "physical/solver_rows.h"
 
 #include <algorithm>
+#include <cstring>
 #include <tuple>
 
 namespace stig {
@@ -17,49 +18,107 @@ const SolverLink* link_of(const SolverTask& task, std::uint32_t body) {
   return link < 0 ? nullptr : &task.links[static_cast<std::size_t>(link)];
 }
 
-/// In two sums, of which neither waits for the other.
-double product(const double* a, const double* b, std::size_t n) {
-  double even = 0, odd = 0;
-  for (std::size_t i = 0; i + 1 < n; i += 2) {
-    even += a[i] * b[i];
-    odd += a[i + 1] * b[i + 1];
-  }
-  return n % 2 == 0 ? even + odd : even + odd + a[n - 1] * b[n - 1];
+/// Two numbers at once, as every processor of this width computes them.
+using Two = double __attribute__((vector_size(16)));
+
+Two two_at(const double* p) {
+  Two out;
+  std::memcpy(&out, p, sizeof out);
+  return out;
 }
 
-/// Appends J and W of a unit impulse along `d` at `p` (times `sign`); returns J·W.
-double add_hold(const SolverTask& task, const SolverLink& link, const Vec3& p, const Vec3& d,
-                double sign, Hold& hold, std::vector<double>& numbers) {
-  const SolverMechanism& mechanism = task.mechanisms[link.mechanism];
-  const std::size_t n = mechanism.dofs, at = numbers.size();
-  hold = {static_cast<std::int32_t>(link.mechanism), static_cast<std::uint32_t>(at)};
-  numbers.resize(at + 2 * n);
-  const Vec3 arm = cross(p - link.p, d);
-  for (std::size_t i = 0; i < n; ++i) {
-    numbers[at + i] = sign * (dot(d, link.columns[i].v) + dot(arm, link.columns[i].w));
+/// J's numbers of one direction.
+std::size_t width(const Reach& reach) { return 2 * std::size_t{reach.count} + 1; }
+
+/// J times v. In two sums, of which neither waits for the other; what J leaves out is zero.
+double product(const double* j, const Rows& rows, const Reach& reach, const double* v,
+               std::size_t n) {
+  const std::uint32_t* pair = rows.pairs.data() + reach.begin;
+  Two sum{};
+  for (std::size_t k = 0; k < reach.count; ++k) {
+    sum += two_at(j + 2 * k) * two_at(v + 2 * std::size_t{pair[k]});
   }
-  double* j = &numbers[at];
-  double* w = j + n;
-  for (std::size_t i = 0; i < n; ++i) w[i] = product(mechanism.inverse + i * n, j, n);
-  return product(w, j, n);
+  const double both = sum[0] + sum[1];
+  return n % 2 == 0 ? both : both + j[2 * std::size_t{reach.count}] * v[n - 1];
+}
+
+/// Adds W times an impulse.
+void add(double* v, const double* w, std::size_t n, double impulse) {
+  const Two both{impulse, impulse};
+  for (std::size_t i = 0; i + 1 < n; i += 2) {
+    const Two sum = two_at(v + i) + two_at(w + i) * both;
+    std::memcpy(v + i, &sum, sizeof sum);
+  }
+  if (n % 2 != 0) v[n - 1] += w[n - 1] * impulse;
+}
+
+void note_reach(const SolverTask& task, Rows& rows) {
+  rows.pairs.clear();
+  rows.reach.clear();
+  for (const SolverLink& link : task.links) {
+    Reach reach{static_cast<std::uint32_t>(rows.pairs.size()), 0};
+    const auto moves = [&link](std::size_t i) {
+      return !(link.columns[i].v == Vec3{}) || !(link.columns[i].w == Vec3{});
+    };
+    for (std::uint32_t k = 0; k < task.mechanisms[link.mechanism].dofs / 2; ++k) {
+      if (moves(2 * std::size_t{k}) || moves(2 * std::size_t{k} + 1)) rows.pairs.push_back(k);
+    }
+    reach.count = static_cast<std::uint32_t>(rows.pairs.size()) - reach.begin;
+    rows.reach.push_back(reach);
+  }
+}
+
+/// J and W of a unit impulse along a direction `d` at `p` (times `sign`); returns J·W.
+double fill_row(const SolverTask& task, const Hold& hold, const Vec3& p, const Vec3& d, double sign,
+                std::size_t direction, Rows& rows) {
+  const SolverLink& link = task.links[hold.link];
+  const SolverMechanism& mechanism = task.mechanisms[link.mechanism];
+  const Reach& reach = rows.reach[hold.link];
+  const std::size_t n = hold.dofs, last = width(reach) - 1;
+  double* j = &rows.numbers[hold.at + direction * width(reach)];
+  double* w = &rows.numbers[hold.at + 3 * width(reach) + direction * n];
+  const Vec3 arm = cross(p - link.p, d);
+  const auto entry = [&](std::size_t i) {
+    return sign * (dot(d, link.columns[i].v) + dot(arm, link.columns[i].w));
+  };
+  for (std::size_t k = 0; k < last; ++k) {
+    j[k] = entry(2 * std::size_t{rows.pairs[reach.begin + k / 2]} + k % 2);
+  }
+  j[last] = n % 2 == 0 ? 0 : entry(n - 1);
+  for (std::size_t i = 0; i < n; ++i) w[i] = product(j, rows, reach, mechanism.inverse + i * n, n);
+  return product(j, rows, reach, w, n);
+}
+
+void add_hold(const SolverTask& task, std::uint32_t body, RowPoint& point, Rows& rows) {
+  const std::int32_t number = task.bodies[body].link;
+  if (number < 0) return;
+  Hold& hold = point.holds[point.held++];
+  hold.link = static_cast<std::uint32_t>(number);
+  const SolverMechanism& mechanism = task.mechanisms[task.links[hold.link].mechanism];
+  hold.v = mechanism.v;
+  hold.way = mechanism.way;
+  hold.dofs = static_cast<std::uint32_t>(mechanism.dofs);
+  hold.at = static_cast<std::uint32_t>(rows.numbers.size());
+  rows.numbers.resize(rows.numbers.size() + 3 * (width(rows.reach[hold.link]) + mechanism.dofs));
 }
 
 Row make_row(const SolverTask& task, const RowPoint& point, const Vec3& p, const Vec3& d,
-             std::vector<double>& numbers) {
+             std::size_t direction, Rows& rows) {
   const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
   Row row;
   row.d = d;
-  row.arm_a = cross(p - a.p, d);
-  row.arm_b = cross(p - b.p, d);
-  row.turn_a = a.inverse_inertia * row.arm_a;
-  row.turn_b = b.inverse_inertia * row.arm_b;
-  double inverse =
-      a.inverse_mass + b.inverse_mass + dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b);
-  if (const SolverLink* link = link_of(task, point.a)) {
-    inverse += add_hold(task, *link, p, d, 1, row.holds[0], numbers);
+  double inverse = 0;
+  if (point.loose) {
+    row.arm_a = cross(p - a.p, d);
+    row.arm_b = cross(p - b.p, d);
+    row.turn_a = a.inverse_inertia * row.arm_a;
+    row.turn_b = b.inverse_inertia * row.arm_b;
+    inverse =
+        a.inverse_mass + b.inverse_mass + dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b);
   }
-  if (const SolverLink* link = link_of(task, point.b)) {
-    inverse += add_hold(task, *link, p, d, -1, row.holds[1], numbers);
+  for (std::size_t i = 0; i < point.held; ++i) {
+    const double sign = i == 0 && a.link >= 0 ? 1 : -1;
+    inverse += fill_row(task, point.holds[i], p, d, sign, direction, rows);
   }
   row.mass = inverse > 1e-12 ? 1 / inverse : 0;
   return row;
@@ -76,8 +135,7 @@ Vec3 first_tangent(const Contact& contact) {
   return squared(flat) > 0.01 ? normalised(flat) : perpendicular(contact.normal);
 }
 
-RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t number,
-                        std::vector<double>& numbers) {
+RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t number, Rows& rows) {
   const Contact& contact = task.contacts[c];
   const ContactPoint& from = contact.points[number];
   const double part = 1.0 / task.small_steps;
@@ -86,10 +144,12 @@ RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t numbe
   point.point = static_cast<std::uint32_t>(number);
   std::tie(point.a, point.b) = task.slots[c];
   point.loose = is_loose(task.bodies[point.a]) || is_loose(task.bodies[point.b]);
+  add_hold(task, point.a, point, rows);
+  add_hold(task, point.b, point, rows);
   const Vec3 t = first_tangent(contact), s = cross(contact.normal, t);
-  point.normal = make_row(task, point, from.p_W, contact.normal, numbers);
-  point.first = make_row(task, point, from.p_W, t, numbers);
-  point.second = make_row(task, point, from.p_W, s, numbers);
+  point.rows = {make_row(task, point, from.p_W, contact.normal, 0, rows),
+                make_row(task, point, from.p_W, t, 1, rows),
+                make_row(task, point, from.p_W, s, 2, rows)};
   point.gap = from.gap;
   point.push = from.push * part;
   point.slide_first = dot(from.friction, t) * part;
@@ -106,58 +166,62 @@ RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t numbe
 /// Which numbers rows are about: velocities, or the shift that undoes overlaps.
 struct OfVelocities {
   static constexpr auto kLinear = &SolverBody::v, kAngular = &SolverBody::w;
-  static double* speeds(const SolverMechanism& mechanism) { return mechanism.v; }
+  static constexpr auto kSpeeds = &Hold::v;
 };
 struct OfShifts {
   static constexpr auto kLinear = &SolverBody::way_v, kAngular = &SolverBody::way_w;
-  static double* speeds(const SolverMechanism& mechanism) { return mechanism.way; }
+  static constexpr auto kSpeeds = &Hold::way;
 };
 
+constexpr std::size_t kNormal = 0, kFirst = 1, kSecond = 2;
+
 template <class Of = OfVelocities>
-double along(const Row& row, const Rows& rows, const SolverTask& task, const RowPoint& point) {
+double along(std::size_t direction, const Rows& rows, const SolverTask& task,
+             const RowPoint& point) {
   double sum = 0;
   if (point.loose) {
+    const Row& row = point.rows[direction];
     const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
     sum = dot(row.d, a.*Of::kLinear - b.*Of::kLinear) + dot(row.arm_a, a.*Of::kAngular) -
           dot(row.arm_b, b.*Of::kAngular);
   }
-  for (const Hold& hold : row.holds) {
-    if (hold.mechanism < 0) continue;
-    const SolverMechanism& mechanism = task.mechanisms[static_cast<std::size_t>(hold.mechanism)];
-    sum += product(&rows.numbers[hold.at], Of::speeds(mechanism), mechanism.dofs);
+  for (std::size_t i = 0; i < point.held; ++i) {
+    const Hold& hold = point.holds[i];
+    const Reach& reach = rows.reach[hold.link];
+    const double* j = &rows.numbers[hold.at + direction * width(reach)];
+    sum += product(j, rows, reach, hold.*Of::kSpeeds, hold.dofs);
   }
   return sum;
 }
 
 template <class Of = OfVelocities>
-void push(const Row& row, const Rows& rows, SolverTask& task, const RowPoint& point,
+void push(std::size_t direction, const Rows& rows, SolverTask& task, const RowPoint& point,
           double impulse) {
   if (impulse == 0) return;
   if (point.loose) {
+    const Row& row = point.rows[direction];
     SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
     a.*Of::kLinear += row.d * (impulse * a.inverse_mass);
     a.*Of::kAngular += row.turn_a * impulse;
     b.*Of::kLinear -= row.d * (impulse * b.inverse_mass);
     b.*Of::kAngular -= row.turn_b * impulse;
   }
-  for (const Hold& hold : row.holds) {
-    if (hold.mechanism < 0) continue;
-    const SolverMechanism& mechanism = task.mechanisms[static_cast<std::size_t>(hold.mechanism)];
-    const double* w = &rows.numbers[hold.at + mechanism.dofs];
-    double* v = Of::speeds(mechanism);
-    for (std::size_t i = 0; i < mechanism.dofs; ++i) v[i] += w[i] * impulse;
+  for (std::size_t i = 0; i < point.held; ++i) {
+    const Hold& hold = point.holds[i];
+    const std::size_t w = hold.at + 3 * width(rows.reach[hold.link]) + direction * hold.dofs;
+    add(hold.*Of::kSpeeds, &rows.numbers[w], hold.dofs, impulse);
   }
 }
 
 /// Returns the change in velocity that was asked for.
 double relax_normal(RowPoint& point, const Rows& rows, SolverTask& task, double inverse_dt) {
-  const double lacking =
-      -std::max(0.0, point.gap) * inverse_dt - along(point.normal, rows, task, point);
-  const double impulse = std::max(0.0, point.push + lacking * point.normal.mass);
+  const double mass = point.rows[kNormal].mass;
+  const double lacking = -std::max(0.0, point.gap) * inverse_dt - along(kNormal, rows, task, point);
+  const double impulse = std::max(0.0, point.push + lacking * mass);
   const double change = impulse - point.push;
   point.push = impulse;
-  push(point.normal, rows, task, point, change);
-  return point.normal.mass > 0 ? std::abs(change) / point.normal.mass : 0;
+  push(kNormal, rows, task, point, change);
+  return mass > 0 ? std::abs(change) / mass : 0;
 }
 
 /// Friction within an ellipse whose half axis along the axle is a part of the other. The
@@ -167,9 +231,9 @@ double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
   if (point.push == 0 && point.slide_first == 0 && point.slide_second == 0) return 0;
   const double part = point.axle_friction;
   // The same mass for both, so that sliding does not depend on how the tangents lie.
-  const double mass = std::min(point.first.mass, point.second.mass);
-  const double first = along(point.first, rows, task, point) + point.bend_first;
-  const double second = along(point.second, rows, task, point) + point.bend_second;
+  const double mass = std::min(point.rows[kFirst].mass, point.rows[kSecond].mass);
+  const double first = along(kFirst, rows, task, point) + point.bend_first;
+  const double second = along(kSecond, rows, task, point) + point.bend_second;
   double x = point.slide_first - first * mass * part * part;
   double y = point.slide_second - second * mass;
   const double most = point.friction * point.push;
@@ -182,8 +246,8 @@ double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
     y *= less;
   }
   const double dx = x - point.slide_first, dy = y - point.slide_second;
-  push(point.first, rows, task, point, dx);
-  push(point.second, rows, task, point, dy);
+  push(kFirst, rows, task, point, dx);
+  push(kSecond, rows, task, point, dy);
   point.slide_first = x;
   point.slide_second = y;
   return mass > 0 ? std::max(std::abs(dx), std::abs(dy)) / mass : 0;
@@ -247,12 +311,13 @@ bool needs_rows(const SolverTask& task, std::size_t contact) {
 }
 
 void make_rows(const SolverTask& task, Rows& rows) {
+  note_reach(task, rows);
   rows.numbers.clear();
   rows.points.clear();
   for (std::size_t c = 0; c < task.contacts.size(); ++c) {
     if (!needs_rows(task, c)) continue;
     for (std::size_t i = 0; i < static_cast<std::size_t>(task.contacts[c].count); ++i) {
-      rows.points.push_back(make_row_point(task, c, i, rows.numbers));
+      rows.points.push_back(make_row_point(task, c, i, rows));
     }
   }
   rows.axes = task.axes;
@@ -265,9 +330,9 @@ void make_rows(const SolverTask& task, Rows& rows) {
 void apply_last_rows(const Rows& rows, SolverTask& task) {
   for (const SolverAxis& axis : rows.axes) turn(axis, task, axis.impulse);
   for (const RowPoint& point : rows.points) {
-    push(point.normal, rows, task, point, point.push);
-    push(point.first, rows, task, point, point.slide_first);
-    push(point.second, rows, task, point, point.slide_second);
+    push(kNormal, rows, task, point, point.push);
+    push(kFirst, rows, task, point, point.slide_first);
+    push(kSecond, rows, task, point, point.slide_second);
   }
 }
 
@@ -288,7 +353,7 @@ void follow_row_gaps(Rows& rows, const SolverTask& task, double dt) {
     axis.gap += axis.side * task.mechanisms[axis.mechanism].v[axis.dof] * dt;
   }
   for (RowPoint& point : rows.points) {
-    point.gap += along(point.normal, rows, task, point) * dt;
+    point.gap += along(kNormal, rows, task, point) * dt;
   }
 }
 
@@ -299,10 +364,10 @@ bool overlapping(const Rows& rows) {
 
 void shift_rows(Rows& rows, SolverTask& task) {
   for (RowPoint& point : rows.points) {
-    const Row& row = point.normal;
-    const double speed = along<OfShifts>(row, rows, task, point);
-    const double impulse = std::max(0.0, point.shift + (point.shift_target - speed) * row.mass);
-    push<OfShifts>(row, rows, task, point, impulse - point.shift);
+    const double mass = point.rows[kNormal].mass;
+    const double speed = along<OfShifts>(kNormal, rows, task, point);
+    const double impulse = std::max(0.0, point.shift + (point.shift_target - speed) * mass);
+    push<OfShifts>(kNormal, rows, task, point, impulse - point.shift);
     point.shift = impulse;
   }
 }
@@ -312,7 +377,8 @@ void keep_row_impulses(const Rows& rows, SolverTask& task) {
   for (const RowPoint& from : rows.points) {
     ContactPoint& point = task.contacts[from.contact].points[from.point];
     point.push = from.push * parts;
-    point.friction = (from.first.d * from.slide_first + from.second.d * from.slide_second) * parts;
+    point.friction =
+        (from.rows[kFirst].d * from.slide_first + from.rows[kSecond].d * from.slide_second) * parts;
   }
   for (std::size_t i = 0; i < rows.axes.size(); ++i) {
     task.axes[i].impulse = rows.axes[i].impulse * parts;

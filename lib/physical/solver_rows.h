@@ -12,20 +12,25 @@
 
 namespace stig {
 
-/// What one direction at one point does to a mechanism.
-struct Hold {
-  std::int32_t mechanism = -1;  ///< none: the side is a free body, or the world
-  std::uint32_t at = 0;         ///< where J stands in Rows::numbers, W behind it
-};
-
+/// One direction at a point. Arms and turns are of its free bodies, and zero where there are none.
 struct Row {
   Vec3 d, arm_a, arm_b, turn_a, turn_b;
-  std::array<Hold, 2> holds;
   double mass = 0;  ///< impulse for a velocity change of 1 m/s, kg
 };
 
+/// A mechanism that a point holds at.
+struct Hold {
+  double* v = nullptr;  ///< its velocities
+  double* way = nullptr;
+  std::uint32_t dofs = 0;
+  std::uint32_t link = 0;  ///< see Rows::reach
+  std::uint32_t at = 0;    ///< in Rows::numbers: J of the three directions, W of the three
+};
+
 struct RowPoint {
-  Row normal, first, second;  ///< of the tangents, the first lies along the axle
+  std::array<Row, 3> rows;  ///< normal and tangents, of which the first lies along the axle
+  std::array<Hold, 2> holds;
+  std::uint32_t held = 0;  ///< so many of them
   std::uint32_t contact = 0, point = 0;
   std::uint32_t a = 0, b = 0;
   bool loose = false;  ///< a side is a free body, or a fixed one that moves
@@ -35,8 +40,16 @@ struct RowPoint {
   double shift_target = 0, shift = 0;
 };
 
+/// Which degrees of freedom move a link, as pairs: 2k and 2k + 1 for each k of Rows::pairs from
+/// `begin` on. J has as many numbers, and one more for the last of an odd number of them.
+struct Reach {
+  std::uint32_t begin = 0, count = 0;
+};
+
 struct Rows {
   std::vector<double> numbers;
+  std::vector<std::uint32_t> pairs;
+  std::vector<Reach> reach;  ///< of the task's links
   std::vector<RowPoint> points;
   std::vector<SolverAxis> axes;
 };
