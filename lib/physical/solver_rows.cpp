@@ -30,26 +30,49 @@ Two two_at(const double* p) {
 /// J's numbers of one direction.
 std::size_t width(const Reach& reach) { return 2 * std::size_t{reach.count} + 1; }
 
-/// J times v. In two sums, of which neither waits for the other; what J leaves out is zero.
-double product(const double* j, const Rows& rows, const Reach& reach, const double* v,
-               std::size_t n) {
-  const std::uint32_t* pair = rows.pairs.data() + reach.begin;
+/// Of so many pairs, or of `count` where that is 0.
+template <std::size_t kPairs>
+double product_of(const double* j, const std::uint32_t* pair, std::size_t count, const double* v,
+                  std::size_t n) {
+  if (kPairs > 0) count = kPairs;
   Two sum{};
-  for (std::size_t k = 0; k < reach.count; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     sum += two_at(j + 2 * k) * two_at(v + 2 * std::size_t{pair[k]});
   }
   const double both = sum[0] + sum[1];
-  return n % 2 == 0 ? both : both + j[2 * std::size_t{reach.count}] * v[n - 1];
+  return n % 2 == 0 ? both : both + j[2 * count] * v[n - 1];
 }
 
-/// Adds W times an impulse.
-void add(double* v, const double* w, std::size_t n, double impulse) {
+/// J times v. In two sums, of which neither waits for the other; what J leaves out is zero. A
+/// robot's base has three pairs, what hangs on it mostly one more: these are written out.
+double product(const double* j, const Rows& rows, const Reach& reach, const double* v,
+               std::size_t n) {
+  const std::uint32_t* pair = rows.pairs.data() + reach.begin;
+  switch (reach.count) {
+    case 3:
+      return product_of<3>(j, pair, 3, v, n);
+    case 4:
+      return product_of<4>(j, pair, 4, v, n);
+    default:
+      return product_of<0>(j, pair, reach.count, v, n);
+  }
+}
+
+/// Adds W times an impulse, for n / 2 pairs and one more.
+template <std::size_t kPairs>
+void add_to(double* v, const double* w, std::size_t n, double impulse) {
   const Two both{impulse, impulse};
-  for (std::size_t i = 0; i + 1 < n; i += 2) {
-    const Two sum = two_at(v + i) + two_at(w + i) * both;
-    std::memcpy(v + i, &sum, sizeof sum);
+  const std::size_t pairs = kPairs > 0 ? kPairs : n / 2;
+  for (std::size_t k = 0; k < pairs; ++k) {
+    const Two sum = two_at(v + 2 * k) + two_at(w + 2 * k) * both;
+    std::memcpy(v + 2 * k, &sum, sizeof sum);
   }
   if (n % 2 != 0) v[n - 1] += w[n - 1] * impulse;
+}
+
+void add(double* v, const double* w, std::size_t n, double impulse) {
+  if (n / 2 == 5) return add_to<5>(v, w, n, impulse);  // robots of four wheels and a lift
+  add_to<0>(v, w, n, impulse);
 }
 
 void note_reach(const SolverTask& task, Rows& rows) {
@@ -108,14 +131,18 @@ Row make_row(const SolverTask& task, const RowPoint& point, const Vec3& p, const
   Row row;
   row.d = d;
   double inverse = 0;
-  if (point.loose) {
+  if (point.loose_a) {
     row.arm_a = cross(p - a.p, d);
-    row.arm_b = cross(p - b.p, d);
     row.turn_a = a.inverse_inertia * row.arm_a;
-    row.turn_b = b.inverse_inertia * row.arm_b;
-    inverse =
-        a.inverse_mass + b.inverse_mass + dot(row.arm_a, row.turn_a) + dot(row.arm_b, row.turn_b);
+    inverse += a.inverse_mass;
   }
+  if (point.loose_b) {
+    row.arm_b = cross(p - b.p, d);
+    row.turn_b = b.inverse_inertia * row.arm_b;
+    inverse += b.inverse_mass;
+  }
+  inverse += dot(row.arm_a, row.turn_a);
+  inverse += dot(row.arm_b, row.turn_b);
   for (std::size_t i = 0; i < point.held; ++i) {
     const double sign = i == 0 && a.link >= 0 ? 1 : -1;
     inverse += fill_row(task, point.holds[i], p, d, sign, direction, rows);
@@ -143,7 +170,8 @@ RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t numbe
   point.contact = static_cast<std::uint32_t>(c);
   point.point = static_cast<std::uint32_t>(number);
   std::tie(point.a, point.b) = task.slots[c];
-  point.loose = is_loose(task.bodies[point.a]) || is_loose(task.bodies[point.b]);
+  point.loose_a = is_loose(task.bodies[point.a]);
+  point.loose_b = is_loose(task.bodies[point.b]);
   add_hold(task, point.a, point, rows);
   add_hold(task, point.b, point, rows);
   const Vec3 t = first_tangent(contact), s = cross(contact.normal, t);
@@ -178,13 +206,14 @@ constexpr std::size_t kNormal = 0, kFirst = 1, kSecond = 2;
 template <class Of = OfVelocities>
 double along(std::size_t direction, const Rows& rows, const SolverTask& task,
              const RowPoint& point) {
+  const Row& row = point.rows[direction];
+  Vec3 v;
   double sum = 0;
-  if (point.loose) {
-    const Row& row = point.rows[direction];
-    const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
-    sum = dot(row.d, a.*Of::kLinear - b.*Of::kLinear) + dot(row.arm_a, a.*Of::kAngular) -
-          dot(row.arm_b, b.*Of::kAngular);
-  }
+  if (point.loose_a) v = task.bodies[point.a].*Of::kLinear;
+  if (point.loose_b) v -= task.bodies[point.b].*Of::kLinear;
+  if (point.loose_a || point.loose_b) sum = dot(row.d, v);
+  if (point.loose_a) sum += dot(row.arm_a, task.bodies[point.a].*Of::kAngular);
+  if (point.loose_b) sum -= dot(row.arm_b, task.bodies[point.b].*Of::kAngular);
   for (std::size_t i = 0; i < point.held; ++i) {
     const Hold& hold = point.holds[i];
     const Reach& reach = rows.reach[hold.link];
@@ -198,11 +227,14 @@ template <class Of = OfVelocities>
 void push(std::size_t direction, const Rows& rows, SolverTask& task, const RowPoint& point,
           double impulse) {
   if (impulse == 0) return;
-  if (point.loose) {
-    const Row& row = point.rows[direction];
-    SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
+  const Row& row = point.rows[direction];
+  if (point.loose_a) {
+    SolverBody& a = task.bodies[point.a];
     a.*Of::kLinear += row.d * (impulse * a.inverse_mass);
     a.*Of::kAngular += row.turn_a * impulse;
+  }
+  if (point.loose_b) {
+    SolverBody& b = task.bodies[point.b];
     b.*Of::kLinear -= row.d * (impulse * b.inverse_mass);
     b.*Of::kAngular -= row.turn_b * impulse;
   }

@@ -33,7 +33,7 @@ struct RowPoint {
   std::uint32_t held = 0;  ///< so many of them
   std::uint32_t contact = 0, point = 0;
   std::uint32_t a = 0, b = 0;
-  bool loose = false;  ///< a side is a free body, or a fixed one that moves
+  bool loose_a = false, loose_b = false;  ///< free bodies, or fixed ones that move
   double gap = 0, push = 0, slide_first = 0, slide_second = 0;
   double friction = 0, axle_friction = 1;
   double bend_first = 0, bend_second = 0;  ///< see bend()
