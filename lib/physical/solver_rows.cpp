@@ -2,6 +2,8 @@
 #include "physical/solver_rows.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstring>
 #include <tuple>
 
@@ -26,135 +28,161 @@ Two two_at(const double* p) {
   std::memcpy(&out, p, sizeof out);
   return out;
 }
+void put(double* p, const Two& two) { std::memcpy(p, &two, sizeof two); }
+Two both(double x) { return Two{x, x}; }
 
-/// J's numbers of one direction.
-std::size_t width(const Reach& reach) { return 2 * std::size_t{reach.count} + 1; }
+// ---- Mechanisms ----
 
-/// Of so many pairs, or of `count` where that is 0.
-template <std::size_t kPairs>
-double product_of(const double* j, const std::uint32_t* pair, std::size_t count, const double* v,
-                  std::size_t n) {
-  if (kPairs > 0) count = kPairs;
+/// How many pairs there are: `kBegin` and `kPairs` where they are known, as of robots with four
+/// wheels and a lift, for which loops are written out.
+template <std::size_t kBegin, std::size_t kPairs>
+struct Sizes {
+  static std::size_t begin(const Reach& reach) { return kBegin > 0 ? kBegin : reach.begin; }
+  static std::size_t pairs(const Hold& hold) { return kPairs > 0 ? kPairs : hold.dofs / 2; }
+};
+using AnySizes = Sizes<0, 0>;
+using RobotSizes = Sizes<3, 5>;
+
+bool is_robot(const RowPoint& point) {
+  return point.held == 1 && point.holds[0].reach.begin == 3 && point.holds[0].dofs / 2 == 5;
+}
+
+/// J times v. In two sums, of which neither waits for the other.
+template <class Size = AnySizes>
+double product(const double* j, const Hold& hold, const double* v) {
+  const std::size_t begin = Size::begin(hold.reach), pairs = Size::pairs(hold);
   Two sum{};
-  for (std::size_t k = 0; k < count; ++k) {
-    sum += two_at(j + 2 * k) * two_at(v + 2 * std::size_t{pair[k]});
+  for (std::size_t k = 0; k < begin; ++k) sum += two_at(j + 2 * k) * two_at(v + 2 * k);
+  if (hold.reach.extra > 0) {
+    sum += two_at(j + 2 * begin) * two_at(v + 2 * std::size_t{hold.reach.extra});
   }
-  const double both = sum[0] + sum[1];
-  return n % 2 == 0 ? both : both + j[2 * count] * v[n - 1];
+  const double most = sum[0] + sum[1];
+  return hold.dofs % 2 == 0 ? most : most + j[2 * begin + 2] * v[2 * pairs];
 }
 
-/// J times v. In two sums, of which neither waits for the other; what J leaves out is zero. A
-/// robot's base has three pairs, what hangs on it mostly one more: these are written out.
-double product(const double* j, const Rows& rows, const Reach& reach, const double* v,
-               std::size_t n) {
-  const std::uint32_t* pair = rows.pairs.data() + reach.begin;
-  switch (reach.count) {
-    case 3:
-      return product_of<3>(j, pair, 3, v, n);
-    case 4:
-      return product_of<4>(j, pair, 4, v, n);
-    default:
-      return product_of<0>(j, pair, reach.count, v, n);
-  }
-}
-
-/// Adds W times an impulse, for n / 2 pairs and one more.
-template <std::size_t kPairs>
-void add_to(double* v, const double* w, std::size_t n, double impulse) {
-  const Two both{impulse, impulse};
-  const std::size_t pairs = kPairs > 0 ? kPairs : n / 2;
+/// Adds W times an impulse in each of `kCount` directions, one after the other.
+template <class Size, std::size_t kCount>
+void add(const double* w, const Hold& hold, const std::array<double, kCount>& impulse, double* v) {
+  const std::size_t n = hold.dofs, pairs = Size::pairs(hold);
   for (std::size_t k = 0; k < pairs; ++k) {
-    const Two sum = two_at(v + 2 * k) + two_at(w + 2 * k) * both;
-    std::memcpy(v + 2 * k, &sum, sizeof sum);
+    Two sum = two_at(v + 2 * k);
+    for (std::size_t i = 0; i < kCount; ++i) sum += two_at(w + i * n + 2 * k) * both(impulse[i]);
+    put(v + 2 * k, sum);
   }
-  if (n % 2 != 0) v[n - 1] += w[n - 1] * impulse;
+  if (n % 2 == 0) return;
+  for (std::size_t i = 0; i < kCount; ++i) v[n - 1] += w[i * n + n - 1] * impulse[i];
 }
 
-void add(double* v, const double* w, std::size_t n, double impulse) {
-  if (n / 2 == 5) return add_to<5>(v, w, n, impulse);  // robots of four wheels and a lift
-  add_to<0>(v, w, n, impulse);
+const double* rows_j(const Rows& rows, const Hold& hold, std::size_t direction) {
+  return &rows.numbers[hold.at + direction * hold.reach.width()];
+}
+const double* rows_w(const Rows& rows, const Hold& hold, std::size_t direction) {
+  return &rows.numbers[hold.at + 3 * hold.reach.width() + direction * hold.dofs];
 }
 
-void note_reach(const SolverTask& task, Rows& rows) {
-  rows.pairs.clear();
-  rows.reach.clear();
-  for (const SolverLink& link : task.links) {
-    Reach reach{static_cast<std::uint32_t>(rows.pairs.size()), 0};
-    const auto moves = [&link](std::size_t i) {
-      return !(link.columns[i].v == Vec3{}) || !(link.columns[i].w == Vec3{});
-    };
-    for (std::uint32_t k = 0; k < task.mechanisms[link.mechanism].dofs / 2; ++k) {
-      if (moves(2 * std::size_t{k}) || moves(2 * std::size_t{k} + 1)) rows.pairs.push_back(k);
-    }
-    reach.count = static_cast<std::uint32_t>(rows.pairs.size()) - reach.begin;
-    rows.reach.push_back(reach);
+Reach reach_of(const SolverTask& task, const SolverLink& link) {
+  const auto moves = [&link](std::size_t i) {
+    return !(link.columns[i].v == Vec3{}) || !(link.columns[i].w == Vec3{});
+  };
+  const auto pair_moves = [&](std::size_t k) { return moves(2 * k) || moves(2 * k + 1); };
+  const auto pairs = static_cast<std::uint32_t>(task.mechanisms[link.mechanism].dofs / 2);
+  Reach out;
+  while (out.begin < pairs && pair_moves(out.begin)) ++out.begin;
+  for (std::uint32_t k = out.begin; k < pairs; ++k) {
+    if (!pair_moves(k)) continue;
+    if (out.extra > 0 || k == 0) return {pairs, 0};
+    out.extra = k;
   }
+  return out;
 }
 
 /// J and W of a unit impulse along a direction `d` at `p` (times `sign`); returns J·W.
-double fill_row(const SolverTask& task, const Hold& hold, const Vec3& p, const Vec3& d, double sign,
-                std::size_t direction, Rows& rows) {
-  const SolverLink& link = task.links[hold.link];
-  const SolverMechanism& mechanism = task.mechanisms[link.mechanism];
-  const Reach& reach = rows.reach[hold.link];
-  const std::size_t n = hold.dofs, last = width(reach) - 1;
-  double* j = &rows.numbers[hold.at + direction * width(reach)];
-  double* w = &rows.numbers[hold.at + 3 * width(reach) + direction * n];
+double fill_row(const SolverTask& task, const SolverLink& link, const Hold& hold, const Vec3& p,
+                const Vec3& d, double sign, std::size_t direction, Rows& rows) {
+  const Reach& reach = hold.reach;
+  const double* inverse = task.mechanisms[link.mechanism].inverse;
+  const std::size_t n = hold.dofs;
+  double* j = &rows.numbers[hold.at + direction * reach.width()];
+  double* w = &rows.numbers[hold.at + 3 * reach.width() + direction * n];
   const Vec3 arm = cross(p - link.p, d);
   const auto entry = [&](std::size_t i) {
     return sign * (dot(d, link.columns[i].v) + dot(arm, link.columns[i].w));
   };
-  for (std::size_t k = 0; k < last; ++k) {
-    j[k] = entry(2 * std::size_t{rows.pairs[reach.begin + k / 2]} + k % 2);
+  for (std::size_t i = 0; i < 2 * std::size_t{reach.begin}; ++i) j[i] = entry(i);
+  for (std::size_t i = 0; i < 2 && reach.extra > 0; ++i) {
+    j[2 * reach.begin + i] = entry(2 * std::size_t{reach.extra} + i);
   }
-  j[last] = n % 2 == 0 ? 0 : entry(n - 1);
-  for (std::size_t i = 0; i < n; ++i) w[i] = product(j, rows, reach, mechanism.inverse + i * n, n);
-  return product(j, rows, reach, w, n);
+  if (n % 2 != 0) j[2 * std::size_t{reach.begin} + 2] = entry(n - 1);
+  for (std::size_t i = 0; i < n; ++i) w[i] = product(j, hold, inverse + i * n);
+  return product(j, hold, w);
 }
 
-void add_hold(const SolverTask& task, std::uint32_t body, RowPoint& point, Rows& rows) {
-  const std::int32_t number = task.bodies[body].link;
-  if (number < 0) return;
+/// All three directions; adds to what an impulse changes in each.
+void add_hold(const SolverTask& task, std::uint32_t body, const Vec3& p, double sign,
+              RowPoint& point, std::array<double, 3>& change, Rows& rows) {
+  const SolverLink* link = link_of(task, body);
+  if (link == nullptr) return;
+  const SolverMechanism& mechanism = task.mechanisms[link->mechanism];
   Hold& hold = point.holds[point.held++];
-  hold.link = static_cast<std::uint32_t>(number);
-  const SolverMechanism& mechanism = task.mechanisms[task.links[hold.link].mechanism];
   hold.v = mechanism.v;
   hold.way = mechanism.way;
   hold.dofs = static_cast<std::uint32_t>(mechanism.dofs);
+  hold.reach = rows.reach[static_cast<std::size_t>(task.bodies[body].link)];
   hold.at = static_cast<std::uint32_t>(rows.numbers.size());
-  rows.numbers.resize(rows.numbers.size() + 3 * (width(rows.reach[hold.link]) + mechanism.dofs));
+  rows.numbers.resize(rows.numbers.size() + 3 * (hold.reach.width() + hold.dofs));
+  for (std::size_t i = 0; i < 3; ++i) {
+    change[i] += fill_row(task, *link, hold, p, point.directions[i], sign, i, rows);
+  }
 }
 
-Row make_row(const SolverTask& task, const RowPoint& point, const Vec3& p, const Vec3& d,
-             std::size_t direction, Rows& rows) {
-  const SolverBody &a = task.bodies[point.a], &b = task.bodies[point.b];
-  Row row;
-  row.d = d;
-  double inverse = 0;
-  if (point.loose_a) {
-    row.arm_a = cross(p - a.p, d);
-    row.turn_a = a.inverse_inertia * row.arm_a;
-    inverse += a.inverse_mass;
+// ---- Free bodies ----
+
+static_assert(offsetof(SolverBody, w) == offsetof(SolverBody, v) + sizeof(Vec3) &&
+                  offsetof(SolverBody, way_w) == offsetof(SolverBody, way_v) + sizeof(Vec3),
+              "six numbers that stand together");
+
+void add_loose(SolverBody& body, const Vec3& p, double sign, RowPoint& point,
+               std::array<double, 3>& change) {
+  // The numbers of links and of the ground are zero, and stay so.
+  if (!(body.inverse_mass > 0) && body.v == Vec3{} && body.w == Vec3{}) return;
+  LooseSide& side = point.loose[point.looses++];
+  side.v = &body.v.x;
+  side.way = &body.way_v.x;
+  side.inverse_mass = sign * body.inverse_mass;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 d = point.directions[i], arm = cross(p - body.p, d);
+    const Vec3 turn = body.inverse_inertia * arm;
+    change[i] += body.inverse_mass + dot(arm, turn);
+    const Vec3 jv = d * sign, jw = arm * sign, ww = turn * sign;
+    side.j[i] = {jv.x, jv.y, jv.z, jw.x, jw.y, jw.z};
+    side.w[i] = {d.x, d.y, d.z, ww.x, ww.y, ww.z};
   }
-  if (point.loose_b) {
-    row.arm_b = cross(p - b.p, d);
-    row.turn_b = b.inverse_inertia * row.arm_b;
-    inverse += b.inverse_mass;
-  }
-  inverse += dot(row.arm_a, row.turn_a);
-  inverse += dot(row.arm_b, row.turn_b);
-  for (std::size_t i = 0; i < point.held; ++i) {
-    const double sign = i == 0 && a.link >= 0 ? 1 : -1;
-    inverse += fill_row(task, point.holds[i], p, d, sign, direction, rows);
-  }
-  row.mass = inverse > 1e-12 ? 1 / inverse : 0;
-  return row;
 }
 
-/// Whether its six numbers count: those of links and of the ground are zero.
-bool is_loose(const SolverBody& body) {
-  return body.inverse_mass > 0 || !(body.v == Vec3{}) || !(body.w == Vec3{});
+double product(const std::array<double, 6>& j, const double* v) {
+  const Two a = two_at(&j[0]) * two_at(v), b = two_at(&j[2]) * two_at(v + 2),
+            c = two_at(&j[4]) * two_at(v + 4);
+  const double linear = a[0] + a[1] + b[0], angular = b[1] + c[0] + c[1];
+  return linear + angular;
 }
+
+template <std::size_t kCount>
+void add(const LooseSide& side, std::size_t direction, const std::array<double, kCount>& impulse,
+         double* v) {
+  Two a = two_at(v), b = two_at(v + 2), c = two_at(v + 4);
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const double* w = side.w[direction + i].data();
+    const double push = impulse[i] * side.inverse_mass;
+    a += two_at(w) * both(push);
+    b += two_at(w + 2) * Two{push, impulse[i]};
+    c += two_at(w + 4) * both(impulse[i]);
+  }
+  put(v, a);
+  put(v + 2, b);
+  put(v + 4, c);
+}
+
+// ---- Points ----
 
 /// The tangent that lies along the axle; some tangent when there is none, or it is upright.
 Vec3 first_tangent(const Contact& contact) {
@@ -162,127 +190,123 @@ Vec3 first_tangent(const Contact& contact) {
   return squared(flat) > 0.01 ? normalised(flat) : perpendicular(contact.normal);
 }
 
-RowPoint make_row_point(const SolverTask& task, std::size_t c, std::size_t number, Rows& rows) {
+RowPoint make_row_point(SolverTask& task, std::size_t c, std::size_t number, Rows& rows) {
   const Contact& contact = task.contacts[c];
   const ContactPoint& from = contact.points[number];
+  const auto [a, b] = task.slots[c];
   const double part = 1.0 / task.small_steps;
   RowPoint point;
   point.contact = static_cast<std::uint32_t>(c);
   point.point = static_cast<std::uint32_t>(number);
-  std::tie(point.a, point.b) = task.slots[c];
-  point.loose_a = is_loose(task.bodies[point.a]);
-  point.loose_b = is_loose(task.bodies[point.b]);
-  add_hold(task, point.a, point, rows);
-  add_hold(task, point.b, point, rows);
   const Vec3 t = first_tangent(contact), s = cross(contact.normal, t);
-  point.rows = {make_row(task, point, from.p_W, contact.normal, 0, rows),
-                make_row(task, point, from.p_W, t, 1, rows),
-                make_row(task, point, from.p_W, s, 2, rows)};
+  point.directions = {contact.normal, t, s};
+  std::array<double, 3> change{};  // of velocity, by an impulse of 1
+  add_loose(task.bodies[a], from.p_W, 1, point, change);
+  add_loose(task.bodies[b], from.p_W, -1, point, change);
+  add_hold(task, a, from.p_W, 1, point, change, rows);
+  add_hold(task, b, from.p_W, -1, point, change, rows);
+  for (std::size_t i = 0; i < 3; ++i) point.mass[i] = change[i] > 1e-12 ? 1 / change[i] : 0;
   point.gap = from.gap;
   point.push = from.push * part;
-  point.slide_first = dot(from.friction, t) * part;
-  point.slide_second = dot(from.friction, s) * part;
+  point.slide = {dot(from.friction, t) * part, dot(from.friction, s) * part};
   point.friction = contact.friction;
   point.axle_friction = contact.axle_friction;
   const Vec3 way = bend(task, c, from.p_W);
-  point.bend_first = dot(way, t);
-  point.bend_second = dot(way, s);
+  point.bend = {dot(way, t), dot(way, s)};
   point.shift_target = least_shift(from.gap, task.dt);
   return point;
 }
 
 /// Which numbers rows are about: velocities, or the shift that undoes overlaps.
 struct OfVelocities {
-  static constexpr auto kLinear = &SolverBody::v, kAngular = &SolverBody::w;
-  static constexpr auto kSpeeds = &Hold::v;
+  template <class Side>
+  static double* of(const Side& side) {
+    return side.v;
+  }
 };
 struct OfShifts {
-  static constexpr auto kLinear = &SolverBody::way_v, kAngular = &SolverBody::way_w;
-  static constexpr auto kSpeeds = &Hold::way;
+  template <class Side>
+  static double* of(const Side& side) {
+    return side.way;
+  }
 };
 
-constexpr std::size_t kNormal = 0, kFirst = 1, kSecond = 2;
-
-template <class Of = OfVelocities>
-double along(std::size_t direction, const Rows& rows, const SolverTask& task,
-             const RowPoint& point) {
-  const Row& row = point.rows[direction];
-  Vec3 v;
+template <class Size, class Of = OfVelocities>
+double along(std::size_t direction, const Rows& rows, const RowPoint& point) {
   double sum = 0;
-  if (point.loose_a) v = task.bodies[point.a].*Of::kLinear;
-  if (point.loose_b) v -= task.bodies[point.b].*Of::kLinear;
-  if (point.loose_a || point.loose_b) sum = dot(row.d, v);
-  if (point.loose_a) sum += dot(row.arm_a, task.bodies[point.a].*Of::kAngular);
-  if (point.loose_b) sum -= dot(row.arm_b, task.bodies[point.b].*Of::kAngular);
+  for (std::size_t i = 0; i < point.looses; ++i) {
+    sum += product(point.loose[i].j[direction], Of::of(point.loose[i]));
+  }
   for (std::size_t i = 0; i < point.held; ++i) {
     const Hold& hold = point.holds[i];
-    const Reach& reach = rows.reach[hold.link];
-    const double* j = &rows.numbers[hold.at + direction * width(reach)];
-    sum += product(j, rows, reach, hold.*Of::kSpeeds, hold.dofs);
+    sum += product<Size>(rows_j(rows, hold, direction), hold, Of::of(hold));
   }
   return sum;
 }
 
-template <class Of = OfVelocities>
-void push(std::size_t direction, const Rows& rows, SolverTask& task, const RowPoint& point,
-          double impulse) {
-  if (impulse == 0) return;
-  const Row& row = point.rows[direction];
-  if (point.loose_a) {
-    SolverBody& a = task.bodies[point.a];
-    a.*Of::kLinear += row.d * (impulse * a.inverse_mass);
-    a.*Of::kAngular += row.turn_a * impulse;
-  }
-  if (point.loose_b) {
-    SolverBody& b = task.bodies[point.b];
-    b.*Of::kLinear -= row.d * (impulse * b.inverse_mass);
-    b.*Of::kAngular -= row.turn_b * impulse;
+/// In `kCount` directions from one on.
+template <class Size, class Of = OfVelocities, std::size_t kCount>
+void push(std::size_t direction, const Rows& rows, const RowPoint& point,
+          const std::array<double, kCount>& impulse) {
+  if (std::all_of(impulse.begin(), impulse.end(), [](double x) { return x == 0; })) return;
+  for (std::size_t i = 0; i < point.looses; ++i) {
+    add(point.loose[i], direction, impulse, Of::of(point.loose[i]));
   }
   for (std::size_t i = 0; i < point.held; ++i) {
     const Hold& hold = point.holds[i];
-    const std::size_t w = hold.at + 3 * width(rows.reach[hold.link]) + direction * hold.dofs;
-    add(hold.*Of::kSpeeds, &rows.numbers[w], hold.dofs, impulse);
+    add<Size>(rows_w(rows, hold, direction), hold, impulse, Of::of(hold));
   }
 }
 
 /// Returns the change in velocity that was asked for.
-double relax_normal(RowPoint& point, const Rows& rows, SolverTask& task, double inverse_dt) {
-  const double mass = point.rows[kNormal].mass;
-  const double lacking = -std::max(0.0, point.gap) * inverse_dt - along(kNormal, rows, task, point);
+template <class Size>
+double relax_normal(RowPoint& point, const Rows& rows, double inverse_dt) {
+  const double mass = point.mass[kNormal];
+  const double lacking = -std::max(0.0, point.gap) * inverse_dt - along<Size>(kNormal, rows, point);
   const double impulse = std::max(0.0, point.push + lacking * mass);
   const double change = impulse - point.push;
   point.push = impulse;
-  push(kNormal, rows, task, point, change);
+  push<Size>(kNormal, rows, point, std::array{change});
   return mass > 0 ? std::abs(change) / mass : 0;
 }
 
 /// Friction within an ellipse whose half axis along the axle is a part of the other. The
 /// wheel slips so that friction takes the most power from it, as one with rollers on its rim
 /// would: the step along the axle is shorter by the square of that part.
-double relax_friction(RowPoint& point, const Rows& rows, SolverTask& task) {
-  if (point.push == 0 && point.slide_first == 0 && point.slide_second == 0) return 0;
+template <class Size>
+double relax_friction(RowPoint& point, const Rows& rows) {
+  if (point.push == 0 && point.slide[0] == 0 && point.slide[1] == 0) return 0;
   const double part = point.axle_friction;
   // The same mass for both, so that sliding does not depend on how the tangents lie.
-  const double mass = std::min(point.rows[kFirst].mass, point.rows[kSecond].mass);
-  const double first = along(kFirst, rows, task, point) + point.bend_first;
-  const double second = along(kSecond, rows, task, point) + point.bend_second;
-  double x = point.slide_first - first * mass * part * part;
-  double y = point.slide_second - second * mass;
+  const double mass = std::min(point.mass[kFirst], point.mass[kSecond]);
+  const double first = along<Size>(kFirst, rows, point) + point.bend[0];
+  const double second = along<Size>(kSecond, rows, point) + point.bend[1];
+  double x = point.slide[0] - first * mass * part * part;
+  double y = point.slide[1] - second * mass;
   const double most = point.friction * point.push;
   if (part == 0) x = 0;
-  const double across = part > 0 ? x / part : 0;
+  const double across = part == 1 ? x : part > 0 ? x / part : 0;
   const double size = across * across + y * y;
   if (size > most * most) {
     const double less = most / std::sqrt(size);
     x *= less;
     y *= less;
   }
-  const double dx = x - point.slide_first, dy = y - point.slide_second;
-  push(kFirst, rows, task, point, dx);
-  push(kSecond, rows, task, point, dy);
-  point.slide_first = x;
-  point.slide_second = y;
+  const double dx = x - point.slide[0], dy = y - point.slide[1];
+  push<Size>(kFirst, rows, point, std::array{dx, dy});
+  point.slide = {x, y};
   return mass > 0 ? std::max(std::abs(dx), std::abs(dy)) / mass : 0;
+}
+
+template <class Size>
+double relax(RowPoint& point, const Rows& rows, double inverse_dt) {
+  const double change = relax_normal<Size>(point, rows, inverse_dt);
+  return std::max(change, relax_friction<Size>(point, rows));
+}
+
+template <class Size>
+void apply_last(const RowPoint& point, const Rows& rows) {
+  push<Size>(kNormal, rows, point, std::array{point.push, point.slide[0], point.slide[1]});
 }
 
 /// Of a point of a body, while its velocities stay the same.
@@ -342,8 +366,9 @@ bool needs_rows(const SolverTask& task, std::size_t contact) {
          !(task.contacts[contact].axle == Vec3{});
 }
 
-void make_rows(const SolverTask& task, Rows& rows) {
-  note_reach(task, rows);
+void make_rows(SolverTask& task, Rows& rows) {
+  rows.reach.clear();
+  for (const SolverLink& link : task.links) rows.reach.push_back(reach_of(task, link));
   rows.numbers.clear();
   rows.points.clear();
   for (std::size_t c = 0; c < task.contacts.size(); ++c) {
@@ -362,9 +387,7 @@ void make_rows(const SolverTask& task, Rows& rows) {
 void apply_last_rows(const Rows& rows, SolverTask& task) {
   for (const SolverAxis& axis : rows.axes) turn(axis, task, axis.impulse);
   for (const RowPoint& point : rows.points) {
-    push(kNormal, rows, task, point, point.push);
-    push(kFirst, rows, task, point, point.slide_first);
-    push(kSecond, rows, task, point, point.slide_second);
+    is_robot(point) ? apply_last<RobotSizes>(point, rows) : apply_last<AnySizes>(point, rows);
   }
 }
 
@@ -374,8 +397,8 @@ double sweep_rows(Rows& rows, SolverTask& task, double inverse_dt) {
     change = std::max(change, relax_axis(axis, task, inverse_dt));
   }
   for (RowPoint& point : rows.points) {
-    change = std::max(change, relax_normal(point, rows, task, inverse_dt));
-    change = std::max(change, relax_friction(point, rows, task));
+    change = std::max(change, is_robot(point) ? relax<RobotSizes>(point, rows, inverse_dt)
+                                              : relax<AnySizes>(point, rows, inverse_dt));
   }
   return change;
 }
@@ -385,7 +408,9 @@ void follow_row_gaps(Rows& rows, const SolverTask& task, double dt) {
     axis.gap += axis.side * task.mechanisms[axis.mechanism].v[axis.dof] * dt;
   }
   for (RowPoint& point : rows.points) {
-    point.gap += along(kNormal, rows, task, point) * dt;
+    const double speed = is_robot(point) ? along<RobotSizes>(kNormal, rows, point)
+                                         : along<AnySizes>(kNormal, rows, point);
+    point.gap += speed * dt;
   }
 }
 
@@ -394,12 +419,12 @@ bool overlapping(const Rows& rows) {
                      [](const RowPoint& point) { return point.shift_target > 0; });
 }
 
-void shift_rows(Rows& rows, SolverTask& task) {
+void shift_rows(Rows& rows) {
   for (RowPoint& point : rows.points) {
-    const double mass = point.rows[kNormal].mass;
-    const double speed = along<OfShifts>(kNormal, rows, task, point);
-    const double impulse = std::max(0.0, point.shift + (point.shift_target - speed) * mass);
-    push<OfShifts>(kNormal, rows, task, point, impulse - point.shift);
+    const double speed = along<AnySizes, OfShifts>(kNormal, rows, point);
+    const double impulse =
+        std::max(0.0, point.shift + (point.shift_target - speed) * point.mass[kNormal]);
+    push<AnySizes, OfShifts>(kNormal, rows, point, std::array{impulse - point.shift});
     point.shift = impulse;
   }
 }
@@ -410,7 +435,8 @@ void keep_row_impulses(const Rows& rows, SolverTask& task) {
     ContactPoint& point = task.contacts[from.contact].points[from.point];
     point.push = from.push * parts;
     point.friction =
-        (from.rows[kFirst].d * from.slide_first + from.rows[kSecond].d * from.slide_second) * parts;
+        (from.directions[kFirst] * from.slide[0] + from.directions[kSecond] * from.slide[1]) *
+        parts;
   }
   for (std::size_t i = 0; i < rows.axes.size(); ++i) {
     task.axes[i].impulse = rows.axes[i].impulse * parts;
