@@ -43,9 +43,8 @@ struct Sizes {
 using AnySizes = Sizes<0, 0>;
 using RobotSizes = Sizes<3, 5>;
 
-bool is_robot(const RowPoint& point) {
-  return point.held == 1 && point.holds[0].reach.begin == 3 && point.holds[0].dofs / 2 == 5;
-}
+bool is_robot(const Hold& hold) { return hold.reach.begin == 3 && hold.dofs / 2 == 5; }
+bool is_robot(const RowPoint& point) { return point.held == 1 && is_robot(point.holds[0]); }
 
 /// J times v. In two sums, of which neither waits for the other.
 template <class Size = AnySizes>
@@ -97,6 +96,7 @@ Reach reach_of(const SolverTask& task, const SolverLink& link) {
 }
 
 /// J and W of a unit impulse along a direction `d` at `p` (times `sign`); returns J·W.
+template <class Size>
 double fill_row(const SolverTask& task, const SolverLink& link, const Hold& hold, const Vec3& p,
                 const Vec3& d, double sign, std::size_t direction, Rows& rows) {
   const Reach& reach = hold.reach;
@@ -113,8 +113,8 @@ double fill_row(const SolverTask& task, const SolverLink& link, const Hold& hold
     j[2 * reach.begin + i] = entry(2 * std::size_t{reach.extra} + i);
   }
   if (n % 2 != 0) j[2 * std::size_t{reach.begin} + 2] = entry(n - 1);
-  for (std::size_t i = 0; i < n; ++i) w[i] = product(j, hold, inverse + i * n);
-  return product(j, hold, w);
+  for (std::size_t i = 0; i < n; ++i) w[i] = product<Size>(j, hold, inverse + i * n);
+  return product<Size>(j, hold, w);
 }
 
 /// All three directions; adds to what an impulse changes in each.
@@ -131,7 +131,9 @@ void add_hold(const SolverTask& task, std::uint32_t body, const Vec3& p, double 
   hold.at = static_cast<std::uint32_t>(rows.numbers.size());
   rows.numbers.resize(rows.numbers.size() + 3 * (hold.reach.width() + hold.dofs));
   for (std::size_t i = 0; i < 3; ++i) {
-    change[i] += fill_row(task, *link, hold, p, point.directions[i], sign, i, rows);
+    const Vec3& d = point.directions[i];
+    change[i] += is_robot(hold) ? fill_row<RobotSizes>(task, *link, hold, p, d, sign, i, rows)
+                                : fill_row<AnySizes>(task, *link, hold, p, d, sign, i, rows);
   }
 }
 
