@@ -20,6 +20,16 @@ Bricks with(Bricks bricks, const PlacedBrick& brick) {
   return bricks;
 }
 
+Bricks without(Bricks bricks, const PlacedBrick& brick) {
+  bricks.erase(std::lower_bound(bricks.begin(), bricks.end(), brick));
+  return bricks;
+}
+
+bool has_brick(const Bricks& bricks, const PlacedBrick& brick) {
+  return std::binary_search(bricks.begin(), bricks.end(), brick);
+}
+
+/// Sorted, each once.
 Bricks events_of(const RuleSet& rules, const RuleTable& table, const OracleMatcher& matcher,
                  const Bricks& bricks, int stage) {
   const Structure structure(rules.lattice, bricks);
@@ -31,6 +41,8 @@ Bricks events_of(const RuleSet& rules, const RuleTable& table, const OracleMatch
       if (rules.conflicts == Conflicts::first) break;
     }
   }
+  std::sort(events.begin(), events.end());
+  events.erase(std::unique(events.begin(), events.end()), events.end());
   return events;
 }
 
@@ -43,7 +55,7 @@ class Claim {
  public:
   Claim(const RuleSet& rules, const ReachedStage& stage) : rules_(rules), stage_(stage) {
     end_ = *stage.ends.begin();
-    for (const Bricks& bricks : stage.all) {
+    for (const auto& [bricks, events] : stage.events) {
       if (is_subset(bricks, end_)) reached_.push_back(bricks);
     }
     write_order();
@@ -60,22 +72,25 @@ class Claim {
  private:
   bool has(const Bricks& bricks, std::uint32_t position) const {
     const CertifiedBrick& brick = out_.order[position];
-    return std::binary_search(bricks.begin(), bricks.end(), PlacedBrick{brick.at, brick.colour});
+    return has_brick(bricks, {brick.at, brick.colour});
   }
 
+  /// Backwards from the end, by events: that a structure is reached with a brick more does not say
+  /// that a rule places that brick there. A step back is always found, since all was reached.
   void write_order() {
-    Bricks now = stage_.start;
-    while (now != end_) {
-      Bricks next;
-      for (const PlacedBrick& brick : end_) {
-        const bool there = std::binary_search(now.begin(), now.end(), brick);
-        if (!there && stage_.all.count(with(now, brick)) > 0) next.push_back(brick);
+    Bricks now = end_;
+    while (now != stage_.start) {
+      Bricks last;
+      for (const PlacedBrick& brick : now) {
+        const auto found = stage_.events.find(without(now, brick));
+        if (found != stage_.events.end() && has_brick(found->second, brick)) last.push_back(brick);
       }
-      const PlacedBrick brick = *rc::gen::elementOf(next);
-      now = with(now, brick);
-      number_of_[brick.at] = static_cast<std::uint32_t>(out_.order.size());
+      const PlacedBrick brick = *rc::gen::elementOf(last);
+      now = without(now, brick);
       out_.order.push_back({brick.at, brick.brick, 0});
     }
+    std::reverse(out_.order.begin(), out_.order.end());
+    for (std::uint32_t i = 0; i < out_.order.size(); ++i) number_of_[out_.order[i].at] = i;
   }
 
   void choose_group(Grouping grouping) {
@@ -170,7 +185,7 @@ std::optional<std::vector<ReachedStage>> reach_all(const RuleSet& rules, std::si
   std::sort(start.begin(), start.end());
   std::vector<ReachedStage> stages;
   for (int number = 1; number <= rules.stage_count(); ++number) {
-    ReachedStage stage{start, {start}, {}};
+    ReachedStage stage{start, {{start, {}}}, {}};
     std::vector<Bricks> waiting{start};
     const auto limit = static_cast<std::size_t>(table.stage_limit(number));
     while (!waiting.empty()) {
@@ -183,9 +198,10 @@ std::optional<std::vector<ReachedStage>> reach_all(const RuleSet& rules, std::si
       if (events.empty()) stage.ends.insert(bricks);
       for (const PlacedBrick& event : events) {
         const Bricks next = with(bricks, event);
-        if (stage.all.insert(next).second) waiting.push_back(next);
+        if (stage.events.try_emplace(next).second) waiting.push_back(next);
       }
-      if (stage.all.size() > most) return std::nullopt;
+      stage.events[bricks] = events;
+      if (stage.events.size() > most) return std::nullopt;
     }
     stages.push_back(stage);
     if (stage.ends.size() > 1) break;

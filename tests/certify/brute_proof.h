@@ -4,6 +4,7 @@
 // shared with the checker.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <set>
 #include <vector>
@@ -17,8 +18,8 @@ using Bricks = std::vector<PlacedBrick>;  ///< by cell
 /// All that a stage can reach from the structures it finds.
 struct ReachedStage {
   Bricks start;
-  std::set<Bricks> all;   ///< the start among them
-  std::set<Bricks> ends;  ///< without an event, or with the stage's number of deposits
+  std::map<Bricks, Bricks> events;  ///< of each structure, the start among them
+  std::set<Bricks> ends;            ///< without an event, or with the stage's number of deposits
 };
 
 /// Stage by stage, as long as each has one end; the last may have several. Nothing when

@@ -3,10 +3,14 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+
 #include "certify/brute_proof.h"
 #include "certify/changes.h"
 #include "certify/check.h"
+#include "rules/rule_printer.h"
 #include "support/random_rules.h"
+#include "support/small_sets.h"
 
 namespace stig {
 namespace {
@@ -42,7 +46,7 @@ std::optional<Searched> any_searched_set() {
   for (int attempt = 0; attempt < 20; ++attempt) {
     RuleSet rules = *rc::gen::resize(100, rc::gen::exec(random_set_in_box));
     auto stages = reach_all(rules, kMostStructures);
-    if (stages && stages->front().all.size() > 2) return Searched{rules, *stages};
+    if (stages && stages->front().events.size() > 2) return Searched{rules, *stages};
   }
   return std::nullopt;
 }
@@ -68,6 +72,57 @@ TEST_CASE("one window over everything proves each set that has one end") {
     ++proved;
   }));
   CHECK(proved > 10);
+}
+
+/// 2s east and west of a 1 at any time, and a 3 north of it: before the 2 in the east, or after
+/// the 2 in the west.
+constexpr const char* kThree = R"(
+  - name: east
+    place: 2
+    when: |
+      ? ? ?   ? ? ?   ? ? ?
+      ? ? ?   1 * ?   ? ? ?
+      ? ? ?   ? ? ?   ? ? ?
+  - name: west
+    place: 2
+    when: |
+      ? ? ?   ? ? ?   ? ? ?
+      ? ? ?   ? * 1   ? ? ?
+      ? ? ?   ? ? ?   ? ? ?
+  - name: before the east
+    place: 3
+    when: |
+      ? ? ?   ? ? ?   ? ? ?
+      ? ? ?   ? * ?   ? ? ?
+      ? ? ?   ? 1 .   ? ? ?
+  - name: after the west
+    place: 3
+    when: |
+      ? ? ?   ? ? ?   ? ? ?
+      ? ? ?   ? * ?   ? ? ?
+      ? ? ?   2 1 ?   ? ? ?
+)";
+
+TEST_CASE("the order is one of events: structures that occur, one brick apart, are not enough") {
+  const RuleSet rules =
+      small_set(kThree, "conflicts: first\nbox: {size: [3, 3, 1], origin: [-1, -1, 0]}\n");
+  const auto stages = reach_all(rules, kMostStructures);
+  REQUIRE(stages);
+  REQUIRE(stages->front().events.size() == 8);
+  std::vector<CertifiedBrick> order{{{-1, 0, 0}, 2, 0}, {{0, 1, 0}, 3, 0}, {{1, 0, 0}, 2, 0}};
+  std::vector<std::string> refusals;
+  do {
+    const CertifiedWindow window{{0, 1, 2}, {}, {{0}, {1}, {2}, {3}, {4}, {5}, {6}, {7}}};
+    const Certificate certificate{rule_set_hash(rules), rules.box, {{order, {}, {window}}}, 4};
+    refusals.push_back(check_certificate(rules, certificate).refusal);
+  } while (std::next_permutation(
+      order.begin(), order.end(),
+      [](const CertifiedBrick& a, const CertifiedBrick& b) { return a.at < b.at; }));
+  const std::string unplaced = "stage 1: no rule places the brick at (0, 1, 0) when its turn comes";
+  CHECK(refusals == std::vector<std::string>{"", "", "", "", "", unplaced});
+  CHECK(rc::check("orders drawn", [&] {
+    RC_ASSERT(check_certificate(rules, certificate_of(rules, *stages, Grouping::all)).accepted);
+  }));
 }
 
 TEST_CASE("what is accepted is the only end there is, whatever is claimed") {
