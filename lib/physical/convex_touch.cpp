@@ -50,7 +50,7 @@ struct Solid {
     return dot(n, points[face.corners[0]]);
   }
   /// It reaches at least so far from its centre along n and against it, times |n|, which is
-  /// `long_n`. Cheap: of a cylinder sin a >= 1 - cos a, of hulls nothing is known.
+  /// `long_n`. Cheap: of a cylinder sin a >= 1 - cos a, of a hull that it holds its centre.
   double least_reach(const Vec3& n, double long_n) const {
     const Mat3& r = placed.r;
     const Vec3& half = placed.shape.half;
@@ -58,7 +58,7 @@ struct Solid {
     if (is_box()) {
       return std::abs(dot(r.x, n)) * half.x + std::abs(dot(r.y, n)) * half.y + z * half.z;
     }
-    if (placed.shape.kind == ShapeKind::hull) return 0;
+    if (placed.shape.kind == ShapeKind::hull) return -std::abs(dot(r * convex.centre, n));
     return std::max(0.0, long_n - z) * (half.x * kInPrism) + z * half.z;
   }
 };
