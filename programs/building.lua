@@ -311,6 +311,7 @@ function does.look()
    if not handling.holds() then return 'dropped' end
    wish = task.decide {
       top_colour = seen.top and seen.top.colour, top_level = seen.top and seen.top.level,
+      side = lattice.side_name(),
       cell = function(du, dv, level) return column.cell(seen, du, dv, level) end,
    }
    if not wish then

@@ -123,6 +123,13 @@ function lattice.heading_of(index)
    return wrap(lattice.known.yaw + (index - first) * math.pi / 2)
 end
 
+-- '+x' ..., of the side that the robot works from.
+function lattice.side_name()
+   for name, index in pairs(SIDES) do
+      if index == lattice.side then return name end
+   end
+end
+
 -- The side among those allowed that the robot is nearest to.
 function lattice.nearest_side()
    local there = math.atan(lattice.known.y - robotics.pose.y, lattice.known.x - robotics.pose.x)

@@ -115,6 +115,17 @@ void choose_sides(const RuleSet& rules, const CompileOptions& options, CompiledR
                                 : KnownDirections::shown;
 }
 
+/// What policies may rest on, the least first. What lies straight ahead is enough for most; which
+/// side it is, a robot knows only from where it began.
+std::vector<PolicyScope> scopes(const CompiledRules& compiled) {
+  std::vector<PolicyScope> out = {{PlacementKinds::ahead, false}, {PlacementKinds::all, false}};
+  if (compiled.directions == KnownDirections::declared && compiled.sides.size() > 1) {
+    out.push_back({PlacementKinds::ahead, true});
+    out.push_back({PlacementKinds::all, true});
+  }
+  return out;
+}
+
 }  // namespace
 
 std::string_view to_string(KnownDirections directions) {
@@ -141,9 +152,8 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
   if (!report_proof(rules, out.proof, diagnostics)) return out;
   out.target = std::make_unique<TargetStates>(rules, out.proof);
   if (!report_height(rules, robot, *out.target, out.proof, diagnostics)) return out;
-  // What lies straight ahead is enough for most, and asks for less.
-  for (const PlacementKinds kinds : {PlacementKinds::ahead, PlacementKinds::all}) {
-    out.policy = explore(*out.target, robot, out.sides, kinds, options.limits);
+  for (const PolicyScope& scope : scopes(out)) {
+    out.policy = explore(*out.target, robot, out.sides, scope, options.limits);
     if (options.limits.stop != nullptr && options.limits.stop->load()) return out;
     if (out.policy.too_large) {
       diagnostics

@@ -11,8 +11,8 @@
 //
 // A robot has no compass. It knows directions relative to the side it works from: where rules
 // hold in all four turns, that is enough. Otherwise the sides are declared (in the file, the
-// scene or on the command line), or the structure shows them at every decision, or the rule
-// set is refused.
+// scene or on the command line), and a robot that begins on a side it was told keeps count of its
+// own turns; or the structure shows them at every decision; or the rule set is refused.
 #pragma once
 
 #include <memory>

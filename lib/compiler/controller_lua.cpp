@@ -110,6 +110,9 @@ class Printer {
                            led_number(rules_, static_cast<Colour>(answer)));
       case Question::Kind::top_level:
         return fmt::format("column.top_level == {}", answer);
+      case Question::Kind::side:
+        return fmt::format("column.side == {}",
+                           quoted(to_string(static_cast<ApproachSide>(answer))));
       case Question::Kind::cell:
         break;
     }

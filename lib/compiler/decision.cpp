@@ -44,7 +44,12 @@ std::unique_ptr<DecisionNode> leaf(const std::vector<Case>& cases, const Choices
   return node;
 }
 
-/// Questions in the order in which they are preferred: the top, then the nearest cells.
+bool is_of_top(const Question& question) {
+  return question.kind == Question::Kind::top_colour || question.kind == Question::Kind::top_level;
+}
+
+/// Questions in the order in which they are preferred: the top, then the nearest cells, then the
+/// side.
 std::vector<Question> all_questions(std::size_t cells) {
   std::vector<Question> out = {{Question::Kind::top_colour, {}}, {Question::Kind::top_level, {}}};
   for (std::size_t i = 0; i < cells; ++i) out.push_back({Question::Kind::cell, window_cell(i)});
@@ -52,6 +57,7 @@ std::vector<Question> all_questions(std::size_t cells) {
     const auto far = [](const WindowCell& c) { return std::abs(c.du) + std::abs(c.dv); };
     return far(a.cell) < far(b.cell);
   });
+  out.push_back({Question::Kind::side, {}});
   return out;
 }
 
@@ -140,7 +146,7 @@ class Builder {
     for (const Question& question : questions_) {
       auto parts = split(cases, question);
       if (!parts) continue;
-      if (question.kind != Question::Kind::cell) return std::pair(question, std::move(*parts));
+      if (is_of_top(question)) return std::pair(question, std::move(*parts));
       const std::size_t left = mixed(*parts);
       if (left >= fewest) continue;
       fewest = left;
@@ -177,6 +183,9 @@ std::optional<int> answer(const Question& question, const Observation& seen) {
     const int state = seen.cells[window_index(question.cell)];
     return state == kUnseen ? std::nullopt : std::optional(state);
   }
+  if (question.kind == Question::Kind::side) {
+    return seen.side ? std::optional(static_cast<int>(*seen.side)) : std::nullopt;
+  }
   const std::optional<ColumnTop> top = column_top(seen);
   if (!top) return std::nullopt;
   return question.kind == Question::Kind::top_colour ? top->colour : top->level;
@@ -204,13 +213,13 @@ Decision make_decision(const Policy& policy) {
   return out;
 }
 
-std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy) {
-  prune(target, policy);
+std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy, Pruning pruning) {
+  prune(target, policy, pruning);
   while (policy.complete) {
     Decision decision = make_decision(policy);
     if (decision.root) return std::move(decision.root);
     for (const Withdrawal& one : decision.unasked) withdraw(policy, one);
-    prune(target, policy);
+    prune(target, policy, pruning);
   }
   return nullptr;
 }
@@ -223,17 +232,17 @@ std::size_t size_of(const DecisionNode& node) {
   return out;
 }
 
-bool asks_cells(const DecisionNode& node) {
+bool asks_more(const DecisionNode& node) {
   if (!node.question) return false;
-  if (node.question->kind == Question::Kind::cell) return true;
+  if (!is_of_top(*node.question)) return true;
   return std::any_of(node.branches.begin(), node.branches.end(),
-                     [](const auto& branch) { return asks_cells(*branch.second); });
+                     [](const auto& branch) { return asks_more(*branch.second); });
 }
 
-/// Observations under nodes below the questions about the top, where cells are asked.
+/// Observations under nodes below the questions about the top, where more is asked.
 void gather_groups(const DecisionNode& node, std::vector<std::vector<std::uint32_t>>& out) {
-  if (!node.question || !asks_cells(node)) return;
-  if (node.question->kind == Question::Kind::cell) {
+  if (!node.question || !asks_more(node)) return;
+  if (!is_of_top(*node.question)) {
     DecisionNode all;
     const std::function<void(const DecisionNode&)> take = [&](const DecisionNode& one) {
       all.observations.insert(all.observations.end(), one.observations.begin(),
@@ -273,7 +282,7 @@ bool ask_once(const TargetStates& target, Policy& policy, std::unique_ptr<Decisi
     }
     for (const int one : shown) {
       Policy tried = only_where(before, group, question, one);
-      auto tree = settle(target, tried);
+      auto tree = settle(target, tried, Pruning::at_once);
       if (!tree || size_of(*tree) >= fewest) continue;
       fewest = size_of(*tree);
       policy = std::move(tried);

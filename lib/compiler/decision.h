@@ -21,15 +21,15 @@
 
 namespace stig {
 
-/// What is asked: the column's top, or what is known of a cell of the window.
+/// What is asked: the column's top, what is known of a cell of the window, or from which side.
 struct Question {
-  enum class Kind : std::uint8_t { top_colour, top_level, cell } kind = Kind::top_colour;
+  enum class Kind : std::uint8_t { top_colour, top_level, cell, side } kind = Kind::top_colour;
   WindowCell cell;
   auto operator<=>(const Question&) const = default;
 };
 
-/// The answer: a colour, a level, or kSeenEmpty / kSeenBrick + colour; nothing where it is
-/// not seen.
+/// The answer: a colour, a level, kSeenEmpty / kSeenBrick + colour, or an ApproachSide; nothing
+/// where it is not known.
 std::optional<int> answer(const Question& question, const Observation& seen);
 
 struct DecisionNode {
@@ -51,7 +51,8 @@ Decision make_decision(const Policy& policy);
 
 /// Prunes the policy and makes its tree; where cases cannot be told apart, what only some of
 /// them allow is withdrawn, and it begins again. Null when the policy is not complete then.
-std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy);
+std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy,
+                                     Pruning pruning = Pruning::search);
 
 /// Looks for a smaller tree: where columns with one top take several questions, nothing is to
 /// be done but where one cell shows one thing, if work completes all the same. Policies of

@@ -79,6 +79,8 @@ std::string question_text(const Question& question) {
       return "level of the column's top";
     case Question::Kind::cell:
       return place_text(question.cell);
+    case Question::Kind::side:
+      return "side that the robot works from";
   }
   return {};
 }
@@ -98,6 +100,10 @@ std::string answers_text(const RuleSet& rules, const Question& question,
       case Question::Kind::cell:
         out +=
             answer == kSeenEmpty ? "empty" : led(rules, static_cast<Colour>(answer - kSeenBrick));
+        break;
+      case Question::Kind::side:
+        out += to_string(static_cast<ApproachSide>(answer));
+        break;
     }
   }
   return out;

@@ -11,12 +11,15 @@ namespace {
 
 /// What a column shows from each stance, and what is to be done before it.
 struct LookedAt {
+  std::optional<ApproachSide> side;  ///< where it counts
   std::vector<Observation> from;
   std::optional<Placement> wanted;
 };
 
-Observation together(const std::vector<Observation>& from, const std::vector<bool>& used) {
+Observation together(const LookedAt& column, const std::vector<bool>& used) {
+  const std::vector<Observation>& from = column.from;
   Observation out;
+  out.side = column.side;
   out.cells.assign(from.front().cells.size(), kUnseen);
   for (std::size_t s = 0; s < from.size(); ++s) {
     if (!used[s]) continue;
@@ -29,16 +32,16 @@ Observation together(const std::vector<Observation>& from, const std::vector<boo
 
 std::vector<LookedAt> columns_that_arise(Sight& sight, const CompiledRules& compiled) {
   std::vector<LookedAt> out;
-  std::set<std::vector<std::vector<std::uint8_t>>> known;
+  std::set<std::pair<std::optional<ApproachSide>, std::vector<std::vector<std::uint8_t>>>> known;
   for (const Situation& situation : compiled.policy.situations) {
     if (!compiled.policy.reached[situation.state]) continue;
     const auto& from = sight.look_from_each(compiled.policy.states[situation.state], situation.side,
                                             situation.u, situation.v);
+    const Observation& all = compiled.policy.observations[situation.observation];
     std::vector<std::vector<std::uint8_t>> key;
     for (const Observation& one : from) key.push_back(one.cells);
-    if (!known.insert(std::move(key)).second) continue;
-    out.push_back(
-        {from, decide(*compiled.decision, compiled.policy.observations[situation.observation])});
+    if (!known.emplace(all.side, std::move(key)).second) continue;
+    out.push_back({all.side, from, decide(*compiled.decision, all)});
   }
   return out;
 }
@@ -64,7 +67,7 @@ std::vector<Stance> choose_looks(const Abilities& robot, const CompiledRules& co
     if (left == 1) break;
     used[one] = false;
     const bool enough = std::all_of(columns.begin(), columns.end(), [&](const LookedAt& column) {
-      return decide(*compiled.decision, together(column.from, used)) == column.wanted;
+      return decide(*compiled.decision, together(column, used)) == column.wanted;
     });
     if (enough) {
       --left;

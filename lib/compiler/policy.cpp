@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
+#include <limits>
 #include <tuple>
 #include <unordered_map>
+
+#include "base/hash.h"
 
 namespace stig {
 
@@ -18,12 +22,12 @@ struct SetHash {
 class Explorer {
  public:
   Explorer(const TargetStates& target, const Abilities& robot,
-           const std::vector<ApproachSide>& sides, PlacementKinds kinds, const PolicyLimits& limits,
-           Policy& out)
+           const std::vector<ApproachSide>& sides, const PolicyScope& scope,
+           const PolicyLimits& limits, Policy& out)
       : target_(target),
         robot_(robot),
         sides_(sides),
-        kinds_(kinds),
+        scope_(scope),
         limits_(limits),
         out_(out),
         sight_(target, robot) {}
@@ -50,8 +54,13 @@ class Explorer {
     return at->second;
   }
 
-  std::uint32_t number(const Observation& seen) {
-    const std::string key(seen.cells.begin(), seen.cells.end());
+  std::uint32_t observe(const BrickSet& state, ApproachSide side, int u, int v) {
+    Observation seen = sight_.look(state, side, u, v);
+    std::string key(seen.cells.begin(), seen.cells.end());
+    if (scope_.knows_side) {
+      seen.side = side;
+      key += to_string(side);
+    }
     const auto [at, added] =
         seen_.emplace(key, static_cast<std::uint32_t>(out_.observations.size()));
     if (added) out_.observations.push_back(seen);
@@ -64,7 +73,7 @@ class Explorer {
     for (const ApproachSide side : sides_) {
       for (const auto& [v, u] : foremost(state, side)) {
         if (!can_stand(state, side, u, v)) continue;
-        Situation situation{s, side, u, v, number(sight_.look(state, side, u, v)), {}};
+        Situation situation{s, side, u, v, observe(state, side, u, v), {}};
         for (const std::uint32_t brick : open) {
           if (auto found = placement(state, situation, brick)) {
             situation.placements.push_back(*found);
@@ -109,7 +118,7 @@ class Explorer {
     const bool beside_it = std::abs(cell.du) + std::abs(cell.dv) == 1 && cell.du >= 0;
     const bool next =
         beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
-    if (!next || (kinds_ == PlacementKinds::ahead && cell.dv != 0)) return std::nullopt;
+    if (!next || (scope_.kinds == PlacementKinds::ahead && cell.dv != 0)) return std::nullopt;
     if (reach(target_, state, target_.cell(brick), at.side, robot_).obstruction !=
         Obstruction::none) {
       return std::nullopt;
@@ -123,7 +132,7 @@ class Explorer {
   const TargetStates& target_;
   const Abilities& robot_;
   const std::vector<ApproachSide>& sides_;
-  PlacementKinds kinds_;
+  const PolicyScope& scope_;
   const PolicyLimits& limits_;
   Policy& out_;
   Sight sight_;
@@ -134,12 +143,23 @@ class Explorer {
 /// Takes placements away until what is left is sound.
 class Pruner {
  public:
-  Pruner(const TargetStates& target, Policy& policy) : target_(target), out_(policy) {}
+  /// Ranks what is allowed where; of dead ends the one of the least rank is withdrawn at a time.
+  /// None: all at once.
+  using Rank = std::function<std::uint64_t(const Observation&, const Placement&)>;
 
-  void prune() {
+  Pruner(const TargetStates& target, Policy& policy, Rank rank = {})
+      : target_(target), out_(policy), rank_(std::move(rank)) {}
+
+  /// `effort`, in structures that are looked at, is used up; without any left, it gives up, and
+  /// the policy is not complete.
+  void prune(std::size_t& effort) {
     mark();
     if (out_.withdrawn.empty()) out_.out_of_reach = !hopeful_[0];
-    while (hopeful_[0] && (withdraw_dead_ends() || withdraw_ambiguous())) mark();
+    while (hopeful_[0] && (withdraw_dead_ends() || withdraw_ambiguous())) {
+      mark();
+      if (effort < out_.states.size()) return;
+      effort -= out_.states.size();
+    }
     out_.complete = hopeful_[0];
     if (!out_.complete) out_.stuck = fullest_stuck();
   }
@@ -190,6 +210,14 @@ class Pruner {
         found.push_back(
             {Withdrawal::Reason::dead_end, out_.situations[i].observation, placement, i, i});
       });
+    }
+    if (rank_ && !found.empty()) {
+      const auto rank = [&](const Withdrawal& one) {
+        return rank_(out_.observations[one.observation], one.placement);
+      };
+      found = {*std::min_element(
+          found.begin(), found.end(),
+          [&](const Withdrawal& a, const Withdrawal& b) { return rank(a) < rank(b); })};
     }
     for (const Withdrawal& one : found) withdraw(out_, one);
     return !found.empty();
@@ -244,8 +272,30 @@ class Pruner {
 
   const TargetStates& target_;
   Policy& out_;
+  Rank rank_;
   std::vector<bool> hopeful_;
 };
+
+constexpr std::uint64_t kOrders = 64;            ///< of preference
+constexpr std::size_t kMostEffort = 10'000'000;  ///< structures, for all of them
+
+/// An order of preference by chance: the first half of them by what the column is alone, so that
+/// it does not matter what stands about, the others by all that is seen.
+std::uint64_t preference(std::uint64_t order, const Observation& seen, const Placement& placement) {
+  std::uint64_t hash = mix(order);
+  const auto add = [&](int value) { hash = mix(hash ^ static_cast<std::uint64_t>(value + 64)); };
+  if (const auto top = column_top(seen)) {
+    add(top->colour);
+    add(top->level);
+  }
+  for (const int value : {placement.at.du, placement.at.dv, placement.at.z}) add(value);
+  add(placement.colour);
+  if (order >= kOrders / 2) {
+    for (const std::uint8_t cell : seen.cells) add(cell);
+    add(seen.side ? static_cast<int>(*seen.side) : -1);
+  }
+  return hash;
+}
 
 }  // namespace
 
@@ -255,10 +305,10 @@ PlacementKind kind_of(const Placement& placement) {
 }
 
 Policy explore(const TargetStates& target, const Abilities& robot,
-               const std::vector<ApproachSide>& sides, PlacementKinds kinds,
+               const std::vector<ApproachSide>& sides, const PolicyScope& scope,
                const PolicyLimits& limits) {
   Policy out;
-  Explorer(target, robot, sides, kinds, limits, out).explore();
+  Explorer(target, robot, sides, scope, limits, out).explore();
   if (out.too_large) return out;
   out.allowed.resize(out.observations.size());
   for (const Situation& situation : out.situations) {
@@ -275,9 +325,24 @@ bool withdraw(Policy& policy, const Withdrawal& withdrawal) {
   return true;
 }
 
-void prune(const TargetStates& target, Policy& policy) {
+void prune(const TargetStates& target, Policy& policy, Pruning pruning) {
   assert(!policy.too_large);
-  Pruner(target, policy).prune();
+  const Policy before = pruning == Pruning::search ? policy : Policy{};
+  std::size_t unlimited = std::numeric_limits<std::size_t>::max();
+  Pruner(target, policy).prune(unlimited);
+  if (pruning == Pruning::at_once || policy.complete || policy.out_of_reach) return;
+  std::size_t effort = kMostEffort;
+  for (std::uint64_t order = 0; order < kOrders && effort >= policy.states.size(); ++order) {
+    Policy tried = before;
+    tried.complete = false;
+    const auto rank = [order](const Observation& seen, const Placement& placement) {
+      return preference(order, seen, placement);
+    };
+    Pruner(target, tried, rank).prune(effort);
+    if (!tried.complete) continue;
+    policy = std::move(tried);
+    return;
+  }
 }
 
 }  // namespace stig

@@ -13,7 +13,8 @@
 // to be taken away:
 //
 //   - placements after which the structure can no longer be completed, wherever their
-//     observation occurs (the block that closes the way to another site);
+//     observation occurs (the block that closes the way to another site); where either of two
+//     may be made but not both, and taking both away leaves too little, one of them;
 //   - placements that are impossible or against the rules in some situation that can arise
 //     and shows the same.
 //
@@ -93,14 +94,25 @@ struct PolicyLimits {
 /// Which placements next to a column are looked at.
 enum class PlacementKinds : std::uint8_t { ahead, all };  ///< ahead: raise and extend alone
 
+/// What a policy may rest on.
+struct PolicyScope {
+  PlacementKinds kinds = PlacementKinds::all;
+  bool knows_side = false;  ///< what is seen from two sides is never the same
+};
+
 /// All structures that placements within reach lead to, with everything allowed.
 Policy explore(const TargetStates& target, const Abilities& robot,
-               const std::vector<ApproachSide>& sides, PlacementKinds kinds,
+               const std::vector<ApproachSide>& sides, const PolicyScope& scope,
                const PolicyLimits& limits = {});
+
+/// Where two placements may each be made, but not both, one of them has to go. at_once: all that
+/// lead to a dead end, wherever they do; search: where that leaves no way to the whole structure,
+/// one by one, by several orders of preference, the first that leaves one.
+enum class Pruning : std::uint8_t { at_once, search };
 
 /// Takes away what must be; sets what the policy says of itself. Again after more was
 /// withdrawn.
-void prune(const TargetStates& target, Policy& policy);
+void prune(const TargetStates& target, Policy& policy, Pruning pruning = Pruning::at_once);
 /// False when it was not allowed anyway.
 bool withdraw(Policy& policy, const Withdrawal& withdrawal);
 

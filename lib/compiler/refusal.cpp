@@ -122,6 +122,31 @@ class Explainer {
       }
     }
     show("stuck", stuck());
+    if (const Withdrawal* cause = dead_end()) report_dead_end(*cause, diagnostic);
+  }
+
+  /// A placement that is within reach of a robot that is stuck, and was given up since it leads to
+  /// a dead end where the same is seen.
+  const Withdrawal* dead_end() const {
+    for (std::size_t i = policy_.first[*policy_.stuck]; i < policy_.first[*policy_.stuck + 1];
+         ++i) {
+      const Situation& situation = policy_.situations[i];
+      for (const auto& [placement, to] : situation.placements) {
+        const Withdrawal* found = withdrawal(situation.observation, placement);
+        if (found != nullptr && found->reason == Withdrawal::Reason::dead_end) return found;
+      }
+    }
+    return nullptr;
+  }
+
+  void report_dead_end(const Withdrawal& cause, Diagnostic& diagnostic) {
+    const Situation& there = policy_.situations[cause.here];
+    diagnostic.note(fmt::format(
+        "what is within reach was given up: elsewhere, from {} before the column at {}, the same "
+        "is "
+        "seen, and the brick at {} would leave no way on",
+        to_string(there.side), column(there), cell_text(site_of(there, cause.placement))));
+    show(fmt::format("there, seen from {}", to_string(there.side)), policy_.states[there.state]);
   }
 
   /// It could be completed, but not by what a robot sees.

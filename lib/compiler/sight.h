@@ -33,6 +33,8 @@ struct WindowCell {
 
 struct Observation {
   std::vector<std::uint8_t> cells;  ///< by window_index; kUnseen, kSeenEmpty or 2 + colour
+  /// Not seen, but known from the robot's own turns since it began; none where it is not to count.
+  std::optional<ApproachSide> side;
   bool operator==(const Observation&) const = default;
 };
 

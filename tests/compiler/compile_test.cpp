@@ -63,6 +63,25 @@ TEST_CASE("the same rules from four sides are the pyramid, and need no direction
         "    2: extend with Q2\n");
 }
 
+TEST_CASE("what is seen from two sides is told apart by the side, where nothing else tells") {
+  const Compiled u(rule_set(STIG_TESTS_DIR "/compiler/u.yaml"),
+                   {ApproachSide::plus_y, ApproachSide::minus_y});
+  REQUIRE(u.result.decision);
+  CHECK(decision_text(u.rules, *u.result.decision) ==
+        "colour of the column's top?\n"
+        "  Q1: nothing\n"
+        "  Q2: side that the robot works from?\n"
+        "    +y: extend with Q1\n"
+        "    -y: nothing\n"
+        "  Q3: the cell right of the column, level 0?\n"
+        "    empty: put Q2 to the right on level 0\n"
+        "    Q2: nothing\n");
+  // Undeclared, a robot does not know.
+  RuleSet undeclared = u.rules;
+  undeclared.physical->sides.clear();
+  CHECK(Compiled(undeclared).codes() == "P706 ");
+}
+
 TEST_CASE("a line and a column") {
   CHECK(Compiled(rule_set(STIG_TESTS_DIR "/compiler/line.yaml")).result.decision);
   CHECK(Compiled(rule_set(STIG_TESTS_DIR "/compiler/column.yaml")).result.decision);

@@ -60,7 +60,9 @@ struct Walk {
     bool moved = false;
     for (const ApproachSide side : compiled.sides) {
       for (const auto& [u, v] : columns(bricks, side)) {
-        const auto placement = decide(*compiled.decision, sight.look(as_set(bricks), side, u, v));
+        Observation seen_here = sight.look(as_set(bricks), side, u, v);
+        seen_here.side = side;
+        const auto placement = decide(*compiled.decision, seen_here);
         if (!placement) continue;
         moved = true;
         walk(placed(bricks, side, u, v, *placement));
@@ -149,6 +151,20 @@ TEST_CASE("whatever the order, decisions lead to the whole structure") {
   check_completes(rule_set(STIG_TESTS_DIR "/compiler/line.yaml"));
   check_completes(rule_set(STIG_TESTS_DIR "/compiler/column.yaml"));
   check_completes(shipped("stepped-pyramid"));
+  check_completes(rule_set(STIG_TESTS_DIR "/compiler/plate.yaml"));
+}
+
+TEST_CASE("a wall and a U, from one side and from two that look alike") {
+  RuleSet wall = rule_set(STIG_TESTS_DIR "/compiler/wall.yaml");
+  RuleSet u = rule_set(STIG_TESTS_DIR "/compiler/u.yaml");
+  check_completes(wall);
+  check_completes(u);
+  wall.physical->sides = {"+x", "-x"};
+  check_completes(wall);
+  wall.physical->sides = u.physical->sides = {"+y"};
+  // Of the four columns any may be the first to be raised, but one alone.
+  check_completes(wall);
+  check_completes(u);
 }
 
 }  // namespace

@@ -103,7 +103,9 @@ class Crew {
         if (std::any_of(one.bricks.begin(), one.bricks.end(), barred)) ++robot.place.u;
         if (std::any_of(one.bricks.begin(), one.bricks.end(), barred)) continue;
         one.arrivals.push_back(robot);
-        const auto wish = decide(*compiled_.decision, sight_.look(one.set, side, u, v));
+        Observation seen = sight_.look(one.set, side, u, v);
+        seen.side = side;
+        const auto wish = decide(*compiled_.decision, seen);
         if (!wish) continue;
         robot.doing = RobotAt::Doing::decided;
         robot.colour = wish->colour;
@@ -219,7 +221,8 @@ struct Checked {
   /// The tree as it was before a smaller one was looked for, which may leave less to be decided.
   void take_first_tree() {
     const Abilities robot = paper_robot();
-    compiled.policy = explore(*compiled.target, robot, compiled.sides, PlacementKinds::ahead);
+    compiled.policy =
+        explore(*compiled.target, robot, compiled.sides, {PlacementKinds::ahead, false});
     compiled.decision = settle(*compiled.target, compiled.policy);
     if (!compiled.decision) return;
     compiled.concurrency =
