@@ -83,11 +83,11 @@ end
 -- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to
 -- its left, so that the block goes in a little off and does not catch on it.
 function column.room_beside(seen, wish)
-   if wish.what == 'raise' then return 0 end
    local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
+   local level = wish.level or seen.top.level + 1
    local function stands(at)
-      return type(column.cell(seen, du, at, wish.level)) == 'number' or
-             du == 0 and at == 0 and seen.bricks['0 0 ' .. wish.level] ~= nil
+      return type(column.cell(seen, du, at, level)) == 'number' or
+             du == 0 and at == 0 and seen.bricks['0 0 ' .. level] ~= nil
    end
    return (stands(dv - 1) and 1 or 0) - (stands(dv + 1) and 1 or 0)
 end

@@ -24,13 +24,15 @@ local CARRY_FAR = 0.080         -- passes over a block without being drawn to it
 local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
 local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
 local ASIDE = 0.002            -- from a neighbour beside, which draws the block when it is there
-local ASIDE_LOOK = 0.080       -- height of the lift to see a block beside the way
+local DRAWN_OFF = 0.005        -- ahead in the gripper: neighbours have drawn the block into its place
+local ASIDE_LOOK = 0.095       -- height of the lift to see a block beside the way
+local ASIDE_ANGLE = 0.17       -- rad, within which such a block is surely in the picture
 local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
 local LET_GO = 0.030           -- up from a block that was put down
 local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it, at least
 local HELD_OFF = 0.010         -- of a carried block's face from a column's, which would draw it off
 local SLOW = 0.05              -- m/s, close to blocks
-local BEHIND = 0.05            -- m, behind the chassis, to stop from backing at 0.1 m/s
+local BEHIND = 0.07            -- m, behind the chassis, which the body sticks out by 0.03, to stop from 0.1 m/s
 local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
 local FACING = 0.18            -- m, before the effector, where another's may come towards it
 local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
@@ -46,6 +48,7 @@ local SEEN_LATELY = 2          -- s
 local SEEN_NOW = 0.7           -- s, in which a tag in sight was seen
 local LEG = 0.33               -- m, between two looks round
 local NEAR_LOOK = 0.070        -- height of the lift; what it carries passes over a block
+local LOW_LOOK = 0.030         -- likewise, of one that carries nothing: for what is 0.2 m away
 
 local behaviour
 
@@ -160,11 +163,11 @@ function handling.follow(line, to, speed, each, straight)
    return true
 end
 
--- Straight on by so much; back when negative.
-function handling.go_by(way, speed)
+-- Straight on by so much; back when negative; `each` as with follow.
+function handling.go_by(way, speed, each)
    local pose = robotics.pose
    return handling.follow({ x = pose.x, y = pose.y, yaw = pose.yaw }, way,
-                          speed or robotics.profile.cruise)
+                          speed or robotics.profile.cruise, each)
 end
 
 -- To a place of the odometry frame: turns to it, and drives; `each` as with follow.
@@ -240,6 +243,13 @@ local function centred_at(lift, block)
    local height, before = robotics.mark_of(block)
    local at, anchor = robot.camera_system.transform.position, robotics.profile.anchor
    return at.x + anchor[1] + at.z + anchor[3] + lift - height + before
+end
+
+-- Moves the lift so that a block on the floor, so far ahead, is in the picture's middle, as near as
+-- it can; what is carried passes over blocks.
+function handling.look_to(ahead)
+   local lowest = handling.carrying and NEAR_LOOK or LOOK
+   handling.lift_to(clamp(height_for(ahead, SIDE), lowest, robotics.profile.lift_top - 0.0015))
 end
 
 local function lift_for_sight(block, lowest)
@@ -359,10 +369,11 @@ local function look_round(found)
    return block
 end
 
--- Once round with the lift up and once with it lower, since each height sees a ring: a block of
+-- Once round with the lift up and then with it lower, since each height sees a ring: a block of
 -- which `wanted(block)` is true, or nil.
 function handling.look_about(wanted)
-   for _, height in ipairs { robotics.profile.lift_top - 0.0015, NEAR_LOOK } do
+   for _, height in ipairs { robotics.profile.lift_top - 0.0015, NEAR_LOOK, LOW_LOOK } do
+      if handling.carrying and height == LOW_LOOK then break end
       handling.lift_to(height)
       local block = look_round(function() return recall(wanted, 1) end)
       if block then return block end
@@ -404,11 +415,11 @@ end
 
 -- Straight on, slowly, as far as that leaves the effector before what is ahead of it, and the
 -- block's face `off` it: the effector is longer by a little.
-local function creep(way, off)
+local function creep(way, off, each)
    local ahead = robotics.range('front')
    local longer = robotics.profile.reach - robotics.profile.grip - SIDE / 2
    if ahead then way = math.min(way, ahead - math.max(EFFECTOR_GAP, (off or 0) - longer)) end
-   if math.abs(way) > 0.0002 then handling.go_by(way, 0.02) end
+   if math.abs(way) > 0.0002 then handling.go_by(way, 0.02, each) end
 end
 
 -- The heading, of the four that face a block squarely, that is nearest to the way there.
@@ -486,7 +497,7 @@ local function approach(block, options)
          local watch, sight = lowest, nearest_in_sight(lowest, block)
          if math.abs(options.left or 0) > 0.01 then
             -- a block to the side leaves the picture sooner
-            watch = math.max(lowest, SIDE * (block.level or 0) + ASIDE_LOOK)
+            watch = clamp(SIDE * (block.level or 0) + ASIDE_LOOK, lowest, robotics.profile.lift_top - 0.0005)
             sight = centred_at(watch, block)
          end
          local near = math.max(sight + (options.ahead or 0), 0.170)
@@ -505,7 +516,13 @@ local function approach(block, options)
          end
          if there then
             handling.lift_to(watch)
+            -- no more of a turn than it takes: odometry takes a small one for up to 6 % less
+            local ahead, left = robotics.into(robotics.pose, block.x, block.y)
+            local angle = math.atan(left, ahead)
+            local turn = angle - clamp(angle, -ASIDE_ANGLE, ASIDE_ANGLE)
+            if turn ~= 0 then handling.turn_by(turn, 0.03) end
             seen = look_at(block, 6)
+            if turn ~= 0 then handling.turn_by(-turn, 0.03) end
          else
             seen = nil
          end
@@ -670,9 +687,19 @@ end
 -- down to the level and on to it, or as far as the effector goes.
 local function slide_in(level)
    enter('slide in')
+   local function drawn_off()
+      local left, right = robotics.range('left'), robotics.range('right')
+      return not left or not right or (left + right) / 2 - robotics.profile.gap > DRAWN_OFF
+   end
+   local watched = not drawn_off()
+   local pose = robotics.pose
+   local line = { x = pose.x, y = pose.y, yaw = pose.yaw }
    handling.lift_to(SIDE * level + REST)
+   -- what goes on would push a block that is in its place already
+   if watched and drawn_off() then return end
    hold_fast(true)
-   creep(DRAW - SHY)
+   -- the neighbours draw the robot too
+   creep(DRAW - SHY - handling.on_line(line), nil, watched and drawn_off or nil)
    hold_fast(false)
 end
 
@@ -712,7 +739,8 @@ function handling.approach_site(block, where, options)
    local back, yaw = handling.grip()
    local lowest = math.min(SIDE * level + CLEAR, robotics.profile.lift_top - 0.0005)
    local near, seen = approach(block, {
-      heading = options.heading, lowest = lowest, short = (raise and 0 or -DRAW) - back,
+      heading = options.heading, lowest = lowest,
+      short = (raise and 0 or -DRAW) - back,
       misjudged = options.misjudged, ahead = ahead, left = left,
       stop = raise and column_ahead or nil,
       -- a block that another robot is putting there hides the top

@@ -158,7 +158,7 @@ function travel.look_again(place, found)
       travel.to(view.x, view.y)
       away = FAR_LOOK
    end
-   handling.lift_to(away > 0.27 and robotics.profile.lift_top - 0.0015 or 0.070)
+   handling.look_to(away)
    handling.turn_to(math.atan(place.y - robotics.pose.y, place.x - robotics.pose.x))
    return handling.wait_until(found, LOOK_TIME)
 end
