@@ -35,6 +35,7 @@ std::vector<LookedAt> columns_that_arise(Sight& sight, const CompiledRules& comp
     const auto& from = sight.look_from_each(compiled.policy.states[situation.state], situation.side,
                                             situation.u, situation.v);
     std::vector<std::vector<std::uint8_t>> key;
+    key.reserve(from.size());
     for (const Observation& one : from) key.push_back(one.cells);
     if (!known.insert(std::move(key)).second) continue;
     out.push_back(
