@@ -13,6 +13,9 @@ namespace {
 
 /// An edge's axis wins over the faces' best only by more than this, m; so does a later face.
 constexpr double kFacePreference = 1e-4;
+constexpr double kRounding = 1e-9;  ///< m, that arithmetic may add to a gap
+/// cos(pi / 20): the ball of radius 1 fits into a prism of 20 sides in a circle of 1 / this.
+constexpr double kInPrism = 0.98768834;
 
 /// The cube of edge 2, of which every box is a stretched copy.
 const Convex& cube() {
@@ -46,6 +49,18 @@ struct Solid {
   double level(const ConvexFace& face, const Vec3& n) const {
     return dot(n, points[face.corners[0]]);
   }
+  /// It reaches at least so far from its centre along n and against it, times |n|, which is
+  /// `long_n`. Cheap: of a cylinder sin a >= 1 - cos a, of a hull that it holds its centre.
+  double least_reach(const Vec3& n, double long_n) const {
+    const Mat3& r = placed.r;
+    const Vec3& half = placed.shape.half;
+    const double z = std::abs(dot(r.z, n));
+    if (is_box()) {
+      return std::abs(dot(r.x, n)) * half.x + std::abs(dot(r.y, n)) * half.y + z * half.z;
+    }
+    if (placed.shape.kind == ShapeKind::hull) return -std::abs(dot(r * convex.centre, n));
+    return std::max(0.0, long_n - z) * (half.x * kInPrism) + z * half.z;
+  }
 };
 
 /// Where a solid begins along a direction, and ends.
@@ -74,8 +89,11 @@ struct Axis {
 void consider_faces(Axis& best, const Solid& one, const Solid& other, bool of_a, double margin) {
   for (const ConvexFace& face : one.convex.faces) {
     const Vec3 n = one.normal(face);
-    const double gap = span_along(other, n).low - one.level(face, n);
+    const double level = one.level(face, n);
     const double preference = best.face == nullptr ? 0 : of_a ? 1e-9 : kFacePreference / 10;
+    const double most = dot(n, other.placed.p) - other.least_reach(n, 1) - level + kRounding;
+    if (most <= best.gap + preference) continue;
+    const double gap = span_along(other, n).low - level;
     if (gap > best.gap + preference) best = {of_a ? -n : n, gap, &face, of_a, {}, {}};
     if (best.gap >= margin) return;
   }
@@ -83,12 +101,23 @@ void consider_faces(Axis& best, const Solid& one, const Solid& other, bool of_a,
 
 void consider_edges(Axis& best, const Solid& a, const Solid& b, double margin) {
   Axis edges;
+  const double least = std::min(margin, best.gap + kFacePreference);
+  const Vec3 apart = a.placed.p - b.placed.p;
   for (const Vec3& da : a.convex.directions) {
     const Vec3 ua = a.placed.r * da;
     for (const Vec3& db : b.convex.directions) {
       const Vec3 ub = b.placed.r * db, across = cross(ua, ub);
-      if (squared(across) < 1e-6) continue;  // parallel edges: a face says the same
-      const Vec3 n = normalised(across);
+      const double square = squared(across);
+      if (square < 1e-6) continue;  // parallel edges: a face says the same
+      // Most axes cannot win: told by the centres and a bound of the reach, without corners.
+      const double size = std::sqrt(square), worth = std::max(least, edges.gap) - kRounding;
+      if (std::abs(dot(across, apart)) - a.least_reach(across, size) -
+              b.least_reach(across, size) <=
+          worth * size) {
+        if (edges.gap >= margin) break;
+        continue;
+      }
+      const Vec3 n = across * (1 / size);
       const Span sa = span_along(a, n), sb = span_along(b, n);
       const double ahead = sa.low - sb.high, behind = sb.low - sa.high;
       const double gap = std::max(ahead, behind);
@@ -110,23 +139,39 @@ struct CutFace {
   }
 };
 
-/// The part of the polygon where n·p <= limit.
-void clip(CutFace& polygon, const Vec3& n, double limit) {
-  CutFace out;
-  for (std::size_t i = 0; i < polygon.count; ++i) {
-    const Vec3& p = polygon.p[i];
-    const Vec3& q = polygon.p[(i + 1) % polygon.count];
-    const double dp = dot(n, p) - limit, dq = dot(n, q) - limit;
-    if (dp <= 0) out.add(p);
-    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) out.add(p + (q - p) * (dp / (dp - dq)));
+/// Kept for their memory alone: they are large, and it takes long to clear them.
+struct Scratch {
+  CutFace polygon, next;
+  std::array<TouchPoint, 2 * kMostHullPoints> points;
+};
+
+/// Leaves of the polygon the part where n·p <= limit.
+void clip(CutFace*& polygon, CutFace*& next, const Vec3& n, double limit) {
+  std::array<double, 2 * kMostHullPoints> beyond;
+  bool whole = true;
+  const std::size_t count = polygon->count;
+  for (std::size_t i = 0; i < count; ++i) {
+    beyond[i] = dot(n, polygon->p[i]) - limit;
+    whole = whole && beyond[i] <= 0;
   }
-  polygon.count = out.count;
-  std::copy_n(out.p.begin(), out.count, polygon.p.begin());
+  if (whole) return;
+  next->count = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t k = (i + 1) % count;
+    const Vec3& p = polygon->p[i];
+    const double dp = beyond[i], dq = beyond[k];
+    if (dp <= 0) next->add(p);
+    if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) {
+      next->add(p + (polygon->p[k] - p) * (dp / (dp - dq)));
+    }
+  }
+  std::swap(polygon, next);
 }
 
 /// The face of `other` that looks at `reference`'s, clipped by that one's sides.
 Touch touch_face(const Vec3& normal, const Solid& reference, const ConvexFace& face,
                  const Solid& other, double margin) {
+  thread_local Scratch scratch;
   const Vec3 outward = reference.normal(face);
   const ConvexFace* against = nullptr;
   double least = 2;
@@ -134,22 +179,24 @@ Touch touch_face(const Vec3& normal, const Solid& reference, const ConvexFace& f
     const double facing = dot(outward, other.normal(one));
     if (facing < least - 1e-9) least = facing, against = &one;
   }
-  CutFace polygon;
-  for (const std::uint16_t corner : against->corners) polygon.add(other.points[corner]);
+  CutFace *polygon = &scratch.polygon, *next = &scratch.next;
+  polygon->count = 0;
+  for (const std::uint16_t corner : against->corners) polygon->add(other.points[corner]);
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
     const Vec3 p = reference.points[face.corners[i]];
     const Vec3 q = reference.points[face.corners[(i + 1) % face.corners.size()]];
     const Vec3 side = normalised(cross(q - p, outward));
-    clip(polygon, side, dot(side, p));
+    clip(polygon, next, side, dot(side, p));
   }
-  std::array<TouchPoint, 2 * kMostHullPoints> points;
   int count = 0;
-  for (std::size_t i = 0; i < polygon.count; ++i) {
-    const Vec3& p = polygon.p[i];
+  for (std::size_t i = 0; i < polygon->count; ++i) {
+    const Vec3& p = polygon->p[i];
     const double gap = dot(outward, p) - reference.level(face, outward);
-    if (gap < margin) points[static_cast<std::size_t>(count++)] = {p - outward * (gap / 2), gap};
+    if (gap < margin) {
+      scratch.points[static_cast<std::size_t>(count++)] = {p - outward * (gap / 2), gap};
+    }
   }
-  return reduced(normal, points.data(), count);
+  return reduced(normal, scratch.points.data(), count);
 }
 
 /// The middle of the edge along u that lies farthest along n.

@@ -173,7 +173,7 @@ void undo_overlaps(Patches& all, Rows& rows, SolverTask& task) {
   const auto deep = [](const Point& point) { return point.shift_target > 0; };
   if (std::none_of(all.points.begin(), all.points.end(), deep) && !overlapping(rows)) return;
   for (int i = 0; i < kShiftSweeps; ++i) {
-    shift_rows(rows, task);
+    shift_rows(rows);
     for (const Patch& patch : all.patches) {
       SolverBody &a = task.bodies[patch.a], &b = task.bodies[patch.b];
       for (std::uint32_t k = patch.begin; k < patch.end; ++k) {

@@ -12,31 +12,54 @@
 
 namespace stig {
 
-/// What one direction at one point does to a mechanism.
-struct Hold {
-  std::int32_t mechanism = -1;  ///< none: the side is a free body, or the world
-  std::uint32_t at = 0;         ///< where J stands in Rows::numbers, W behind it
+/// The three directions at a point: the normal, and tangents of which the first lies along the
+/// axle.
+inline constexpr std::size_t kNormal = 0, kFirst = 1, kSecond = 2;
+
+/// A free body that a point acts on, or a fixed one that moves.
+struct LooseSide {
+  double* v = nullptr;      ///< its velocity and spin, six numbers
+  double* way = nullptr;    ///< the same of what is gone
+  double inverse_mass = 0;  ///< here and in the rows: negative for the body that is pushed back
+  std::array<std::array<double, 6>, 3> j{}, w{};
 };
 
-struct Row {
-  Vec3 d, arm_a, arm_b, turn_a, turn_b;
-  std::array<Hold, 2> holds;
-  double mass = 0;  ///< impulse for a velocity change of 1 m/s, kg
+/// Which degrees of freedom move a link, in pairs: the first `begin` pairs and, where it is not
+/// 0, pair number `extra`. Of an odd number of them the last stands alone. What J leaves out is
+/// zero.
+struct Reach {
+  std::uint32_t begin = 0, extra = 0;
+
+  /// J's numbers of one direction.
+  std::size_t width() const { return 2 * std::size_t{begin} + 3; }
+};
+
+/// A mechanism that a point acts on.
+struct Hold {
+  double* v = nullptr;
+  double* way = nullptr;
+  std::uint32_t dofs = 0;
+  std::uint32_t at = 0;  ///< in Rows::numbers: J of the three directions, W of the three
+  Reach reach;
 };
 
 struct RowPoint {
-  Row normal, first, second;  ///< of the tangents, the first lies along the axle
+  std::array<LooseSide, 2> loose;
+  std::array<Hold, 2> holds;
+  std::uint32_t looses = 0, held = 0;  ///< so many of either
+  std::array<double, 3> mass{};        ///< impulse for a velocity change of 1 m/s, kg
   std::uint32_t contact = 0, point = 0;
-  std::uint32_t a = 0, b = 0;
-  bool loose = false;  ///< a side is a free body, or a fixed one that moves
-  double gap = 0, push = 0, slide_first = 0, slide_second = 0;
+  double gap = 0, push = 0;
+  std::array<double, 2> slide{};
   double friction = 0, axle_friction = 1;
-  double bend_first = 0, bend_second = 0;  ///< see bend()
+  std::array<double, 2> bend{};  ///< see bend()
   double shift_target = 0, shift = 0;
+  std::array<Vec3, 3> directions;
 };
 
 struct Rows {
   std::vector<double> numbers;
+  std::vector<Reach> reach;  ///< of the task's links
   std::vector<RowPoint> points;
   std::vector<SolverAxis> axes;
 };
@@ -44,13 +67,13 @@ struct Rows {
 /// Whether the contact is one for this file.
 bool needs_rows(const SolverTask& task, std::size_t contact);
 
-void make_rows(const SolverTask& task, Rows& rows);
+void make_rows(SolverTask& task, Rows& rows);
 void apply_last_rows(const Rows& rows, SolverTask& task);
 /// One sweep; returns the largest change of velocity, m/s.
 double sweep_rows(Rows& rows, SolverTask& task, double inverse_dt);
 void follow_row_gaps(Rows& rows, const SolverTask& task, double dt);
 bool overlapping(const Rows& rows);
-void shift_rows(Rows& rows, SolverTask& task);
+void shift_rows(Rows& rows);
 void keep_row_impulses(const Rows& rows, SolverTask& task);
 
 /// By how much two faces' velocities at a point, a against b, differ at the middle of the step

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <vector>
 
 using namespace stig;
 
@@ -149,4 +150,26 @@ TEST_CASE("the floor") {
   CHECK(touch_floor(cube_at({0, 0, std::sqrt(2.0)}, {0.785398163, 0, 0}), 0.01).count == 2);
   CHECK(touch_floor(cube_at({0, 0, -3}), 0.01).count == 4);
   CHECK(deepest(touch_floor(ball_at({0, 0, 0.9}), 0.01)) == doctest::Approx(-0.1));
+}
+
+TEST_CASE("a hull touches as the box of its corners does, wherever its origin is") {
+  CHECK(rc::check([] {
+    const Vec3 off{5 * value(), 5 * value(), 5 * value()};
+    std::vector<Vec3> corners;
+    for (int i = 0; i < 8; ++i) {
+      corners.push_back(off + Vec3{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
+    }
+    const Placed box =
+        cube_at({2.2 * value(), 2.2 * value(), 2.2 * value()}, Vec3{value(), value(), value()});
+    const Placed hull{Shape::hull(corners), box.p - box.r * off, box.r};
+    const Placed can{Shape::cylinder(0.7, 1.5), {}, matrix(rotation({value(), value(), 0}))};
+    for (const double margin : {0.001, 0.5}) {
+      const Touch a = touch(box, can, margin), b = touch(hull, can, margin);
+      RC_ASSERT((a.count > 0) == (b.count > 0));
+      if (a.count == 0) continue;
+      RC_ASSERT(std::abs(deepest(a) - deepest(b)) < 1e-9);
+      const Touch c = touch(can, hull, margin);
+      RC_ASSERT(std::abs(deepest(a) - deepest(c)) < 2e-4);  // faces are preferred by 0.1 mm
+    }
+  }));
 }
