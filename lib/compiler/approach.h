@@ -61,7 +61,7 @@ struct ReachResult {
 };
 
 /// Can a block be put into this empty cell from this side, as things stand?
-ReachResult reach(const TargetStates& target, const BrickSet& state, Cell site, ApproachSide side,
+ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, ApproachSide side,
                   const Abilities& robot);
 /// Does a brick here stand in the lane of a robot at `site`: the cells that its body passes on
 /// the way there and back?

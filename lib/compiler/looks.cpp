@@ -39,6 +39,7 @@ std::vector<LookedAt> columns_that_arise(Sight& sight, const CompiledRules& comp
                                             situation.u, situation.v);
     const Observation& all = compiled.policy.observations[situation.observation];
     std::vector<std::vector<std::uint8_t>> key;
+    key.reserve(from.size());
     for (const Observation& one : from) key.push_back(one.cells);
     if (!known.emplace(all.side, std::move(key)).second) continue;
     out.push_back({all.side, from, decide(*compiled.decision, all)});

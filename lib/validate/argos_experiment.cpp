@@ -79,7 +79,8 @@ std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
     for (std::size_t i = 0; i < each; ++i) {
       const int number = static_cast<int>(i % kInRow);  // the middle, then left, then right
       const double left = kBlocksApart * (number == 1 ? 1 : number == 2 ? -1 : 0);
-      const double out_by = kBlocksApart * static_cast<double>(i / kInRow);
+      const std::size_t row = i / kInRow;
+      const double out_by = kBlocksApart * static_cast<double>(row);
       out.push_back(
           {cache.at.x + dx * out_by - dy * left, cache.at.y + dy * out_by + dx * left, 0});
     }

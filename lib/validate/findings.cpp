@@ -118,7 +118,7 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
       return;
   }
   for (const RobotRecord& robot : trial.robots) of_robot(target, robot, trial, out);
-  if (trial.loose.empty()) out.push_back("no loose block lies in the arena");
+  if (trial.loose.empty()) out.emplace_back("no loose block lies in the arena");
   for (const WatchedBlock& block : trial.loose) {
     if (block.led == Led::off) continue;
     out.push_back(fmt::format("a block that shows {} lies loose at ({:.2f}, {:.2f}) m{}",

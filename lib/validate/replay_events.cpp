@@ -66,6 +66,7 @@ Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>&
       reason = fmt::format("no brick of the rules shows '{}'", to_string(event.led));
     } else if (!out.against) {
       std::vector<PlacedBrick> bricks;
+      bricks.reserve(standing.size());
       for (const auto& [cell, brick] : standing) bricks.push_back({cell, brick});
       const View view = view_at(Structure(rules.lattice, bricks), table, std::nullopt, event.cell);
       const Explanation said = explain(rules, view, event.cell.z, 1);

@@ -84,7 +84,8 @@ class Layout {
   }
   double arena() const {
     const auto sides = static_cast<int>(compiled_.sides.size());
-    double far = (request_.robots - 1) / sides * kRobotsApart;
+    const int beside = (request_.robots - 1) / sides;
+    double far = beside * kRobotsApart;
     for (const ApproachSide side : compiled_.sides) {
       const Direction out = direction_of(side);
       far = std::max({far, std::abs(out.x * cache_way(out) - origin_.x),
@@ -126,7 +127,8 @@ class Layout {
     for (int i = 0; i < request_.robots; ++i) {
       const std::vector<ApproachSide> own = sides_of(i);
       const Direction d = direction_of(own.front());
-      const double way = robot_way(d), left = (i / sides) * kRobotsApart;
+      const int beside = i / sides;  // that many of its side stand before it
+      const double way = robot_way(d), left = beside * kRobotsApart;
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
                      own.front(),
                      request_.allocation == Allocation::fixed && request_.robots > 1

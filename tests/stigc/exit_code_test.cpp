@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <csignal>
-#include <thread>
 
 #include "program.h"
 #include "support/golden.h"
@@ -66,8 +65,7 @@ TEST_CASE("an interrupted run writes whole files, says what was done, and exits 
     const pid_t process =
         place.start({"explore", "sets/sheet.yaml", "--motion", "event", "--deposits",
                      "1000000000000", "-o", "part.json", "--trace", "part.stigt"});
-    // Long enough to be well under way; the outcome is the same if it is not.
-    std::this_thread::sleep_for(std::chrono::milliseconds(400));
+    Workplace::let_work(process);
     REQUIRE(kill(process, signal) == 0);
     const Outcome outcome = place.finish(process);
     CHECK(outcome.exit_code == 3);
@@ -83,7 +81,7 @@ TEST_CASE("averages and structures leave interrupted runs out") {
   const pid_t process =
       place.start({"explore", "sets/sheet.yaml", "--motion", "event", "--deposits", "1000000000000",
                    "--runs", "2", "--threads", "2"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  Workplace::let_work(process);
   REQUIRE(kill(process, SIGINT) == 0);
   const Outcome outcome = place.finish(process);
   CHECK(outcome.exit_code == 3);

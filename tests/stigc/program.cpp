@@ -4,14 +4,17 @@
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 namespace stig {
 namespace {
@@ -78,6 +81,18 @@ pid_t Workplace::start(const std::vector<std::string>& arguments) const {
   std::vector<std::string> words{STIGC_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   return spawn(folder_, streams_, words);
+}
+
+void Workplace::let_work(pid_t process) {
+  clockid_t clock{};
+  REQUIRE(clock_getcpuclockid(process, &clock) == 0);
+  timespec worked{};
+  for (int i = 0; i < 6000; ++i) {
+    REQUIRE(clock_gettime(clock, &worked) == 0);
+    if (worked.tv_sec > 0 || worked.tv_nsec > 500'000'000) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  FAIL("it does not work");
 }
 
 Outcome Workplace::finish(pid_t process) const {

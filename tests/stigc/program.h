@@ -29,6 +29,9 @@ class Workplace {
   /// Starts it and returns at once; finish() waits and reports.
   pid_t start(const std::vector<std::string>& arguments) const;
   Outcome finish(pid_t process) const;
+  /// Waits until a process has worked for half a second of its own time: then it is past its
+  /// beginning, however busy the machine. Fails the test if it never does.
+  static void let_work(pid_t process);
 
   std::string path(const std::string& name) const { return folder_ + "/" + name; }
   /// The bytes of a file in the folder; fails the test when there is none.

@@ -3,9 +3,7 @@
 #include <doctest/doctest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "program.h"
 #include "support/golden.h"
@@ -97,7 +95,7 @@ TEST_CASE("an interrupted run keeps its trace and leaves a checkpoint to go on f
   const Workplace place;
   const pid_t process = place.start({"simulate", "sets/fall.yaml", "--duration", "1000000",
                                      "--trace", "t.stigp", "--checkpoint", "c.stigk"});
-  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  Workplace::let_work(process);
   kill(process, SIGINT);
   const Outcome outcome = place.finish(process);
   CHECK(outcome.exit_code == 3);
@@ -111,9 +109,7 @@ TEST_CASE("a second signal ends the program at once, and leaves no half file") {
   const Workplace place;
   const pid_t process =
       place.start({"simulate", "sets/fall.yaml", "--duration", "1000000", "--trace", "t.stigp"});
-  for (int i = 0; i < 500 && place.files().empty(); ++i) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));
-  }
+  Workplace::let_work(process);
   REQUIRE(place.files().size() == 1);
   // Both at the same time: the first is not acted on before the second is there.
   kill(process, SIGSTOP);
