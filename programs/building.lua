@@ -103,6 +103,12 @@ function does.search_block()
               handling.look_about(is_unused)
       if block then return 'found' end
    end
+   -- a robot that is bound to its sides stays there: elsewhere it would be in others' way
+   if robot.params.sides then
+      block = not lattice.cache and handling.look_about(is_unused) or nil
+      if not block then handling.wait(5 + 10 * math.random()) end
+      return block and 'found' or 'none'
+   end
    in_vain = in_vain + 1
    block = handling.search(is_unused, LEGS * in_vain, travel.wander)
    if block then return 'found' end

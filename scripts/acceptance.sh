@@ -85,26 +85,30 @@ validate_row() {
   log=out/validate-$name.log
   say "stigc validate $*" >&2
   build/dev/stigc validate "$@" --quiet >"$log" 2>&1 || failures=$((failures + 1))
-  printf '| %s | %s | %s |\n' "$name" "$(sed -n 's/^  verdict *//p' "$log")" \
+  printf '| %s | %s | %s | %s |\n' "$name" "$(sed -n 's/^  verdict *//p' "$log")" \
+    "$(sed -n 's/^  time *//p' "$log")" \
     "$(sed -n 's/^  \(wrong\|seed [0-9][0-9]*\)  *//p' "$log" | head -n 3 | paste -sd ';')"
 }
 
 validate_part() {
-  printf '\n## Structures built by robots\n\n| | verdict | what went wrong first |\n|---|---|---|\n'
+  printf '\n## Structures built by robots\n\n| | verdict | time | what went wrong first |\n|---|---|---|---|\n'
   scripts/install.sh build >&2
   configure_and_build dev >&2
   validate_row staircase rulesets/staircase.yaml --runs 25
   validate_row staircase-later-robot rulesets/staircase.yaml --robot robots/builderbot.yaml --runs 10
   validate_row pyramid rulesets/stepped-pyramid.yaml
-  validate_row pyramid-four rulesets/stepped-pyramid.yaml --robots 4
+  validate_row pyramid-four rulesets/stepped-pyramid.yaml --robots 4 --runs 20
   local scene name rules
+  for name in plus wall u plate; do
+    validate_row "$name-two" "tests/compiler/$name.yaml" --robots 2 --runs 20
+  done
   for scene in scenes/faults/*.yaml; do
     name=$(basename "$scene" .yaml) rules=rulesets/staircase.yaml
     case $name in
       robots-head-on) continue ;;
       pyramid-*) rules=rulesets/stepped-pyramid.yaml ;;
     esac
-    validate_row "$name" "$rules" --scene "$scene"
+    validate_row "$name" "$rules" --scene "$scene" --duration 1200
   done
   printf '\n`robots-head-on`, 20 seeds (through the corridor: 2 are both robots):\n\n```\n'
   build/dev/stigc simulate scenes/faults/robots-head-on.yaml --runs 20 --quiet ||

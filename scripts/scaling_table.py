@@ -46,10 +46,10 @@ def main():
     for robots, allocation, all_ in rows:
         rate = rates[robots, allocation]
         print(f"| {robots} | {allocation} | {all_['complete']} of {all_['runs']} "
-              f"| {time_of(all_)} | {rate:.0f} | {ratio(rate, rates.get((1, 'dynamic')))} "
+              f"| {time_of(all_)} | {rate:.0f} | {ratio(rate, rates.get((1, 'fixed')))} "
               f"| {all_['busy_per_brick']:.2f} | {100 * all_['idle_share']:.0f} % |")
     for (robots, allocation), time in finish.items():
-        if allocation == "fixed":
+        if allocation == "fixed" and (robots, "dynamic") in finish:
             print(f"\nTime to the last brick, dynamic over fixed allocation, {robots} robots: "
                   f"{ratio(finish.get((robots, 'dynamic')), time)}")
 

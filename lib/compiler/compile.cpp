@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/text.h"
 #include "compiler/conflict_text.h"
 #include "compiler/refusal.h"
 #include "rules/rule_printer.h"
@@ -115,6 +116,15 @@ void choose_sides(const RuleSet& rules, const CompileOptions& options, CompiledR
                                 : KnownDirections::shown;
 }
 
+void report_shared_sides(const RuleSet& rules, const CompiledRules& compiled, Diagnostics& out) {
+  const std::size_t sides = compiled.sides.size();
+  if (!compiled.robots || *compiled.robots <= static_cast<int>(sides)) return;
+  out.add(Code::P715, whole(rules),
+          fmt::format("{} robots work from {}: some share one", *compiled.robots,
+                      counted(sides, "side")))
+      .note("that they keep out of each other's way there is neither proved nor likely");
+}
+
 /// What policies may rest on, the least first. What lies straight ahead is enough for most; which
 /// side it is, a robot knows only from where it began.
 std::vector<PolicyScope> scopes(const CompiledRules& compiled) {
@@ -168,6 +178,7 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
     out.decision = simplify(*out.target, out.policy, std::move(out.decision));
     out.concurrency = check_concurrency(*out.target, robot, out.policy, *out.decision);
     if (report_conflict(rules, out, diagnostics)) out.decision.reset();
+    if (out.decision) report_shared_sides(rules, out, diagnostics);
     return out;
   }
   explain_refusal(rules, robot, out, diagnostics);

@@ -82,6 +82,15 @@ TEST_CASE("what is seen from two sides is told apart by the side, where nothing 
   CHECK(Compiled(undeclared).codes() == "P706 ");
 }
 
+TEST_CASE("robots that share a side are warned of") {
+  RuleSet u = rule_set(STIG_TESTS_DIR "/compiler/u.yaml");
+  u.physical->robots = 2;
+  CHECK(Compiled(u).codes().empty());
+  const Compiled shared(u, {ApproachSide::plus_y});
+  CHECK(shared.result.decision);
+  CHECK(shared.codes() == "P715 ");
+}
+
 TEST_CASE("a line and a column") {
   CHECK(Compiled(rule_set(STIG_TESTS_DIR "/compiler/line.yaml")).result.decision);
   CHECK(Compiled(rule_set(STIG_TESTS_DIR "/compiler/column.yaml")).result.decision);
