@@ -25,6 +25,12 @@ say "stigc validate rulesets/stepped-pyramid.yaml --robots 4 --runs 5"
   >/dev/null || true
 cp "$folder/four/progress.svg" docs/gallery/validate-pyramid.svg
 
+say "stigc validate tests/compiler/wall.yaml --robots 2"
+"$stigc" validate tests/compiler/wall.yaml --robots 2 -o "$folder/wall" --quiet >/dev/null || true
+picture=docs/gallery/validate-wall.png
+"$stigc" replay "$folder/wall/run-1.stigp" -o "$picture" --quiet >/dev/null
+pngquant --force --strip --speed 1 --output "$picture" 64 "$picture"
+
 # The second graph of the two: the chart.
 "$stigc" compile rulesets/staircase.yaml --target dot -o "$folder/graphs.dot" --quiet
 dot -Tsvg -O "$folder/graphs.dot"
