@@ -84,7 +84,8 @@ end
 -- its left, so that the block goes in a little off and does not catch on it.
 function column.room_beside(seen, wish)
    local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
-   local level = wish.level or seen.top.level + 1
+   -- on an overhang there is no brick from the floor up
+   local level = wish.level or robotics.level_of(wish.top.z) + 1
    local function stands(at)
       return type(column.cell(seen, du, at, level)) == 'number' or
              du == 0 and at == 0 and seen.bricks['0 0 ' .. level] ~= nil

@@ -5,6 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <vector>
 
 namespace stig {
 
@@ -35,30 +38,83 @@ std::optional<Cell> in_the_way(const View3& view, SideCell site, const Abilities
   return std::nullopt;
 }
 
-/// Moment of the block's weight about the lower edge of the joint, and what its magnets hold
-/// against it: half of them near the upper edge, half near the lower.
-struct Cantilever {
-  double moment = 0, hold = 0;
+/// Do bricks bear the cell from the floor up?
+bool grounded(const View3& view, const SideCell& at) {
+  for (int z = view.target.floor_level(); z < at.z; ++z) {
+    if (!view.filled(at.u, at.v, z)) return false;
+  }
+  return true;
+}
+
+/// What would hang, with this brick: how many, and their moments about the faces of the columns
+/// that bear them, in those of one block, as if all hung on one joint.
+struct Overhang {
+  int blocks = 0;
+  double moments = 0;
 };
-Cantilever cantilever(const Abilities& robot) {
-  const double side = robot.block.side, inset = 0.005;
-  return {robot.block_weight * side / 2,
-          robot.face_hold / 2 * (side - inset) + robot.face_hold / 2 * inset};
+Overhang overhang(const View3& view, const SideCell& site) {
+  std::map<SideCell, int> from_column;  // steps aside from the nearest column
+  std::vector<SideCell> hanging = {site};
+  const auto near = [](const SideCell& c) {
+    return std::array<SideCell, 6>{{{c.u + 1, c.v, c.z},
+                                    {c.u - 1, c.v, c.z},
+                                    {c.u, c.v + 1, c.z},
+                                    {c.u, c.v - 1, c.z},
+                                    {c.u, c.v, c.z + 1},
+                                    {c.u, c.v, c.z - 1}}};
+  };
+  for (std::size_t i = 0; i < hanging.size(); ++i) {
+    from_column.emplace(hanging[i], std::numeric_limits<int>::max());
+    for (const SideCell& c : near(hanging[i])) {
+      if (!view.filled(c.u, c.v, c.z) || grounded(view, c)) continue;
+      if (std::find(hanging.begin(), hanging.end(), c) == hanging.end()) hanging.push_back(c);
+    }
+  }
+  constexpr int kFar = std::numeric_limits<int>::max() / 2;
+  for (bool nearer = true; nearer;) {
+    nearer = false;
+    for (const SideCell& at : hanging) {
+      for (const SideCell& c : near(at)) {
+        const auto known = from_column.find(c);
+        const bool column = view.filled(c.u, c.v, c.z) && known == from_column.end();
+        const int there = column ? 0 : known == from_column.end() ? kFar : known->second;
+        const int steps = c.z == at.z ? 1 : 0;
+        if (there >= kFar || there + steps >= from_column[at]) continue;
+        from_column[at] = there + steps;
+        nearer = true;
+      }
+    }
+  }
+  Overhang out;
+  for (const auto& [at, steps] : from_column) {
+    ++out.blocks;
+    out.moments += 2.0 * steps - 1;
+  }
+  return out;
 }
 
 ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
-  const int level = site.z - view.target.floor_level();
-  if (level == 0 || view.filled(site.u, site.v, site.z - 1)) return {};
-  // Let down against the face behind it, it hangs on that joint; friction must bear it too.
-  const Cantilever joint = cantilever(robot);
-  const bool behind = view.filled(site.u - 1, site.v, site.z);
-  const double factor = 1.5;  // what is let go swings a little
-  const double shear = robot.face_hold * robot.friction;
-  const bool holds = joint.hold > factor * joint.moment && shear > factor * robot.block_weight;
-  if (behind && holds) return {};
+  if (grounded(view, site)) return {};
   const Cell below = cell_from(view.side, {site.u, site.v, site.z - 1});
-  if (!behind) return {Obstruction::unsupported, below, joint.moment, 0};
-  return {Obstruction::unsupported, below, factor * robot.block_weight, shear};
+  const double side = robot.block.side, inset = 0.005;
+  // Of the block's weight about the lower edge of the joint.
+  const double moment = robot.block_weight * side / 2;
+  if (!view.filled(site.u - 1, site.v, site.z) && !view.filled(site.u, site.v, site.z - 1)) {
+    return {Obstruction::unsupported, below, moment, 0};
+  }
+  // Let down against the face behind it, or on what hangs so, it hangs on a joint: half of the
+  // magnets near the upper edge, half near the lower; friction must bear it too.
+  const Overhang hangs = overhang(view, site);
+  const double factor = 1.5;  // what is let go swings a little
+  const double hold = robot.face_hold / 2 * (side - inset) + robot.face_hold / 2 * inset;
+  const double shear = robot.face_hold * robot.friction;
+  if (factor * hangs.moments * moment >= hold) {
+    return {Obstruction::overhang, below, factor * hangs.moments * moment, hold};
+  }
+  if (factor * hangs.blocks * robot.block_weight >= shear) {
+    return {Obstruction::unsupported, below, factor * hangs.blocks * robot.block_weight, shear};
+  }
+  return {};
 }
 
 ReachResult effector(const View3& view, SideCell site, const Abilities& robot) {
@@ -196,14 +252,17 @@ std::string explain(const ReachResult& result) {
                          result.limit * mm);
     case Obstruction::covered:
       return fmt::format("the brick at {} lies over it", cell_text(result.where));
+    case Obstruction::overhang:
+      return fmt::format("magnets hold {:.2f} N m, and what would hang on them asks for {:.2f} N m",
+                         result.limit, result.figure);
     case Obstruction::unsupported:
       if (result.limit == 0) {
         return fmt::format("nothing is below it at {} nor behind it to hang on",
                            cell_text(result.where));
       }
       return fmt::format(
-          "nothing is below it, and magnets with friction bear {:.2f} N of the "
-          "{:.2f} N asked for",
+          "nothing bears it from the floor up, and magnets with friction bear {:.2f} N of the "
+          "{:.2f} N that would hang on them",
           result.limit, result.figure);
   }
   return {};

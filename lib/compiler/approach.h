@@ -51,6 +51,7 @@ enum class Obstruction : std::uint8_t {
   slot,              ///< bricks on both sides leave a gap of just a block's width
   covered,           ///< a brick lies on the site
   unsupported,       ///< nothing below, and no joint of magnets that would hold it
+  overhang,          ///< it would hang on a joint that does not bear it and what hangs there
 };
 
 struct ReachResult {

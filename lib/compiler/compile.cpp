@@ -9,6 +9,7 @@
 #include "base/text.h"
 #include "compiler/conflict_text.h"
 #include "compiler/refusal.h"
+#include "rules/pattern_text.h"
 #include "rules/rule_printer.h"
 
 namespace stig {
@@ -29,6 +30,7 @@ bool report_proof(const RuleSet& rules, const VerifyResult& proof, Diagnostics& 
           : "it was not proved that every order of events ends in the same structure";
   Diagnostic& diagnostic = out.add(Code::P701, whole(rules), what);
   if (!proof.open.empty()) diagnostic.note(proof.open);
+  if (rules.box) diagnostic.note("the file's box does not count: no robot knows where it ends");
   diagnostic.note(fmt::format("`stigc verify` shows more"));
   return false;
 }
@@ -80,6 +82,12 @@ bool report_colours(const RuleSet& rules, Diagnostics& out) {
 
 bool report_height(const RuleSet& rules, const Abilities& robot, const TargetStates& target,
                    const VerifyResult& proof, Diagnostics& out) {
+  if (rules.floor && target.floor_level() > 0) {
+    out.add(Code::P709, whole(rules),
+            fmt::format("the lowest brick is on level {}, and nothing is below it",
+                        target.floor_level()));
+    return false;
+  }
   for (const Deposit& deposit : proof.run) {
     const int level = deposit.site.z - target.floor_level();
     if (level < robot.levels) continue;
@@ -88,6 +96,41 @@ bool report_height(const RuleSet& rules, const Abilities& robot, const TargetSta
                         rules.rules[deposit.match.rule].name, level, robot.levels - 1))
         .note(fmt::format("the lift would have to go to {:.0f} mm, it goes to {:.1f} mm",
                           1e3 * robot.lift_for(level), 1e3 * robot.lift_travel));
+    return false;
+  }
+  return true;
+}
+
+/// A brick that the start alone keeps robots from, whatever else stands: nothing of the start goes
+/// away. What might hold it may come yet.
+bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
+                    Diagnostics& out) {
+  const TargetStates& target = *compiled.target;
+  const BrickSet start = target.start();
+  for (std::size_t i = target.start_bricks(); i < target.bricks(); ++i) {
+    std::vector<std::string> notes;
+    for (const ApproachSide side : compiled.sides) {
+      const ReachResult result = reach(target, start, target.cell(i), side, robot);
+      if (result.obstruction == Obstruction::none ||
+          result.obstruction == Obstruction::unsupported ||
+          result.obstruction == Obstruction::overhang) {
+        break;
+      }
+      notes.push_back(fmt::format("from {}: {}", to_string(side), explain(result)));
+    }
+    if (notes.size() < compiled.sides.size()) continue;
+    const Rule& rule = rules.rules[compiled.proof.run[i - target.start_bricks()].match.rule];
+    const Cell at = target.cell(i);
+    Diagnostic& diagnostic = out.add(
+        Code::P710, rule.range,
+        fmt::format(
+            "rule '{}' places the brick at ({}, {}, {}), which no robot can put there in any "
+            "order of work",
+            rule.name, at.x, at.y, at.z));
+    for (const std::string& note : notes) diagnostic.note(note);
+    compiled.policy.out_of_reach = true;
+    compiled.drawings.push_back(
+        {"the start", draw_structure(rules, target.structure(start).bricks())});
     return false;
   }
   return true;
@@ -161,7 +204,10 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
   out.proof = verify(rules, options.verify);
   if (!report_proof(rules, out.proof, diagnostics)) return out;
   out.target = std::make_unique<TargetStates>(rules, out.proof);
-  if (!report_height(rules, robot, *out.target, out.proof, diagnostics)) return out;
+  if (!report_height(rules, robot, *out.target, out.proof, diagnostics) ||
+      !report_shut_in(rules, robot, out, diagnostics)) {
+    return out;
+  }
   for (const PolicyScope& scope : scopes(out)) {
     out.policy = explore(*out.target, robot, out.sides, scope, options.limits);
     if (options.limits.stop != nullptr && options.limits.stop->load()) return out;

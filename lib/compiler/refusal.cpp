@@ -7,6 +7,7 @@
 #include <set>
 
 #include "base/text.h"
+#include "compiler/decision_text.h"
 #include "rules/pattern_text.h"
 
 namespace stig {
@@ -77,7 +78,8 @@ class Explainer {
     Blocked out;
     for (const ApproachSide side : compiled_.sides) {
       const ReachResult result = reach(target_, stuck(), target_.cell(brick), side, robot_);
-      out.unsupported = out.unsupported && result.obstruction == Obstruction::unsupported;
+      out.unsupported = out.unsupported && (result.obstruction == Obstruction::unsupported ||
+                                            result.obstruction == Obstruction::overhang);
       const bool alone = result.obstruction == Obstruction::none && !faced(brick, side);
       out.notes.push_back(fmt::format(
           "from {}: {}", to_string(side),
@@ -243,9 +245,8 @@ class Explainer {
     if (code == Code::P708) {
       const WindowCell cell = *hidden_cell(cause);
       return fmt::format(
-          "rule '{}' depends on a cell that the robot cannot see from where it "
-          "stands: {} {}, {} to the left of the column, level {}",
-          rule.name, std::abs(cell.du), cell.du < 0 ? "behind" : "before", cell.dv, cell.z);
+          "rule '{}' depends on a cell that the robot cannot see from where it stands: {}",
+          rule.name, question_text({Question::Kind::cell, cell}));
     }
     return fmt::format(
         "rule '{}' is right in one structure and wrong in another that looks the "

@@ -173,13 +173,14 @@ int run(const CompileFileOptions& options, App& app) {
   settings.limits.stop = &stop_requested();
   Diagnostics diagnostics;
   const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
-  app.report(diagnostics);
+  if (!diagnostics.all().empty()) app.report(diagnostics);
   if (stop_requested()) {
     app.complain("interrupted: nothing was written");
     return kRunFailed;
   }
-  for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
+  show_drawings(compiled, app);
   if (!compiled.decision) return compiled.proof.interrupted ? kRunFailed : kFailed;
+  if (app.invalid(diagnostics)) return kFailed;
   return print(options, {&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)},
                app);
 }

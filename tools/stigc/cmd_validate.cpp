@@ -10,6 +10,7 @@
 
 #include "base/file_io.h"
 #include "commands.h"
+#include "compile_report.h"
 #include "compiler/compile.h"
 #include "compiler/conflict_text.h"
 #include "compiler/decision_text.h"
@@ -103,13 +104,14 @@ class Validation {
     if (!options_.scene) settings.robots = robots_of(*rules_, options_.robots);
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
-    app_.report(diagnostics);
+    if (!diagnostics.all().empty()) app_.report(diagnostics);
     if (stop_requested()) {
       app_.complain("interrupted before the first run");
       return kRunFailed;
     }
-    for (const RefusalDrawing& one : compiled_.drawings) app_.say(one.title + ":\n" + one.drawing);
+    show_drawings(compiled_, app_);
     if (!compiled_.decision) return compiled_.proof.interrupted ? kRunFailed : kFailed;
+    if (app_.invalid(diagnostics)) return kFailed;
     target_.rules = &*rules_;
     target_.whole = *compiled_.proof.structure;
     return kOk;

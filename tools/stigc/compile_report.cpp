@@ -74,6 +74,11 @@ Json chart_json(const Chart& chart) {
 
 }  // namespace
 
+void show_drawings(const CompiledRules& compiled, const App& app) {
+  if (app.options().json_diagnostics) return;
+  for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
+}
+
 std::string compile_table(const CompileJob& job) {
   const CompiledRules& compiled = *job.compiled;
   std::string out = fmt::format("{}: before the foremost column of a row\n\n", job.rules->name);

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app.h"
 #include "compiler/controller_lua.h"
 #include "options.h"
 
@@ -19,6 +20,9 @@ struct CompileJob {
   const CompiledRules* compiled = nullptr;
   ControllerPlan plan;
 };
+
+/// The pictures that go with what is reported, on standard error; none where a program reads it.
+void show_drawings(const CompiledRules& compiled, const App& app);
 
 std::string compile_table(const CompileJob& job);
 /// Two graphs: the decision, and the chart.
