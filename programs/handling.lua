@@ -516,7 +516,7 @@ local function approach(block, options)
          end
          if there then
             handling.lift_to(watch)
-            -- no more of a turn than it takes: odometry takes a small one for up to 6 % less
+            -- no more of a turn than it takes: odometry takes a small one for less than it is
             local ahead, left = robotics.into(robotics.pose, block.x, block.y)
             local angle = math.atan(left, ahead)
             local turn = angle - clamp(angle, -ASIDE_ANGLE, ASIDE_ANGLE)
@@ -739,8 +739,7 @@ function handling.approach_site(block, where, options)
    local back, yaw = handling.grip()
    local lowest = math.min(SIDE * level + CLEAR, robotics.profile.lift_top - 0.0005)
    local near, seen = approach(block, {
-      heading = options.heading, lowest = lowest,
-      short = (raise and 0 or -DRAW) - back,
+      heading = options.heading, lowest = lowest, short = (raise and 0 or -DRAW) - back,
       misjudged = options.misjudged, ahead = ahead, left = left,
       stop = raise and column_ahead or nil,
       -- a block that another robot is putting there hides the top

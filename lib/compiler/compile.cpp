@@ -9,7 +9,6 @@
 #include "base/text.h"
 #include "compiler/conflict_text.h"
 #include "compiler/refusal.h"
-#include "rules/pattern_text.h"
 #include "rules/rule_printer.h"
 
 namespace stig {
@@ -101,41 +100,6 @@ bool report_height(const RuleSet& rules, const Abilities& robot, const TargetSta
   return true;
 }
 
-/// A brick that the start alone keeps robots from, whatever else stands: nothing of the start goes
-/// away. What might hold it may come yet.
-bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
-                    Diagnostics& out) {
-  const TargetStates& target = *compiled.target;
-  const BrickSet start = target.start();
-  for (std::size_t i = target.start_bricks(); i < target.bricks(); ++i) {
-    std::vector<std::string> notes;
-    for (const ApproachSide side : compiled.sides) {
-      const ReachResult result = reach(target, start, target.cell(i), side, robot);
-      if (result.obstruction == Obstruction::none ||
-          result.obstruction == Obstruction::unsupported ||
-          result.obstruction == Obstruction::overhang) {
-        break;
-      }
-      notes.push_back(fmt::format("from {}: {}", to_string(side), explain(result)));
-    }
-    if (notes.size() < compiled.sides.size()) continue;
-    const Rule& rule = rules.rules[compiled.proof.run[i - target.start_bricks()].match.rule];
-    const Cell at = target.cell(i);
-    Diagnostic& diagnostic = out.add(
-        Code::P710, rule.range,
-        fmt::format(
-            "rule '{}' places the brick at ({}, {}, {}), which no robot can put there in any "
-            "order of work",
-            rule.name, at.x, at.y, at.z));
-    for (const std::string& note : notes) diagnostic.note(note);
-    compiled.policy.out_of_reach = true;
-    compiled.drawings.push_back(
-        {"the start", draw_structure(rules, target.structure(start).bricks())});
-    return false;
-  }
-  return true;
-}
-
 bool turns(const RuleSet& rules) {
   return std::all_of(rules.rules.begin(), rules.rules.end(),
                      [&](const Rule& rule) { return rules.symmetry_of(rule) != Symmetry::none; });
@@ -205,7 +169,7 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
   if (!report_proof(rules, out.proof, diagnostics)) return out;
   out.target = std::make_unique<TargetStates>(rules, out.proof);
   if (!report_height(rules, robot, *out.target, out.proof, diagnostics) ||
-      !report_shut_in(rules, robot, out, diagnostics)) {
+      report_shut_in(rules, robot, out, diagnostics)) {
     return out;
   }
   for (const PolicyScope& scope : scopes(out)) {

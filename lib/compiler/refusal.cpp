@@ -16,6 +16,21 @@ namespace {
 
 std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
 
+void add_never(const Rule& rule, Cell at, Code code, const std::vector<std::string>& notes,
+               Diagnostics& out) {
+  Diagnostic& diagnostic =
+      out.add(code, rule.range,
+              fmt::format("rule '{}' places the brick at {}, which {}", rule.name, cell_text(at),
+                          code == Code::P709 ? "nothing would hold"
+                                             : "no robot can put there in any order of work"));
+  for (const std::string& note : notes) diagnostic.note(note);
+}
+
+/// Does nothing hold the brick, as things stand? More may come that does.
+bool unheld(Obstruction obstruction) {
+  return obstruction == Obstruction::unsupported || obstruction == Obstruction::overhang;
+}
+
 class Explainer {
  public:
   Explainer(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled, Diagnostics& out)
@@ -78,8 +93,7 @@ class Explainer {
     Blocked out;
     for (const ApproachSide side : compiled_.sides) {
       const ReachResult result = reach(target_, stuck(), target_.cell(brick), side, robot_);
-      out.unsupported = out.unsupported && (result.obstruction == Obstruction::unsupported ||
-                                            result.obstruction == Obstruction::overhang);
+      out.unsupported = out.unsupported && unheld(result.obstruction);
       const bool alone = result.obstruction == Obstruction::none && !faced(brick, side);
       out.notes.push_back(fmt::format(
           "from {}: {}", to_string(side),
@@ -99,15 +113,9 @@ class Explainer {
   }
 
   void report_never(std::uint32_t brick) {
-    const Rule& rule = rule_of(stuck(), brick);
     const Blocked why = blocked(brick);
-    Diagnostic& diagnostic =
-        out_.add(why.unsupported ? Code::P709 : Code::P710, rule.range,
-                 fmt::format("rule '{}' places the brick at {}, which {}", rule.name,
-                             cell_text(target_.cell(brick)),
-                             why.unsupported ? "nothing would hold"
-                                             : "no robot can put there in any order of work"));
-    for (const std::string& note : why.notes) diagnostic.note(note);
+    add_never(rule_of(stuck(), brick), target_.cell(brick),
+              why.unsupported ? Code::P709 : Code::P710, why.notes, out_);
     show("the structure at that moment", stuck());
   }
 
@@ -268,6 +276,29 @@ class Explainer {
 };
 
 }  // namespace
+
+bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
+                    Diagnostics& diagnostics) {
+  const TargetStates& target = *compiled.target;
+  const BrickSet start = target.start();
+  for (std::size_t i = target.start_bricks(); i < target.bricks(); ++i) {
+    std::vector<std::string> notes;
+    for (const ApproachSide side : compiled.sides) {
+      const ReachResult result = reach(target, start, target.cell(i), side, robot);
+      if (result.obstruction == Obstruction::none || unheld(result.obstruction)) break;
+      notes.push_back(fmt::format("from {}: {}", to_string(side), explain(result)));
+    }
+    if (notes.size() < compiled.sides.size()) continue;
+    const std::size_t placed = i - target.start_bricks();
+    add_never(rules.rules[compiled.proof.run[placed].match.rule], target.cell(i), Code::P710, notes,
+              diagnostics);
+    compiled.policy.out_of_reach = true;
+    compiled.drawings.push_back(
+        {"the start", draw_structure(rules, target.structure(start).bricks())});
+    return true;
+  }
+  return false;
+}
 
 void explain_refusal(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
                      Diagnostics& diagnostics) {

@@ -82,6 +82,25 @@ TEST_CASE("what is seen from two sides is told apart by the side, where nothing 
   CHECK(Compiled(undeclared).codes() == "P706 ");
 }
 
+TEST_CASE("a start that floats, or shuts a site in, is refused before anything is walked") {
+  RuleSet floats = rule_set(STIG_TESTS_DIR "/compiler/overhang.yaml");
+  for (PlacedBrick& brick : floats.start) ++brick.at.z;
+  for (Rule& rule : floats.rules) {
+    if (rule.height_min) ++*rule.height_min;
+    if (rule.height_max) ++*rule.height_max;
+  }
+  CHECK(Compiled(floats).codes() == "P709 ");
+  RuleSet shut = rule_set(STIG_TESTS_DIR "/compiler/column.yaml");
+  shut.physical = PhysicalSpec{};
+  const PlacedBrick middle = shut.start.front();
+  for (const Cell step : {Cell{2, 0, 0}, Cell{-2, 0, 0}, Cell{0, 2, 0}, Cell{0, -2, 0}}) {
+    shut.start.push_back({{middle.at.x + step.x, middle.at.y + step.y, middle.at.z}, middle.brick});
+  }
+  const Compiled refused(shut);
+  CHECK(refused.codes() == "P710 ");
+  CHECK(refused.result.policy.states.empty());
+}
+
 TEST_CASE("robots that share a side are warned of") {
   RuleSet u = rule_set(STIG_TESTS_DIR "/compiler/u.yaml");
   u.physical->robots = 2;
