@@ -12,19 +12,21 @@
 --     task.transport       colour of a block on its way (0: dark)
 --     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
 --
--- A scene may bind a robot to some of the sides: `params.sides`.
+-- A scene may bind a robot to some of the sides: see `sides`.
 
 local robotics = require 'robotics'
 local avoidance = require 'avoidance'
 local handling = require 'handling'
 local lattice = require 'lattice'
 local travel = require 'travel'
+local sides = require 'sides'
 local column = require 'column'
 local building = {}
 
 local SIDE = robotics.SIDE
 local OFTEN = 3                -- sightings that count
 local LOOK_TIME = 1.0          -- s, for each look
+local FIRST_LOOK = 2.5         -- s, for one at blocks not seen before
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LINKED = 1.25 * SIDE
@@ -36,16 +38,16 @@ local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long s
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local BEFORE_CACHE = 0.16      -- m, from a cache, likewise at least
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
-local ROUNDS = 5               -- likewise one that found nothing to do so often, where others are
-local WATCHED, NEAR_CACHE = 75, 0.08  -- s, m: a cache is used sooner where somebody works
-local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
+local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 
 local task
 local in_vain      -- searches for a block, one after the other
+local last_cache   -- that of the side before, until a block was seen at this side's
 local block        -- unused, to be fetched
 local tried        -- rows of this side that asked for nothing
 local rounds       -- how often all rows of this side were tried, likewise
+local patience     -- how often it tries them before it goes elsewhere: once, and twice as often each time
 local obstructed   -- how often somebody was in the way, or nothing to be done, since the last block
 local standing     -- what stands near sites, and may be robots: {x, y, since}
 local row          -- {v, front, frame, juts}: the one it stands before
@@ -99,12 +101,18 @@ function does.search_block()
    end
    for again = 1, lattice.cache and 3 or 0 do
       if again > 1 then handling.wait(5 + 10 * math.random()) end
-      block = travel.look_again(lattice.cache, seen) and handling.recall(is_unused) or
-              handling.look_about(is_unused)
+      local sure = last_cache and FIRST_LOOK or LOOK_TIME
+      block = travel.look_again(lattice.cache, seen, sure) and handling.recall(is_unused)
+      if not block and last_cache then
+         lattice.cache = last_cache
+         block = travel.look_again(lattice.cache, seen) and handling.recall(is_unused)
+      end
+      last_cache = nil
+      block = block or handling.look_about(is_unused)
       if block then return 'found' end
    end
-   -- a robot that is bound to its sides stays there: elsewhere it would be in others' way
-   if robot.params.sides then
+   -- elsewhere it would be in others' way
+   if robot.params.sides or sides.are_shared() and lattice.cache then
       block = not lattice.cache and handling.look_about(is_unused) or nil
       if not block then handling.wait(5 + 10 * math.random()) end
       return block and 'found' or 'none'
@@ -188,70 +196,18 @@ function does.choose_row()
    return row and 'chosen' or 'none'
 end
 
--- Out of the others' way, as far as the cache leaves room.
-local function withdraw()
-   local known = lattice.known
-   local away = math.min(known.reach + WITHDRAWN, (lattice.cache_way or math.huge) - BEFORE_CACHE)
-   local more = away - lattice.apart(known, robotics.pose)
-   if more > 0 then handling.back_off(more) end
-end
-
--- Whether someone works on a side: a block of its cache goes away while the robot looks on from
--- behind, where it is in nobody's way.
-local function is_worked_from(heading)
-   local away = lattice.cache_way + travel.BEHIND_CACHE
-   local x, y = lattice.known.x, lattice.known.y
-   travel.straight_to(x - away * math.cos(heading), y - away * math.sin(heading))
-   local cache = { x = x - lattice.cache_way * math.cos(heading),
-                   y = y - lattice.cache_way * math.sin(heading) }
-   local watched
-   local function lies_there(known)
-      return known.colour == 0 and known.level == 0 and lattice.apart(known, cache) < NEAR_CACHE
-   end
-   travel.look_again(cache, function() return false end)
-   local start = robotics.time
-   while robotics.time - start < WATCHED do
-      local now = handling.recall(lies_there, 1)
-      if watched and not now then return true end
-      watched = now or watched
-      handling.wait(0.4)
-   end
-   return false
-end
-
 -- All rows were tried, or somebody was in the way once too often. Others' work may open a row
--- here after a while. A robot that is alone goes on to its next side; one that is not looks for
--- a side where nobody is, outside the caches, and comes back to where it was when there is none.
+-- here after a while.
 function does.next_side()
    tried, rounds = {}, rounds + 1
-   withdraw()
-   local alone = task.delay == 0 or robot.params.sides
-   if #task.sides == 1 or not alone and obstructed <= OBSTRUCTED and rounds < ROUNDS then
+   sides.withdraw()
+   if #task.sides == 1 or sides.are_shared() and obstructed <= OBSTRUCTED and rounds < patience then
       handling.wait(2 + 4 * math.random())
       return 'there'
    end
-   obstructed, rounds = 0, 0
-   local here = 1
-   for i, name in ipairs(task.sides) do
-      if lattice.SIDES[name] == lattice.side then here = i end
-   end
-   local function heading_of(step)
-      lattice.side = lattice.SIDES[task.sides[(here + step - 1) % #task.sides + 1]]
-      return lattice.heading_of(lattice.side)
-   end
-   local middle, heading = lattice.known, nil
-   if alone or not lattice.cache_way then
-      heading = heading_of(1)
-   else
-      for step = 1, #task.sides do
-         heading = heading_of(step)
-         travel.outside(heading)
-         if step == #task.sides or not is_worked_from(heading) then break end
-      end
-      travel.inside(heading)
-   end
-   local away = middle.reach + travel.CLEAR_OF
-   travel.to(middle.x - away * math.cos(heading), middle.y - away * math.sin(heading))
+   obstructed, rounds, patience = 0, 0, 2 * patience
+   local cache = lattice.cache
+   if sides.change() then last_cache = cache end
    -- what was seen before the turns on the way does not fit what is seen now
    robotics.tracks = {}
    if travel.look_again(lattice.known, lattice.in_memory) then return 'there' end
@@ -376,7 +332,7 @@ function does.approach_site()
    })
    if near then return 'near' end
    if seen == 'busy' then
-      withdraw()
+      sides.withdraw()
       give_up()
       return 'busy'
    end
@@ -390,7 +346,7 @@ function does.attach()
       return 'failed'
    end
    if row.juts > 0 then handling.back_off(row.juts) end
-   tried, wish, obstructed, rounds = {}, nil, 0, 0
+   tried, wish, obstructed, rounds, patience = {}, nil, 0, 0, 1
    tally('placed')
    return 'placed'
 end
@@ -403,26 +359,15 @@ end
 
 -- Life ----------------------------------------------------------------------------------------
 
--- Those of the task's sides that the robot is bound to: `params.sides`, '+x +y', or all.
-local function own_sides(of)
-   local out, first = {}, of.turns and lattice.SIDES[robot.params.side or of.sides[1]] or 0
-   for name in string.gmatch(robot.params.sides or '', '%S+') do
-      -- where the rules hold in every turn, a robot's first side is its +x
-      for other, index in pairs(lattice.SIDES) do
-         if index == ((lattice.SIDES[name] or 0) - first) % 4 then table.insert(out, other) end
-      end
-   end
-   return #out > 0 and out or of.sides
-end
-
 -- Follows the chart for ever: each of its states is something done, which ends with an event, and
 -- the chart says which state that leads to.
 function building.start(chart, with)
-   task = setmetatable({ sides = own_sides(with) }, { __index = with })
+   task = setmetatable({ sides = sides.own(with) }, { __index = with })
    lattice.start(task)
+   sides.start(task)
    handling.transport = task.transport
    block, tried, row, wish, standing = nil, {}, nil, nil, {}
-   in_vain, obstructed, rounds = 0, 0, 0
+   in_vain, obstructed, rounds, patience, last_cache = 0, 0, 0, ROUNDS, nil
    building.placed, building.aborted, building.busy = 0, 0, 0
    note('placed', 0)
    handling.start(function()

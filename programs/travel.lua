@@ -11,14 +11,12 @@ local LOOK_TIME = 1.0          -- s
 local DRIVE_LOW = 0.020        -- height of the lift at which the front rangefinder sees columns of two
 local CLEAR_OF = 0.26          -- m, from the outermost brick, to go round the structure
 local TOO_NEAR = 0.165         -- of a way past a brick
-local BEHIND_CACHE = 0.24      -- m, from a cache to those that pass outside, or look on
 local PAST_CACHE = 0.17        -- m, from a cache, of a way past it
-local ASIDE_OF = 0.45          -- rad, of the way in or out past a cache
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local FAR = 0.9                -- m, from the structure's middle, that a search goes at most
+local NEAR_LOOK = 0.23         -- m, likewise at least: what is nearer than 0.18 m is below the picture
 local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
 travel.CLEAR_OF = CLEAR_OF
-travel.BEHIND_CACHE = BEHIND_CACHE
 
 -- A place so far from the structure's middle.
 local function on_ring(angle, radius)
@@ -77,7 +75,7 @@ function travel.to(x, y)
          local at = angle_of(robotics.pose.x, robotics.pose.y)
          local left = robotics.wrap(goal - at)
          local away = lattice.apart(robotics.pose, lattice.known)
-         if math.abs(left) < 0.3 or
+         if math.abs(left) < math.pi / 4 or
             (away > radius - 0.03 and way_past(x, y) >= lattice.known.reach + TOO_NEAR) then break end
          local to = at + robotics.clamp(left, -math.pi / 4, math.pi / 4)
          travel.straight_to(on_ring(to, radius))
@@ -97,32 +95,6 @@ function travel.past_cache(x, y)
    if along < 0.05 or along > far - 0.05 or math.abs(left) > PAST_CACHE then return end
    local aside = left < 0 and left + PAST_CACHE or left - PAST_CACHE
    travel.straight_to(robotics.out_of(line, along, aside))
-end
-
--- Outside the caches, beside the one on the side that robots face with `heading`: out past the
--- nearest cache, and round.
-function travel.outside(heading)
-   local radius = lattice.cache_way + BEHIND_CACHE
-   local goal, at = heading + math.pi, math.atan(robotics.pose.y - lattice.known.y,
-                                                 robotics.pose.x - lattice.known.x)
-   local left = robotics.wrap(goal - at)
-   if lattice.apart(lattice.known, robotics.pose) < radius - 0.1 then
-      at = at + (left < 0 and -1 or 1) * 1.5 * ASIDE_OF
-      travel.straight_to(on_ring(at, radius))
-   end
-   for _ = 1, 8 do
-      left = robotics.wrap(goal - at)
-      if math.abs(left) < ASIDE_OF then break end
-      at = at + robotics.clamp(left, -ASIDE_OF, ASIDE_OF)
-      travel.straight_to(on_ring(at, radius))
-   end
-end
-
--- And in, past the cache of that side.
-function travel.inside(heading)
-   local goal = heading + math.pi
-   travel.straight_to(on_ring(goal + ASIDE_OF, lattice.cache_way + BEHIND_CACHE))
-   travel.straight_to(on_ring(goal, lattice.known.reach + CLEAR_OF))
 end
 
 -- On a search: what is seen of the structure meanwhile keeps its place known, and it is not come
@@ -150,17 +122,18 @@ local function view_of(place)
    end
 end
 
--- Looks at a place in memory from a little away. Whether `found()` says something.
-function travel.look_again(place, found)
+-- Looks at a place in memory from a little away. Whether `found()` says something, soon.
+function travel.look_again(place, found, time)
    local away = lattice.apart(place, robotics.pose)
    if away > FAR_LOOK + 0.02 then
       local view = view_of(place)
       travel.to(view.x, view.y)
       away = FAR_LOOK
    end
-   handling.look_to(away)
+   handling.look_to(math.max(away, NEAR_LOOK))
    handling.turn_to(math.atan(place.y - robotics.pose.y, place.x - robotics.pose.x))
-   return handling.wait_until(found, LOOK_TIME)
+   if away < NEAR_LOOK - 0.02 then handling.back_off(NEAR_LOOK - away) end
+   return handling.wait_until(found, time or LOOK_TIME)
 end
 
 return travel

@@ -33,7 +33,7 @@ struct RuntimeModule {
 };
 /// What a controller needs, in this order.
 inline constexpr std::string_view kRuntimeModules[] = {
-    "robotics", "avoidance", "handling", "lattice", "travel", "column", "building"};
+    "robotics", "avoidance", "handling", "lattice", "travel", "sides", "column", "building"};
 
 /// `file` is what comments call the rule set's file.
 ControllerText controller_lua(const RuleSet& rules, std::string_view file,

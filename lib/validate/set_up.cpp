@@ -113,9 +113,7 @@ class Layout {
   std::vector<ApproachSide> sides_of(int robot) const {
     const auto& sides = compiled_.sides;
     const auto count = static_cast<int>(sides.size());
-    if (request_.allocation == Allocation::dynamic_ || request_.robots >= count) {
-      return {sides[static_cast<std::size_t>(robot % count)]};
-    }
+    if (request_.robots >= count) return {sides[static_cast<std::size_t>(robot % count)]};
     const auto first = sides.begin() + robot * count / request_.robots;
     const auto last = sides.begin() + (robot + 1) * count / request_.robots;
     return {first, last};

@@ -13,8 +13,9 @@
 //               side, further ones 0.25 m to the left of the last on that side
 //     the arena to 1.5 m, or 0.7 m beyond the farthest of these
 //
-// Fixed allocation: robots and sides are dealt out in turn; of fewer robots than sides each has
-// sides that follow each other. One robot is bound to none.
+// Robots and sides are dealt out in turn; of fewer robots than sides each has sides that follow
+// each other, and begins at the first. Fixed allocation binds robots to their sides, unless there
+// is but one robot.
 //
 // One text for all: what validate runs is what `stigc simulate` makes of the file. The layout
 // itself is there too, for other simulators' files.

@@ -58,7 +58,8 @@ TEST_CASE("two robots share four sides that follow each other, or are bound to n
   CHECK(fixed.find("params: {side: \"-x\", sides: \"-x -y\"}") != std::string::npos);
   request.allocation = Allocation::dynamic_;
   const std::string dynamic = set_up_scene(set.rules, set.compiled, request);
-  CHECK(dynamic.find("params: {side: \"+y\"}") != std::string::npos);
+  CHECK(dynamic.find("params: {side: \"+x\"}") != std::string::npos);
+  CHECK(dynamic.find("params: {side: \"-x\"}") != std::string::npos);
   CHECK(dynamic.find("sides:") == std::string::npos);
 }
 
