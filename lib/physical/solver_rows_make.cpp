@@ -37,10 +37,23 @@ Reach reach_of(const SolverTask& task, const SolverLink& link) {
   return out;
 }
 
+/// How many numbers there are: any, or a robot's, so that loops are written out.
+struct AnySize {
+  static std::size_t begin(const Hold& hold) { return hold.reach.begin; }
+  static std::size_t dofs(const Hold& hold) { return hold.dofs; }
+};
+template <std::size_t kBegin>
+struct RobotSize {
+  static constexpr std::size_t kDofs = 11;
+  static std::size_t begin(const Hold&) { return kBegin; }
+  static std::size_t dofs(const Hold&) { return kDofs; }
+};
+
 /// W = M⁻¹Jᵀ, two of its numbers at once; M⁻¹ is the same by rows and by columns, to the bit. Sums
 /// are those of product().
+template <class Size>
 void fill_w(const double* inverse, const Hold& hold, const double* j, double* w) {
-  const std::size_t begin = hold.reach.begin, n = hold.dofs;
+  const std::size_t begin = Size::begin(hold), n = Size::dofs(hold);
   const double* extra = inverse + 2 * std::size_t{hold.reach.extra} * n;
   const double* last = inverse + (n - 1) * n;
   for (std::size_t i = 0; i + 1 < n; i += 2) {
@@ -61,9 +74,10 @@ void fill_w(const double* inverse, const Hold& hold, const double* j, double* w)
 }
 
 /// J and W of a unit impulse along a direction `d` at `p` (times `sign`); returns J·W.
+template <class Size>
 double fill_row(const SolverTask& task, const SolverLink& link, const Hold& hold, const Vec3& p,
                 const Vec3& d, double sign, double* j, double* w) {
-  const std::size_t begin = hold.reach.begin, n = hold.dofs;
+  const std::size_t begin = Size::begin(hold), n = Size::dofs(hold);
   const Vec3 arm = cross(p - link.p, d);
   const auto entry = [&](std::size_t i) {
     return sign * (dot(d, link.columns[i].v) + dot(arm, link.columns[i].w));
@@ -73,7 +87,7 @@ double fill_row(const SolverTask& task, const SolverLink& link, const Hold& hold
     j[2 * begin + i] = entry(2 * std::size_t{hold.reach.extra} + i);
   }
   if (n % 2 != 0) j[2 * begin + 2] = entry(n - 1);
-  fill_w(task.mechanisms[link.mechanism].inverse, hold, j, w);
+  fill_w<Size>(task.mechanisms[link.mechanism].inverse, hold, j, w);
   return product(j, hold, w);
 }
 
@@ -90,13 +104,17 @@ void add_hold(const SolverTask& task, std::uint32_t body, const Vec3& p, double 
   hold.reach = rows.reach[static_cast<std::size_t>(task.bodies[body].link)];
   hold.at = static_cast<std::uint32_t>(rows.numbers.size());
   rows.numbers.resize(rows.numbers.size() + 3 * (hold.reach.width() + hold.height()));
-  double* j = &rows.numbers[hold.at];
-  double* w = j + 3 * hold.reach.width();
-  for (std::size_t i = 0; i < 3; ++i) {
-    change[i] += fill_row(task, *link, hold, p, point.directions[i], sign, j, w);
-    j += hold.reach.width();
-    w += hold.height();
-  }
+  const auto fill = [&](auto size) {
+    double* j = &rows.numbers[hold.at];
+    double* w = j + 3 * hold.reach.width();
+    for (std::size_t i = 0; i < 3; ++i) {
+      change[i] += fill_row<decltype(size)>(task, *link, hold, p, point.directions[i], sign, j, w);
+      j += hold.reach.width();
+      w += hold.height();
+    }
+  };
+  const std::size_t begin = hold.dofs == RobotSize<0>::kDofs ? hold.reach.begin : 0;
+  begin == 3 ? fill(RobotSize<3>{}) : begin == 4 ? fill(RobotSize<4>{}) : fill(AnySize{});
 }
 
 // ---- Free bodies ----
