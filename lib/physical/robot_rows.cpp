@@ -37,16 +37,18 @@ void keep(double* v, const RobotMotion& motion) {
   v[10] = motion.lift;
 }
 
-/// A free body's velocity and spin.
+/// A free body's velocity and spin, along each axis.
 struct LooseMotion {
-  Two a, b, c;
+  Two x, y, z;
 };
 
-LooseMotion loose_at(const double* v) { return {two_at(v), two_at(v + 2), two_at(v + 4)}; }
+LooseMotion loose_at(const double* v) {
+  return {Two{v[0], v[3]}, Two{v[1], v[4]}, Two{v[2], v[5]}};
+}
 void keep(double* v, const LooseMotion& motion) {
-  put(v, motion.a);
-  put(v + 2, motion.b);
-  put(v + 4, motion.c);
+  put(v, Two{motion.x[0], motion.y[0]});
+  put(v + 2, Two{motion.z[0], motion.x[1]});
+  put(v + 4, Two{motion.y[1], motion.z[1]});
 }
 
 /// J times velocities. The sums of product(); nothing is added to zero first, since along() does.
@@ -60,9 +62,10 @@ double product(const double* j, const RobotMotion& v) {
   return sum[0] + sum[1] + j[kKind == RowKind::first_wheels ? 10 : 8] * v.lift;
 }
 double product(const std::array<double, 6>& j, const LooseMotion& v) {
-  const Two a = row_two(&j[0]) * v.a, b = row_two(&j[2]) * v.b, c = row_two(&j[4]) * v.c;
-  const double linear = a[0] + a[1] + b[0], angular = b[1] + c[0] + c[1];
-  return linear + angular;
+  Two sum = row_two(&j[0]) * v.x;
+  sum += row_two(&j[2]) * v.y;
+  sum += row_two(&j[4]) * v.z;
+  return sum[0] + sum[1];
 }
 
 /// Adds W times an impulse.
@@ -77,10 +80,10 @@ void add(const double* w, double impulse, RobotMotion& v) {
 }
 void add(const LooseSide& side, std::size_t direction, double impulse, LooseMotion& v) {
   const double* w = side.w[direction].data();
-  const double push = impulse * side.inverse_mass;
-  v.a += row_two(w) * both(push);
-  v.b += row_two(w + 2) * Two{push, impulse};
-  v.c += row_two(w + 4) * both(impulse);
+  const Two push{impulse * side.inverse_mass, impulse};
+  v.x += row_two(w) * push;
+  v.y += row_two(w + 2) * push;
+  v.z += row_two(w + 4) * push;
 }
 
 /// The velocities that a run is about, while it is gone through.

@@ -28,27 +28,28 @@ void add(const double* w, const Hold& hold, const std::array<double, kCount>& im
   for (std::size_t i = 0; i < kCount; ++i) v[n - 1] += w[i * height + n - 1] * impulse[i];
 }
 
+/// Velocity and spin along the axis i.
+Two axis_at(const double* v, std::size_t i) { return Two{v[i], v[3 + i]}; }
+
 double product(const std::array<double, 6>& j, const double* v) {
-  const Two a = row_two(&j[0]) * two_at(v), b = row_two(&j[2]) * two_at(v + 2),
-            c = row_two(&j[4]) * two_at(v + 4);
-  const double linear = a[0] + a[1] + b[0], angular = b[1] + c[0] + c[1];
-  return linear + angular;
+  Two sum = row_two(&j[0]) * axis_at(v, 0);
+  sum += row_two(&j[2]) * axis_at(v, 1);
+  sum += row_two(&j[4]) * axis_at(v, 2);
+  return sum[0] + sum[1];
 }
 
 template <std::size_t kCount>
 void add(const LooseSide& side, std::size_t direction, const std::array<double, kCount>& impulse,
          double* v) {
-  Two a = two_at(v), b = two_at(v + 2), c = two_at(v + 4);
-  for (std::size_t i = 0; i < kCount; ++i) {
-    const double* w = side.w[direction + i].data();
-    const double push = impulse[i] * side.inverse_mass;
-    a += row_two(w) * both(push);
-    b += row_two(w + 2) * Two{push, impulse[i]};
-    c += row_two(w + 4) * both(impulse[i]);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    Two sum = axis_at(v, axis);
+    for (std::size_t i = 0; i < kCount; ++i) {
+      sum += row_two(&side.w[direction + i][2 * axis]) *
+             Two{impulse[i] * side.inverse_mass, impulse[i]};
+    }
+    v[axis] = sum[0];
+    v[3 + axis] = sum[1];
   }
-  put(v, a);
-  put(v + 2, b);
-  put(v + 4, c);
 }
 
 /// Which numbers rows are about: velocities, or the shift that undoes overlaps.

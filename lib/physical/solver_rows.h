@@ -18,7 +18,8 @@ namespace stig {
 /// axle.
 inline constexpr std::size_t kNormal = 0, kFirst = 1, kSecond = 2;
 
-/// A free body that a point acts on, or a fixed one that moves.
+/// A free body that a point acts on, or a fixed one that moves. Of each axis the number for the
+/// velocity and the one for the spin stand side by side: they are added up side by side, too.
 struct LooseSide {
   alignas(16) std::array<std::array<double, 6>, 3> j, w;
   double* v = nullptr;      ///< its velocity and spin, six numbers

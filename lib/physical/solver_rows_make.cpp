@@ -136,8 +136,8 @@ void add_loose(SolverBody& body, const Vec3& p, double sign, RowPoint& point,
     const Vec3 turn = body.inverse_inertia * arm;
     change[i] += body.inverse_mass + dot(arm, turn);
     const Vec3 jv = d * sign, jw = arm * sign, ww = turn * sign;
-    side.j[i] = {jv.x, jv.y, jv.z, jw.x, jw.y, jw.z};
-    side.w[i] = {d.x, d.y, d.z, ww.x, ww.y, ww.z};
+    side.j[i] = {jv.x, jw.x, jv.y, jw.y, jv.z, jw.z};
+    side.w[i] = {d.x, ww.x, d.y, ww.y, d.z, ww.z};
   }
 }
 
