@@ -51,21 +51,39 @@ T value_of(const Numbers<T>& numbers) {
   return std::bit_cast<T>(numbers);
 }
 
+/// Where the registry has the metatable, beside its name: programs take numbers from vectors all
+/// the time, and to find a name takes longer.
+template <class T>
+constexpr char kKey = 0;
+
+template <class T>
+void push_metatable(lua_State* state) {
+  lua_rawgetp(state, LUA_REGISTRYINDEX, &kKey<T>);
+}
+
 template <class T>
 int push(lua_State* state, const T& value) {
   void* place = lua_newuserdatauv(state, sizeof(T), 0);
   std::memcpy(place, &value, sizeof value);
-  luaL_setmetatable(state, Meta<T>::kName);
+  push_metatable<T>(state);
+  lua_setmetatable(state, -2);
   return 1;
 }
 
 template <class T>
 T* test(lua_State* state, int index) {
-  return static_cast<T*>(luaL_testudata(state, index, Meta<T>::kName));
+  void* value = lua_touserdata(state, index);
+  if (value == nullptr || lua_getmetatable(state, index) == 0) return nullptr;
+  push_metatable<T>(state);
+  const bool is_one = lua_rawequal(state, -1, -2) != 0;
+  lua_pop(state, 2);
+  return is_one ? static_cast<T*>(value) : nullptr;
 }
 template <class T>
 T& check(lua_State* state, int index) {
-  return *static_cast<T*>(luaL_checkudata(state, index, Meta<T>::kName));
+  T* value = test<T>(state, index);
+  if (value == nullptr) luaL_checkudata(state, index, Meta<T>::kName);  // says what is wrong
+  return *value;
 }
 
 /// The place of a field by its one-letter name, or npos.
@@ -311,6 +329,8 @@ template <class T, std::size_t n, std::size_t m>
 void open_type(lua_State* state, LuaFunction constructor, const LuaEntry (&methods)[n],
                const LuaEntry (&operators)[m]) {
   luaL_newmetatable(state, Meta<T>::kName);
+  lua_pushvalue(state, -1);
+  lua_rawsetp(state, LUA_REGISTRYINDEX, &kKey<T>);
   lua_createtable(state, 0, static_cast<int>(n) + 1);
   set_functions(state, methods);
   set_functions(state, {{"normalize", normalise<T>}});

@@ -78,7 +78,7 @@ Polygon clipped(const Polygon& in, const Vec3& n, double limit) {
   Polygon out;
   for (std::size_t i = 0; i < in.count; ++i) {
     const Vec3& p = in.p[i];
-    const Vec3& q = in.p[(i + 1) % in.count];
+    const Vec3& q = in.p[i + 1 < in.count ? i + 1 : 0];
     const double dp = dot(n, p) - limit, dq = dot(n, q) - limit;
     if (dp <= 0) out.p[out.count++] = p;
     if ((dp < 0 && dq > 0) || (dp > 0 && dq < 0)) {

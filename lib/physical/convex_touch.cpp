@@ -103,10 +103,13 @@ void consider_edges(Axis& best, const Solid& a, const Solid& b, double margin) {
   Axis edges;
   const double least = std::min(margin, best.gap + kFacePreference);
   const Vec3 apart = a.placed.p - b.placed.p;
+  thread_local std::vector<Vec3> directions;  // of b's edges
+  directions.clear();
+  for (const Vec3& db : b.convex.directions) directions.push_back(b.placed.r * db);
   for (const Vec3& da : a.convex.directions) {
     const Vec3 ua = a.placed.r * da;
-    for (const Vec3& db : b.convex.directions) {
-      const Vec3 ub = b.placed.r * db, across = cross(ua, ub);
+    for (const Vec3& ub : directions) {
+      const Vec3 across = cross(ua, ub);
       const double square = squared(across);
       if (square < 1e-6) continue;  // parallel edges: a face says the same
       // Most axes cannot win: told by the centres and a bound of the reach, without corners.
@@ -157,7 +160,7 @@ void clip(CutFace*& polygon, CutFace*& next, const Vec3& n, double limit) {
   if (whole) return;
   next->count = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t k = (i + 1) % count;
+    const std::size_t k = i + 1 < count ? i + 1 : 0;
     const Vec3& p = polygon->p[i];
     const double dp = beyond[i], dq = beyond[k];
     if (dp <= 0) next->add(p);
@@ -184,7 +187,7 @@ Touch touch_face(const Vec3& normal, const Solid& reference, const ConvexFace& f
   for (const std::uint16_t corner : against->corners) polygon->add(other.points[corner]);
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
     const Vec3 p = reference.points[face.corners[i]];
-    const Vec3 q = reference.points[face.corners[(i + 1) % face.corners.size()]];
+    const Vec3 q = reference.points[face.corners[i + 1 < face.corners.size() ? i + 1 : 0]];
     const Vec3 side = normalised(cross(q - p, outward));
     clip(polygon, next, side, dot(side, p));
   }

@@ -2,6 +2,7 @@
 // Dense matrices of a mechanism's size, row by row in a vector.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -9,33 +10,39 @@
 
 namespace stig {
 
-/// The inverse of a positive definite matrix of which the lower half is given, in place.
+/// The inverse of a positive definite matrix of which the lower half is given, in place; the same
+/// by rows and by columns. Innermost are sums of different numbers, which need not wait for each
+/// other as the terms of one do.
 inline void invert_positive(std::vector<double>& m, std::size_t n) {
+  thread_local std::vector<double> column, out;
   // m = L Lᵀ; L⁻¹ takes L's place; then m⁻¹ = L⁻ᵀ L⁻¹.
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k <= i; ++k) {
-      double sum = m[i * n + k];
-      for (std::size_t j = 0; j < k; ++j) sum -= m[i * n + j] * m[k * n + j];
-      m[i * n + k] = i == k ? std::sqrt(sum) : sum / m[k * n + k];
+  column.resize(n);
+  for (std::size_t j = 0; j < n; ++j) {
+    m[j * n + j] = std::sqrt(m[j * n + j]);
+    for (std::size_t i = j + 1; i < n; ++i) {
+      const double from = column[i] = m[i * n + j] /= m[j * n + j];
+      for (std::size_t k = j + 1; k <= i; ++k) m[i * n + k] -= from * column[k];
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      double sum = 0;
-      for (std::size_t j = k; j < i; ++j) sum -= m[i * n + j] * m[j * n + k];
-      m[i * n + k] = sum / m[i * n + i];
+    std::fill_n(column.begin(), i, 0.0);
+    for (std::size_t j = 0; j < i; ++j) {
+      const double from = m[i * n + j];
+      for (std::size_t k = 0; k <= j; ++k) column[k] -= from * m[j * n + k];
     }
-    m[i * n + i] = 1 / m[i * n + i];
+    const double own = m[i * n + i];
+    for (std::size_t k = 0; k < i; ++k) m[i * n + k] = column[k] / own;
+    m[i * n + i] = 1 / own;
+  }
+  out.assign(n * n, 0);
+  for (std::size_t j = 0; j < n; ++j) {
+    for (std::size_t i = 0; i <= j; ++i) {
+      const double from = m[j * n + i];
+      for (std::size_t k = i; k <= j; ++k) out[i * n + k] += from * m[j * n + k];
+    }
   }
   for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = i; k < n; ++k) {
-      double sum = 0;
-      for (std::size_t j = k; j < n; ++j) sum += m[j * n + i] * m[j * n + k];
-      m[i * n + k] = sum;
-    }
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < i; ++k) m[i * n + k] = m[k * n + i];
+    for (std::size_t k = i; k < n; ++k) m[i * n + k] = m[k * n + i] = out[i * n + k];
   }
 }
 

@@ -25,24 +25,29 @@ double margin_of(const WorldState& world, const Body& a, const Body& b, double m
   return std::min(most, kMargin + way + turning_reach(world, a) + turning_reach(world, b));
 }
 
-Placed placed(const Body& body) { return {body.shape, body.p, body.r}; }
+void place(WorldState& world, std::uint32_t i) {
+  world.placed[i].p = world.bodies[i].p;
+  world.placed[i].r = world.bodies[i].r;
+}
 
 /// Before this step's forces: of what lies on something, they come to nothing.
 Vec3 steady(const Body& body) { return body.fixed || !body.awake ? body.v : body.last_v; }
 
-Touch touch_bodies(const WorldState& world, const Body& a, const Body& b) {
+Touch touch_bodies(const WorldState& world, std::uint32_t number_a, std::uint32_t number_b) {
+  const Body &a = world.bodies[number_a], &b = world.bodies[number_b];
+  const Placed &placed_a = world.placed[number_a], &placed_b = world.placed[number_b];
   const bool boxes = a.shape.kind == ShapeKind::box && b.shape.kind == ShapeKind::box;
   const Vec3 velocity = steady(a) - steady(b);
   const bool swept = boxes && squared(velocity) > kSwept * kSwept;
   const double most = margin_of(world, a, b, swept ? kMostWay : kMostMargin);
-  if (!swept) return touch(placed(a), placed(b), most);
+  if (!swept) return touch(placed_a, placed_b, most);
   Passing motion;
   motion.way = velocity * world.config.step;
   motion.turning = turning_reach(world, a) + turning_reach(world, b);
   motion.margin = kMargin + motion.turning;
   motion.most = most;
   motion.share = a.fixed || !a.awake ? 0 : b.fixed || !b.awake ? 1 : 0.5;
-  return touch_moving_boxes(placed(a), placed(b), motion);
+  return touch_moving_boxes(placed_a, placed_b, motion);
 }
 
 /// All that the body may reach in this step, and half the margin.
@@ -128,6 +133,7 @@ void each_body(const WorldState& world, std::uint32_t thing, const Each& each) {
 /// Pairs a < b of bodies that may touch, one of them awake, in rising order.
 std::vector<BodyPair> near_pairs(WorldState& world) {
   for (const std::uint32_t i : world.awake) {
+    place(world, i);
     world.bounds[i] = bounds_of(world, world.bodies[i]);
   }
   const auto moving = cells_of(things_of(world, world.awake), world.thing_bounds, world.cell);
@@ -148,7 +154,7 @@ void add_floor_contact(const WorldState& world, std::uint32_t i, std::vector<Con
   const Body& body = world.bodies[i];
   if (body.fixed) return;
   const double margin = margin_of(world, body, kAtRest, kMostWay);
-  add_contact(world, i, kFloorBody, touch_floor(placed(body), margin), out);
+  add_contact(world, i, kFloorBody, touch_floor(world.placed[i], margin), out);
 }
 
 /// Contacts in which somebody takes part, sorted: into world.found.
@@ -160,7 +166,7 @@ void find_contacts(WorldState& world) {
   for (const auto& [a, b] : pairs) {
     for (; next != world.awake.end() && *next < a; ++next) add_floor_contact(world, *next, out);
     if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
-    add_contact(world, a, b, touch_bodies(world, world.bodies[a], world.bodies[b]), out);
+    add_contact(world, a, b, touch_bodies(world, a, b), out);
   }
   for (; next != world.awake.end(); ++next) add_floor_contact(world, *next, out);
 }
@@ -240,11 +246,16 @@ void refresh_lists(WorldState& world) {
   world.resting.clear();
   world.bounds.resize(world.bodies.size());
   world.thing_bounds.resize(world.bodies.size());
+  for (std::size_t i = world.placed.size(); i < world.bodies.size(); ++i) {
+    world.placed.push_back({world.bodies[i].shape, {}, {}});
+  }
   for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
     const Body& body = world.bodies[i];
     if (body.left) continue;
     (body.awake ? world.awake : world.resting).push_back(i);
-    if (!body.awake) world.bounds[i] = bounds_of(world, body);
+    if (body.awake) continue;
+    place(world, i);
+    world.bounds[i] = bounds_of(world, body);
   }
   world.resting_cells = cells_of(things_of(world, world.resting), world.thing_bounds, world.cell);
 }

@@ -31,8 +31,8 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
 bool stays(const Body& body, const SleepRules& rules) {
   const auto below = [](const Vec3& v, double most) { return squared(v) < most * most; };
   return below(body.p - body.rest_X_WB.p, rules.speed * rules.time) &&
-         angle_of(body.q * conjugate(body.rest_X_WB.q)) < rules.spin * rules.time &&
-         below(body.v, kTrembling * rules.speed) && below(body.w, kTrembling * rules.spin);
+         below(body.v, kTrembling * rules.speed) && below(body.w, kTrembling * rules.spin) &&
+         angle_of(body.q * conjugate(body.rest_X_WB.q)) < rules.spin * rules.time;
 }
 
 }  // namespace

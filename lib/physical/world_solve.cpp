@@ -82,6 +82,7 @@ class TaskMaker {
   void clear() {
     for (const std::uint32_t i : numbers_) slot_[i] = 0;
     numbers_.clear();
+    last_ = {};
     task_.mechanisms.clear();
     task_.links.clear();
     task_.axes.clear();
@@ -110,13 +111,22 @@ class TaskMaker {
         {it.size(), it.inverse.data(), it.v.data(), it.kick.data(), it.way.data()});
   }
 
+  /// Bodies of a part mostly come one after the other, and move as it does.
+  const PartMotion& motion_of(const Articulation& it, std::uint32_t part) {
+    if (last_ != std::pair(&it, part)) {
+      last_ = {&it, part};
+      last_motion_ = part_motion(it, part, it.v);
+    }
+    return last_motion_;
+  }
+
   SolverBody link_body(const Body& body) {
     Articulation& it = world_.articulations.all[static_cast<std::size_t>(body.articulation)];
     it.held = true;
     SolverBody out;
     out.p = body.p;
     out.link = static_cast<std::int32_t>(task_.links.size());
-    const auto [motion, change] = part_motion(it, body.part, it.v);
+    const auto& [motion, change] = motion_of(it, body.part);
     task_.links.push_back({mechanism_[static_cast<std::size_t>(body.articulation)],
                            it.poses[body.part].p, it.columns_of(body.part), motion.w, change.v,
                            change.w});
@@ -137,6 +147,8 @@ class TaskMaker {
   WorldState& world_;
   SolverTask& task_;
   std::vector<std::uint32_t> slot_, mechanism_, numbers_;
+  std::pair<const Articulation*, std::uint32_t> last_{};
+  PartMotion last_motion_;
 };
 
 /// The most bodies one upon the other, as contacts lead up from what does not move.

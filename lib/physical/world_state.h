@@ -83,6 +83,8 @@ struct WorldState {
   bool changed = true;
   std::vector<std::uint32_t> awake, resting;
   std::vector<Bounds> bounds;  ///< of each body
+  /// Each body's shape where it is. Kept, since to copy a shape is to count its owners.
+  std::vector<Placed> placed;
   /// Of each thing of the grid: a loose body, or a mechanism by the number of its first link.
   std::vector<Bounds> thing_bounds;
   std::vector<CellEntry> resting_cells;

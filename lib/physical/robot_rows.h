@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// Rows of a robot with four wheels and a lift, of which a step has most: velocities stay in the
+// processor's registers from point to point, where each waits for what the last one left.
+// Everything comes out to the bit as the rows of any mechanism (solver_rows.cpp) would have it.
+#pragma once
+
+#include <span>
+
+#include "physical/solver_rows.h"
+
+namespace stig {
+
+/// Of a point that is otherwise made.
+RowKind kind_of(const RowPoint& point);
+
+/// Of a run of points, none of them of any kind; `numbers` are those of Rows.
+void apply_last_run(std::span<const RowPoint> run, const double* numbers);
+double relax_run(std::span<RowPoint> run, const double* numbers, double inverse_dt);
+void follow_run_gaps(std::span<RowPoint> run, const double* numbers, double dt);
+
+}  // namespace stig
