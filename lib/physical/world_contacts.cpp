@@ -96,7 +96,9 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
   contact.friction = friction_of(world.config, body.material, other);
   const std::uint32_t wheel = b == kFloorBody || !(axle_of(world, a) == Vec3{}) ? a : b;
   contact.axle = world.bodies[wheel].r * axle_of(world, wheel);
-  contact.axle_friction = world.config.bodies[wheel].axle_friction;
+  if (!(contact.axle == Vec3{})) {
+    contact.axle_friction = world.config.bodies[wheel].axle_friction;
+  }
   for (std::size_t i = 0; i < static_cast<std::size_t>(touch.count); ++i) {
     const TouchPoint& from = touch.points[i];
     contact.points[i].p_W = from.p;

@@ -33,7 +33,35 @@ double time_of_turn(double axle_friction, double speed) {
   return world.time();
 }
 
+/// How far a block slides on a robot's top, m, in half a second under a level push of so many times
+/// what friction holds, in a direction, rad.
+double slide_on_top(double times, double direction) {
+  WorldConfig config = car_settings();
+  add_car(config);
+  const double mass = 0.1, top = 0.08025 + 0.28775;
+  const auto block = static_cast<std::uint32_t>(config.bodies.size());
+  config.bodies.push_back(solid_body(Shape::box({0.055, 0.055, 0.055}), mass));
+  config.bodies.back().X_WB.p = {0, 0, top + 0.0275};
+  World world(config);
+  const double force = times * config.friction * mass * 9.8;
+  world.add_force([=](const World&, Forces& forces) {
+    forces.add(BodyId{block}, {force * std::cos(direction), force * std::sin(direction), 0}, {});
+  });
+  run(world, 0.5);
+  const Vec3 p = state(world, block).X_WB.p;
+  return std::hypot(p.x, p.y);
+}
+
 }  // namespace
+
+TEST_CASE("a block on a robot slides as easily in every direction") {
+  for (const double degrees : {0.0, 30.0, 60.0, 90.0, 135.0}) {
+    CAPTURE(degrees);
+    const double direction = degrees / 180 * 3.14159265358979;
+    CHECK(slide_on_top(0.8, direction) < 5e-4);
+    CHECK(slide_on_top(1.2, direction) > 5e-3);
+  }
+}
 
 TEST_CASE("a car of the paper's figures weighs what they say") {
   WorldConfig config = car_settings();
