@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# How a swarm's work scales: `stigc validate` with 1, 2, 4 and 8 robots that are bound to their
-# sides, and with two and four that are not, as a markdown table on standard output; progress goes
-# to standard error.
+# How a swarm's work scales: `stigc validate` with 1, 2, 3, 4 and 8 robots that are bound to their
+# sides, and with two, three and four that are not, as a markdown table on standard output; progress
+# goes to standard error.
 #
 #   scripts/scaling.sh [--runs R] [--duration S] [RULESET]
 #
@@ -30,7 +30,7 @@ if [[ -z $stigc ]]; then
 fi
 mkdir -p out
 files=()
-for work in 1-fixed 2-fixed 4-fixed 8-fixed 2-dynamic 4-dynamic; do
+for work in {1,2,3,4,8}-fixed {2,3,4}-dynamic; do
   file=out/scaling-$work.json
   say "${work/-/ robots, }" >&2
   status=0

@@ -25,7 +25,7 @@ int write(const std::string& path, const std::string& text, const App& app) {
     app.complain(error.message);
     return kRunFailed;
   }
-  app.say("wrote " + printable(path));
+  if (path != "-") app.say("wrote " + printable(path));
   return kOk;
 }
 
