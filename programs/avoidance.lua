@@ -10,6 +10,7 @@ local avoidance = {}
 
 local GRID = 0.02              -- m, between two points that are kept apart
 local KEPT = 10                -- s
+avoidance.LOOK_RIM = 0.03      -- m/s, in a turn to look: a rangefinder measures every 10 degrees
 local SEES = 0.15              -- m, as far as a rangefinder surely sees through
 local TURNING = 0.145          -- m, from the robot's middle to its effector's corners, and some more
 local HALF_EFFECTOR = 0.25     -- rad, of the effector about the robot's middle

@@ -31,12 +31,10 @@ local STILL = 15               -- sightings after which a block in transport is 
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LINKED = 1.25 * SIDE
 local PEEK_FROM, PEEK = 0.17, 0.8  -- m from a site, rad to each side
-local PEEK_RIM = 0.03          -- m/s: a rangefinder measures every 10 degrees
 local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
 local BUSY = 10                -- s, the longest wait where another robot is at a row
-local BEFORE_CACHE = 0.16      -- m, from a cache, likewise at least
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -237,7 +235,7 @@ function does.stand_before()
       handling.lift_to(math.max(robot.lift_system.position, 0.070))
       local x, y = robotics.out_of(line, -away - 0.03, 0)
       -- where there is room to turn before the cache
-      if lattice.cache and lattice.apart(lattice.cache, { x = x, y = y }) < BEFORE_CACHE then
+      if lattice.cache and lattice.apart(lattice.cache, { x = x, y = y }) < travel.BEFORE_CACHE then
          x, y = robotics.out_of(line, -away, 0)
       end
       if not travel.to(x, y) then
@@ -313,7 +311,7 @@ local function is_alone(line)
    local busy = handling.wait_until(held, 0.6)
    for _, angle in ipairs { -PEEK, PEEK, 0 } do
       local turn = robotics.wrap(line.yaw + angle - robotics.pose.yaw)
-      if not busy and not avoidance.sweeps(turn) then handling.turn_to(line.yaw + angle, PEEK_RIM) end
+      if not busy and not avoidance.sweeps(turn) then handling.turn_to(line.yaw + angle, avoidance.LOOK_RIM) end
       busy = busy or held()
    end
    handling.turn_to(line.yaw)

@@ -16,8 +16,6 @@ local EDGE = 0.40              -- m, from a side's middle, where one is in nobod
 local INNER_EDGE = 0.30        -- m, likewise, from where one sees robots up to the middle
 local EDGE_LOOK = 0.3          -- rad, between looks from there
 local AT_ROW = 12              -- s, that others are out of sight at the far rows
-local LOOK_RIM = 0.03          -- m/s: rangefinders look five times a second
-local BEFORE_CACHE = 0.16      -- m, from a cache, for a robot that turns
 local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
 
 local task
@@ -44,10 +42,15 @@ function sides.are_shared()
    return task.delay > 0 and not robot.params.sides
 end
 
+-- As far from the structure's middle as the cache leaves room.
+local function room_before_cache()
+   return (lattice.cache_way or math.huge) - travel.BEFORE_CACHE
+end
+
 -- Out of the others' way, as far as the cache leaves room.
 function sides.withdraw()
    local known = lattice.known
-   local away = math.min(known.reach + WITHDRAWN, (lattice.cache_way or math.huge) - BEFORE_CACHE)
+   local away = math.min(known.reach + WITHDRAWN, room_before_cache())
    local more = away - lattice.apart(known, robotics.pose)
    if more > 0 then handling.back_off(more) end
 end
@@ -72,7 +75,7 @@ local function is_worked(heading, edge)
    handling.turn_to(across.yaw)
    handling.follow(across, -INNER_EDGE, 0.06, meets)
    for step = -2, 2 do
-      if not meets() then handling.turn_to(across.yaw + step * EDGE_LOOK, LOOK_RIM) end
+      if not meets() then handling.turn_to(across.yaw + step * EDGE_LOOK, avoidance.LOOK_RIM) end
    end
    if not meets() then handling.turn_to(across.yaw) end
    return handling.wait_until(meets, AT_ROW) or
@@ -93,22 +96,20 @@ end
 -- To the next side, whose cache is expected to be as far away as the last one. Where somebody works
 -- there, back to where it was, and the other way round the next time. Says whether it has changed.
 function sides.change()
-   local side, known = next_side(), lattice.cache_way
-   local free = not (sides.are_shared() and known and is_worked(lattice.heading_of(side), way_round))
+   local side, cache_way = next_side(), lattice.cache_way
+   local free = not (sides.are_shared() and cache_way and is_worked(lattice.heading_of(side), way_round))
    if free then
       lattice.side = side
+      if cache_way then
+         local x, y = place_on(lattice.heading_of(side), cache_way)
+         lattice.cache = { x = x, y = y }
+      end
    else
       way_round = -way_round
       handling.back_off(EDGE - INNER_EDGE)
    end
-   local heading = lattice.heading_of(lattice.side)
-   local away = lattice.known.reach + travel.CLEAR_OF
-   if known then
-      away = math.min(away, known - BEFORE_CACHE)
-      local x, y = place_on(heading, known)
-      if free then lattice.cache = { x = x, y = y } end
-   end
-   travel.to(place_on(heading, away))
+   local away = math.min(lattice.known.reach + travel.CLEAR_OF, room_before_cache())
+   travel.to(place_on(lattice.heading_of(lattice.side), away))
    return free
 end
 

@@ -14,9 +14,10 @@ local TOO_NEAR = 0.165         -- of a way past a brick
 local PAST_CACHE = 0.17        -- m, from a cache, of a way past it
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local FAR = 0.9                -- m, from the structure's middle, that a search goes at most
-local NEAR_LOOK = 0.23         -- m, likewise at least: what is nearer than 0.18 m is below the picture
 local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
+local NEAR_LOOK = 0.23         -- m, likewise at least: what is nearer than 0.18 m is below the picture
 travel.CLEAR_OF = CLEAR_OF
+travel.BEFORE_CACHE = 0.16     -- m, from a cache, for a robot that turns
 
 -- A place so far from the structure's middle.
 local function on_ring(angle, radius)

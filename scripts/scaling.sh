@@ -15,7 +15,7 @@ while [[ $# -gt 0 ]]; do
   case $1 in
     --runs) runs=${2:?--runs needs a number}; shift ;;
     --duration) duration=${2:?--duration needs a number}; shift ;;
-    -h | --help) sed -n '3,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,10s/^# \{0,1\}//p' "$0"; exit 0 ;;
     -*) die "unknown argument '$1'; see --help" ;;
     *) rules=$1 ;;
   esac

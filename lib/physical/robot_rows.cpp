@@ -11,7 +11,6 @@ namespace stig {
 
 namespace {
 
-constexpr std::uint32_t kDofs = 11;  ///< of a floating body, four wheels and a lift
 constexpr std::size_t kHeight = 12;  ///< Hold::height() of so many
 
 // Which pairs move a link: those of the floating body, and none or one of the wheels'.
@@ -184,7 +183,7 @@ auto with_motion(RowKind kind, const Call& call) {
 
 RowKind kind_of(const RowPoint& point) {
   const Hold& hold = point.holds[0];
-  if (point.held != 1 || hold.dofs != kDofs || point.looses > 1) return RowKind::any;
+  if (point.held != 1 || hold.dofs != kRobotDofs || point.looses > 1) return RowKind::any;
   if (same(hold.reach, kBody)) {
     return point.looses == 0 ? RowKind::robot : RowKind::robot_on_loose;
   }

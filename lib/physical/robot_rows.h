@@ -4,11 +4,15 @@
 // Everything comes out to the bit as the rows of any mechanism (solver_rows.cpp) would have it.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "physical/solver_rows.h"
 
 namespace stig {
+
+/// Degrees of freedom of such a robot: a floating body, four wheels and a lift.
+inline constexpr std::uint32_t kRobotDofs = 11;
 
 /// Of a point that is otherwise made.
 RowKind kind_of(const RowPoint& point);

@@ -44,9 +44,8 @@ struct AnySize {
 };
 template <std::size_t kBegin>
 struct RobotSize {
-  static constexpr std::size_t kDofs = 11;
   static std::size_t begin(const Hold&) { return kBegin; }
-  static std::size_t dofs(const Hold&) { return kDofs; }
+  static std::size_t dofs(const Hold&) { return kRobotDofs; }
 };
 
 /// W = M⁻¹Jᵀ, two of its numbers at once; M⁻¹ is the same by rows and by columns, to the bit. Sums
@@ -113,7 +112,7 @@ void add_hold(const SolverTask& task, std::uint32_t body, const Vec3& p, double 
       w += hold.height();
     }
   };
-  const std::size_t begin = hold.dofs == RobotSize<0>::kDofs ? hold.reach.begin : 0;
+  const std::size_t begin = hold.dofs == kRobotDofs ? hold.reach.begin : 0;
   begin == 3 ? fill(RobotSize<3>{}) : begin == 4 ? fill(RobotSize<4>{}) : fill(AnySize{});
 }
 

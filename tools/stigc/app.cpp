@@ -90,6 +90,7 @@ void App::complain(std::string_view line) const {
 }
 
 void App::report(const Diagnostics& diagnostics) const {
+  if (diagnostics.all().empty()) return;
   if (options_.json_diagnostics) {
     write_all(STDERR_FILENO, to_json(diagnostics));
   } else {

@@ -42,7 +42,7 @@ class App {
   void say(std::string_view line) const;
   /// What went wrong, on standard error: "stigc: …".
   void complain(std::string_view line) const;
-  /// Diagnostics on standard error, as --diagnostics asks.
+  /// Diagnostics on standard error, as --diagnostics asks; where there are none, nothing.
   void report(const Diagnostics& diagnostics) const;
   /// Do these diagnostics make the input invalid (warnings too under -W error)?
   bool invalid(const Diagnostics& diagnostics) const;

@@ -173,7 +173,7 @@ int run(const CompileFileOptions& options, App& app) {
   settings.limits.stop = &stop_requested();
   Diagnostics diagnostics;
   const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
-  if (!diagnostics.all().empty()) app.report(diagnostics);
+  app.report(diagnostics);
   if (stop_requested()) {
     app.complain("interrupted: nothing was written");
     return kRunFailed;

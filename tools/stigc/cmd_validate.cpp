@@ -104,7 +104,7 @@ class Validation {
     if (!options_.scene) settings.robots = robots_of(*rules_, options_.robots);
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
-    if (!diagnostics.all().empty()) app_.report(diagnostics);
+    app_.report(diagnostics);
     if (stop_requested()) {
       app_.complain("interrupted before the first run");
       return kRunFailed;
@@ -165,7 +165,7 @@ class Validation {
     const auto site =
         placed ? find_site(*rules_, compiled_.target->floor_level(), *scene_, *placed, diagnostics)
                : std::nullopt;
-    if (!diagnostics.all().empty()) app_.report(diagnostics);
+    app_.report(diagnostics);
     if (!site || app_.invalid(diagnostics)) return kFailed;
     target_.site = *site;
     duration_ = options_.duration.value_or(scene_->duration);

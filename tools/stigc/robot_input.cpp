@@ -35,7 +35,7 @@ std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_
   Diagnostics diagnostics;
   const auto robot = read_robot(robot_source, diagnostics);
   const auto block = read_block(block_source, diagnostics);
-  if (!diagnostics.all().empty()) app.report(diagnostics);
+  app.report(diagnostics);
   if (!robot || !block || app.invalid(diagnostics)) return std::nullopt;
   const std::vector<std::string> missing = lacking(*robot);
   for (const std::string& sentence : missing) {

@@ -72,7 +72,7 @@ std::optional<LoadedScene> read_loaded_scene(const std::string& path,
       }
     }
   }
-  if (!diagnostics.all().empty()) app.report(diagnostics);
+  app.report(diagnostics);
   if (app.invalid(diagnostics)) loaded.reset();
   return loaded;
 }

@@ -12,7 +12,7 @@ std::optional<LoadedStructure> read(const std::string& path, const StructureRead
                                     const App& app) {
   Diagnostics diagnostics;
   auto loaded = read_structure_file(path, options, diagnostics);
-  if (!diagnostics.all().empty()) app.report(diagnostics);
+  app.report(diagnostics);
   if (app.invalid(diagnostics)) loaded.reset();
   return loaded;
 }
