@@ -3,17 +3,19 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [PART…]      bench laws validate robots five fuzz sanitizers
+#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [PART…]
 #
-# Without a part: all of them. N is for each fuzz target (default 60).
+# Parts: bench laws validate robots five fuzz sanitizers; without one, all but robots. Each fuzz
+# target runs for N seconds (600), J of them at a time (as many as there are cores).
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-fuzz_seconds=60 parts=()
+fuzz_seconds=600 fuzz_jobs=$(nproc) parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
+    --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     bench | laws | validate | robots | five | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
@@ -143,28 +145,39 @@ robots_part() {
   STIGC=build/dev/stigc scripts/scaling.sh || failures=$((failures + 1))
 }
 
+# Runs one target on its corpus; its log says what came of it. New inputs go to the first folder,
+# the shipped corpus is only read.
+fuzz_one() {
+  local name
+  name=$(basename "$1")
+  mkdir -p "out/fuzz/$name"
+  if "$1" -max_total_time="$2" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+    -artifact_prefix="out/fuzz/$name-" "out/fuzz/$name" "fuzz/corpus/${name#fuzz_}" \
+    >"out/$name.log" 2>&1; then
+    echo clean >"out/$name.result"
+  else
+    echo "**failed**, see out/$name.log" >"out/$name.result"
+  fi
+}
+
 fuzz_part() {
-  printf '\n## Fuzzing, %s s for each target\n\n' "$fuzz_seconds"
+  printf '\n## Fuzzing, %s s for each target, %s at a time\n\n' "$fuzz_seconds" "$fuzz_jobs"
   scripts/install.sh build fuzz >&2
   configure_and_build fuzz >&2
   printf '| target | runs | result |\n|---|---:|---|\n'
-  local program name log runs result
-  while IFS= read -r program; do
+  local program name runs result programs
+  mapfile -t programs < <(find build/fuzz -name 'fuzz_*' -type f -executable | sort)
+  export -f fuzz_one
+  say "${#programs[@]} targets" >&2
+  printf '%s\0' "${programs[@]}" |
+    xargs -0 -P "$fuzz_jobs" -I{} bash -c 'fuzz_one "$@"' _ {} "$fuzz_seconds"
+  for program in "${programs[@]}"; do
     name=$(basename "$program")
-    log=out/$name.log
-    say "$name" >&2
-    mkdir -p "out/fuzz/$name"
-    result=clean
-    # New inputs go to the first folder; the shipped corpus is only read.
-    "$program" -max_total_time="$fuzz_seconds" -timeout=20 -rss_limit_mb=2048 \
-      -print_final_stats=1 -artifact_prefix="out/fuzz/$name-" \
-      "out/fuzz/$name" "fuzz/corpus/${name#fuzz_}" >"$log" 2>&1 || {
-      result="**failed**, see $log"
-      failures=$((failures + 1))
-    }
-    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")
+    result=$(cat "out/$name.result")
+    [[ $result == clean ]] || failures=$((failures + 1))
+    runs=$(sed -n 's/^stat::number_of_executed_units: *//p' "out/$name.log")
     printf '| %s | %s | %s |\n' "$name" "${runs:-?}" "$result"
-  done < <(find build/fuzz -name 'fuzz_*' -type f -executable | sort)
+  done
 }
 
 sanitizers_part() {
