@@ -8,6 +8,7 @@ set(STIG_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/stig)
 set(STIG_INSTALL_DATADIR ${CMAKE_INSTALL_DATADIR}/stig)
 
 get_property(stig_layers GLOBAL PROPERTY STIG_LAYERS)
+list(TRANSFORM stig_layers REPLACE / _)
 list(TRANSFORM stig_layers PREPEND stig_)
 install(TARGETS ${stig_layers} EXPORT stigTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}

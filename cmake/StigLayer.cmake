@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-# stig_layer(name [USES layer…] [VENDOR target…] [VENDOR_HEADERS target…]
+# stig_layer(layer [USES layer…] [VENDOR target…] [VENDOR_HEADERS target…]
 #            [OPTIONAL target… FOR source…])
 #
-# One library of the layer graph: every source beside this CMakeLists, its headers
+# One library of the layer graph. A layer is named as its folder below lib/ is, physical/solver
+# for example, and the library stig_physical_solver (installed: stig::physical_solver) after it.
+# It has every source beside this CMakeLists, its headers
 # as a file set rooted at lib/, public links to the layers it may include, private
 # links to vendor libraries. VENDOR_HEADERS are those that leave nothing to link: users
 # of the installed library need not have them. OPTIONAL are those that may be missing
@@ -10,11 +12,12 @@
 #
 # What these calls say is the layer graph: stig_write_layers hands it to
 # tests/layering, which holds every #include to it.
-function(stig_layer name)
+function(stig_layer layer)
   cmake_parse_arguments(arg "" "" "USES;VENDOR;VENDOR_HEADERS;OPTIONAL;FOR" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "stig_layer(${name}): what is '${arg_UNPARSED_ARGUMENTS}'?")
+    message(FATAL_ERROR "stig_layer(${layer}): what is '${arg_UNPARSED_ARGUMENTS}'?")
   endif()
+  string(REPLACE / _ name ${layer})
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   file(GLOB headers CONFIGURE_DEPENDS *.h)
   file(GLOB lists CONFIGURE_DEPENDS *.def)
@@ -38,8 +41,9 @@ function(stig_layer name)
     VERIFY_INTERFACE_HEADER_SETS ON
     INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
   target_compile_features(stig_${name} PUBLIC cxx_std_20)
-  foreach(layer IN LISTS arg_USES)
-    target_link_libraries(stig_${name} PUBLIC stig_${layer})
+  foreach(used IN LISTS arg_USES)
+    string(REPLACE / _ used ${used})
+    target_link_libraries(stig_${name} PUBLIC stig_${used})
   endforeach()
   target_link_libraries(stig_${name} PRIVATE ${arg_VENDOR})
   foreach(target IN LISTS arg_VENDOR_HEADERS ITEMS stig_settings)
@@ -50,9 +54,9 @@ function(stig_layer name)
       target_link_libraries(stig_${name} PRIVATE ${target})
     endif()
   endforeach()
-  set_property(GLOBAL APPEND PROPERTY STIG_LAYERS ${name})
-  set_property(GLOBAL PROPERTY STIG_LAYER_USES_${name} "${arg_USES}")
-  set_property(GLOBAL PROPERTY STIG_LAYER_VENDOR_${name} "${arg_VENDOR};${arg_VENDOR_HEADERS};${arg_OPTIONAL}")
+  set_property(GLOBAL APPEND PROPERTY STIG_LAYERS ${layer})
+  set_property(GLOBAL PROPERTY STIG_LAYER_USES_${layer} "${arg_USES}")
+  set_property(GLOBAL PROPERTY STIG_LAYER_VENDOR_${layer} "${arg_VENDOR};${arg_VENDOR_HEADERS};${arg_OPTIONAL}")
 endfunction()
 
 # Writes the graph, a line for each layer: "name | layers it uses | vendor targets".

@@ -4,8 +4,8 @@
 
     layering.py --graph build/dev/layers.txt [--root .]
 
-The graph is what the stig_layer() calls of lib/*/CMakeLists.txt say; CMake writes it
-when it configures. Checked, each with path:line and what to do:
+The graph is what the stig_layer() calls below lib/ say; CMake writes it when it configures. A
+layer's name is its folder's path: physical/solver. Checked, each with path:line and what to do:
 
   - a file of lib/ includes layers that its own layer uses, by "layer/header.h", and
     nothing else of the project; the graph itself has no cycle;
@@ -159,10 +159,14 @@ def check_graph(tree):
     return cycle is None
 
 
+def layer_of(tree, path):
+    return path.parent.relative_to(tree.root / "lib").as_posix()
+
+
 def check_own_include(tree, path, line, name):
-    here = path.relative_to(tree.root / "lib").parts[0]
-    layer = name.split("/")[0]
-    if layer not in tree.layers or "/" not in name:
+    here = layer_of(tree, path)
+    layer = name.rpartition("/")[0]
+    if layer not in tree.layers:
         tree.report(path, line, f'"{name}" names no layer: write "layer/header.h"')
     elif not (tree.root / "lib" / name).is_file():
         tree.report(path, line, f'"{name}" is no file of lib/')
@@ -184,7 +188,7 @@ def check_vendor_include(tree, path, line, name):
             tree.report(path, line, f"<{name}> is unknown: list its library among VENDORS "
                                     "in tests/layering/layering.py")
         return
-    here = path.relative_to(tree.root / "lib").parts[0]
+    here = layer_of(tree, path)
     if path.suffix != ".cpp" and name not in vendor.in_headers:
         tree.report(path, line, f"<{name}> in a header: vendor headers stand in .cpp files")
     if here in tree.layers and vendor.target not in tree.layers[here].vendors:

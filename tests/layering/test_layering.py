@@ -43,6 +43,16 @@ class LayeringTest(unittest.TestCase):
                           "lib/base/b.cpp": '\n#include "rules/a.h"\n'})
         self.expect(problems, "lib/base/b.cpp", 3, "'base' may not include 'rules'")
 
+    def test_layers_in_a_folder_of_layers(self):
+        graph = "base | | \nworld/low | base | \nworld/high | world/low | \n"
+        self.assertEqual([], check({"lib/world/low/a.h": '#include "base/sound.h"\n',
+                                    "lib/world/high/b.h": '#include "world/low/a.h"\n'}, graph))
+        self.expect(check({"lib/world/low/a.h": '\n#include "world/high/b.h"\n',
+                           "lib/world/high/b.h": ""}, graph),
+                    "lib/world/low/a.h", 3, "'world/low' may not include 'world/high'")
+        self.expect(check({"lib/world/a.h": '#include "base/sound.h"\n'}, graph),
+                    "lib/world/a.h", 2, "folder 'world' is no layer")
+
     def test_include_without_layer(self):
         self.expect(check({"lib/base/b.cpp": '#include "sound.h"\n'}),
                     "lib/base/b.cpp", 2, "names no layer")
