@@ -8,9 +8,9 @@
 #include <string>
 
 #include "controllers/block.h"
-#include "physical/scenes.h"
 #include "physical/trials.h"
 #include "physical/world.h"
+#include "support/scenes.h"
 
 namespace stig {
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "physical/scenes.h"
 #include "physical/world.h"
+#include "support/scenes.h"
 
 namespace stig {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/scenes.h"
+#include "support/scenes.h"
 
 #include "base/random.h"
 
