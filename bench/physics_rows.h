@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "controllers/block.h"
+#include "robots/block.h"
 
 namespace stig::bench {
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 
 namespace {
 

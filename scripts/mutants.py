@@ -140,9 +140,13 @@ class Bench:
                 file.write(original)
 
 
+# Of folders of lib/ whose tests stand under another name, or in another folder too.
+TESTS = {"robots": ["controllers"], "lua": ["controllers"], "physical": ["physical", "behaviour"]}
+
+
 def tests_of(layer, folder):
-    """The test programs of a layer: that of its folder's name; robots at work for physics."""
-    names = [layer] + (["behaviour"] if layer == "physical" else [])
+    """The test programs of a layer: that of its folder's name unless TESTS says otherwise."""
+    names = TESTS.get(layer, [layer])
     return [f"test_{name}" for name in names if os.path.isdir(f"{folder}/tests/{name}")]
 
 

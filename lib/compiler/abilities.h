@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "controllers/robot_model.h"
+#include "robots/robot_model.h"
 #include "sensing/camera.h"
 
 namespace stig {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "compiler/abilities.h"
-#include "controllers/block.h"
+#include "robots/block.h"
 
 namespace stig {
 

@@ -16,8 +16,8 @@
 #include <vector>
 
 #include "base/random.h"
-#include "controllers/controller.h"
 #include "controllers/lua_settings.h"
+#include "robots/controller.h"
 
 struct lua_State;
 struct lua_Debug;

@@ -7,9 +7,9 @@
 
 #include <memory>
 
-#include "controllers/controller.h"
 #include "controllers/lua_settings.h"
-#include "controllers/robot_model.h"
+#include "robots/controller.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

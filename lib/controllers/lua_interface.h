@@ -8,8 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "controllers/robot_io.h"
-#include "controllers/robot_model.h"
+#include "robots/robot_io.h"
+#include "robots/robot_model.h"
 
 struct lua_State;
 

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "controllers/controller.h"
 #include "controllers/lua_settings.h"
+#include "robots/controller.h"
 
 namespace stig {
 

@@ -3,9 +3,9 @@
 // are estimated from those pixels, never the true ones.
 #pragma once
 
-#include "controllers/robot_io.h"
 #include "physical/camera_sensor.h"
 #include "physical/sensor_noise.h"
+#include "robots/robot_io.h"
 
 namespace stig {
 

@@ -20,14 +20,14 @@
 #include <string>
 #include <vector>
 
-#include "controllers/block.h"
-#include "controllers/controller.h"
 #include "physical/led.h"
 #include "physical/reading_history.h"
 #include "physical/robot_body.h"
 #include "physical/sensor_noise.h"
 #include "physical/sensor_scene.h"
 #include "physical/world.h"
+#include "robots/block.h"
+#include "robots/controller.h"
 #include "sensing/camera_view.h"
 
 namespace stig {

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "controllers/robot_devices.h"
-#include "controllers/robot_io.h"
 #include "physical/led.h"
 #include "physical/robot_body.h"
+#include "robots/robot_devices.h"
+#include "robots/robot_io.h"
 
 namespace stig {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "controllers/robot_io.h"
+#include "robots/robot_io.h"
 
 namespace stig {
 

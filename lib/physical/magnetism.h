@@ -4,7 +4,7 @@
 //
 // Moments are in A·m². The paper on stigmergic blocks (Allwright et al. 2017) gives its
 // magnets a "field" of 75 in units of its own; kMomentPerField of
-// controllers/block.h translates.
+// robots/block.h translates.
 //
 // A sphere of 3 mm that faces another at contact swings with a period of some 3.5 ms.
 // Integrating that needs steps far below a millisecond, and the bearings' friction, which

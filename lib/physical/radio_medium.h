@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "controllers/robot_io.h"
+#include "robots/robot_io.h"
 
 namespace stig {
 

@@ -5,9 +5,9 @@
 
 #include <optional>
 
-#include "controllers/robot_model.h"
 #include "physical/sensor_noise.h"
 #include "physical/sensor_scene.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "controllers/block.h"
+#include "robots/block.h"
 
 namespace stig {
 

@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
-#include "controllers/robot_devices.h"
-#include "controllers/robot_model.h"
 #include "physical/world.h"
+#include "robots/robot_devices.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "controllers/robot_model.h"
 #include "physical/solid_faces.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

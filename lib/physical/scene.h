@@ -21,12 +21,12 @@
 
 #include "base/diagnostic.h"
 #include "base/file_io.h"
-#include "controllers/block.h"
 #include "controllers/lua_settings.h"
 #include "physical/led.h"
 #include "physical/robot_body.h"
 #include "physical/sensor_noise.h"
 #include "physical/world_config.h"
+#include "robots/block.h"
 
 namespace stig {
 

@@ -8,10 +8,10 @@
 
 #include "base/degree.h"
 #include "base/text.h"
-#include "controllers/robot_reader.h"
 #include "physical/poses_file.h"
 #include "physical/scene.h"
 #include "physical/scene_keys.h"
+#include "robots/robot_reader.h"
 
 namespace stig {
 

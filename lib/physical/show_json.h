@@ -11,8 +11,8 @@
 #include <string_view>
 #include <vector>
 
-#include "controllers/robot_io.h"
 #include "physical/scene_picture.h"
+#include "robots/robot_io.h"
 
 namespace stig {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "controllers/robot_model.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "controllers/block.h"
 #include "physical/contact.h"
 #include "physical/joint.h"
 #include "physical/magnetism.h"
+#include "robots/block.h"
 
 namespace stig {
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "compiler/block_figures.h"
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 #include "support.h"
 
 namespace stig {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/robot_devices.h"
+#include "robots/robot_devices.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 #include "support/golden.h"
 
 namespace stig {

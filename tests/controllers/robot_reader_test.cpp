@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 
 #include <doctest/doctest.h>
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <array>
 
-#include "controllers/block.h"
+#include "robots/block.h"
 
 using namespace stig;
 

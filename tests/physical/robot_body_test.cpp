@@ -9,7 +9,7 @@
 
 #include <cmath>
 
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 
 using namespace stig;
 

@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "controllers/robot_reader.h"
 #include "physical/robot_picture.h"
+#include "robots/robot_reader.h"
 
 namespace stig {
 namespace {

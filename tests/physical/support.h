@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <string>
 
-#include "controllers/block.h"
 #include "physical/trials.h"
 #include "physical/world.h"
+#include "robots/block.h"
 #include "support/scenes.h"
 
 namespace stig {

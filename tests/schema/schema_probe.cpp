@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
-#include "controllers/robot_reader.h"
 #include "physical/scene.h"
+#include "robots/robot_reader.h"
 #include "rules/rule_reader.h"
 #include "rules/rule_schema.h"
 

@@ -4,7 +4,7 @@
 
 #include "base/load.h"
 #include "commands.h"
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 #include "rules/rule_reader.h"
 #include "scene_input.h"
 

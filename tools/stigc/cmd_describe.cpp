@@ -4,10 +4,10 @@
 
 #include "base/file_io.h"
 #include "commands.h"
-#include "controllers/robot_reader.h"
 #include "outputs.h"
 #include "physical/robot_picture.h"
 #include "robot_report.h"
+#include "robots/robot_reader.h"
 
 namespace stig {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // stigc schema and stigc completions: what the program knows of itself.
 #include "commands.h"
-#include "controllers/block.h"
-#include "controllers/robot_reader.h"
 #include "help.h"
 #include "physical/scene.h"
+#include "robots/block.h"
+#include "robots/robot_reader.h"
 #include "rules/rule_schema.h"
 
 namespace stig {

@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 #include "compiler/block_figures.h"
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 #include "scene_input.h"
 
 namespace stig {

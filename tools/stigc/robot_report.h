@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "controllers/robot_model.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

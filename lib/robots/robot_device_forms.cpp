@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/form_keys.h"
-#include "controllers/robot_forms.h"
+#include "robots/form_keys.h"
+#include "robots/robot_forms.h"
 
 namespace stig {
 

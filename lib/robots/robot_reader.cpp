@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/robot_reader.h"
+#include "robots/robot_reader.h"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 
 #include "base/load.h"
 #include "base/text.h"
-#include "controllers/robot_forms.h"
-#include "controllers/robot_parts.h"
+#include "robots/robot_forms.h"
+#include "robots/robot_parts.h"
 
 namespace stig {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "base/form.h"
-#include "controllers/robot_model.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

@@ -9,7 +9,7 @@
 #include "base/degree.h"
 #include "base/hull.h"
 #include "base/text.h"
-#include "controllers/robot_parts.h"
+#include "robots/robot_parts.h"
 
 namespace stig {
 

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "base/diagnostic.h"
-#include "controllers/robot_model.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

@@ -9,7 +9,7 @@
 
 #include <string>
 
-#include "controllers/robot_io.h"
+#include "robots/robot_io.h"
 
 namespace stig {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "base/text.h"
-#include "controllers/robot_parts.h"
+#include "robots/robot_parts.h"
 #include "sensing/camera_view.h"
 
 namespace stig {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/robot_model.h"
+#include "robots/robot_model.h"
 
 #include "base/hull.h"
 

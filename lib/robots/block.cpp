@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/block.h"
+#include "robots/block.h"
 
 namespace stig {
 

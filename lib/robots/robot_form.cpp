@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/form_keys.h"
-#include "controllers/robot_forms.h"
-#include "controllers/robot_model.h"
+#include "robots/form_keys.h"
+#include "robots/robot_forms.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

@@ -3,7 +3,7 @@
 #include "base/form.h"
 #include "base/load.h"
 #include "base/yaml.h"
-#include "controllers/block.h"
+#include "robots/block.h"
 
 namespace stig {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "base/text.h"
-#include "controllers/robot_parts.h"
+#include "robots/robot_parts.h"
 
 namespace stig {
 

@@ -4,8 +4,8 @@
 // physics; they know nothing of a world.
 #pragma once
 
-#include "controllers/robot_io.h"
-#include "controllers/robot_model.h"
+#include "robots/robot_io.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/robot_devices.h"
+#include "robots/robot_devices.h"
 
 #include <algorithm>
 #include <cmath>
