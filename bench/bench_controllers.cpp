@@ -3,7 +3,7 @@
 // hold (`bytes`). `empty` is the host alone.
 #include <benchmark/benchmark.h>
 
-#include "controllers/lua_controller.h"
+#include "lua/lua_controller.h"
 
 namespace stig::bench {
 namespace {

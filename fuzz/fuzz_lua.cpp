@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "controllers/lua_controller.h"
+#include "lua/lua_controller.h"
 
 namespace {
 

@@ -21,7 +21,7 @@
 
 #include "base/diagnostic.h"
 #include "base/file_io.h"
-#include "controllers/lua_settings.h"
+#include "lua/lua_settings.h"
 #include "physical/led.h"
 #include "physical/robot_body.h"
 #include "physical/sensor_noise.h"

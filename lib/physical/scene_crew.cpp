@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physical/scene_crew.h"
 
-#include "controllers/lua_controller.h"
+#include "lua/lua_controller.h"
 
 namespace stig {
 

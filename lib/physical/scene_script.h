@@ -2,7 +2,7 @@
 // A run as its scene's script sees it.
 #pragma once
 
-#include "controllers/lua_script.h"
+#include "lua/lua_script.h"
 #include "physical/lattice_reading.h"
 #include "physical/simulation.h"
 

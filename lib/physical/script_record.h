@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "controllers/lua_script.h"
+#include "lua/lua_script.h"
 #include "physical/crew_bytes.h"
 
 namespace stig {

@@ -19,7 +19,7 @@
 #include <string_view>
 #include <vector>
 
-#include "controllers/lua_script.h"
+#include "lua/lua_script.h"
 #include "physical/crew.h"
 #include "physical/pose_trace.h"
 #include "physical/reading_history.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "controllers/lua_controller.h"
+#include "lua/lua_controller.h"
 
 namespace stig {
 

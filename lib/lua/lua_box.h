@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "base/random.h"
-#include "controllers/lua_settings.h"
+#include "lua/lua_settings.h"
 #include "robots/controller.h"
 
 struct lua_State;

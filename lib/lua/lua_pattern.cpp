@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/lua_pattern.h"
+#include "lua/lua_pattern.h"
 
 namespace stig {
 

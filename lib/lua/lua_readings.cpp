@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <lua.hpp>
 
-#include "controllers/lua_interface.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_interface.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

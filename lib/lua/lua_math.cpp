@@ -5,8 +5,8 @@
 #include <lua.hpp>
 
 #include "base/hash.h"
-#include "controllers/lua_box.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_box.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

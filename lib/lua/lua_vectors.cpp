@@ -8,8 +8,8 @@
 #include <cstring>
 #include <lua.hpp>
 
-#include "controllers/lua_box.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_box.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

@@ -9,8 +9,8 @@
 #include <string_view>
 #include <vector>
 
-#include "controllers/lua_box.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_box.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <lua.hpp>
 
-#include "controllers/lua_box.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_box.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "controllers/lua_settings.h"
+#include "lua/lua_settings.h"
 #include "robots/controller.h"
 #include "robots/robot_model.h"
 

@@ -5,9 +5,9 @@
 #include <lua.hpp>
 #include <optional>
 
-#include "controllers/lua_box.h"
-#include "controllers/lua_libraries.h"
-#include "controllers/lua_pattern.h"
+#include "lua/lua_box.h"
+#include "lua/lua_libraries.h"
+#include "lua/lua_pattern.h"
 
 namespace stig {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/lua_script.h"
+#include "lua/lua_script.h"
 
 #include <lua.hpp>
 
-#include "controllers/lua_box.h"
-#include "controllers/lua_interface.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_box.h"
+#include "lua/lua_interface.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "controllers/lua_settings.h"
+#include "lua/lua_settings.h"
 #include "robots/controller.h"
 
 namespace stig {

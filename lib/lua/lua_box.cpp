@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/lua_box.h"
+#include "lua/lua_box.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <lua.hpp>
 
 #include "base/text.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "controllers/lua_controller.h"
+#include "lua/lua_controller.h"
 
 #include <algorithm>
 #include <cassert>
 #include <lua.hpp>
 
-#include "controllers/lua_box.h"
-#include "controllers/lua_interface.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_box.h"
+#include "lua/lua_interface.h"
+#include "lua/lua_libraries.h"
 
 namespace stig {
 

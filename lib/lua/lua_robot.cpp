@@ -5,9 +5,9 @@
 #include <array>
 #include <lua.hpp>
 
-#include "controllers/lua_box.h"
-#include "controllers/lua_interface.h"
-#include "controllers/lua_libraries.h"
+#include "lua/lua_box.h"
+#include "lua/lua_interface.h"
+#include "lua/lua_libraries.h"
 #include "sensing/led_colour.h"
 
 namespace stig {
