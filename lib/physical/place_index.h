@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physical/broad_phase.h"
+#include "physical/collision/broad_phase.h"
 
 namespace stig {
 

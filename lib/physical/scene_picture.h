@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/contact.h"
+#include "physical/collision/contact.h"
 #include "physical/led.h"
 #include "physical/raster.h"
 #include "physical/solid_faces.h"

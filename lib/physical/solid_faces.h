@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "physical/contact.h"
+#include "physical/collision/contact.h"
 
 namespace stig {
 

@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-#include "physical/contact.h"
+#include "physical/collision/contact.h"
 
 namespace stig {
 

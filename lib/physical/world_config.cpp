@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "physical/broad_phase.h"
+#include "physical/collision/broad_phase.h"
 #include "physical/stock_step.h"
 
 namespace stig {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "physical/contact.h"
+#include "physical/collision/contact.h"
 #include "physical/joint.h"
 #include "physical/magnetism.h"
 #include "robots/block.h"

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "physical/articulation.h"
-#include "physical/broad_phase.h"
+#include "physical/collision/broad_phase.h"
 #include "physical/solver.h"
 #include "physical/stock_step.h"
 #include "physical/world.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/contact.h"
+#include "physical/collision/contact.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/convex.h"
+#include "physical/collision/convex.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 // Boxes that move against each other: by the separating-axis test over the whole of their way.
 #include <algorithm>
 
-#include "physical/touch_points.h"
+#include "physical/collision/touch_points.h"
 
 namespace stig {
 

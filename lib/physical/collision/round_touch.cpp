@@ -2,7 +2,7 @@
 // Cylinders against the floor and against balls, exactly; against the rest they are prisms.
 #include <algorithm>
 
-#include "physical/touch_points.h"
+#include "physical/collision/touch_points.h"
 
 namespace stig {
 

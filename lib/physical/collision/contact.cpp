@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "physical/contact.h"
+#include "physical/collision/contact.h"
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
-#include "physical/touch_points.h"
+#include "physical/collision/touch_points.h"
 
 namespace stig {
 

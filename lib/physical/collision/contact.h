@@ -15,7 +15,7 @@
 #include <memory>
 
 #include "base/vec.h"
-#include "physical/convex.h"
+#include "physical/collision/convex.h"
 
 namespace stig {
 

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <limits>
 
-#include "physical/touch_points.h"
+#include "physical/collision/touch_points.h"
 
 namespace stig {
 

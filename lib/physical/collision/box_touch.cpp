@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "physical/touch_points.h"
+#include "physical/collision/touch_points.h"
 
 namespace stig {
 

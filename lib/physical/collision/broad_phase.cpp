@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/broad_phase.h"
+#include "physical/collision/broad_phase.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 // contact.cpp tells apart: box_touch.cpp, convex_touch.cpp, round_touch.cpp.
 #pragma once
 
-#include "physical/contact.h"
+#include "physical/collision/contact.h"
 
 namespace stig {
 
