@@ -9,7 +9,7 @@
 #include "base/vec.h"
 #include "physical/collision/contact.h"
 #include "physical/joint.h"
-#include "physical/magnetism.h"
+#include "physical/magnets/magnetism.h"
 #include "robots/block.h"
 
 namespace stig {

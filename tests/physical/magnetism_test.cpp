@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/magnetism.h"
+#include "physical/magnets/magnetism.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
