@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lua/lua_script.h"
-#include "physical/lattice_reading.h"
+#include "physical/readout/lattice_reading.h"
 #include "physical/simulation.h"
 
 namespace stig {

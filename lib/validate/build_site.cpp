@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "physical/lattice_reading.h"
+#include "physical/readout/lattice_reading.h"
 
 namespace stig {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "physical/lattice_reading.h"
+#include "physical/readout/lattice_reading.h"
 #include "validate/replay_events.h"
 
 namespace stig {

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <set>
 
-#include "physical/lattice_reading.h"
+#include "physical/readout/lattice_reading.h"
 
 namespace stig {
 namespace {

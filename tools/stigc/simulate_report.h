@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/lattice_reading.h"
+#include "physical/readout/lattice_reading.h"
 #include "physical/scene_picture.h"
 #include "physical/simulation.h"
 

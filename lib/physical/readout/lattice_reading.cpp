@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/lattice_reading.h"
+#include "physical/readout/lattice_reading.h"
 
 #include <algorithm>
 #include <array>
