@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "physical/small_matrix.h"
+#include "physical/solver/small_matrix.h"
 #include "physical/world_state.h"
 
 namespace stig {

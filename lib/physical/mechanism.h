@@ -12,7 +12,7 @@
 
 #include "base/vec.h"
 #include "physical/joint.h"
-#include "physical/solver.h"
+#include "physical/solver/solver.h"
 
 namespace stig {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "physical/islands.h"
+#include "physical/solver/islands.h"
 #include "physical/world_state.h"
 
 namespace stig {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physical/islands.h"
+#include "physical/solver/islands.h"
 #include "physical/world_state.h"
 
 namespace stig {

@@ -12,7 +12,7 @@
 
 #include "physical/articulation.h"
 #include "physical/collision/broad_phase.h"
-#include "physical/solver.h"
+#include "physical/solver/solver.h"
 #include "physical/stock_step.h"
 #include "physical/world.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physical/robot_rows.h"
+#include "physical/solver/robot_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "physical/row_numbers.h"
+#include "physical/solver/row_numbers.h"
 
 namespace stig {
 

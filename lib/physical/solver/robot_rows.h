@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "physical/solver_rows.h"
+#include "physical/solver/solver_rows.h"
 
 namespace stig {
 

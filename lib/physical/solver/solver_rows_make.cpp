@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
-#include "physical/robot_rows.h"
-#include "physical/row_numbers.h"
+#include "physical/solver/robot_rows.h"
+#include "physical/solver/row_numbers.h"
 
 namespace stig {
 

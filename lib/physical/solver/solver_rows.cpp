@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "physical/solver_rows.h"
+#include "physical/solver/solver_rows.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
 
-#include "physical/robot_rows.h"
-#include "physical/row_numbers.h"
+#include "physical/solver/robot_rows.h"
+#include "physical/solver/row_numbers.h"
 
 namespace stig {
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstring>
 
-#include "physical/solver_rows.h"
+#include "physical/solver/solver_rows.h"
 
 namespace stig {
 

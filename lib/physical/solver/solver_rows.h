@@ -10,7 +10,7 @@
 #include <array>
 #include <vector>
 
-#include "physical/solver.h"
+#include "physical/solver/solver.h"
 
 namespace stig {
 

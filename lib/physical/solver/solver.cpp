@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physical/solver.h"
+#include "physical/solver/solver.h"
 
 #include <algorithm>
 #include <cassert>
 #include <tuple>
 
-#include "physical/solver_rows.h"
+#include "physical/solver/solver_rows.h"
 
 namespace stig {
 
