@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <numbers>
 
-#include "physical/camera_reading.h"
-#include "physical/radio_medium.h"
-#include "physical/range_sensor.h"
+#include "physical/sensors/camera_reading.h"
+#include "physical/sensors/radio_medium.h"
+#include "physical/sensors/range_sensor.h"
 
 namespace stig::bench {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "physical/crew.h"
-#include "physical/radio_medium.h"
+#include "physical/sensors/radio_medium.h"
 
 namespace stig {
 

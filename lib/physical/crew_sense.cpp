@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What the robots of a crew perceive.
-#include "physical/camera_reading.h"
 #include "physical/crew.h"
-#include "physical/range_sensor.h"
+#include "physical/sensors/camera_reading.h"
+#include "physical/sensors/range_sensor.h"
 
 namespace stig {
 

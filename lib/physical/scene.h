@@ -24,7 +24,7 @@
 #include "lua/lua_settings.h"
 #include "physical/led.h"
 #include "physical/robot_body.h"
-#include "physical/sensor_noise.h"
+#include "physical/sensors/sensor_noise.h"
 #include "physical/world_config.h"
 #include "robots/block.h"
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "physical/raster.h"
-#include "physical/sensor_scene.h"
+#include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_picture.h"
 
 namespace stig {

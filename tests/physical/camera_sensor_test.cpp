@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "physical/camera_sensor.h"
+#include "physical/sensors/camera_sensor.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "physical/line_of_sight.h"
+#include "physical/sensors/line_of_sight.h"
 #include "sensing/tag_pose.h"
 #include "sensor_support.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/place_index.h"
+#include "physical/sensors/place_index.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

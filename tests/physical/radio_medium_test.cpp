@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/radio_medium.h"
+#include "physical/sensors/radio_medium.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/range_sensor.h"
+#include "physical/sensors/range_sensor.h"
 
 #include <doctest/doctest.h>
 

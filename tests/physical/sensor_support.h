@@ -7,8 +7,8 @@
 
 #include <numbers>
 
-#include "physical/camera_reading.h"
-#include "physical/sensor_scene.h"
+#include "physical/sensors/camera_reading.h"
+#include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_view.h"
 
 namespace stig {

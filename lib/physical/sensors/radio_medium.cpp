@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "physical/radio_medium.h"
+#include "physical/sensors/radio_medium.h"
 
 #include <algorithm>
 #include <cassert>
 
-#include "physical/place_index.h"
+#include "physical/sensors/place_index.h"
 
 namespace stig {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/camera_reading.h"
+#include "physical/sensors/camera_reading.h"
 
 #include <algorithm>
 #include <numbers>

@@ -13,8 +13,8 @@
 
 #include "base/rgb.h"
 #include "base/vec.h"
-#include "physical/place_index.h"
-#include "physical/sight_shape.h"
+#include "physical/sensors/place_index.h"
+#include "physical/sensors/sight_shape.h"
 
 namespace stig {
 

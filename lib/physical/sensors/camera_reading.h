@@ -3,8 +3,8 @@
 // are estimated from those pixels, never the true ones.
 #pragma once
 
-#include "physical/camera_sensor.h"
-#include "physical/sensor_noise.h"
+#include "physical/sensors/camera_sensor.h"
+#include "physical/sensors/sensor_noise.h"
 #include "robots/robot_io.h"
 
 namespace stig {

@@ -14,7 +14,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "physical/sensor_scene.h"
+#include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_view.h"
 
 namespace stig {

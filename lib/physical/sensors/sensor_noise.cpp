@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/sensor_noise.h"
+#include "physical/sensors/sensor_noise.h"
 
 #include <cmath>
 #include <numbers>

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "physical/sensor_noise.h"
-#include "physical/sensor_scene.h"
+#include "physical/sensors/sensor_noise.h"
+#include "physical/sensors/sensor_scene.h"
 #include "robots/robot_model.h"
 
 namespace stig {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/line_of_sight.h"
+#include "physical/sensors/line_of_sight.h"
 
 #include <algorithm>
 #include <cmath>

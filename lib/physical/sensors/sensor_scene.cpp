@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/sensor_scene.h"
+#include "physical/sensors/sensor_scene.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/sight_shape.h"
+#include "physical/sensors/sight_shape.h"
 
 #include <algorithm>
 #include <cmath>
