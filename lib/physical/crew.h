@@ -20,12 +20,12 @@
 #include <string>
 #include <vector>
 
+#include "physical/dynamics/world.h"
 #include "physical/led.h"
 #include "physical/reading_history.h"
 #include "physical/robot_body.h"
 #include "physical/sensors/sensor_noise.h"
 #include "physical/sensors/sensor_scene.h"
-#include "physical/world.h"
 #include "robots/block.h"
 #include "robots/controller.h"
 #include "sensing/camera_view.h"

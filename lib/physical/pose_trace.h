@@ -32,8 +32,8 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "physical/dynamics/world.h"
 #include "physical/scene.h"
-#include "physical/world.h"
 
 namespace stig {
 

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/world.h"
+#include "physical/dynamics/world.h"
 #include "robots/robot_devices.h"
 #include "robots/robot_model.h"
 

@@ -22,10 +22,10 @@
 #include "base/diagnostic.h"
 #include "base/file_io.h"
 #include "lua/lua_settings.h"
+#include "physical/dynamics/world_config.h"
 #include "physical/led.h"
 #include "physical/robot_body.h"
 #include "physical/sensors/sensor_noise.h"
-#include "physical/world_config.h"
 #include "robots/block.h"
 
 namespace stig {

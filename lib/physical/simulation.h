@@ -21,10 +21,10 @@
 
 #include "lua/lua_script.h"
 #include "physical/crew.h"
+#include "physical/dynamics/world.h"
 #include "physical/pose_trace.h"
 #include "physical/reading_history.h"
 #include "physical/scene.h"
-#include "physical/world.h"
 
 namespace stig {
 

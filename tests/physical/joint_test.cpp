@@ -2,7 +2,7 @@
 // Mechanisms against closed forms, and what is refused.
 #if STIG_WITH_DART
 
-#include "physical/joint.h"
+#include "physical/dynamics/joint.h"
 
 #include <cmath>
 

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <string>
 
+#include "physical/dynamics/world.h"
 #include "physical/trials.h"
-#include "physical/world.h"
 #include "robots/block.h"
 #include "support/scenes.h"
 

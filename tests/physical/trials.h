@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/world.h"
+#include "physical/dynamics/world.h"
 #include "support/scenes.h"
 
 namespace stig {

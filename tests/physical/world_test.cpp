@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sleep, events, determinism, checkpoints, and what is refused.
-#include "physical/world.h"
+#include "physical/dynamics/world.h"
 
 #include <limits>
 #include <thread>

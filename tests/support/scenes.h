@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-#include "physical/world_config.h"
+#include "physical/dynamics/world_config.h"
 
 namespace stig {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

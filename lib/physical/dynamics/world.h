@@ -11,7 +11,7 @@
 // solver → positions → who sleeps. Same configuration and calls, same bytes: nothing
 // depends on threads, addresses or time. Different worlds may step in different threads.
 //
-// Mechanisms (physical/joint.h) need DART: problems_of says so where it is missing.
+// Mechanisms (physical/dynamics/joint.h) need DART: problems_of says so where it is missing.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physical/world_config.h"
+#include "physical/dynamics/world_config.h"
 
 namespace stig {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "physical/dynamics/world_state.h"
 #include "physical/solver/islands.h"
-#include "physical/world_state.h"
 
 namespace stig {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/mechanism.h"
+#include "physical/dynamics/mechanism.h"
 
 namespace stig {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
 
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

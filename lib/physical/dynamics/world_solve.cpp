@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physical/dynamics/world_state.h"
 #include "physical/solver/islands.h"
-#include "physical/world_state.h"
 
 namespace stig {
 

@@ -10,11 +10,11 @@
 #include <string_view>
 #include <vector>
 
-#include "physical/articulation.h"
 #include "physical/collision/broad_phase.h"
+#include "physical/dynamics/articulation.h"
+#include "physical/dynamics/stock_step.h"
+#include "physical/dynamics/world.h"
 #include "physical/solver/solver.h"
-#include "physical/stock_step.h"
-#include "physical/world.h"
 
 namespace stig {
 

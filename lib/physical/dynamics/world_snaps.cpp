@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

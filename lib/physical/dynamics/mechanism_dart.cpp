@@ -6,8 +6,8 @@
 #include <dart/dynamics/Skeleton.hpp>
 #include <dart/dynamics/WeldJoint.hpp>
 
-#include "physical/dart_lock.h"
-#include "physical/mechanism.h"
+#include "physical/dynamics/dart_lock.h"
+#include "physical/dynamics/mechanism.h"
 
 namespace stig {
 

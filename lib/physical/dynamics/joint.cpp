@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-#include "physical/joint.h"
+#include "physical/dynamics/joint.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <numeric>
 
-#include "physical/mechanism.h"
-#include "physical/world_config.h"
+#include "physical/dynamics/mechanism.h"
+#include "physical/dynamics/world_config.h"
 
 namespace stig {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/vec.h"
-#include "physical/joint.h"
+#include "physical/dynamics/joint.h"
 #include "physical/solver/solver.h"
 
 namespace stig {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physical/world.h"
+#include "physical/dynamics/world.h"
 
 #include <algorithm>
 #include <cassert>
 
 #include "base/hash.h"
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

@@ -16,8 +16,8 @@
 #include <memory>
 #include <vector>
 
-#include "physical/mechanism.h"
-#include "physical/world_config.h"
+#include "physical/dynamics/mechanism.h"
+#include "physical/dynamics/world_config.h"
 
 namespace stig {
 

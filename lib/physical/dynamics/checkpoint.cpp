@@ -5,7 +5,7 @@
 #include <type_traits>
 
 #include "base/hash.h"
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

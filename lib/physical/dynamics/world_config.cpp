@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "physical/world_config.h"
+#include "physical/dynamics/world_config.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "physical/collision/broad_phase.h"
-#include "physical/stock_step.h"
+#include "physical/dynamics/stock_step.h"
 
 namespace stig {
 

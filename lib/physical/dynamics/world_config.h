@@ -8,7 +8,7 @@
 
 #include "base/vec.h"
 #include "physical/collision/contact.h"
-#include "physical/joint.h"
+#include "physical/dynamics/joint.h"
 #include "physical/magnets/magnetism.h"
 #include "robots/block.h"
 
@@ -81,7 +81,8 @@ struct SnapRule {
   double force = 1;  ///< N; a block weighs 1.08 N, a face of its magnets holds 9.5 N
 };
 
-/// What turns forces into motion: this library's solver, or DART's (physical/stock_step.h).
+/// What turns forces into motion: this library's solver, or DART's
+/// (physical/dynamics/stock_step.h).
 enum class SolverKind : std::uint8_t { fast, stock };
 
 struct WorldConfig {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

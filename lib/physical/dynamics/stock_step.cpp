@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physical/stock_step.h"
+#include "physical/dynamics/stock_step.h"
 
 #include <algorithm>
 
-#include "physical/world_config.h"
+#include "physical/dynamics/world_config.h"
 #if !STIG_WITH_DART
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 #endif
 
 namespace stig {

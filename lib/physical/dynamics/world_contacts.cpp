@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "physical/world_state.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

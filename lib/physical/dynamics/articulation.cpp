@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physical/articulation.h"
+#include "physical/dynamics/articulation.h"
 
 #include <algorithm>
 #include <cassert>
 
+#include "physical/dynamics/world_state.h"
 #include "physical/solver/small_matrix.h"
-#include "physical/world_state.h"
 
 namespace stig {
 

@@ -10,9 +10,9 @@
 #include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
 
-#include "physical/dart_lock.h"
-#include "physical/stock_step.h"
-#include "physical/world_state.h"
+#include "physical/dynamics/dart_lock.h"
+#include "physical/dynamics/stock_step.h"
+#include "physical/dynamics/world_state.h"
 
 namespace stig {
 

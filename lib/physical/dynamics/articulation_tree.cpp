@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "physical/articulation.h"
+#include "physical/dynamics/articulation.h"
 
 namespace stig {
 
