@@ -23,8 +23,8 @@
 #include "base/file_io.h"
 #include "lua/lua_settings.h"
 #include "physical/dynamics/world_config.h"
-#include "physical/led.h"
-#include "physical/robot_body.h"
+#include "physical/robots/led.h"
+#include "physical/robots/robot_body.h"
 #include "physical/sensors/sensor_noise.h"
 #include "robots/block.h"
 

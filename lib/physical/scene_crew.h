@@ -2,7 +2,7 @@
 // The robots and blocks of a scene with their programs.
 #pragma once
 
-#include "physical/crew.h"
+#include "physical/robots/crew.h"
 #include "physical/scene.h"
 
 namespace stig {

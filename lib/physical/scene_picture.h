@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "physical/collision/contact.h"
-#include "physical/led.h"
 #include "physical/raster.h"
+#include "physical/robots/led.h"
 #include "physical/solid_faces.h"
 #include "sensing/camera.h"
 

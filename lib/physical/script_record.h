@@ -6,7 +6,7 @@
 #include <map>
 
 #include "lua/lua_script.h"
-#include "physical/crew_bytes.h"
+#include "physical/robots/crew_bytes.h"
 
 namespace stig {
 

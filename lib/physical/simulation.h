@@ -20,10 +20,10 @@
 #include <vector>
 
 #include "lua/lua_script.h"
-#include "physical/crew.h"
 #include "physical/dynamics/world.h"
 #include "physical/pose_trace.h"
-#include "physical/reading_history.h"
+#include "physical/robots/crew.h"
+#include "physical/robots/reading_history.h"
 #include "physical/scene.h"
 
 namespace stig {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "base/vec.h"
-#include "physical/led.h"
+#include "physical/robots/led.h"
 #include "physical/scene.h"
 #include "rules/rule_set.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Robots and blocks with programs in a scene: the order of a tick, messages, failures, caches,
 // what the trace holds.
-#include "physical/crew.h"
+#include "physical/robots/crew.h"
 
 #include <doctest/doctest.h>
 

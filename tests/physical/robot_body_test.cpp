@@ -3,7 +3,7 @@
 // carry a block.
 #if STIG_WITH_DART
 
-#include "physical/robot_body.h"
+#include "physical/robots/robot_body.h"
 
 #include <doctest/doctest.h>
 

@@ -21,9 +21,9 @@
 #include <vector>
 
 #include "physical/dynamics/world.h"
-#include "physical/led.h"
-#include "physical/reading_history.h"
-#include "physical/robot_body.h"
+#include "physical/robots/led.h"
+#include "physical/robots/reading_history.h"
+#include "physical/robots/robot_body.h"
 #include "physical/sensors/sensor_noise.h"
 #include "physical/sensors/sensor_scene.h"
 #include "robots/block.h"

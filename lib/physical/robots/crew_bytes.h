@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "base/bytes.h"
-#include "physical/led.h"
-#include "physical/robot_body.h"
+#include "physical/robots/led.h"
+#include "physical/robots/robot_body.h"
 #include "robots/robot_devices.h"
 #include "robots/robot_io.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "physical/crew.h"
-#include "physical/crew_bytes.h"
-#include "physical/crew_history.h"
+#include "physical/robots/crew.h"
+#include "physical/robots/crew_bytes.h"
+#include "physical/robots/crew_history.h"
 
 namespace stig {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the robots of a crew perceive.
-#include "physical/crew.h"
+#include "physical/robots/crew.h"
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/range_sensor.h"
 

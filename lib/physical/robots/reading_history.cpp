@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/reading_history.h"
+#include "physical/robots/reading_history.h"
 
 #include <algorithm>
 

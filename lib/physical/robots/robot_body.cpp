@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/robot_body.h"
+#include "physical/robots/robot_body.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "physical/crew.h"
+#include "physical/robots/crew.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <utility>
 
-#include "physical/crew_history.h"
+#include "physical/robots/crew_history.h"
 
 namespace stig {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "physical/crew.h"
+#include "physical/robots/crew.h"
 #include "physical/sensors/radio_medium.h"
 
 namespace stig {
