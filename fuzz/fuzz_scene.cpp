@@ -6,8 +6,8 @@
 #include <memory>
 #include <string>
 
-#include "physical/poses_file.h"
-#include "physical/scene.h"
+#include "physical/scene/poses_file.h"
+#include "physical/scene/scene.h"
 
 namespace {
 

@@ -33,7 +33,7 @@
 
 #include "base/diagnostic.h"
 #include "physical/dynamics/world.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 
 namespace stig {
 

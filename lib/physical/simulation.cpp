@@ -11,7 +11,7 @@
 #include "base/bytes.h"
 #include "base/hash.h"
 #include "base/packed.h"
-#include "physical/scene_crew.h"
+#include "physical/scene/scene_crew.h"
 #include "physical/scene_script.h"
 #include "physical/script_record.h"
 #include "physical/show_json.h"

@@ -24,7 +24,7 @@
 #include "physical/pose_trace.h"
 #include "physical/robots/crew.h"
 #include "physical/robots/reading_history.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 
 namespace stig {
 

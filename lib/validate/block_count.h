@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 #include "validate/watch.h"
 
 namespace stig {

@@ -11,7 +11,7 @@
 
 #include "base/vec.h"
 #include "physical/robots/led.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 #include "rules/rule_set.h"
 
 namespace stig {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "behaviour/support.h"
-#include "physical/scene_crew.h"
+#include "physical/scene/scene_crew.h"
 
 using namespace stig;
 using namespace stig::behaviour;

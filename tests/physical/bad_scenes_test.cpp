@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 #include "physical/support.h"
 
 using namespace stig;

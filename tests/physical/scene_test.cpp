@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // What scenes become: structures, loose blocks, settings.
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <set>
 
-#include "physical/poses_file.h"
+#include "physical/scene/poses_file.h"
 #include "physical/support.h"
 
 using namespace stig;

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 #include "robots/robot_reader.h"
 #include "rules/rule_reader.h"
 #include "rules/rule_schema.h"

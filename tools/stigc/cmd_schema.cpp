@@ -2,7 +2,7 @@
 // stigc schema and stigc completions: what the program knows of itself.
 #include "commands.h"
 #include "help.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 #include "robots/block.h"
 #include "robots/robot_reader.h"
 #include "rules/rule_schema.h"

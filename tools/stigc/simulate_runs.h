@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 
 namespace stig {
 

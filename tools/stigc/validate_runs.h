@@ -8,7 +8,7 @@
 
 #include "app.h"
 #include "base/diagnostic.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 #include "validate/trial.h"
 
 namespace stig {

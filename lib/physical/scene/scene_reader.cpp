@@ -8,9 +8,9 @@
 
 #include "base/degree.h"
 #include "base/text.h"
-#include "physical/poses_file.h"
-#include "physical/scene.h"
-#include "physical/scene_keys.h"
+#include "physical/scene/poses_file.h"
+#include "physical/scene/scene.h"
+#include "physical/scene/scene_keys.h"
 #include "robots/robot_reader.h"
 
 namespace stig {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "physical/robots/crew.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 
 namespace stig {
 

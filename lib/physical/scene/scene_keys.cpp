@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "physical/scene_keys.h"
+#include "physical/scene/scene_keys.h"
 
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 
 namespace stig {
 

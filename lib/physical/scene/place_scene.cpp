@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 #include "base/text.h"
-#include "physical/scene.h"
+#include "physical/scene/scene.h"
 
 namespace stig {
 

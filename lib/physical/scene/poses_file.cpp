@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/poses_file.h"
+#include "physical/scene/poses_file.h"
 
 #include <fmt/format.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/scene_crew.h"
+#include "physical/scene/scene_crew.h"
 
 #include "lua/lua_controller.h"
 
