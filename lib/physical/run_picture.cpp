@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physical/run_picture.h"
 
-#include "physical/show_json.h"
+#include "physical/render/show_json.h"
 
 namespace stig {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "physical/scene_picture.h"
+#include "physical/render/scene_picture.h"
 #include "physical/simulation.h"
 
 namespace stig {

@@ -11,10 +11,10 @@
 #include "base/bytes.h"
 #include "base/hash.h"
 #include "base/packed.h"
+#include "physical/render/show_json.h"
 #include "physical/scene/scene_crew.h"
 #include "physical/scene_script.h"
 #include "physical/script_record.h"
-#include "physical/show_json.h"
 
 namespace stig {
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "physical/crew_support.h"
-#include "physical/show_json.h"
+#include "physical/render/show_json.h"
 
 using namespace stig;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "physical/raster.h"
-#include "physical/scene_picture.h"
-#include "physical/solid_faces.h"
+#include "physical/render/raster.h"
+#include "physical/render/scene_picture.h"
+#include "physical/render/solid_faces.h"
 #include "physical/support.h"
 
 using namespace stig;

@@ -15,7 +15,7 @@ extern "C" {
 #include <cstdlib>
 
 #include "base/random.h"
-#include "physical/sensor_picture.h"
+#include "physical/render/sensor_picture.h"
 #include "sensing/led_colour.h"
 #include "sensing/tag_pose.h"
 #include "sensor_support.h"

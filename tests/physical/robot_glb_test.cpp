@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "physical/robot_picture.h"
+#include "physical/render/robot_picture.h"
 #include "robots/robot_reader.h"
 
 namespace stig {

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "physical/scene_picture.h"
-#include "physical/sensor_picture.h"
+#include "physical/render/scene_picture.h"
+#include "physical/render/sensor_picture.h"
 
 namespace stig {
 

@@ -5,7 +5,7 @@
 #include "base/file_io.h"
 #include "commands.h"
 #include "outputs.h"
-#include "physical/robot_picture.h"
+#include "physical/render/robot_picture.h"
 #include "robot_report.h"
 #include "robots/robot_reader.h"
 

@@ -14,8 +14,8 @@
 #include "base/degree.h"
 #include "base/file_io.h"
 #include "base/hash.h"
+#include "physical/render/show_json.h"
 #include "physical/run_picture.h"
-#include "physical/show_json.h"
 #include "report.h"
 
 namespace stig {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "physical/readout/lattice_reading.h"
-#include "physical/scene_picture.h"
+#include "physical/render/scene_picture.h"
 #include "physical/simulation.h"
 
 namespace stig {

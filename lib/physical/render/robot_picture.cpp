@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/robot_picture.h"
+#include "physical/render/robot_picture.h"
 
 #include <fmt/format.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "base/glb.h"
-#include "physical/scene_picture.h"
+#include "physical/render/scene_picture.h"
 
 namespace stig {
 

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physical/scene_picture.h"
+#include "physical/render/scene_picture.h"
 #include "robots/robot_io.h"
 
 namespace stig {

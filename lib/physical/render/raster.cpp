@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/raster.h"
+#include "physical/render/raster.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/show_json.h"
+#include "physical/render/show_json.h"
 
 #include <algorithm>
 #include <cmath>

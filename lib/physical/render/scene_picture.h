@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "physical/collision/contact.h"
-#include "physical/raster.h"
+#include "physical/render/raster.h"
+#include "physical/render/solid_faces.h"
 #include "physical/robots/led.h"
-#include "physical/solid_faces.h"
 #include "sensing/camera.h"
 
 namespace stig {

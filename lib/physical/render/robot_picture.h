@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "physical/solid_faces.h"
+#include "physical/render/solid_faces.h"
 #include "robots/robot_model.h"
 
 namespace stig {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "physical/scene_picture.h"
+#include "physical/render/scene_picture.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "physical/solid_faces.h"
+#include "physical/render/solid_faces.h"
 
 namespace stig {
 

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "physical/scene_picture.h"
+#include "physical/render/scene_picture.h"
 
 namespace stig {
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <optional>
 
-#include "physical/raster.h"
+#include "physical/render/raster.h"
 #include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_picture.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/sensor_picture.h"
+#include "physical/render/sensor_picture.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/solid_faces.h"
+#include "physical/render/solid_faces.h"
 
 namespace stig {
 
