@@ -21,10 +21,10 @@
 
 #include "lua/lua_script.h"
 #include "physical/dynamics/world.h"
-#include "physical/pose_trace.h"
 #include "physical/robots/crew.h"
 #include "physical/robots/reading_history.h"
 #include "physical/scene/scene.h"
+#include "physical/trace/pose_trace.h"
 
 namespace stig {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/pose_trace.h"
+#include "physical/trace/pose_trace.h"
 
 #include <rapidcheck.h>
 

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "physical/pose_trace.h"
 #include "physical/support.h"
+#include "physical/trace/pose_trace.h"
 
 using namespace stig;
 

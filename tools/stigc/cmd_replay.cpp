@@ -9,7 +9,7 @@
 #include "base/hash.h"
 #include "commands.h"
 #include "lattice/trace.h"
-#include "physical/pose_trace.h"
+#include "physical/trace/pose_trace.h"
 #include "pose_replay.h"
 #include "progress.h"
 #include "report.h"

@@ -7,7 +7,7 @@
 
 #include "app.h"
 #include "base/file_io.h"
-#include "physical/pose_trace.h"
+#include "physical/trace/pose_trace.h"
 
 namespace stig {
 

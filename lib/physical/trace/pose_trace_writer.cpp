@@ -5,8 +5,8 @@
 
 #include "base/bytes.h"
 #include "base/packed.h"
-#include "physical/pose_trace.h"
-#include "physical/pose_trace_format.h"
+#include "physical/trace/pose_trace.h"
+#include "physical/trace/pose_trace_format.h"
 
 namespace stig {
 
