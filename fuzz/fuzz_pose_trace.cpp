@@ -7,7 +7,7 @@
 
 #include "base/bytes.h"
 #include "base/packed.h"
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 namespace {
 

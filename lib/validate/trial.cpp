@@ -7,7 +7,7 @@
 #include <cmath>
 #include <deque>
 
-#include "physical/run_picture.h"
+#include "physical/simulation/run_picture.h"
 #include "validate/robot_watch.h"
 
 namespace stig {

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 #include "validate/block_count.h"
 #include "validate/judge.h"
 

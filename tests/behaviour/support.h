@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 namespace stig::behaviour {
 

@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 #include "physical/support.h"
 
 namespace stig {

@@ -4,7 +4,7 @@
 #include <rapidcheck.h>
 
 #include "base/random.h"
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 #include "physical/support.h"
 
 using namespace stig;

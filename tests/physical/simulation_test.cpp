@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 #include "physical/support.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 namespace stig {
 

@@ -9,7 +9,7 @@
 #include "camera_place.h"
 #include "commands.h"
 #include "outputs.h"
-#include "physical/run_picture.h"
+#include "physical/simulation/run_picture.h"
 #include "progress.h"
 #include "report.h"
 #include "scene_input.h"

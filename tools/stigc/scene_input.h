@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app.h"
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 namespace stig {
 

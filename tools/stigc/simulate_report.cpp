@@ -15,7 +15,7 @@
 #include "base/file_io.h"
 #include "base/hash.h"
 #include "physical/render/show_json.h"
-#include "physical/run_picture.h"
+#include "physical/simulation/run_picture.h"
 #include "report.h"
 
 namespace stig {

@@ -9,7 +9,7 @@
 
 #include "physical/readout/lattice_reading.h"
 #include "physical/render/scene_picture.h"
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 namespace stig {
 
@@ -51,7 +51,8 @@ Json structure_json(const StructureReading& structure, const std::vector<std::st
 /// A table of runs, and what they have in common.
 std::string table_of(const std::vector<SimulationReport>& runs);
 
-/// What a picture or a reading takes of a moment of a trace; of a run: physical/run_picture.h.
+/// What a picture or a reading takes of a moment of a trace; of a run:
+/// physical/simulation/run_picture.h.
 std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame);
 std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame);
 StructureReading structure_of(const std::vector<PictureBody>& bodies);

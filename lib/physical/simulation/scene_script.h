@@ -4,7 +4,7 @@
 
 #include "lua/lua_script.h"
 #include "physical/readout/lattice_reading.h"
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 namespace stig {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/run_picture.h"
+#include "physical/simulation/run_picture.h"
 
 #include "physical/render/show_json.h"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "physical/render/scene_picture.h"
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 namespace stig {
 

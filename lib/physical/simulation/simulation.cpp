@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/simulation.h"
+#include "physical/simulation/simulation.h"
 
 #include <fmt/format.h>
 
@@ -13,8 +13,8 @@
 #include "base/packed.h"
 #include "physical/render/show_json.h"
 #include "physical/scene/scene_crew.h"
-#include "physical/scene_script.h"
-#include "physical/script_record.h"
+#include "physical/simulation/scene_script.h"
+#include "physical/simulation/script_record.h"
 
 namespace stig {
 

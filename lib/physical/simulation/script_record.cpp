@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/script_record.h"
+#include "physical/simulation/script_record.h"
 
 namespace stig {
 

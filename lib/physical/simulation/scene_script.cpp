@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physical/scene_script.h"
+#include "physical/simulation/scene_script.h"
 
 #include <algorithm>
 #include <cmath>
