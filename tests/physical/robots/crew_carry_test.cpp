@@ -7,7 +7,7 @@
 #include <algorithm>
 
 #include "base/random.h"
-#include "physical/crew_support.h"
+#include "physical/robots/crew_support.h"
 
 using namespace stig;
 

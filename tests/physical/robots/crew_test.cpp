@@ -8,8 +8,8 @@
 #include <cmath>
 #include <thread>
 
-#include "physical/crew_support.h"
 #include "physical/render/show_json.h"
+#include "physical/robots/crew_support.h"
 
 using namespace stig;
 

@@ -5,8 +5,8 @@
 #include <rapidcheck.h>
 
 #include "physical/sensors/line_of_sight.h"
+#include "physical/sensors/sensor_support.h"
 #include "sensing/tag_pose.h"
-#include "sensor_support.h"
 
 using namespace stig;
 

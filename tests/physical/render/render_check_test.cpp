@@ -16,9 +16,9 @@ extern "C" {
 
 #include "base/random.h"
 #include "physical/render/sensor_picture.h"
+#include "physical/sensors/sensor_support.h"
 #include "sensing/led_colour.h"
 #include "sensing/tag_pose.h"
-#include "sensor_support.h"
 
 using namespace stig;
 

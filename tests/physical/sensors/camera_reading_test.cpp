@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <thread>
 
+#include "physical/sensors/sensor_support.h"
 #include "sensing/led_colour.h"
-#include "sensor_support.h"
 
 using namespace stig;
 

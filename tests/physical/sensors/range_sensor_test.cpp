@@ -3,7 +3,7 @@
 
 #include <doctest/doctest.h>
 
-#include "sensor_support.h"
+#include "physical/sensors/sensor_support.h"
 
 using namespace stig;
 

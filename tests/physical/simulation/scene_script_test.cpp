@@ -2,7 +2,7 @@
 // Scripts of experiments: what they see, change, measure, and how they fail.
 #include <doctest/doctest.h>
 
-#include "physical/crew_support.h"
+#include "physical/robots/crew_support.h"
 
 using namespace stig;
 

@@ -2,7 +2,7 @@
 // A robot on four wheels with a lift: driving, turning, resting, lifting.
 #if STIG_WITH_DART
 
-#include "physical/car.h"
+#include "physical/dynamics/car.h"
 
 #include <cmath>
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "physical/crew_support.h"
+#include "physical/robots/crew_support.h"
 
 using namespace stig;
 
