@@ -16,6 +16,7 @@
 #include <system_error>
 #include <utility>
 
+#include "base/file_guard.h"
 #include "base/text.h"
 
 namespace stig {
@@ -147,17 +148,17 @@ void sync_directory(const std::filesystem::path& directory) {
   if (fd.get() >= 0) ::fsync(fd.get());
 }
 
-/// The file behind any symbolic links, so that the link itself stays. A link to
-/// a file that is not there yet leads to where it will be.
-std::filesystem::path follow_links(const std::string& path) {
-  std::filesystem::path target = path;
-  std::error_code error;
-  for (int hops = 0; hops < 40 && std::filesystem::is_symlink(target, error); ++hops) {
-    const std::filesystem::path next = std::filesystem::read_symlink(target, error);
-    if (error) break;
-    target = next.is_absolute() ? next : target.parent_path() / next;
-  }
-  return target;
+/// Remembers that an open file is read.
+void note_open(int fd) {
+  if (const auto file = file_number(fd)) note_read(*file);
+}
+
+/// May this file be replaced, if it is there?
+bool check_unguarded(const std::string& target, const std::string& path, FileError& error) {
+  const auto there = file_number(target);
+  const std::string why = there ? why_guarded(*there) : "";
+  if (!why.empty()) error.message = fmt::format("cannot write {}: {}", in_quotes(path), why);
+  return why.empty();
 }
 
 }  // namespace
@@ -165,6 +166,7 @@ std::filesystem::path follow_links(const std::string& path) {
 std::optional<std::string> read_file(const std::string& path, std::size_t most, FileError& error) {
   std::string out;
   if (path == "-") {
+    note_open(STDIN_FILENO);
     if (!read_all(STDIN_FILENO, "standard input", most, out, error)) return std::nullopt;
     return out;
   }
@@ -176,6 +178,7 @@ std::optional<std::string> read_file(const std::string& path, std::size_t most, 
     return std::nullopt;
   }
   if (!check_regular(status, "read", path, error)) return std::nullopt;
+  note_open(fd.get());
   if (status.st_size > 0 && static_cast<std::uintmax_t>(status.st_size) > most) {
     too_large(error, path, most);
     return std::nullopt;
@@ -198,10 +201,11 @@ bool write_file(const std::string& path, std::string_view bytes, FileError& erro
 bool GrowingFile::open(const std::string& path, FileError& error) {
   discard();
   path_ = path;
-  target_ = follow_links(path).string();
+  target_ = behind_links(path);
   struct stat status {};
   const bool replaces = ::stat(target_.c_str(), &status) == 0;
   if (replaces && !check_regular(status, "write", path, error)) return false;
+  if (!check_unguarded(target_, path, error)) return false;
   fd_ = open_temporary(target_, temporary_, slot_);
   const bool good = fd_ >= 0 && (!replaces || ::fchmod(fd_, status.st_mode & 07777U) == 0);
   if (!good) {
@@ -219,7 +223,13 @@ bool GrowingFile::append(std::string_view bytes, FileError& error) {
 }
 
 bool GrowingFile::commit(FileError& error) {
+  // Another may have been written there, or read, since this one was begun.
+  if (!check_unguarded(target_, path_, error)) {
+    discard();
+    return false;
+  }
   Descriptor fd(std::exchange(fd_, -1));
+  const auto number = file_number(fd.get());
   const bool good =
       ::fsync(fd.get()) == 0 && fd.close() && ::rename(temporary_.c_str(), target_.c_str()) == 0;
   if (!good) {
@@ -228,6 +238,7 @@ bool GrowingFile::commit(FileError& error) {
   }
   forget_unfinished(std::exchange(slot_, -1));
   if (!good) return false;
+  if (number) note_written(*number);
   const std::filesystem::path folder = std::filesystem::path(target_).parent_path();
   sync_directory(folder.empty() ? "." : folder);
   return true;
