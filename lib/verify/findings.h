@@ -25,6 +25,7 @@ struct WalledIn {
   Cell site;
   std::vector<Deposit> order;  ///< from the start to that structure
 };
+inline constexpr std::size_t kMostWalledIn = 3;  ///< that are shown of a rule set
 
 /// A rule's brick that closes a site which another rule had open.
 /// Where a certificate lists fillings, more is granted here than can occur.
@@ -55,7 +56,7 @@ struct Findings {
   int level_count = 0;
   std::optional<Parallelism> parallelism;  ///< proved sets
   std::vector<Blocking> blocking;
-  std::vector<WalledIn> walled_in;    ///< a few examples
+  std::vector<WalledIn> walled_in;    ///< examples, kMostWalledIn at most
   std::uint64_t maybe_walled_in = 0;  ///< sites of which neither was shown
   std::optional<Repair> repair;       ///< refuted sets: the smallest that was found
 };

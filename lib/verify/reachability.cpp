@@ -12,7 +12,6 @@ namespace stig {
 namespace {
 
 constexpr std::int64_t kMostCells = std::int64_t{1} << 26;  ///< of the region looked at
-constexpr std::size_t kMostExamples = 3;
 constexpr std::size_t kMostAttempts = 24;
 
 /// The bounding box of a structure and one cell more to every side, as far as agents get.
@@ -130,7 +129,7 @@ class Reachability {
     }
     std::reverse(doubtful.begin(), doubtful.end());
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
-      const bool tried = k < kMostAttempts && findings.walled_in.size() < kMostExamples;
+      const bool tried = k < kMostAttempts && findings.walled_in.size() < kMostWalledIn;
       if (tried && wall_in(doubtful[k], findings)) continue;
       ++findings.maybe_walled_in;
     }

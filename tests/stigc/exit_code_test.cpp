@@ -125,32 +125,5 @@ TEST_CASE("a failed write leaves the old file as it was") {
   CHECK(place.files() == std::vector<std::string>{"out.txt"});
 }
 
-TEST_CASE("nothing is written over what is read, or over another output") {
-  const Workplace place;
-  place.write("scene.yaml", "stigc_scene: 1\nduration: 0.1\n");
-  place.write("x.txt", "a a\n");
-  for (const std::string line :
-       {"stigc simulate scene.yaml --trace scene.yaml",
-        "stigc simulate scene.yaml --trace a --checkpoint ./a",
-        "ln -s scene.yaml link; stigc simulate scene.yaml --checkpoint link",
-        "stigc compile sets/line.yaml -o sets/line.yaml"}) {
-    CAPTURE(line);
-    CHECK(place.shell(line).exit_code == 2);
-  }
-  // What is written for ARGoS is several files, each as safe as one.
-  place.write("s.yaml", project_file("rulesets/staircase.yaml"));
-  for (const std::string ending : {".argos", "_robot.lua", "_block.lua", "_robot.lua.map"}) {
-    CAPTURE(ending);
-    CHECK(place
-              .shell("cp s.yaml out" + ending + "; stigc compile out" + ending +
-                     " --target argos -o out; [ $? = 2 ] && cmp s.yaml out" + ending)
-              .exit_code == 0);
-    CHECK(place.shell("rm -f out*; stigc compile s.yaml -o out.argos --report out" + ending)
-              .exit_code == 2);
-  }
-  CHECK(place.shell("stigc synth x.txt -o x.txt").exit_code == 3);
-  CHECK(place.shell("stigc check scene.yaml").exit_code == 0);
-}
-
 }  // namespace
 }  // namespace stig

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "base/file_guard.h"
 #include "base/file_io.h"
 #include "rules/rule_reader.h"
 
@@ -142,6 +143,7 @@ void prepare_process() {
   for (int descriptor = 0; descriptor <= 2; ++descriptor) {
     if (fcntl(descriptor, F_GETFD) == -1 && open("/dev/null", O_RDONLY) < 0) std::abort();
   }
+  guard_files();
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   // Where the shell has a signal ignored, as nohup does, it stays so.

@@ -68,9 +68,9 @@ std::string red(std::string_view text, bool on);
 std::string yellow(std::string_view text, bool on);
 std::string dim(std::string_view text, bool on);
 
-/// Opens /dev/null in place of standard streams that are closed, and lets SIGPIPE and
-/// SIGXFSZ (a limit on the size of files) be errors of write(2). Signals that end the program
-/// take unfinished files away.
+/// Opens /dev/null in place of standard streams that are closed, guards the files that are read,
+/// and lets SIGPIPE and SIGXFSZ (a limit on the size of files) be errors of write(2). Signals that
+/// end the program take unfinished files away.
 void prepare_process();
 /// Turns SIGINT and SIGTERM into the flag below; a second signal ends the program at
 /// once. For commands that look at the flag: the others die of the first.

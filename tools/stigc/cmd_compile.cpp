@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/file_io.h"
 #include "base/text.h"
 #include "commands.h"
 #include "compile_report.h"
@@ -19,13 +18,11 @@
 namespace stig {
 namespace {
 
-int write(const std::string& path, const std::string& text, const App& app) {
-  FileError error;
-  if (!write_file(path, text, error)) {
-    app.complain(error.message);
-    return kRunFailed;
-  }
-  if (path != "-") app.say("wrote " + printable(path));
+bool is_standard_output(const std::optional<std::string>& path) { return path && *path == "-"; }
+
+int write(const std::string& path, const std::string& text, App& app) {
+  if (path != "-") return write_output(path, text, app);
+  app.print(text);
   return kOk;
 }
 
@@ -51,7 +48,8 @@ std::optional<ArgosFiles> argos_files(const CompileFileOptions& options) {
 
 std::optional<std::string> line_map_of(const CompileFileOptions& options) {
   if (const auto argos = argos_files(options)) return argos->robot + ".map";
-  if (!options.output || target_of(options) != CompileTarget::lua) return std::nullopt;
+  if (!options.output || is_standard_output(options.output)) return std::nullopt;
+  if (target_of(options) != CompileTarget::lua) return std::nullopt;
   return *options.output + ".map";
 }
 
@@ -122,7 +120,7 @@ int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
 std::string argos_problem(const CompileFileOptions& options) {
   if (target_of(options) != CompileTarget::argos) return {};
   if (options.robot) return "ARGoS brings its own robot, the BuilderBot: leave --robot out";
-  if (!options.output || *options.output == "-")
+  if (!options.output || is_standard_output(options.output))
     return "for ARGoS several files are written: say where with -o NAME";
   const std::string name = file_name(argos_files(options)->experiment);
   if (name == kArgosEnding) return fmt::format("'{}' has no name before .argos", *options.output);
@@ -131,25 +129,32 @@ std::string argos_problem(const CompileFileOptions& options) {
   return {};
 }
 
-std::string output_problem(const CompileFileOptions& options) {
+std::string usage_problem(const CompileFileOptions& options) {
   if (std::string problem = argos_problem(options); !problem.empty()) return problem;
-  for (const auto& path : {options.output, options.report}) {
-    std::string problem = path ? folder_problem(*path) : "";
-    if (!problem.empty()) return problem;
+  if (is_standard_output(options.report) &&
+      (!options.output || is_standard_output(options.output))) {
+    return "standard output takes the program or the table: say where the other goes";
   }
-  const std::vector<std::optional<std::string>> read = {options.file, options.robot};
+  return {};
+}
+
+/// Every file that is written.
+std::vector<std::string> output_names(const CompileFileOptions& options) {
+  std::vector<std::string> names;
   if (const auto argos = argos_files(options)) {
-    return same_file_problem(
-        {argos->experiment, argos->robot, argos->block, line_map_of(options), options.report},
-        read);
+    names = {argos->experiment, argos->robot, argos->block};
+  } else if (options.output && !is_standard_output(options.output)) {
+    names = {*options.output};
   }
-  return same_file_problem({options.output, options.report, line_map_of(options)}, read);
+  if (const auto map = line_map_of(options)) names.push_back(*map);
+  if (options.report && !is_standard_output(options.report)) names.push_back(*options.report);
+  return names;
 }
 
 }  // namespace
 
 int run(const CompileFileOptions& options, App& app) {
-  if (const std::string problem = output_problem(options); !problem.empty()) {
+  if (const std::string problem = usage_problem(options); !problem.empty()) {
     app.complain(printable(problem));
     return kUsage;
   }
@@ -159,6 +164,7 @@ int run(const CompileFileOptions& options, App& app) {
   const std::optional<Abilities> robot = read_abilities(
       options.robot, app, target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot);
   if (!robot) return kFailed;
+  if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
   CompileOptions settings;
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
   // an experiment has a number of robots, a program by itself need not say it

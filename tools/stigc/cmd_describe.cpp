@@ -2,7 +2,6 @@
 // stigc describe: what a robot is made of.
 #include <fmt/format.h>
 
-#include "base/file_io.h"
 #include "commands.h"
 #include "outputs.h"
 #include "physical/render/robot_picture.h"
@@ -17,25 +16,18 @@ std::string picture_problem(const std::string& path) {
   if (!path.ends_with(".png") && !path.ends_with(".glb")) {
     return fmt::format("'{}': pictures of robots are .png or .glb", printable(path));
   }
-  return folder_problem(path);
+  return {};
 }
 
 int write_picture(const RobotModel& robot, const std::string& path, const App& app) {
-  FileError error;
   const bool model = path.ends_with(".glb");
-  if (!write_file(path, model ? robot_glb(robot) : robot_png(robot), error)) {
-    app.complain(error.message);
-    return kRunFailed;
-  }
-  app.say(fmt::format("wrote {}", printable(path)));
-  return kOk;
+  return write_output(path, model ? robot_glb(robot) : robot_png(robot), app);
 }
 
 }  // namespace
 
 int run(const DescribeOptions& options, App& app) {
-  std::string problem = options.picture ? picture_problem(*options.picture) : "";
-  if (problem.empty()) problem = same_file_problem({options.picture}, {options.robot});
+  const std::string problem = options.picture ? picture_problem(*options.picture) : "";
   if (!problem.empty()) {
     app.complain(problem);
     return kUsage;
@@ -44,6 +36,9 @@ int run(const DescribeOptions& options, App& app) {
   const auto robot = read_robot_file(options.robot, diagnostics);
   app.report(diagnostics);
   if (!robot || app.invalid(diagnostics)) return kFailed;
+  if (options.picture) {
+    if (const int code = check_outputs({*options.picture}, app); code != kOk) return code;
+  }
   app.print(options.json ? to_json(*robot) : to_text(*robot, app.color_out()));
   return options.picture ? write_picture(*robot, *options.picture, app) : kOk;
 }

@@ -6,10 +6,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/file_io.h"
 #include "commands.h"
 #include "ensemble.h"
 #include "explore_config.h"
+#include "explore_outputs.h"
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
@@ -100,12 +100,7 @@ void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
 int write_runs_table(const Ensemble& ensemble, const std::vector<Output>& outputs, const App& app) {
   for (const Output& output : outputs) {
     if (output.kind != OutputKind::deposits) continue;
-    FileError error;
-    if (!write_file(output.path, runs_csv(ensemble), error)) {
-      app.complain(error.message);
-      return kRunFailed;
-    }
-    app.say("wrote " + output.path);
+    return write_output(output.path, runs_csv(ensemble), app);
   }
   return kOk;
 }
@@ -140,6 +135,9 @@ int run(const ExploreOptions& options, App& app) {
   if (!config.problem.empty()) {
     app.complain(printable(config.problem));
     return kUsage;
+  }
+  if (const int code = check_outputs(names_of(outputs, options.runs), app); code != kOk) {
+    return code;
   }
   stop_on_signals();
   return ensemble ? explore_many(*rules, table, config, options, outputs, app)

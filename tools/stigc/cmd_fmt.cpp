@@ -2,6 +2,7 @@
 // stigc fmt: the canonical form of rule set files.
 #include <fmt/format.h>
 
+#include "base/file_guard.h"
 #include "base/file_io.h"
 #include "commands.h"
 #include "rules/rule_printer.h"
@@ -23,12 +24,13 @@ int format(const std::string& file, const FmtOptions& options, App& app) {
     app.print(file + "\n");
     return kFailed;
   }
+  let_replace(file);
   FileError error;
   if (!write_file(file, text, error)) {
     app.complain(error.message);
     return kRunFailed;
   }
-  app.say("rewrote " + file);
+  app.say("rewrote " + printable(file));
   return kOk;
 }
 

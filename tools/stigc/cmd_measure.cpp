@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // stigc measure and stigc draw: structure files by themselves.
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/hash.h"
 #include "commands.h"
@@ -45,18 +44,15 @@ int run(const MeasureOptions& options, App& app) {
 }
 
 int run(const DrawOptions& options, App& app) {
-  std::set<std::string> seen;
   for (const std::string& path : options.outputs) {
     std::string error;
-    if (can_write_structure(path, error)) {
-      if (seen.insert(path).second) continue;
-      error = "'" + path + "' is given twice";
-    }
+    if (can_write_structure(path, error)) continue;
     app.complain(printable(error));
     return kUsage;
   }
   const auto loaded = read_structure(options.structure, options.lattice, app);
   if (!loaded) return kFailed;
+  if (const int code = check_outputs(options.outputs, app); code != kOk) return code;
   for (const std::string& path : options.outputs) {
     std::string error;
     if (!write_structure(path, loaded->structure, loaded->bricks, stem(options.structure), false,
@@ -64,7 +60,7 @@ int run(const DrawOptions& options, App& app) {
       app.complain(error);
       return kRunFailed;
     }
-    app.say("wrote " + path);
+    app.say("wrote " + printable(path));
   }
   return kOk;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/file_guard.h"
 #include "base/file_io.h"
 #include "camera_place.h"
 #include "commands.h"
@@ -35,19 +36,24 @@ std::string usage_problem(const SimulateOptions& o) {
   if (o.runs > 1 && (o.trace || o.picture || o.checkpoint || o.resume)) {
     return "--trace, -o, --checkpoint and --resume are of one run, not of --runs";
   }
-  // A resumed run goes on in its trace, and may leave its checkpoint where the last one was.
-  return same_file_problem({o.trace, o.picture, o.checkpoint}, {o.scene});
+  return {};
 }
 
-/// Can the files be written, as far as can be told beforehand?
-bool places_good(const SimulateOptions& o, const App& app) {
-  bool good = true;
+/// Every file that is written.
+std::vector<std::string> output_names(const SimulateOptions& o) {
+  std::vector<std::string> names;
   for (const auto& path : {o.trace, o.picture, o.checkpoint}) {
-    const std::string problem = path ? folder_problem(*path) : "";
-    if (!problem.empty()) app.complain(printable(problem));
-    good = good && problem.empty();
+    if (path) names.push_back(*path);
   }
-  return good;
+  return names;
+}
+
+/// A resumed run goes on in its trace, and may leave its checkpoint where the last one was.
+void let_go_on(const SimulateOptions& o) {
+  if (o.trace) let_replace(*o.trace);
+  if (o.checkpoint && file_identity(*o.checkpoint) == file_identity(*o.resume)) {
+    let_replace(*o.checkpoint);
+  }
 }
 
 std::optional<Checkpoint> read_checkpoint(const std::string& path, const App& app) {
@@ -211,32 +217,22 @@ class OneRun {
       app_.say(fmt::format("the run ended before {} s: the picture is of its end", *options_.at));
     }
     if (!moment_) take_moment();
-    if (camera_) {
-      FileError error;
-      return said(write_file(*options_.picture, moment_->view, error), *options_.picture,
-                  error.message);
-    }
+    if (camera_) return write_output(*options_.picture, moment_->view, app_);
     std::string error;
     const bool good =
         write_picture(*options_.picture, moment_->bodies, moment_->lines,
                       loaded_.placed.config.floor, loaded_.scene.title, moment_->time, error);
-    return said(good, *options_.picture, error);
-  }
-
-  int write_checkpoint() {
-    FileError error;
-    const std::string bytes = checkpoint_bytes({loaded_.scene.files, loaded_.placed.seed, state_});
-    return said(write_file(*options_.checkpoint, bytes, error), *options_.checkpoint,
-                error.message);
-  }
-
-  int said(bool good, const std::string& path, const std::string& error) const {
     if (good) {
-      app_.say("wrote " + printable(path));
+      app_.say("wrote " + printable(*options_.picture));
     } else {
       app_.complain(error);
     }
     return good ? kOk : kRunFailed;
+  }
+
+  int write_checkpoint() {
+    return write_output(*options_.checkpoint,
+                        checkpoint_bytes({loaded_.scene.files, loaded_.placed.seed, state_}), app_);
   }
 
   void print(const SimulationReport& report) {
@@ -268,15 +264,16 @@ int run(const SimulateOptions& options, App& app) {
     app.complain(printable(problem));
     return kUsage;
   }
-  if (!places_good(options, app)) return kRunFailed;
   std::optional<Checkpoint> checkpoint;
   if (options.resume) {
     checkpoint = read_checkpoint(*options.resume, app);
     if (!checkpoint) return kFailed;
+    let_go_on(options);
   }
   const auto loaded =
       checkpoint ? scene_of(*checkpoint, app) : read_loaded_scene(options.scene, options.seed, app);
   if (!loaded) return kFailed;
+  if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
   if (options.runs > 1) return simulate_runs(options, loaded->scene, app);
   return OneRun(options, *loaded, app).run(checkpoint);
 }

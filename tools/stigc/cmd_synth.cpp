@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -31,6 +32,8 @@ namespace {
 
 /// In larger structures it is not asked whether agents can walk to every site in time.
 constexpr std::size_t kMostWalkedTo = 20'000;
+/// What --proof writes into its folder.
+constexpr std::array<const char*, 3> kProofFiles = {"fewer.json", "fewer.cnf", "fewer.drat"};
 
 std::string_view words(Obstacle::Kind kind) {
   switch (kind) {
@@ -47,6 +50,9 @@ std::string_view words(Obstacle::Kind kind) {
   }
   return "colours";
 }
+
+/// Do the rules go into a file? Otherwise to standard output, where there is no JSON.
+bool has_file(const SynthOptions& options) { return options.output && *options.output != "-"; }
 
 std::string file_name(const std::string& path) {
   const std::size_t slash = path.rfind('/');
@@ -244,11 +250,11 @@ int write_proof(const SynthOptions& options, const Solution& solution,
     return kRunFailed;
   }
   const std::size_t before = written.size();
-  const std::vector<std::pair<std::string, const std::string*>> files = {
-      {"fewer.json", &proof->problem}, {"fewer.cnf", &proof->cnf}, {"fewer.drat", &proof->drat}};
-  for (const auto& [name, bytes] : files) {
+  const std::array<const std::string*, 3> bytes = {&proof->problem, &proof->cnf, &proof->drat};
+  for (std::size_t i = 0; i < kProofFiles.size(); ++i) {
+    const std::string name = kProofFiles[i];
     std::string error;
-    if (!write_into(*options.proof, name, *bytes, error)) {
+    if (!write_into(*options.proof, name, *bytes[i], error)) {
       app.complain(error);
       // Two of the three files prove nothing.
       for (; written.size() > before; written.pop_back()) std::remove(written.back().c_str());
@@ -293,7 +299,7 @@ int write_results(const SynthOptions& options, const Target& target, Synthesis& 
     return kRunFailed;
   }
   int code = kOk;
-  if (options.output) {
+  if (has_file(options)) {
     code = write_one(*options.output, text, app, outcome.written);
   } else if (!options.json) {
     app.print(text);
@@ -327,18 +333,15 @@ SynthesisOptions synthesis_options(const SynthOptions& options) {
   return out;
 }
 
-/// Looked at before the search, so that a slip does not cost it.
-bool outputs_are_writable(const SynthOptions& options, const App& app) {
-  for (const auto& path : {options.output, options.certificate}) {
-    const std::string problem = path ? folder_problem(*path) : "";
-    if (problem.empty()) continue;
-    app.complain(printable(problem));
-    return false;
+/// Every file that is written.
+std::vector<std::string> output_names(const SynthOptions& options) {
+  std::vector<std::string> names;
+  if (has_file(options)) names.push_back(*options.output);
+  if (options.certificate) names.push_back(*options.certificate);
+  for (const char* name : kProofFiles) {
+    if (options.proof) names.push_back(*options.proof + "/" + name);
   }
-  const std::string problem =
-      same_file_problem({options.output, options.certificate, options.proof}, {options.target});
-  if (!problem.empty()) app.complain(printable(problem));
-  return problem.empty();
+  return names;
 }
 
 /// Tries to do with fewer colours by means of a scaffold.
@@ -373,7 +376,10 @@ int run(const SynthOptions& options, App& app) {
     return kFailed;
   }
   Target target = target_of(*loaded, options.use);
-  if (!outputs_are_writable(options, app)) return kRunFailed;
+  if (const int code = check_outputs(output_names(options), app, options.proof.value_or(""));
+      code != kOk) {
+    return code;
+  }
   stop_on_signals();
   Progress progress(app);
   SynthesisHooks hooks;
@@ -394,8 +400,8 @@ int run(const SynthOptions& options, App& app) {
   int code = kRunFailed;
   if (result.best) {
     code = write_results(options, target, result, app, outcome);
-    if (options.output && !options.json) app.print(summary(result, outcome));
-    if (!options.output && !options.json) app.say(summary(result, outcome));
+    if (has_file(options) && !options.json) app.print(summary(result, outcome));
+    if (!has_file(options) && !options.json) app.say(summary(result, outcome));
   } else if (result.obstacle) {
     code = result.obstacle->proved ? kFailed : kRunFailed;
     if (!options.json) app.print(reason(result, app.color_out()));

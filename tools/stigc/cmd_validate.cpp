@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -31,6 +32,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSceneFile = "scene.yaml";
+constexpr std::array kReportFiles = {"progress.csv", "progress.svg", "report.json", "report.html"};
 constexpr const char* kGivenRobot = "robot.yaml";  ///< what the scene calls the user's robot
 
 /// Does a line begin with the key?
@@ -64,7 +66,7 @@ class Validation {
   int run() {
     if (const int code = compile(); code != kOk) return code;
     if (const int code = load(); code != kOk) return code;
-    if (options_.output && !make_folder()) return kRunFailed;
+    if (const int code = options_.output ? prepare_folder() : kOk; code != kOk) return code;
     TrialBatch batch = run_trials(target_, *scene_, options_, duration_, app_);
     if (batch.diagnostics.has_errors()) {
       app_.report(batch.diagnostics);
@@ -137,10 +139,6 @@ class Validation {
   }
 
   int load() {
-    if (const std::string problem = overwriting(); !problem.empty()) {
-      app_.complain(printable(problem));
-      return kUsage;
-    }
     if (options_.scene && (options_.robots || options_.allocation == Allocation::dynamic_)) {
       app_.complain(
           "a scene says what robots there are, and what sides are theirs: leave --robots and "
@@ -187,16 +185,29 @@ class Validation {
     return count == 1 || (several && count > 0);
   }
 
-  /// Would what is written stand over what is read?
-  std::string overwriting() const {
-    if (!options_.output) return {};
-    for (const char* name : {kSceneFile, kGivenRobot, "controller.lua", "report.html",
-                             "report.json", "progress.csv", "progress.svg"}) {
-      std::string problem = same_file_problem({*options_.output + "/" + name},
-                                              {options_.file, options_.scene, options_.robot});
-      if (!problem.empty()) return problem;
+  /// The scene's files that are written: those that it names with a folder stay where they are.
+  std::vector<const SceneFile*> written_scene_files() const {
+    std::vector<const SceneFile*> files;
+    for (const SceneFile& file : scene_->files) {
+      const bool scene = &file == &scene_->files.front();
+      if (scene || file.name.find('/') == std::string::npos) files.push_back(&file);
     }
-    return {};
+    return files;
+  }
+  std::string written_name(const SceneFile& file) const {
+    return &file == &scene_->files.front() ? kSceneFile : file.name;
+  }
+
+  /// Every file that is written.
+  std::vector<std::string> output_names() const {
+    std::vector<std::string> names;
+    const auto add = [&](const std::string& name) { names.push_back(*options_.output + "/" + name); };
+    for (const SceneFile* file : written_scene_files()) add(written_name(*file));
+    for (const char* name : kReportFiles) add(name);
+    for (int run = 0; run < options_.runs; ++run) {
+      add(trace_name(options_.seed + static_cast<std::uint64_t>(run)));
+    }
+    return names;
   }
 
   /// The compiled program asks on which side it begins. How many robots have it?
@@ -232,15 +243,16 @@ class Validation {
     report_conflict(*rules_, compiled_, diagnostics);
   }
 
-  bool make_folder() const {
+  int prepare_folder() const {
+    if (const int code = check_outputs(output_names(), app_, *options_.output); code != kOk) {
+      return code;
+    }
     std::error_code error;
     fs::create_directory(*options_.output, error);
-    const std::string problem = folder_problem(*options_.output + "/report.html");
-    if (!error && problem.empty()) return true;
-    app_.complain(error ? fmt::format("cannot make the folder '{}': {}",
-                                      printable(*options_.output), error.message())
-                        : printable(problem));
-    return false;
+    if (!error) return kOk;
+    app_.complain(fmt::format("cannot make the folder '{}': {}", printable(*options_.output),
+                              error.message()));
+    return kRunFailed;
   }
 
   bool write_one(const std::string& name, const std::string& text) const {
@@ -253,19 +265,17 @@ class Validation {
   int write(const ValidationReport& report, const TrialBatch& batch) const {
     for (const std::string& complaint : batch.complaints) app_.complain(complaint);
     bool good = batch.complaints.empty();
-    for (const SceneFile& file : scene_->files) {
-      const bool scene = &file == &scene_->files.front();
-      // Files that the scene names with a folder stay where they are.
-      if (!scene && file.name.find('/') != std::string::npos) continue;
-      good = write_one(scene ? kSceneFile : file.name, file.text) && good;
+    for (const SceneFile* file : written_scene_files()) {
+      good = write_one(written_name(*file), file->text) && good;
     }
     const std::vector<ProgressCurve> curves = curves_of(report);
     const ProgressBand band = band_of(curves);
     const auto bricks = static_cast<int>(target_.whole.size() - rules_->start.size());
-    good = write_one("progress.csv", progress_csv(curves, band)) && good;
-    good = write_one("progress.svg", progress_svg(curves, band, bricks)) && good;
-    good = write_one("report.json", dump(to_json(report))) && good;
-    good = write_one("report.html", report_html(report)) && good;
+    const std::string texts[] = {progress_csv(curves, band), progress_svg(curves, band, bricks),
+                                 dump(to_json(report)), report_html(report)};
+    for (std::size_t i = 0; i < kReportFiles.size(); ++i) {
+      good = write_one(kReportFiles[i], texts[i]) && good;
+    }
     if (good)
       app_.say(
           fmt::format("wrote {}/report.html and what belongs to it", printable(*options_.output)));

@@ -2,10 +2,8 @@
 // stigc verify: does every order of events end in the same structure?
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "base/file_io.h"
 #include "commands.h"
 #include "outputs.h"
 #include "progress.h"
@@ -42,31 +40,15 @@ int write_certificate(const std::string& path, const VerifyResult& result, const
     app.say("no certificate was written: nothing was proved");
     return kOk;
   }
-  FileError error;
-  if (!write_file(path, print_certificate(*result.certificate), error)) {
-    app.complain(error.message);
-    return kRunFailed;
-  }
-  app.say("wrote " + printable(path));
-  return kOk;
+  return write_output(path, print_certificate(*result.certificate), app);
 }
 
-/// What is wrong with a name for results; empty: nothing.
-std::string name_problem(const std::string& path, const std::string& input) {
-  if (path.empty() || path == "-") return fmt::format("'{}' is no name for a file to write", path);
-  std::error_code error;
-  if (std::filesystem::equivalent(path, input, error)) {
-    return fmt::format("'{}' is the rule set itself", path);
-  }
-  return folder_problem(path);
-}
-
-std::string usage_problem(const VerifyFileOptions& options) {
-  for (const auto& path : {options.certificate, options.witness}) {
-    const std::string problem = path ? name_problem(*path, options.file) : "";
-    if (!problem.empty()) return problem;
-  }
-  return same_file_problem({options.certificate}, {options.file});
+/// Every file that may be written.
+std::vector<std::string> output_names(const VerifyFileOptions& options) {
+  std::vector<std::string> names;
+  if (options.witness) names = witness_names(*options.witness);
+  if (options.certificate) names.push_back(*options.certificate);
+  return names;
 }
 
 int complain(const std::string& problem, const App& app) {
@@ -77,10 +59,9 @@ int complain(const std::string& problem, const App& app) {
 }  // namespace
 
 int run(const VerifyFileOptions& options, App& app) {
-  std::string problem = usage_problem(options);
-  if (!problem.empty()) return complain(problem, app);
   std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
   rules = worked_from(std::move(*rules), options.sides);
   VerifyOptions settings;
   settings.box = chosen_box(*rules, options);
@@ -90,7 +71,7 @@ int run(const VerifyFileOptions& options, App& app) {
   if (options.periodic && !settings.box) {
     return complain("unbounded space has no sides that could be periodic", app);
   }
-  problem = config_problem(RuleTable(*rules), rules->start, config);
+  const std::string problem = config_problem(RuleTable(*rules), rules->start, config);
   if (!problem.empty()) return complain(problem, app);
   stop_on_signals();
   Progress progress(app);

@@ -93,6 +93,15 @@ CLI::Option* choice(CLI::App* app, const std::string& names, Out& out, const Wor
   });
 }
 
+/// A name for a file, or for several.
+CLI::Option* path(CLI::App* app, const std::string& names, std::optional<std::string>& out,
+                  const std::string& doc) {
+  return parsed(app, names, "FILE", doc, [&out](const std::string& text) -> std::string {
+    out = text;
+    return text.empty() ? "a name is wanted" : "";
+  });
+}
+
 /// An option that takes one value and may be given several times.
 CLI::Option* repeated(CLI::App* app, const std::string& names, std::vector<std::string>& out,
                       const std::string& value, const std::string& doc) {
@@ -207,7 +216,7 @@ void add_explore(CLI::App& app, ExploreOptions& o) {
            "write the structure, in the format of the ending: .vox .stl .ply .glb .png .svg .json "
            ".txt; .csv the log of deposits, or with --runs the table of runs; .stigt a trace. May "
            "be repeated; with --runs, {run} in the name is the number of the run");
-  sub->add_option("--trace", o.trace, "write a trace of the run, for replay")->type_name("FILE");
+  path(sub, "--trace", o.trace, "write a trace of the run, for replay");
 }
 
 void add_explain(CLI::App& app, ExplainOptions& o) {
@@ -217,8 +226,7 @@ void add_explain(CLI::App& app, ExplainOptions& o) {
       "  stigc explain staircase.yaml --structure half-built.txt --at 1,0,1\n"
       "  stigc explain architecture-4n.yaml --structure s.json --at 0,1,0 --stage 2 --json\n");
   file(sub, "FILE", o.file, "the rule set");
-  sub->add_option("--structure", o.structure, "structure file (default: the rule set's start)")
-      ->type_name("FILE");
+  path(sub, "--structure", o.structure, "structure file (default: the rule set's start)");
   parsed(sub, "--at", "X,Y,Z", "the site", [&o](const std::string& text) {
     return parse_cell(text, o.at);
   })->required();
@@ -271,10 +279,9 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
          [&o](const std::string& text) { return parse_seconds(text, o.budget); });
   integer(sub, "--states", o.states, 1, std::int64_t{1} << 31,
           "fillings of a group of bricks kept at most (default: 2000000)");
-  sub->add_option("--certificate", o.certificate, "write the certificate of a proof")
-      ->type_name("FILE");
-  sub->add_option("--witness", o.witness,
-                  "write what shows the verdict: traces and pictures whose names begin with this")
+  path(sub, "--certificate", o.certificate, "write the certificate of a proof");
+  path(sub, "--witness", o.witness,
+       "write what shows the verdict: traces and pictures whose names begin with this")
       ->type_name("NAME");
   sub->add_flag("--json", o.json, "print one JSON object");
 }
@@ -312,11 +319,6 @@ CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<doub
                      const std::string& doc) {
   return parsed(app, names, "S", doc,
                 [&out](const std::string& text) { return parse_seconds(text, out.emplace()); });
-}
-
-CLI::Option* path(CLI::App* app, const std::string& names, std::optional<std::string>& out,
-                  const std::string& doc) {
-  return app->add_option(names, out, doc)->type_name("FILE");
 }
 
 void add_replay(CLI::App& app, ReplayOptions& o) {
@@ -518,13 +520,11 @@ void add_synth(CLI::App& app, SynthOptions& o) {
       ->trigger_on_parse();
   sub->add_flag("--floor", o.floor, "cells below z = 0 look like floor to the rules");
   add_synth_search(sub, o);
-  sub->add_option("-o,--output", o.output, "the rule set (default: standard output)")
-      ->type_name("FILE");
-  sub->add_option("--certificate", o.certificate,
-                  "why every order of events builds it, for stigc certify")
-      ->type_name("FILE");
-  sub->add_option("--proof", o.proof,
-                  "folder for the proof that one colour fewer does not do under this order")
+  path(sub, "-o,--output", o.output, "the rule set (default: standard output)");
+  path(sub, "--certificate", o.certificate,
+       "why every order of events builds it, for stigc certify");
+  path(sub, "--proof", o.proof,
+       "folder for the proof that one colour fewer does not do under this order")
       ->type_name("FOLDER");
   sub->add_flag("--json", o.json, "print one JSON object");
 }

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "explore_config.h"
-#include "outputs.h"
+#include "explore_outputs.h"
 
 namespace stig {
 

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "outputs.h"
+#include "explore_outputs.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
 #include <iterator>
-#include <set>
 
 #include "base/file_io.h"
 #include "lattice/structure_files.h"
+#include "outputs.h"
 #include "report.h"
 
 namespace stig {
@@ -50,43 +45,6 @@ std::string classify(const std::string& path, bool ensemble, Output& output) {
 
 }  // namespace
 
-std::string folder_problem(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  const std::string folder = slash == std::string::npos ? "." : path.substr(0, slash + 1);
-  struct stat status {};
-  if (stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) {
-    return fmt::format("cannot write '{}': it is a folder", path);
-  }
-  if (access(folder.c_str(), W_OK | X_OK) == 0) return {};
-  return fmt::format("cannot write '{}': {}", path, strerror(errno));
-}
-
-std::string same_file_problem(const std::vector<std::optional<std::string>>& written,
-                              const std::vector<std::optional<std::string>>& read) {
-  namespace fs = std::filesystem;
-  const auto same = [](const std::string& a, const std::string& b) {
-    std::error_code error;
-    if (fs::equivalent(a, b, error)) return true;
-    const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
-    const fs::path second = fs::weakly_canonical(fs::absolute(b, error), error);
-    return !error && first == second;
-  };
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    if (!written[i] || *written[i] == "-") continue;
-    for (const auto& other : read) {
-      if (other && *other != "-" && same(*written[i], *other)) {
-        return fmt::format("'{}' would be written over what is read", *written[i]);
-      }
-    }
-    for (std::size_t k = 0; k < i; ++k) {
-      if (written[k] && same(*written[i], *written[k])) {
-        return fmt::format("'{}' and '{}' are one file", *written[k], *written[i]);
-      }
-    }
-  }
-  return {};
-}
-
 std::string path_of_run(const std::string& path, std::uint32_t run) {
   std::string out = path;
   const std::string number = std::to_string(run);
@@ -97,33 +55,31 @@ std::string path_of_run(const std::string& path, std::uint32_t run) {
   return out;
 }
 
+std::vector<std::string> names_of(const std::vector<Output>& outputs, int runs) {
+  constexpr int kMostRunsNamed = 10'000;
+  std::vector<std::string> names;
+  for (const Output& output : outputs) {
+    const bool each = output.path.find(kRun) != std::string::npos;
+    for (int run = 0; run < (each ? std::min(runs, kMostRunsNamed) : 1); ++run) {
+      names.push_back(path_of_run(output.path, static_cast<std::uint32_t>(run)));
+    }
+  }
+  return names;
+}
+
 int plan_outputs(const std::vector<std::string>& paths, const std::optional<std::string>& trace,
                  bool ensemble, const App& app, std::vector<Output>& outputs) {
-  std::set<std::string> seen;
   std::vector<std::string> problems;
-  const auto add = [&](const std::string& path, std::string problem, const Output& output) {
-    if (problem.empty() && !seen.insert(path).second) problem = "'" + path + "' is given twice";
-    if (!problem.empty()) problems.push_back(problem);
-    outputs.push_back(output);
-  };
   for (const std::string& path : paths) {
-    Output output;
-    const std::string problem = classify(path, ensemble, output);
-    add(path, problem, output);
+    problems.push_back(classify(path, ensemble, outputs.emplace_back()));
   }
   if (trace) {
-    add(*trace, ensemble ? "--trace is of one run, not of --runs" : "",
-        {OutputKind::trace, *trace});
+    problems.emplace_back(ensemble ? "--trace is of one run, not of --runs" : "");
+    outputs.push_back({OutputKind::trace, *trace});
   }
+  std::erase(problems, "");
   for (const std::string& problem : problems) app.complain(printable(problem));
-  if (!problems.empty()) return kUsage;
-  for (const Output& output : outputs) {
-    const std::string problem = folder_problem(output.path);
-    if (problem.empty()) continue;
-    app.complain(printable(problem));
-    return kRunFailed;
-  }
-  return kOk;
+  return problems.empty() ? kOk : kUsage;
 }
 
 OutputWriter::OutputWriter(const std::vector<Output>& outputs, const RuleSet& rules,
@@ -165,22 +121,13 @@ int OutputWriter::write(const SwarmResult& result, const App& app) {
   for (const Output& output : outputs_) {
     std::string error;
     if (write_one(output, result, error)) {
-      app.say("wrote " + path_of_run(output.path, config_.run));
+      app.say("wrote " + printable(path_of_run(output.path, config_.run)));
     } else {
       app.complain(error);
       code = kRunFailed;
     }
   }
   return code;
-}
-
-bool write_structure(const std::string& path, const Structure& structure,
-                     const std::vector<Brick>& bricks, const std::string& title, bool floor,
-                     std::string& error) {
-  StructureWriteOptions options;
-  options.picture.title = printable(title);
-  options.picture.floor = floor;
-  return write_structure_file(path, structure, bricks, options, error);
 }
 
 }  // namespace stig

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The files that explore writes. Their names are looked at before a run starts, so
-// that a slip does not cost the run; each is written whole or not at all.
+// The files that explore writes, of one run or of many.
 #pragma once
 
 #include <memory>
@@ -22,21 +21,15 @@ struct Output {
 };
 
 /// Sorts paths into kinds by their endings (`trace` is one whatever its ending); returns
-/// an exit code, kOk when every file can be written as far as can be told beforehand.
-/// `ensemble`: .csv is the table of runs, the other files need {run} in their names.
+/// an exit code. `ensemble`: .csv is the table of runs, the other files need {run} in their names.
 int plan_outputs(const std::vector<std::string>& paths, const std::optional<std::string>& trace,
                  bool ensemble, const App& app, std::vector<Output>& outputs);
 
-/// Is the folder there and may it be written to? The words of what is wrong, or empty.
-std::string folder_problem(const std::string& path);
-
-/// Would one of these be written over another, or over what is read? Paths that are not given
-/// are left out; links are followed. The words of what is wrong, or empty.
-std::string same_file_problem(const std::vector<std::optional<std::string>>& written,
-                              const std::vector<std::optional<std::string>>& read);
-
 /// `path` with {run} replaced.
 std::string path_of_run(const std::string& path, std::uint32_t run);
+
+/// The names that the files of these runs have, of ten thousand runs at most.
+std::vector<std::string> names_of(const std::vector<Output>& outputs, int runs);
 
 /// Collects what the outputs of one run need while it goes on, and writes them.
 class OutputWriter {
@@ -59,10 +52,5 @@ class OutputWriter {
   std::string log_;
   std::uint64_t deposits_ = 0;
 };
-
-/// Writes a structure with its picture titled; false with `error` set.
-bool write_structure(const std::string& path, const Structure& structure,
-                     const std::vector<Brick>& bricks, const std::string& title, bool floor,
-                     std::string& error);
 
 }  // namespace stig

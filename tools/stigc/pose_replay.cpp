@@ -173,6 +173,9 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
     app.report(diagnostics);
     return kFailed;
   }
+  if (options.picture) {
+    if (const int code = check_outputs({*options.picture}, app); code != kOk) return code;
+  }
   if (options.verify) return verify(options, *trace, app);
   const double end = static_cast<double>(trace->end.ticks) * trace->header.step;
   const double at = std::min(options.at.value_or(end), end);

@@ -65,7 +65,7 @@ class Batch {
                                                                : 0;
     if (options_.output) {
       slot.traced = true;
-      slot.good = slot.trace.open(fmt::format("{}/run-{}.stigp", *options_.output, seed));
+      slot.good = slot.trace.open(*options_.output + "/" + trace_name(seed));
       if (slot.good) settings.trace = &slot.trace.begin(trace_header(scene_, *placed));
     }
     TrialHooks hooks;
@@ -119,6 +119,8 @@ class Batch {
 };
 
 }  // namespace
+
+std::string trace_name(std::uint64_t seed) { return fmt::format("run-{}.stigp", seed); }
 
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
                       double duration, const App& app) {

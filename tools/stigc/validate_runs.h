@@ -20,6 +20,9 @@ struct TrialBatch {
   std::vector<std::string> complaints;  ///< of traces that could not be written
 };
 
+/// The name that a run's trace has in the folder.
+std::string trace_name(std::uint64_t seed);
+
 /// Traces go to `folder` as run-SEED.stigp, when there is one.
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
                       double duration, const App& app);

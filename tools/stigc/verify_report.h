@@ -23,5 +23,7 @@ Json to_json(const VerifyReport& report);
 /// picture of the structure (proved, endless); two traces and a picture of both ends
 /// (refuted); the repaired rule set, if one was found. Returns an exit code.
 int write_witness(const std::string& name, const VerifyReport& report, const App& app);
+/// Every name that a file of write_witness can have.
+std::vector<std::string> witness_names(const std::string& name);
 
 }  // namespace stig

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
-#include "base/file_io.h"
 #include "lattice/picture.h"
 #include "lattice/trace.h"
+#include "outputs.h"
 #include "rules/rule_printer.h"
 #include "verify_report.h"
 
@@ -27,6 +27,10 @@ Structure after(const RuleSet& rules, const std::vector<Deposit>& order) {
   return structure;
 }
 
+std::string walled_in_ending(std::size_t number) {
+  return fmt::format("-walled-in-{}.stigt", number);
+}
+
 /// Writes files under one name, and remembers whether all went well.
 class Witness {
  public:
@@ -34,11 +38,7 @@ class Witness {
       : name_(name), report_(report), app_(app) {}
 
   void write(const std::string& ending, const std::string& bytes) {
-    FileError error;
-    if (write_file(name_ + ending, bytes, error))
-      return app_.say("wrote " + printable(name_ + ending));
-    app_.complain(error.message);
-    code_ = kRunFailed;
+    code_ = std::max(code_, write_output(name_ + ending, bytes, app_));
   }
   void trace(const std::string& ending, const std::vector<Deposit>& order) {
     write(ending, trace_of(report_, order));
@@ -65,6 +65,15 @@ class Witness {
 
 }  // namespace
 
+std::vector<std::string> witness_names(const std::string& name) {
+  std::vector<std::string> names;
+  for (const char* ending : {".stigt", ".png", "-first.stigt", "-second.stigt", "-repaired.yaml"}) {
+    names.push_back(name + ending);
+  }
+  for (std::size_t i = 1; i <= kMostWalledIn; ++i) names.push_back(name + walled_in_ending(i));
+  return names;
+}
+
 int write_witness(const std::string& name, const VerifyReport& report, const App& app) {
   const VerifyResult& result = report.result;
   const std::string& title = report.rules.name;
@@ -88,7 +97,7 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
     app.say("there is nothing to show");
   }
   for (std::size_t i = 0; i < report.findings.walled_in.size(); ++i) {
-    witness.trace(fmt::format("-walled-in-{}.stigt", i + 1), report.findings.walled_in[i].order);
+    witness.trace(walled_in_ending(i + 1), report.findings.walled_in[i].order);
   }
   if (report.findings.repair && report.findings.repair->whole) {
     witness.write("-repaired.yaml", print_rule_set(report.findings.repair->repaired));

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "outputs.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <map>
+
+#include "base/file_guard.h"
+#include "base/file_io.h"
+#include "lattice/structure_files.h"
+
+namespace stig {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The folder of a path, without a slash at its end.
+std::string folder_of(const std::string& path) {
+  const std::string folder = fs::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// What is wrong with where a file is to be, in words; empty: nothing. `made` is a folder that will
+/// be there.
+std::string writing_problem(const std::string& path, const std::string& made) {
+  const std::string target = behind_links(path);
+  struct stat status {};
+  if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
+    return fmt::format("cannot write '{}': it is {}", path,
+                       S_ISDIR(status.st_mode) ? "a folder" : "no plain file");
+  }
+  std::string folder = folder_of(target);
+  std::error_code ignored;
+  if (!made.empty() && fs::path(folder) == fs::path(made) && !fs::exists(made, ignored)) {
+    folder = folder_of(made);
+  }
+  // With the dot, what is no folder is refused as such.
+  if (access((folder + "/.").c_str(), W_OK | X_OK) == 0) return {};
+  return fmt::format("cannot write '{}': {}", path, strerror(errno));
+}
+
+/// Files by what they are, with the names that they were given.
+using KnownFiles = std::map<std::string, std::string>;
+
+KnownFiles standard_output() {
+  KnownFiles known;
+  if (const auto file = file_number(STDOUT_FILENO)) {
+    known.emplace(file_identity(*file), "standard output");
+  }
+  return known;
+}
+
+/// What is wrong with the name of a file to be written, in words; empty: nothing.
+std::string naming_problem(const std::string& path, KnownFiles& known) {
+  if (path.empty() || path == "-") return fmt::format("'{}' is no name for a file to write", path);
+  if (was_read(path)) return fmt::format("'{}' would be written over what is read", path);
+  const auto [other, fresh] = known.emplace(file_identity(path), fmt::format("'{}'", path));
+  if (fresh) return {};
+  if (other->second == fmt::format("'{}'", path)) return fmt::format("'{}' is given twice", path);
+  return fmt::format("'{}' and {} are one file", path, other->second);
+}
+
+std::string without_last_slash(std::string path) {
+  while (path.size() > 1 && path.ends_with('/')) path.pop_back();
+  return path;
+}
+
+/// Complains of everything that is wrong.
+int complain(const std::vector<std::string>& problems, int code, const App& app) {
+  for (const std::string& problem : problems) {
+    if (!problem.empty()) app.complain(printable(problem));
+  }
+  const bool good = std::all_of(problems.begin(), problems.end(),
+                                [](const std::string& problem) { return problem.empty(); });
+  return good ? kOk : code;
+}
+
+}  // namespace
+
+int check_outputs(const std::vector<std::string>& paths, const App& app,
+                  const std::string& folder) {
+  KnownFiles known = standard_output();
+  std::vector<std::string> problems;
+  for (const std::string& path : paths) problems.push_back(naming_problem(path, known));
+  if (const int code = complain(problems, kUsage, app); code != kOk) return code;
+  problems.clear();
+  for (const std::string& path : paths) {
+    problems.push_back(writing_problem(path, without_last_slash(folder)));
+  }
+  return complain(problems, kRunFailed, app);
+}
+
+int write_output(const std::string& path, std::string_view bytes, const App& app) {
+  FileError error;
+  if (!write_file(path, bytes, error)) {
+    app.complain(error.message);
+    return kRunFailed;
+  }
+  app.say("wrote " + printable(path));
+  return kOk;
+}
+
+bool write_structure(const std::string& path, const Structure& structure,
+                     const std::vector<Brick>& bricks, const std::string& title, bool floor,
+                     std::string& error) {
+  StructureWriteOptions options;
+  options.picture.title = printable(title);
+  options.picture.floor = floor;
+  return write_structure_file(path, structure, bricks, options, error);
+}
+
+}  // namespace stig
