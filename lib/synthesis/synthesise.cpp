@@ -275,8 +275,10 @@ Synthesis synthesise(const Target& target, const SynthesisOptions& options,
   if (!starts.empty()) return Synthesiser(target, options, hooks).run(starts);
   Synthesis result;
   result.obstacle = std::move(problem);
-  // No start was given: without a symmetry one brick is as good as any other.
-  result.obstacle->proved = !options.start.empty() || options.symmetry == Symmetry::none;
+  // No start was given: without a symmetry one brick is as good as any other, and a single cell is
+  // the only start that there is.
+  result.obstacle->proved =
+      !options.start.empty() || options.symmetry == Symmetry::none || target.cells.size() == 1;
   return result;
 }
 

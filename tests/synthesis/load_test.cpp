@@ -73,6 +73,22 @@ TEST_CASE("impossible is said of every order alone") {
   CHECK(result.obstacle->proved);
 }
 
+TEST_CASE("of a single cell there is nothing to build, whatever the symmetry") {
+  SynthesisOptions options;
+  for (const Symmetry symmetry :
+       {Symmetry::none, Symmetry::rotations, Symmetry::rotations_mirrors}) {
+    options.symmetry = symmetry;
+    const Synthesis one = synthesise(box({1, 1, 1}), options);
+    REQUIRE(one.obstacle);
+    CHECK(one.obstacle->proved);
+    CHECK(one.obstacle->what == "the start is all of the target: there is nothing to build");
+  }
+  // Of more cells nobody has tried every start.
+  const Synthesis line = synthesise(box({6, 1, 1}), options);
+  REQUIRE(line.obstacle);
+  CHECK_FALSE(line.obstacle->proved);
+}
+
 TEST_CASE("orders with ties are listed, each that differs in what comes before what") {
   const Frame plate = make_frame(box({2, 2, 1}), {{{0, 0, 0}}});
   // Three cells that are all neighbours of each other and of the start: weak orders of three.
