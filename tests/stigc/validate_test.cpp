@@ -164,4 +164,52 @@ TEST_CASE("a robot is idle when it does nothing for long, whatever it says") {
   CHECK(report["summary"]["finish_s"] == nullptr);
 }
 
+TEST_CASE("a file of the user's that is called controller.lua is not left out without a word") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
+  const std::string start = "blocks: [{at: [-0.15, 0, 0.0275], color: Q3, fixed: true}]\n";
+  place.write("controller.lua", "function step() robot.show.text('state', 'mine') end\n");
+  place.write("uses.lua", "local mine = require 'controller'\nfunction step() end\n");
+  const auto validated = [&](const std::string& robot) {
+    place.write("s.yaml", "stigc_scene: 1\nduration: 1\nrobots: [{file: bebot.yaml, at: [0, 0], " +
+                              robot + "}]\n" + start);
+    return place.stigc({"validate", rules, "--scene", "s.yaml"});
+  };
+  for (const char* robot : {"program: controller.lua, params: {side: +x}", "program: uses.lua"}) {
+    CAPTURE(robot);
+    const Outcome named = validated(robot);
+    CHECK(named.exit_code == 1);
+    CHECK(named.out.empty());
+    CHECK(named.err.find("'s.yaml' asks for 'controller.lua'") != std::string::npos);
+  }
+  // A scene that does not name it runs what was compiled, as does one that names no such file.
+  CHECK(validated("params: {side: +x}").out.find("'mine'") == std::string::npos);
+  CHECK(!validated("params: {side: +x}").out.empty());
+  place.shell("rm controller.lua");
+  CHECK(!validated("program: controller.lua, params: {side: +x}").out.empty());
+  // So does one beside the very program.
+  REQUIRE(place.shell("stigc compile " + rules + " -o controller.lua").exit_code == 0);
+  CHECK(!validated("program: controller.lua, params: {side: +x}").out.empty());
+}
+
+TEST_CASE("validate writes over its own earlier results, and over no others") {
+  const Workplace place;
+  const std::string command =
+      "stigc validate " STIG_SOURCE_DIR "/rulesets/staircase.yaml --duration 1 -o ";
+  for (const std::string name : {"controller.lua", "scene.yaml", "report.html"}) {
+    CAPTURE(name);
+    REQUIRE(place.shell("mkdir mine; echo mine > mine/" + name).exit_code == 0);
+    const Outcome outcome = place.shell(command + "mine");
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("'mine/" + name + "' is there already") != std::string::npos);
+    CHECK(place.file("mine/" + name) == "mine\n");
+    place.shell("rm -r mine");
+  }
+  REQUIRE(place.shell("mkdir out; echo kept > out/notes.txt").exit_code == 0);
+  CHECK(place.shell(command + "out").exit_code == 1);
+  CHECK(place.shell(command + "out --seed 2").exit_code == 1);
+  CHECK(place.has("out/run-2.stigp"));
+  CHECK(place.file("out/notes.txt") == "kept\n");
+}
+
 }  // namespace stig

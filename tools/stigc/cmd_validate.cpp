@@ -15,6 +15,7 @@
 #include "compiler/compile.h"
 #include "compiler/conflict_text.h"
 #include "compiler/decision_text.h"
+#include "given_scene.h"
 #include "outputs.h"
 #include "report.h"
 #include "robot_input.h"
@@ -32,31 +33,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kSceneFile = "scene.yaml";
-constexpr std::array kReportFiles = {"progress.csv", "progress.svg", "report.json", "report.html"};
+constexpr const char* kReport = "report.json";
+constexpr std::array kReportFiles = {"progress.csv", "progress.svg", kReport, "report.html"};
 constexpr const char* kGivenRobot = "robot.yaml";  ///< what the scene calls the user's robot
-
-/// Does a line begin with the key?
-bool has_key(std::string_view text, std::string_view key) {
-  for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
-    if (at == 0 || text[at - 1] == '\n') return true;
-  }
-  return false;
-}
-
-/// The user's scene, with the compiled program for robots that have none.
-std::optional<std::string> given_scene(const std::string& path, const App& app) {
-  FileError error;
-  auto text = read_file(path, kMaxSceneBytes, error);
-  if (!text) {
-    app.complain(error.message);
-    return std::nullopt;
-  }
-  if (!text->ends_with('\n')) *text += '\n';
-  if (!has_key(*text, "robot_program:"))
-    *text += fmt::format("robot_program: {}\n", kControllerFile);
-  if (!has_key(*text, "duration:")) *text += fmt::format("duration: {:g}\n", kMostBuildTime);
-  return text;
-}
 
 /// One validation, from the rules to the report.
 class Validation {
@@ -149,6 +128,9 @@ class Validation {
     const auto controller = controller_text();
     if (!text || !controller) return kFailed;
     const SceneLoader others = options_.scene ? scene_loader(*options_.scene) : own_loader();
+    if (options_.scene && !controller_name_is_free(*options_.scene, *controller, others, app_)) {
+      return kFailed;
+    }
     const SceneLoader loader = [&](const std::string& name, std::size_t most, FileError& error) {
       if (name == kControllerFile) return controller;
       if (name == kGivenRobot && options_.robot) return read_file(*options_.robot, most, error);
@@ -201,7 +183,9 @@ class Validation {
   /// Every file that is written.
   std::vector<std::string> output_names() const {
     std::vector<std::string> names;
-    const auto add = [&](const std::string& name) { names.push_back(*options_.output + "/" + name); };
+    const auto add = [&](const std::string& name) {
+      names.push_back(*options_.output + "/" + name);
+    };
     for (const SceneFile* file : written_scene_files()) add(written_name(*file));
     for (const char* name : kReportFiles) add(name);
     for (int run = 0; run < options_.runs; ++run) {
@@ -243,10 +227,25 @@ class Validation {
     report_conflict(*rules_, compiled_, diagnostics);
   }
 
-  int prepare_folder() const {
-    if (const int code = check_outputs(output_names(), app_, *options_.output); code != kOk) {
-      return code;
+  /// Names that the user did not choose are no leave to write over files of the user's.
+  int check_ownership(const std::vector<std::string>& names) const {
+    std::error_code ignored;
+    if (fs::exists(*options_.output + "/" + kReport, ignored)) return kOk;
+    for (const std::string& name : names) {
+      if (!fs::exists(name, ignored)) continue;
+      app_.complain(
+          fmt::format("'{}' is there already, and no earlier validation wrote it: name a "
+                      "folder of its own",
+                      printable(name)));
+      return kUsage;
     }
+    return kOk;
+  }
+
+  int prepare_folder() const {
+    const std::vector<std::string> names = output_names();
+    if (const int code = check_outputs(names, app_, *options_.output); code != kOk) return code;
+    if (const int code = check_ownership(names); code != kOk) return code;
     std::error_code error;
     fs::create_directory(*options_.output, error);
     if (!error) return kOk;
