@@ -59,6 +59,22 @@ TEST_CASE("output that cannot be written is noticed, a reader that leaves is not
   CHECK(code(place, "stigc check sets/bad.yaml 2>&-") == 1);
 }
 
+TEST_CASE("help of a command that there is not is a usage error") {
+  const Workplace place;
+  for (const std::string line : {"stigc serch --help", "stigc --help serch", "stigc verfy -h",
+                                 "stigc serch --version", "stigc -q synht --help"}) {
+    CAPTURE(line);
+    const Outcome outcome = place.shell(line);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.out.empty());
+    CHECK(outcome.err.starts_with("stigc: there is no command '"));
+  }
+  CHECK(place.shell("stigc verfy --help").err ==
+        "stigc: there is no command 'verfy'; did you mean 'verify'?\ntry 'stigc --help'\n");
+  CHECK(place.shell("stigc verify --help").out == place.shell("stigc --help verify").out);
+  CHECK(code(place, "stigc --help") == 0);
+}
+
 TEST_CASE("an interrupted run writes whole files, says what was done, and exits 3") {
   for (const int signal : {SIGINT, SIGTERM}) {
     const Workplace place;

@@ -626,6 +626,11 @@ std::string suggestion(const CLI::App& app, const std::string& word) {
   return near.empty() ? "" : fmt::format("; did you mean '{}'?", near);
 }
 
+/// Is there a word where a command would be? Then help of it is not to be had.
+bool unknown_command(const CLI::App& app) {
+  return app.get_subcommands().empty() && !app.remaining(true).empty();
+}
+
 std::string problem_in_words(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> extra = app.remaining(true);
   if (app.get_subcommands().empty()) {
@@ -667,15 +672,14 @@ Parsed parse_command_line(int argc, const char* const* argv) {
     app.parse(argc, argv);
     result.command = app.get_subcommands().front()->get_name();
     result.line = CommandLine{storage.global, chosen(result.command, storage)};
-  } catch (const CLI::CallForVersion&) {
-    result.help = "stigc " STIG_VERSION "\n";
   } catch (const CLI::ParseError& error) {
     const auto commands = app.get_subcommands();
     if (!commands.empty()) result.command = commands.front()->get_name();
-    if (error.get_exit_code() == 0) {
-      result.help = "help";
-    } else {
+    if (error.get_exit_code() != 0 || unknown_command(app)) {
       result.problem = problem_in_words(app, error);
+    } else {
+      const bool version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
+      result.help = version ? "stigc " STIG_VERSION "\n" : "help";
     }
   }
   return result;
