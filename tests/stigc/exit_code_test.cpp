@@ -51,12 +51,94 @@ TEST_CASE("-W error makes warnings fail") {
   CHECK(code(place, line + "stigc explore --werror repeat.yaml") == 1);
 }
 
-TEST_CASE("output that cannot be written is noticed, a reader that leaves is not") {
+/// A command for each that prints something on standard output, in every form.
+constexpr const char* kPrinting[] = {
+    "--help",
+    "--version",
+    "check --help",
+    "check sets/line.yaml",
+    "check -q sets/line.yaml",
+    "check --diagnostics json sets/bad.yaml",
+    "fmt sets/line.yaml",
+    "fmt --check sets/corner.yaml",
+    "explore sets/line.yaml",
+    "explore sets/line.yaml --json",
+    "explore sets/line.yaml --runs 2",
+    "explain sets/line.yaml --at 1,0,0",
+    "test sets/line.yaml",
+    "verify sets/line.yaml",
+    "certify sets/line.yaml sets/line.cert",
+    "graph sets/line.yaml",
+    "replay t.stigt",
+    "replay t.stigp",
+    "schema",
+    "schema robot",
+    "measure s.txt",
+    "synth s.txt",
+    "synth s.txt -o -",
+    "synth s.txt -o s.yaml",
+    "simulate sets/still.yaml --duration 0.01",
+    "describe bebot.yaml",
+    "compile staircase.yaml",
+    "compile staircase.yaml --target lua -o -",
+    "compile staircase.yaml -o c.lua --report -",
+    "validate staircase.yaml --duration 0.1",
+    "completions bash",
+    "doctor sets/line.yaml",
+};
+
+void put_inputs(const Workplace& place) {
+  place.write("s.txt", "1 1\n");
+  place.write("bebot.yaml", project_file("robots/bebot.yaml"));
+  place.write("staircase.yaml", project_file("rulesets/staircase.yaml"));
+  REQUIRE(place
+              .shell("stigc explore sets/line.yaml --trace t.stigt; "
+                     "stigc simulate sets/still.yaml --duration 0.01 --trace t.stigp")
+              .exit_code == 0);
+}
+
+TEST_CASE("standard output that cannot be written fails every command, and it says so") {
   const Workplace place;
-  CHECK(code(place, "stigc explore sets/line.yaml > /dev/full") == 3);
-  CHECK(code(place, "stigc explore sets/line.yaml >&-") == 3);
-  CHECK(code(place, "stigc schema | true; exit ${PIPESTATUS[0]}") == 0);
+  put_inputs(place);
+  for (const std::string command : kPrinting) {
+    CAPTURE(command);
+    const Outcome full = place.shell("stigc " + command + " > /dev/full");
+    CHECK(full.exit_code == 3);
+    CHECK(full.err.find("stigc: cannot write to standard output: No space left on device\n") !=
+          std::string::npos);
+    const Outcome closed = place.shell("stigc " + command + " >&-");
+    CHECK(closed.exit_code == 3);
+    CHECK(closed.err.find("stigc: cannot write to standard output: ") != std::string::npos);
+  }
+}
+
+TEST_CASE("a reader that has left is no failure of any command") {
+  const Workplace place;
+  put_inputs(place);
+  for (const std::string command : kPrinting) {
+    CAPTURE(command);
+    const int usual = code(place, "stigc " + command + " > /dev/null");
+    // The only reader of the pipe is gone before the command begins.
+    const Outcome left = place.shell("exec 4> >(true); wait $!; stigc " + command + " >&4");
+    CHECK(left.exit_code == usual);
+    CHECK(left.err.find("standard output") == std::string::npos);
+  }
+}
+
+TEST_CASE("a command that is silent when all is well needs no standard output") {
+  const Workplace place;
+  CHECK(code(place, "stigc explore sets/line.yaml -o s.txt -q > /dev/null") == 0);
+  CHECK(code(place, "stigc draw s.txt -o s.png > /dev/full") == 0);
+  CHECK(code(place, "stigc fmt sets/line.yaml > l.yaml; stigc fmt --check l.yaml > /dev/full") ==
+        0);
   CHECK(code(place, "stigc check sets/bad.yaml 2>&-") == 1);
+}
+
+TEST_CASE("results are not added to the file that they come from") {
+  const Workplace place;
+  place.write("set.yaml", place.file("sets/corner.yaml"));
+  CHECK(code(place, "stigc fmt set.yaml >> set.yaml") == 3);
+  CHECK(place.file("set.yaml") == place.file("sets/corner.yaml"));
 }
 
 TEST_CASE("help of a command that there is not is a usage error") {

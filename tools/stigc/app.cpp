@@ -56,6 +56,12 @@ bool color_wanted(Coloured wish, int descriptor) {
   return is_terminal(descriptor) && !(no_color != nullptr && *no_color != 0) && !dumb;
 }
 
+/// As with "stigc fmt x >> x".
+bool stdout_is_read() {
+  const auto file = file_number(STDOUT_FILENO);
+  return file && was_read(*file);
+}
+
 std::string styled(std::string_view code, std::string_view text, bool on) {
   return on ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
 }
@@ -74,7 +80,10 @@ void App::print(std::string_view text) {
 }
 
 bool App::flush() {
-  if (!broken_ && !write_all(STDOUT_FILENO, out_)) {
+  if (!broken_ && !out_.empty() && stdout_is_read()) {
+    broken_ = true;
+    complain("cannot write to standard output: it is what is read");
+  } else if (!broken_ && !write_all(STDOUT_FILENO, out_)) {
     broken_ = errno != EPIPE;
     if (broken_) complain(fmt::format("cannot write to standard output: {}", strerror(errno)));
   }

@@ -50,7 +50,7 @@ int run(const CheckOptions& options, App& app) {
   } else {
     app.report(all);
     const std::size_t count = options.files.size();
-    app.say(fmt::format("{} of {} {} good", good, count, count == 1 ? "file is" : "files are"));
+    app.print(fmt::format("{} of {} {} good\n", good, count, count == 1 ? "file is" : "files are"));
   }
   return app.invalid(all) ? kFailed : kOk;
 }
