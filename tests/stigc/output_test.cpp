@@ -171,6 +171,54 @@ TEST_CASE("with runs, {run} in a name numbers the files") {
   CHECK(place.files() == std::vector<std::string>{"s0.txt", "s1.txt"});
 }
 
+TEST_CASE("the box stands where --origin says, and JSON calls it so") {
+  const Workplace place;
+  const auto box_of = [&](const std::string& line) { return parsed(place.shell(line))["box"]; };
+  const std::string explore = "stigc explore sets/corner.yaml --json ";
+  CHECK(box_of(explore + "--box 5,5,5 --origin -1,-2,0") ==
+        json::parse(R"({"origin": [-1, -2, 0], "size": [5, 5, 5], "periodic": false})"));
+  CHECK(box_of(explore + "--origin=-9,-8,-7")["size"] == json::parse("[20, 20, 20]"));
+  CHECK(box_of(explore + "--motion event --origin=-9,-8,-7")["origin"] ==
+        json::parse("[-9, -8, -7]"));
+  // The file's box is moved, and keeps its size and its sides.
+  REQUIRE(place
+              .shell("sed '/^expect/,$d' sets/line.yaml > boxed.yaml; echo 'box: {size: [9, 8, 7], "
+                     "origin: [0, 0, 0], periodic: true}' >> boxed.yaml")
+              .exit_code == 0);
+  CHECK(box_of("stigc explore boxed.yaml --json --origin=-1,-1,-1") ==
+        json::parse(R"({"origin": [-1, -1, -1], "size": [9, 8, 7], "periodic": true})"));
+  const json sheet = parsed(place.shell(
+      "stigc explore sets/sheet.yaml --motion event --box 3,2,1 --origin -2,0,0 --json"));
+  CHECK(sheet["measures"]["bounds"]["low"] == json::parse("[-2, 0, 0]"));
+  CHECK(sheet["measures"]["bounds"]["high"] == json::parse("[0, 1, 0]"));
+}
+
+TEST_CASE("verify and certify mean the box that --origin moves") {
+  const Workplace place;
+  const std::string box = " --box 5,5,5 --origin ";
+  const std::string at = box + "-1,-2,-2 ";
+  const json proof = parsed(place.shell("stigc verify sets/line.yaml --certificate c --json" + at));
+  CHECK(proof["box"]["origin"] == json::parse("[-1, -2, -2]"));
+  const json check = parsed(place.shell("stigc certify sets/line.yaml c --json" + at));
+  CHECK(check["box"] == proof["box"]);
+  CHECK(place.shell("stigc certify sets/line.yaml c" + box + "-2,-2,-2").exit_code == 1);
+}
+
+TEST_CASE("an origin without a box, or away from the start, is a usage error") {
+  const Workplace place;
+  for (const std::string line :
+       {"explore sets/line.yaml --box none --motion event --origin 0,0,0",
+        "explore sets/line.yaml --box 3,3,3 --origin 9,9,9", "explore sets/line.yaml --origin 1,2",
+        "verify sets/line.yaml --origin 0,0,0", "verify sets/line.yaml --box none --origin 0,0,0",
+        "verify sets/line.yaml --box 3,3,3 --origin 9,9,9",
+        "certify sets/line.yaml sets/line.cert --origin 0,0,0",
+        "certify sets/line.yaml sets/line.cert --periodic", "certify --drat a b --origin 0,0,0",
+        "certify --fewest a --origin 0,0,0"}) {
+    CAPTURE(line);
+    CHECK(place.shell("stigc " + line).exit_code == 2);
+  }
+}
+
 TEST_CASE("agents start where they are told") {
   const Workplace place;
   const std::string command = "stigc explore sets/line.yaml --json --steps 1 --agents ";
@@ -224,6 +272,9 @@ TEST_CASE("bash completes commands, options, words and files") {
   CHECK(completed("stigc expl", 1) == "explore explain\n");
   CHECK(completed("stigc explore --mot", 2) == "--motion\n");
   CHECK(completed("stigc explore --motion te", 3) == "teleport\n");
+  for (const std::string command : {"explore", "verify", "certify"}) {
+    CHECK(completed("stigc " + command + " --orig", 2) == "--origin\n");
+  }
   CHECK(completed("stigc completions f", 2) == "fish\n");
   CHECK(completed("stigc check se", 2) == "sets\n");
 }

@@ -13,7 +13,7 @@
 #include "commands.h"
 #include "lattice/box.h"
 #include "lattice/structure.h"
-#include "proof_box.h"
+#include "meant_box.h"
 #include "report.h"
 #include "rules/rule_printer.h"
 #include "rules/worked_from.h"
@@ -92,7 +92,12 @@ int certify_rules(const CertifyOptions& options, App& app) {
     app.report(diagnostics);
     return kFailed;
   }
-  const std::optional<BoxSpec> box = meant_box(*rules, options.box, options.periodic);
+  std::string problem;
+  const std::optional<BoxSpec> box = meant_box(*rules, options.world, problem);
+  if (!problem.empty()) {
+    app.complain(problem);
+    return kUsage;
+  }
   const CheckReport report = check_certificate(*rules, *certificate, box);
   const std::uint64_t hash = structure_hash(Structure(rules->lattice, report.structure));
   if (options.json) {
@@ -169,8 +174,8 @@ int certify_fewest(const CertifyOptions& options, App& app) {
 }  // namespace
 
 int run(const CertifyOptions& options, App& app) {
-  if (options.fewest &&
-      (options.drat || options.box || options.periodic || !options.proof.empty())) {
+  const bool bounded = options.world.box || options.world.origin || options.world.periodic;
+  if (options.fewest && (options.drat || bounded || !options.proof.empty())) {
     app.complain("--fewest wants a folder and nothing else");
     return kUsage;
   }
@@ -179,7 +184,7 @@ int run(const CertifyOptions& options, App& app) {
     app.complain("PROOF is required\ntry 'stigc certify --help'");
     return kUsage;
   }
-  if (options.drat && (options.box || options.periodic)) {
+  if (options.drat && bounded) {
     app.complain("--drat knows no box");
     return kUsage;
   }

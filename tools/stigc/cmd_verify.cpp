@@ -5,9 +5,9 @@
 #include <nlohmann/json.hpp>
 
 #include "commands.h"
+#include "meant_box.h"
 #include "outputs.h"
 #include "progress.h"
-#include "proof_box.h"
 #include "report.h"
 #include "rules/worked_from.h"
 #include "verify_report.h"
@@ -16,8 +16,9 @@ namespace stig {
 namespace {
 
 /// The world to prove things of; none: unbounded space.
-std::optional<Box> chosen_box(const RuleSet& rules, const VerifyFileOptions& options) {
-  const std::optional<BoxSpec> spec = meant_box(rules, options.box, options.periodic);
+std::optional<Box> chosen_box(const RuleSet& rules, const WorldOptions& world,
+                              std::string& problem) {
+  const std::optional<BoxSpec> spec = meant_box(rules, world, problem);
   if (!spec) return std::nullopt;
   return lay_box(*spec, rules.start, rules.floor);
 }
@@ -64,14 +65,13 @@ int run(const VerifyFileOptions& options, App& app) {
   if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
   rules = worked_from(std::move(*rules), options.sides);
   VerifyOptions settings;
-  settings.box = chosen_box(*rules, options);
+  std::string problem;
+  settings.box = chosen_box(*rules, options.world, problem);
+  if (!problem.empty()) return complain(problem, app);
   SwarmConfig config;
   config.motion = Motion::event;
   config.box = settings.box;
-  if (options.periodic && !settings.box) {
-    return complain("unbounded space has no sides that could be periodic", app);
-  }
-  const std::string problem = config_problem(RuleTable(*rules), rules->start, config);
+  problem = config_problem(RuleTable(*rules), rules->start, config);
   if (!problem.empty()) return complain(problem, app);
   stop_on_signals();
   Progress progress(app);

@@ -164,11 +164,17 @@ void add_fmt(CLI::App& app, FmtOptions& o) {
       ->excludes(write);
 }
 
-void box(CLI::App* sub, std::optional<BoxOption>& out, const std::string& doc) {
+/// --box, --origin and --periodic; `doc` is that of --box.
+void world(CLI::App* sub, WorldOptions& out, const std::string& doc) {
   parsed(sub, "--box", "X,Y,Z", doc, [&out](const std::string& text) -> std::string {
-    out.emplace();
-    return text == "none" ? "" : parse_size(text, out->size.emplace());
+    BoxOption& box = out.box.emplace();
+    return text == "none" ? "" : parse_size(text, box.size.emplace());
   });
+  parsed(sub, "--origin", "X,Y,Z",
+         "the lowest cell of the box, given here or in the file (default: where the file says for "
+         "its own, else such that the start is in the middle)",
+         [&out](const std::string& text) { return parse_cell(text, out.origin.emplace()); });
+  sub->add_flag("--periodic", out.periodic, "the sides of the box wrap around");
 }
 
 void add_explore_swarm(CLI::App* sub, ExploreOptions& o) {
@@ -184,10 +190,9 @@ void add_explore_swarm(CLI::App* sub, ExploreOptions& o) {
       ->trigger_on_parse();
   integer(sub, "--moves", o.moves, 6, 26,
           "neighbours an agent steps to: 6, 18 or 26; hexagonal 8 or 20 (default: the most)");
-  box(sub, o.box,
-      "size of the world, laid around the start, or none for unbounded space (event motion "
-      "alone); default: the file's box, else 20,20,20 for agents and none for events");
-  sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+  world(sub, o.world,
+        "size of the world, laid around the start, or none for unbounded space (event motion "
+        "alone); default: the file's box, else 20,20,20 for agents and none for events");
 }
 
 void add_explore(CLI::App& app, ExploreOptions& o) {
@@ -262,6 +267,10 @@ constexpr const char* kTurnsOfSides =
     "of symmetric rules, the turns alone that robots at these sides follow, as --sides=+x,-x; +x: "
     "as written";
 
+constexpr const char* kWorldThatIsMeant =
+    "the world that is meant, a size laid around the start, or none for unbounded space (default: "
+    "the file's box, else none)";
+
 void add_verify(CLI::App& app, VerifyFileOptions& o) {
   CLI::App* sub =
       command(app, "verify", "prove that every order of events ends alike, or refute it",
@@ -270,10 +279,7 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
               "  stigc verify order-dependent.yaml --witness two-ends\n"
               "  stigc verify architecture-4n.yaml --box none --budget 300 --json\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
-  box(sub, o.box,
-      "the world that is meant, a size laid around the start, or none for unbounded space "
-      "(default: the file's box, else none)");
-  sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+  world(sub, o.world, kWorldThatIsMeant);
   add_sides(*sub, o.sides, kTurnsOfSides);
   parsed(sub, "--budget", "S", "seconds after which the verdict is 'unknown' (default: 60)",
          [&o](const std::string& text) { return parse_seconds(text, o.budget); });
@@ -301,10 +307,7 @@ void add_certify(CLI::App& app, CertifyOptions& o) {
                 "FILE is the folder that synth --proof wrote: is it true that fewer colours do not "
                 "do in this order?");
   sub->add_flag("--drat", o.drat, "a formula and its DRAT proof, text or binary");
-  box(sub, o.box,
-      "the world that is meant, a size laid around the start, or none for unbounded space "
-      "(default: the file's box, else none)");
-  sub->add_flag("--periodic", o.periodic, "the sides of the box wrap around");
+  world(sub, o.world, kWorldThatIsMeant);
   add_sides(*sub, o.sides, kTurnsOfSides);
   sub->add_flag("--json", o.json, "print one JSON object");
 }

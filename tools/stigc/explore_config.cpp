@@ -1,28 +1,25 @@
 // SPDX-License-Identifier: MIT
 #include "explore_config.h"
 
+#include "meant_box.h"
+
 namespace stig {
 namespace {
 
 std::optional<Box> chosen_box(const RuleSet& rules, const ExploreOptions& options,
                               std::string& problem) {
   constexpr Offset kDefaultSize{20, 20, 20};
-  std::optional<BoxSpec> spec = rules.box;
-  if (options.box) {
-    spec.reset();
-    if (options.box->size) spec = BoxSpec{*options.box->size, std::nullopt, false};
-  } else if (!spec && (options.motion != Motion::event || options.periodic)) {
-    spec = BoxSpec{kDefaultSize, std::nullopt, false};
+  const WorldOptions& world = options.world;
+  std::string unbounded;
+  std::optional<BoxSpec> spec = meant_box(rules, world, unbounded);
+  const bool wanted = options.motion != Motion::event || world.periodic || world.origin;
+  if (!spec && !world.box && wanted) spec = BoxSpec{kDefaultSize, world.origin, world.periodic};
+  if (spec) return lay_box(*spec, rules.start, rules.floor);
+  if (options.motion != Motion::event) {
+    problem = "agents need a box: --box none is for event motion";
   }
-  if (!spec) {
-    if (options.motion != Motion::event)
-      problem = "agents need a box: --box none is for event motion";
-    if (options.periodic) problem = "unbounded space has no sides that could be periodic";
-    return std::nullopt;
-  }
-  // A size given on the command line says nothing of the sides of the file's box.
-  spec->periodic = options.periodic || (!options.box && spec->periodic);
-  return lay_box(*spec, rules.start, rules.floor);
+  if (!unbounded.empty()) problem = unbounded;
+  return std::nullopt;
 }
 
 void set_limits(const ExploreOptions& options, ExploreConfig& config) {

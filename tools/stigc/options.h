@@ -40,10 +40,16 @@ struct BoxOption {
   std::optional<Offset> size;
 };
 
+/// The world, where the command line says something of it.
+struct WorldOptions {
+  std::optional<BoxOption> box;
+  std::optional<Cell> origin;  ///< the box's lowest cell
+  bool periodic = false;
+};
+
 struct ExploreOptions {
   std::string file;
-  std::optional<BoxOption> box;
-  bool periodic = false;
+  WorldOptions world;
   std::optional<int> agents;
   std::vector<Cell> agents_at;
   std::optional<std::uint64_t> steps, deposits;
@@ -76,8 +82,7 @@ struct TestOptions {
 struct VerifyFileOptions {
   std::string file;
   std::vector<std::string> sides;  ///< rules for robots at these alone; empty: in every turn
-  std::optional<BoxOption> box;
-  bool periodic = false;
+  WorldOptions world;
   double budget = 60;  ///< seconds
   std::uint64_t states = 2'000'000;
   std::optional<std::string> certificate;
@@ -92,8 +97,7 @@ struct CertifyOptions {
   std::vector<std::string> sides;  ///< as with VerifyFileOptions
   bool fewest = false;  ///< `file` is a folder with the proof that fewer colours do not do
   bool drat = false;
-  std::optional<BoxOption> box;  ///< in place of the file's
-  bool periodic = false;
+  WorldOptions world;
   bool json = false;
 };
 

@@ -49,7 +49,7 @@ Json to_json(Offset offset) { return Json::array({offset.x, offset.y, offset.z})
 
 Json to_json(const std::optional<Box>& box) {
   if (!box) return nullptr;
-  return {{"low", to_json(box->low)}, {"size", to_json(box->size)}, {"periodic", box->periodic}};
+  return {{"origin", to_json(box->low)}, {"size", to_json(box->size)}, {"periodic", box->periodic}};
 }
 
 Json to_json(const Measures& measures) {
