@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <string_view>
+#include <utility>
 
 #include "base/degree.h"
 
@@ -37,6 +38,12 @@ std::optional<std::array<double, 6>> row_of(std::string_view line) {
   return row;
 }
 
+/// Nothing to read, or a comment.
+bool is_idle(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  return text.empty() || text.front() == '#';
+}
+
 /// Words alone: a line with a digit in it is a row gone wrong.
 bool is_header(std::string_view line) {
   return line.find_first_of("0123456789") == std::string_view::npos;
@@ -57,14 +64,16 @@ Quat turned(const Vec3& degrees_zyx) {
 
 std::optional<std::vector<Pose>> read_poses_file(SourceRef source, Diagnostics& diagnostics) {
   std::vector<Pose> poses;
+  bool first = true;
   for (std::size_t number = 1; number <= source->line_count(); ++number) {
     const std::string_view line = source->line(number);
-    if (trimmed(line).empty()) continue;
+    if (is_idle(line)) continue;
+    const bool may_name_columns = std::exchange(first, false);
     const auto row = row_of(line);
     if (row && poses.size() < kMostPoses) {
       const auto& [x, y, z, rz, ry, rx] = *row;
       poses.push_back({{x, y, z}, turned({rz, ry, rx})});
-    } else if (row || number > 1 || !is_header(line)) {
+    } else if (row || !may_name_columns || !is_header(line)) {
       diagnostics.add(Code::S607, range_of_line(source, number),
                       row ? fmt::format("there are more than {} poses", kMostPoses)
                           : "this line is not six numbers x,y,z,rz,ry,rx");

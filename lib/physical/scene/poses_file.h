@@ -15,7 +15,8 @@ inline constexpr std::size_t kMostPoses = 20'000;
 /// Rotation about z, then the new y, then the new x, each in degrees.
 Quat turned(const Vec3& degrees_zyx);
 
-/// A first line that is no numbers names the columns and is passed over; empty lines too.
+/// Empty lines are passed over, those that begin with '#', and a first one that is no numbers:
+/// it names the columns.
 std::optional<std::vector<Pose>> read_poses_file(SourceRef source, Diagnostics& diagnostics);
 
 }  // namespace stig

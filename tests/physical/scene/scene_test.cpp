@@ -178,6 +178,22 @@ TEST_CASE("poses from a file, in the entry's frame") {
   CHECK(scene.files[2].name == "p.csv");
 }
 
+TEST_CASE("files of poses have comments, before the names of columns and among the rows") {
+  const char* text =
+      "# measured, 3 of 5\n\nx,y,z,rz,ry,rx\n0,0,1,0,0,0\n  # 0,0,2,0,0,0\n\t\n0,0,3,0,0,0\n#";
+  const PlacedScene placed = place(read("blocks: [{poses: p.csv}]", {{"p.csv", text}}));
+  REQUIRE(placed.bodies.size() == 2);
+  CHECK(at(placed, 1) == Vec3{0, 0, 3});
+  for (const char* bad : {"0,0,1,0,0,0 # behind\n", "0,0,1,0,0,0\nx,y,z,rz,ry,rx\n", "# nothing\n",
+                          "x,y,z\nx,y,z\n0,0,1,0,0,0\n"}) {
+    CAPTURE(bad);
+    Diagnostics diagnostics;
+    const auto source = std::make_shared<const SourceFile>("p.csv", bad);
+    CHECK_FALSE(read_poses_file(source, diagnostics));
+    CHECK(diagnostics.all().size() == 1);
+  }
+}
+
 TEST_CASE("the shipped scenes can be read and placed") {
   std::size_t count = 0;
   for (const auto& entry : std::filesystem::directory_iterator(STIG_SOURCE_DIR "/scenes")) {
