@@ -11,6 +11,7 @@
 #include "base/file_io.h"
 #include "commands.h"
 #include "lattice/picture.h"
+#include "physical/dynamics/stock_step.h"
 #include "report.h"
 #include "rules/rule_reader.h"
 
@@ -51,6 +52,14 @@ Finding libraries() {
                       FMT_VERSION % 100, NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,
                       NLOHMANN_JSON_VERSION_PATCH),
           {}};
+}
+
+/// Robots and the solver for comparison need DART; blocks alone do not.
+Finding physics() {
+  const std::string version = dart_version();
+  if (!version.empty()) return {Health::ok, "physics", "blocks and robots, DART " + version, {}};
+  return {Health::warn, "physics", "blocks alone: built without DART",
+          "install libdart-dev and build again for robots and `solver: stock`"};
 }
 
 Finding processor() {
@@ -159,9 +168,8 @@ std::string coloured(Health health, bool color) {
 
 int run(const DoctorOptions& options, App& app) {
   const std::vector<Finding> findings = {
-      program(),          libraries(),   processor(),
-      memory(),           pictures(),    fonts(),
-      temporary_folder(), terminal(app), rule_sets(options.files)};
+      program(),  libraries(), physics(),          processor(),   memory(),
+      pictures(), fonts(),     temporary_folder(), terminal(app), rule_sets(options.files)};
   Json json = Json::array();
   bool failed = false;
   for (const Finding& finding : findings) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <Eigen/Geometry>
 #include <dart/collision/dart/DARTCollisionDetector.hpp>
+#include <dart/config.hpp>
 #include <dart/constraint/ConstraintSolver.hpp>
 #include <dart/dynamics/BodyNode.hpp>
 #include <dart/dynamics/BoxShape.hpp>
@@ -78,6 +79,8 @@ void set_state(BodyNode& node, const Body& body) {
 }
 
 }  // namespace
+
+std::string dart_version() { return DART_VERSION; }
 
 struct StockStep::Dart {
   dart::simulation::WorldPtr world;

@@ -22,6 +22,8 @@ std::string problem_of_stock(const WorldConfig& config) {
 }
 
 #if !STIG_WITH_DART
+std::string dart_version() { return {}; }
+
 // Never made: problem_of_stock says why.
 struct StockStep::Dart {};
 StockStep::StockStep(const WorldState&) {}
