@@ -308,6 +308,32 @@ TEST_CASE("compile writes all that an ARGoS experiment needs, or nothing") {
   CHECK(place.files() == all);
 }
 
+TEST_CASE("an experiment has as many robots as were asked for, the rules say, or one") {
+  const Workplace place;
+  std::string rules = project_file("rulesets/staircase.yaml");
+  const std::string one = "  robots: 1\n";
+  const std::size_t at = rules.find(one);
+  REQUIRE(at != std::string::npos);
+  place.write("two.yaml", std::string(rules).replace(at, one.size(), "  robots: 2\n"));
+  place.write("any.yaml", rules.erase(at, one.size()));
+  const auto robots = [&](const std::string& words) {
+    const Outcome outcome = place.shell("stigc compile " + words + " -o e.argos");
+    CHECK_MESSAGE(outcome.exit_code == 0, outcome.err);
+    std::size_t count = 0;
+    const std::string text = place.file("e.argos");
+    for (std::size_t i = 0; (i = text.find("<builderbot id=", i)) != std::string::npos; ++i)
+      ++count;
+    const bool assumed = outcome.err.find("assumed: one robot") != std::string::npos;
+    return std::to_string(count) + (assumed ? ", assumed" : "");
+  };
+  CHECK(robots("any.yaml") == "1, assumed");
+  CHECK(robots("any.yaml --robots 1") == "1");
+  CHECK(robots("two.yaml") == "2");
+  CHECK(robots("two.yaml --robots 1") == "1");
+  // A program by itself is one whatever the number.
+  CHECK(place.shell("stigc compile any.yaml -o p.lua").err.find("assumed") == std::string::npos);
+}
+
 TEST_CASE("doctor has a line a finding, each with its health") {
   const Workplace place;
   const Outcome outcome = place.shell("stigc doctor sets/line.yaml");

@@ -35,6 +35,18 @@ CompileTarget target_of(const CompileFileOptions& options) {
   return CompileTarget::table;
 }
 
+/// An experiment has a number of robots; a program by itself need not say it.
+std::optional<int> robots_for(const CompileFileOptions& options, const RuleSet& rules,
+                              const App& app) {
+  if (target_of(options) != CompileTarget::argos) return options.robots;
+  if (!options.robots && !(rules.physical && rules.physical->robots)) {
+    app.say(
+        "assumed: one robot, since the rules do not say how many work at once; --robots N or "
+        "`physical: {robots: N}` says it");
+  }
+  return robots_of(rules, options.robots);
+}
+
 /// What is written for ARGoS, next to each other.
 struct ArgosFiles {
   std::string experiment, robot, block;
@@ -167,11 +179,7 @@ int run(const CompileFileOptions& options, App& app) {
   if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
   CompileOptions settings;
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
-  // an experiment has a number of robots, a program by itself need not say it
-  settings.robots = options.robots;
-  if (target_of(options) == CompileTarget::argos) {
-    settings.robots = robots_of(*rules, options.robots);
-  }
+  settings.robots = robots_for(options, *rules, app);
   stop_on_signals();
   settings.verify.seconds = options.budget;
   settings.verify.stop = &stop_requested();
