@@ -90,6 +90,31 @@ TEST_CASE("a robot builds the staircase from its rules, and what was written run
   CHECK(again.out.find(hash) != std::string::npos);
 }
 
+TEST_CASE("a duration that was asked for is that of the scene that is written") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
+  place.write("idle.lua", "function step() end\n");
+  const std::string things =
+      "robots: [{file: bebot.yaml, at: [0, 0], program: idle.lua}]\n"
+      "blocks: [{at: [-0.15, 0, 0.0275], color: Q3, fixed: true}]\n";
+  place.write("long.yaml", "stigc_scene: 1\nduration: 500  # s\n" + things);
+  place.write("none.yaml", "stigc_scene: 1\n" + things);
+  const auto run = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words = {"validate", rules, "--duration", "1.5", "-o", "out"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = place.stigc(words);
+    CHECK(outcome.exit_code == 1);  // nothing is built so soon
+    const auto report = nlohmann::json::parse(place.file("out/report.json"));
+    CHECK(report["runs"][0]["time"] == 1.5);
+    const Outcome again = place.stigc({"simulate", "out/scene.yaml"});
+    CHECK(again.out.find(report["runs"][0]["hash"].get<std::string>()) != std::string::npos);
+    return place.file("out/scene.yaml");
+  };
+  CHECK(run({}).find("\nduration: 1.5\n") != std::string::npos);
+  CHECK(run({"--scene", "long.yaml"}).find("\nduration: 1.5  # s\n") != std::string::npos);
+  CHECK(run({"--scene", "none.yaml"}).find("\nduration: 1.5\n") != std::string::npos);
+}
+
 TEST_CASE("the later robot builds it too: what differs is data") {
   const Workplace place;
   CHECK(place

@@ -22,6 +22,7 @@
 #include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "scene_input.h"
+#include "scene_text.h"
 #include "validate/progress_svg.h"
 #include "validate/set_up.h"
 #include "validate_report.h"
@@ -127,6 +128,8 @@ class Validation {
     auto text = scene_text();
     const auto controller = controller_text();
     if (!text || !controller) return kFailed;
+    // What is written runs as long as what was run.
+    if (options_.duration) text = with_duration(std::move(*text), *options_.duration);
     const SceneLoader others = options_.scene ? scene_loader(*options_.scene) : own_loader();
     if (options_.scene && !controller_name_is_free(*options_.scene, *controller, others, app_)) {
       return kFailed;
