@@ -3,23 +3,27 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [PART…]
+#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [PART…]
 #
 # Parts: bench laws validate robots five fuzz sanitizers; without one, all but robots. Each fuzz
-# target runs for N seconds (600), J of them at a time (as many as there are cores).
+# target runs for N seconds (600), J of them at a time (as many as there are cores). S is the seed
+# of the laws' random cases and of the fuzzers (the time); the report begins with it, for repeating.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-fuzz_seconds=600 fuzz_jobs=$(nproc) parts=()
+fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
+    --seed) seed=${2:?--seed needs a number}; shift ;;
     bench | laws | validate | robots | five | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,10s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
 done
+[[ $seed =~ ^[1-9][0-9]{0,8}$|^[1-3][0-9]{9}$ ]] ||
+  die "--seed takes a number from 1 to 3999999999, not '$seed'"
 [[ ${#parts[@]} -gt 0 ]] || parts=(bench laws validate five fuzz sanitizers)
 
 failures=0
@@ -32,6 +36,7 @@ machine() {
     "$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)" "$(nproc)"
   printf -- '- Memory: %s\n' "$(awk '/^MemTotal/{printf "%.0f GB", $2 / 1e6}' /proc/meminfo)"
   printf -- '- Compiler: %s\n' "$(c++ --version | head -n 1)"
+  printf -- '- Seed: %s (--seed %s draws the same cases again)\n' "$seed" "$seed"
 }
 
 bench_part() {
@@ -58,8 +63,7 @@ bench_part() {
 }
 
 laws_part() {
-  local seed program name log result
-  seed=$(date +%s)
+  local program name log result
   printf '\n## Laws on other random cases, seed %s\n\n| tests | result |\n|---|---|\n' "$seed"
   scripts/install.sh build test >&2
   configure_and_build dev >&2
@@ -151,7 +155,7 @@ fuzz_one() {
   local name
   name=$(basename "$1")
   mkdir -p "out/fuzz/$name"
-  if "$1" -max_total_time="$2" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
+  if "$1" -seed="$3" -max_total_time="$2" -timeout=20 -rss_limit_mb=2048 -print_final_stats=1 \
     -artifact_prefix="out/fuzz/$name-" "out/fuzz/$name" "fuzz/corpus/${name#fuzz_}" \
     >"out/$name.log" 2>&1; then
     echo clean >"out/$name.result"
@@ -170,7 +174,7 @@ fuzz_part() {
   export -f fuzz_one
   say "${#programs[@]} targets" >&2
   printf '%s\0' "${programs[@]}" |
-    xargs -0 -P "$fuzz_jobs" -I{} bash -c 'fuzz_one "$@"' _ {} "$fuzz_seconds"
+    xargs -0 -P "$fuzz_jobs" -I{} bash -c 'fuzz_one "$@"' _ {} "$fuzz_seconds" "$seed"
   for program in "${programs[@]}"; do
     name=$(basename "$program")
     result=$(cat "out/$name.result")
