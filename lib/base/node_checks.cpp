@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/text.h"
 
@@ -51,9 +52,66 @@ std::string wanted_number(const NumberBounds& bounds) {
   return fmt::format("{} from {} to {}", what, bounds.low, bounds.high);
 }
 
+constexpr std::string_view kHexDigits = "0123456789abcdefABCDEF";
+
 bool is_colour(std::string_view text) {
   return text.size() == 7 && text[0] == '#' &&
-         text.find_first_not_of("0123456789abcdefABCDEF", 1) == std::string_view::npos;
+         text.find_first_not_of(kHexDigits, 1) == std::string_view::npos;
+}
+
+/// What people write in place of a colour by its number.
+constexpr std::pair<std::string_view, std::string_view> kNamedColours[] = {
+    {"black", "#000000"}, {"white", "#ffffff"},   {"grey", "#808080"}, {"gray", "#808080"},
+    {"red", "#ff0000"},   {"green", "#008000"},   {"blue", "#0000ff"}, {"yellow", "#ffff00"},
+    {"cyan", "#00ffff"},  {"magenta", "#ff00ff"}, {"pink", "#ffc0cb"}, {"orange", "#ffa500"},
+    {"brown", "#a52a2a"}, {"purple", "#800080"}};
+
+/// The colour that a text seems to mean, as it is to be written, or nothing: "red", "#f00",
+/// and six hexadecimal digits in a row, whatever stands around them.
+std::string colour_meant(std::string_view text) {
+  for (const auto& [name, colour] : kNamedColours) {
+    if (text == name) return fmt::format("\"{}\"", colour);
+  }
+  if (text.size() == 4 && text[0] == '#' && text.find_first_not_of(kHexDigits, 1) == text.npos) {
+    return fmt::format("\"#{0}{0}{1}{1}{2}{2}\"", text[1], text[2], text[3]);
+  }
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t begin = std::min(text.find_first_of(kHexDigits, at), text.size());
+    at = std::min(text.find_first_not_of(kHexDigits, begin), text.size());
+    if (at - begin == 6) return fmt::format("\"#{}\"", text.substr(begin, 6));
+  }
+  return {};
+}
+
+/// The word that a '#' made a comment of where a value is wanted, as in `color: #8d99ae`. A '#'
+/// with a space behind it is meant as a comment.
+SourceRange swallowed_word(const YamlDocument& document, const YamlNode& node) {
+  const std::string& text = document.source->text();
+  const std::size_t hash = std::min(text.find_first_not_of(" \t", node.begin + 1U), text.size());
+  const std::size_t end = std::min(text.find_first_of(" \t\r\n", hash), text.size());
+  if (node.kind != YamlKind::null || hash == end || text[hash] != '#') return {};
+  const bool remark =
+      end == hash + 1 && end < text.size() && (text[end] == ' ' || text[end] == '\t');
+  if (remark) return {};
+  return {document.source, static_cast<std::uint32_t>(hash), static_cast<std::uint32_t>(end)};
+}
+
+/// true or false, where another word for one of them is written.
+std::string truth_meant(const YamlNode& node) {
+  for (const char* word : {"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON"}) {
+    if (node.text == word) return "true";
+  }
+  for (const char* word : {"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"}) {
+    if (node.text == word) return "false";
+  }
+  return {};
+}
+
+/// The number that stands in quotes, without them; or nothing.
+std::string unquoted_number(const YamlNode& node) {
+  YamlNode plain = node;
+  plain.style = YamlStyle::plain;
+  return node.style == YamlStyle::quoted && number_of(plain) ? node.text : std::string();
 }
 
 }  // namespace
@@ -73,10 +131,18 @@ bool NodeChecks::mark(const YamlNode& node) {
   return false;
 }
 
-bool NodeChecks::wrong(const YamlNode& node, std::string_view wanted) {
-  if (node.kind != YamlKind::broken) {
+bool NodeChecks::wrong(const YamlNode& node, std::string_view wanted, std::string instead) {
+  if (node.kind == YamlKind::broken) return mark(node);
+  if (const SourceRange word = swallowed_word(document_, node)) {
+    const std::string text = word.file->text().substr(word.begin, word.end - word.begin);
+    out_.add(Code::R103, word,
+             fmt::format("expected {}, found a comment: '#' begins one unless it is in quotes",
+                         wanted))
+        .suggest(fmt::format("\"{}\"", text));
+  } else {
     out_.add(Code::R103, document_.head(node),
-             fmt::format("expected {}, found {}", wanted, found(node)));
+             fmt::format("expected {}, found {}", wanted, found(node)))
+        .suggest(std::move(instead));
   }
   return mark(node);
 }
@@ -86,8 +152,8 @@ bool NodeChecks::out_of_range(const YamlNode& node, std::string message) {
   return mark(node);
 }
 
-bool NodeChecks::bad_text(const YamlNode& node, std::string message) {
-  out_.add(Code::R106, document_.range(node), std::move(message));
+bool NodeChecks::bad_text(const YamlNode& node, std::string message, std::string instead) {
+  out_.add(Code::R106, document_.range(node), std::move(message)).suggest(std::move(instead));
   return mark(node);
 }
 
@@ -107,10 +173,17 @@ bool NodeChecks::unknown_key(const YamlPair& pair, std::string_view title,
   return mark(pair.value);
 }
 
-void NodeChecks::missing_key(const YamlNode& mapping, std::string_view title,
-                             std::string_view key) {
-  out_.add(Code::R102, document_.head(mapping),
-           fmt::format("{} without the key '{}'", with_article(title), key));
+void NodeChecks::missing_key(const YamlNode& mapping, std::string_view title, std::string_view key,
+                             std::string_view doc, const std::vector<std::string_view>& known) {
+  const auto misspelt = [&](const YamlPair& pair) {
+    const bool unknown = std::find(known.begin(), known.end(), pair.key.text) == known.end();
+    return unknown && nearest(pair.key.text, known) == key;
+  };
+  if (!out_.full() && std::any_of(mapping.pairs.begin(), mapping.pairs.end(), misspelt)) return;
+  Diagnostic& diagnostic =
+      out_.add(Code::R102, document_.head(mapping),
+               fmt::format("{} without the key '{}'", with_article(title), key));
+  if (!doc.empty()) diagnostic.note(fmt::format("'{}': {}", key, doc));
 }
 
 bool NodeChecks::expect(const YamlNode& node, YamlKind kind, std::string_view wanted) {
@@ -126,12 +199,16 @@ bool NodeChecks::check_name(const YamlNode& node) {
 bool NodeChecks::check_colour(const YamlNode& node) {
   if (!expect(node, YamlKind::scalar, "a colour \"#rrggbb\" in quotes")) return false;
   return is_colour(node.text) ||
-         bad_text(node, fmt::format("{} is no colour \"#rrggbb\"", in_quotes(node.text)));
+         bad_text(node,
+                  fmt::format("{} is no colour: write '#' and six hexadecimal digits, in quotes",
+                              in_quotes(node.text)),
+                  colour_meant(node.text));
 }
 
 bool NodeChecks::check_boolean(const YamlNode& node) {
   const bool plain = node.kind == YamlKind::scalar && node.style == YamlStyle::plain;
-  return (plain && (node.text == "true" || node.text == "false")) || wrong(node, "true or false");
+  return (plain && (node.text == "true" || node.text == "false")) ||
+         wrong(node, "true or false", truth_meant(node));
 }
 
 bool NodeChecks::check_choice(const YamlNode& node, std::string_view key,
@@ -148,7 +225,7 @@ bool NodeChecks::check_number(const YamlNode& node, std::string_view key,
                               const NumberBounds& bounds) {
   const std::optional<double> value = number_of(node);
   if (!value || (bounds.whole && std::floor(*value) != *value)) {
-    return wrong(node, wanted_number(bounds));
+    return wrong(node, wanted_number(bounds), unquoted_number(node));
   }
   const bool low = bounds.above_low ? *value > bounds.low : *value >= bounds.low;
   if (low && *value <= bounds.high) return true;

@@ -35,12 +35,12 @@ class NodeChecks {
 
   /// Adds it to `bad`; false.
   bool mark(const YamlNode& node);
-  /// R103; a node that is broken has been reported before.
-  bool wrong(const YamlNode& node, std::string_view wanted);
+  /// R103; a node that is broken has been reported before. `instead` may replace it.
+  bool wrong(const YamlNode& node, std::string_view wanted, std::string instead = {});
   /// R105.
   bool out_of_range(const YamlNode& node, std::string message);
   /// R106.
-  bool bad_text(const YamlNode& node, std::string message);
+  bool bad_text(const YamlNode& node, std::string message, std::string instead = {});
   /// R108.
   bool unknown_version(const YamlNode& node, int known);
   bool expect(const YamlNode& node, YamlKind kind, std::string_view wanted);
@@ -62,8 +62,9 @@ class NodeChecks {
   /// R101; marks the value.
   bool unknown_key(const YamlPair& pair, std::string_view title,
                    const std::vector<std::string_view>& known);
-  /// R102; marks nothing.
-  void missing_key(const YamlNode& mapping, std::string_view title, std::string_view key);
+  /// R102, unless an unknown key of the mapping is that key misspelt; marks nothing.
+  void missing_key(const YamlNode& mapping, std::string_view title, std::string_view key,
+                   std::string_view doc, const std::vector<std::string_view>& known);
 
   const YamlDocument& document_;
   Diagnostics& out_;
@@ -74,20 +75,20 @@ template <class Keys, class Check>
 bool NodeChecks::check_keys(const YamlNode& node, std::string_view title, const Keys& keys,
                             Check check) {
   if (!expect(node, YamlKind::mapping, with_article(title) + " as a mapping of keys")) return false;
+  std::vector<std::string_view> known;
+  for (const auto& key : keys) known.push_back(key.name);
   const auto check_pair = [&](const YamlPair& pair) {
     if (!expect(pair.key, YamlKind::scalar, "a key")) return false;
-    std::vector<std::string_view> known;
     for (const auto& key : keys) {
       if (key.name == pair.key.text) return check(pair.value, key);
     }
-    for (const auto& key : keys) known.push_back(key.name);
     return unknown_key(pair, title, known);
   };
   bool sound = true;
   for (const YamlPair& pair : node.pairs) sound = check_pair(pair) && sound;
   for (const auto& key : keys) {
     if (!key.required || node.find(key.name) != nullptr) continue;
-    missing_key(node, title, key.name);
+    missing_key(node, title, key.name, key.doc, known);
     sound = false;
   }
   return sound || mark(node);

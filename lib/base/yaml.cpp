@@ -13,6 +13,7 @@
 
 #include "base/text.h"
 #include "base/yaml_places.h"
+#include "base/yaml_syntax.h"
 
 namespace stig {
 
@@ -93,7 +94,9 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnSequenceEnd() override { close(']'); }
   void OnMapEnd() override {
-    report_duplicates(stack_.back().node);
+    const bool in_list =
+        stack_.size() > 1 && stack_[stack_.size() - 2].node.kind == YamlKind::sequence;
+    report_duplicates(stack_.back().node, in_list);
     close('}');
   }
 
@@ -218,15 +221,21 @@ class TreeBuilder : public YAML::EventHandler {
     }
   }
 
-  void report_duplicates(const YamlNode& mapping) {
+  void report_duplicates(const YamlNode& mapping, bool in_list) {
     std::unordered_map<std::string_view, const YamlNode*> seen;
     for (const YamlPair& pair : mapping.pairs) {
       if (pair.key.kind != YamlKind::scalar) continue;
       const auto [first, added] = seen.emplace(pair.key.text, &pair.key);
       if (added) continue;
-      out_.add(Code::R012, range(pair.key.begin, pair.key.end),
-               fmt::format("the key {} stands here twice", in_quotes(pair.key.text)))
-          .note(range(first->second->begin, first->second->end), "the first one");
+      Diagnostic& diagnostic =
+          out_.add(Code::R012, range(pair.key.begin, pair.key.end),
+                   fmt::format("the key {} stands here twice", in_quotes(pair.key.text)))
+              .note(range(first->second->begin, first->second->end), "the first one");
+      // The key that begins an entry, again: its other keys would only be named one by one.
+      if (!in_list || first->second != &mapping.pairs[0].key) continue;
+      diagnostic.note(fmt::format("if another entry of the list begins here, write '- {}:'",
+                                  printable(pair.key.text)));
+      return;
     }
   }
 
@@ -243,58 +252,6 @@ class TreeBuilder : public YAML::EventHandler {
   std::size_t last_end_ = 0;
   std::vector<ScalarSpan> spans_;
 };
-
-/// The parser's words for what users get wrong most, in plainer ones.
-std::string plainer(const std::string& message) {
-  static const std::unordered_map<std::string_view, const char*> kWords = {
-      {"end of map not found", "expected a key, at the indentation of the keys before"},
-      {"end of sequence not found", "expected an entry '- …', at the indentation of those before"},
-      {"end of sequence flow not found", "the list opened with '[' is not closed before this"},
-      {"end of map flow not found", "the mapping opened with '{' is not closed before this"},
-      {"illegal map value", "no ':' can stand here; a text with ': ' in it needs quotes"},
-      {"unknown token", "no value can start with this character without quotes"},
-      {"illegal EOF in scalar", "a quote is not closed before the end of the file"},
-      {"illegal tab when looking for indentation", "indentation is made of spaces, not of tabs"},
-  };
-  const auto found = kWords.find(message);
-  return found == kWords.end() ? message : found->second;
-}
-
-/// When a block's first row is indented deeper than the one at fault, the block
-/// was taken to end there: says so at that first row.
-void explain_short_block(const SourceRef& source, std::size_t at, Diagnostic& diagnostic) {
-  const std::size_t fault = source->position(at).line;
-  for (std::size_t number = fault; number-- > 1 && fault - number < 40;) {
-    const std::string_view line = source->line(number);
-    const std::size_t last = line.find_last_not_of(" \t");
-    if (last == std::string_view::npos || (line[last] != '|' && line[last] != '>')) continue;
-    const std::string_view first_row = source->line(number + 1);
-    const std::size_t deep = std::min(first_row.find_first_not_of(' '), first_row.size());
-    const std::size_t here =
-        std::min(source->line(fault).find_first_not_of(' '), source->line(fault).size());
-    const std::size_t outer = std::min(line.find_first_not_of(" -"), line.size());
-    if (number + 1 < fault && here < deep && here > outer) {
-      const std::size_t begin = source->line_start(number + 1);
-      const auto start = static_cast<std::uint32_t>(begin + deep);
-      diagnostic.note({source, start, start + 1},
-                      fmt::format("the block's first row is indented deeper, so the block ended; "
-                                  "write '|{}' to say where its rows start",
-                                  here - outer));
-    }
-    return;
-  }
-}
-
-void report_syntax(const SourceRef& source, std::size_t base, const YAML::Exception& error,
-                   Diagnostics& diagnostics) {
-  const std::size_t size = source->text().size();
-  const std::size_t pos =
-      error.mark.pos < 0 ? size : static_cast<std::size_t>(error.mark.pos) + base;
-  const auto begin = static_cast<std::uint32_t>(std::min(pos, size));
-  const auto end = static_cast<std::uint32_t>(std::min(pos + 1, size));
-  Diagnostic& diagnostic = diagnostics.add(Code::R006, {source, begin, end}, plainer(error.msg));
-  explain_short_block(source, begin, diagnostic);
-}
 
 /// Bytes that no YAML text has; yaml-cpp would even take some for the end.
 bool check_bytes(const SourceRef& source, const YamlLimits& limits, Diagnostics& diagnostics) {
@@ -337,7 +294,10 @@ bool run_parser(const SourceRef& source, std::size_t base, TreeBuilder& builder,
   } catch (const Stop&) {
     return false;
   } catch (const YAML::Exception& error) {
-    report_syntax(source, base, error, diagnostics);
+    const bool placed = error.mark.pos >= 0;
+    report_syntax(source,
+                  placed ? base + static_cast<std::size_t>(error.mark.pos) : source->text().size(),
+                  error.msg, diagnostics);
     return false;
   }
 }

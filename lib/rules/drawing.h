@@ -32,7 +32,7 @@ namespace stig {
 class SymbolTable {
  public:
   struct Entry {
-    StateSet states;
+    StateSet states;  ///< none: a legend entry that could not be read
     Colour colour = 0;  ///< 0: a legend entry
     bool used = false;
   };
@@ -43,11 +43,16 @@ class SymbolTable {
   const Entry* find(const std::string& symbol) const;
   /// What a symbol of a drawing or list stands for, . ? # = included.
   std::optional<StateSet> states(const std::string& symbol);
+  /// Words for the brick with this symbol, which people write in its place.
+  void add_name(const std::string& name, const std::string& symbol) { names_[name] = symbol; }
+  /// The symbol of the brick that has this name; empty: none has.
+  std::string symbol_named(const std::string& name) const;
   /// The defined symbol nearest to a word, for suggestions.
   std::string nearest_to(std::string_view word, bool bricks_only) const;
 
  private:
   int colours_;
+  std::unordered_map<std::string, std::string> names_;
   std::unordered_map<std::string, Entry> entries_;
   std::vector<std::string> order_;
 };

@@ -58,6 +58,36 @@ void check_bare(const RuleSet& rules, const Rule& rule, Diagnostics& out) {
   }
 }
 
+/// Could the rule match if the demand were weaker by what `weaken` takes out of it?
+template <class Weaken>
+bool possible_without(const RuleSet& rules, const Rule& rule, Budget& budget, Weaken weaken) {
+  for (Demand demand : demands(rules, rule)) {
+    weaken(demand);
+    Example example;
+    if (find_view(rules, demand, example, budget) == Answer::yes) return true;
+  }
+  return false;
+}
+
+/// Which condition is it that nothing fulfils?
+void note_obstacle(const RuleSet& rules, const Rule& rule, Budget& budget, Diagnostic& diagnostic) {
+  const bool has_height = rule.height_min || rule.height_max;
+  const auto no_height = [](Demand& demand) {
+    demand.height_min = INT32_MIN;
+    demand.height_max = INT32_MAX;
+  };
+  if (has_height && possible_without(rules, rule, budget, no_height)) {
+    diagnostic.note(rules.floor ? "without its height it could: the floor is seen below a site at "
+                                  "height 0, and at that height nothing else is"
+                                : "without its height it could");
+  }
+  const auto no_counts = [](Demand& demand) { demand.counts.clear(); };
+  if (!rule.counts.empty() && possible_without(rules, rule, budget, no_counts)) {
+    diagnostic.note(
+        "without its counts it could: no neighbourhood that fits the drawing meets them");
+  }
+}
+
 void check_possible(const RuleSet& rules, const Rule& rule, Budget& budget, Diagnostics& out) {
   for (const Demand& demand : demands(rules, rule)) {
     Example example;
@@ -70,9 +100,12 @@ void check_possible(const RuleSet& rules, const Rule& rule, Budget& budget, Diag
       return;
     }
   }
-  out.add(Code::R305, rule_place(rule),
-          fmt::format("rule {} never matches: no neighbourhood fulfils its drawing and conditions",
-                      in_quotes(rule.name)));
+  note_obstacle(
+      rules, rule, budget,
+      out.add(Code::R305, rule_place(rule),
+              fmt::format("rule {} never matches: no neighbourhood fulfils its drawing and "
+                          "conditions",
+                          in_quotes(rule.name))));
 }
 
 void check_used_bricks(const RuleSet& rules, Diagnostics& out) {

@@ -46,7 +46,7 @@ class Reader {
     const YamlNode& root = document_.root;
     read_header(root);
     read_bricks(root.find("bricks"));
-    read_legend(good(root, "legend"));
+    read_legend(root.find("legend"));
     read_world(root);
     read_start(root.find("start"));
     read_rules(root.find("rules"));
@@ -148,6 +148,7 @@ class Reader {
       const auto colour = static_cast<Colour>(rules_.bricks.size() + 1);
       if (!symbols_.add(pair.key.text, {StateSet::of(colour), colour, true})) continue;
       rules_.bricks.push_back(read_brick(pair));
+      symbols_.add_name(rules_.bricks.back().name, pair.key.text);
       check_unique(names, rules_.bricks.back().name, rules_.bricks.back().range, "brick");
     }
   }
@@ -178,7 +179,8 @@ class Reader {
     if (node == nullptr) return;
     for (const YamlPair& pair : node->pairs) {
       const SourceRange range = document_.range(pair.key);
-      const std::optional<StateSet> states = read_states(pair.value, true);
+      if (!is_good(pair.key)) continue;
+      const auto states = is_good(pair.value) ? read_states(pair.value, true) : std::nullopt;
       if (const Brick* brick = brick_of(pair.key.text)) {
         out_.add(Code::R206, range,
                  fmt::format("the symbol {} is a brick's", in_quotes(brick->symbol)))
@@ -186,7 +188,7 @@ class Reader {
         continue;
       }
       // A symbol that could not be read is known all the same, to name errors once.
-      if (!symbols_.add(pair.key.text, {states.value_or(StateSet::anything()), 0, false})) continue;
+      if (!symbols_.add(pair.key.text, {states.value_or(StateSet()), 0, false})) continue;
       if (states) rules_.legend.push_back({pair.key.text, *states, range});
     }
     rules_legend_ = rules_.legend;
@@ -207,12 +209,9 @@ class Reader {
       const bool refused =
           item.text == "*" || (in_legend && entry != nullptr && entry->colour == 0);
       const auto found = refused ? std::nullopt : symbols_.states(item.text);
-      if (found) {
-        states = states | *found;
-      } else {
-        unknown_symbol(item, in_legend);
-        sound = false;
-      }
+      if (!found) unknown_symbol(item, in_legend);
+      sound = sound && found && !found->none();
+      states = states | found.value_or(StateSet());
     }
     return sound ? std::optional(states) : std::nullopt;
   }

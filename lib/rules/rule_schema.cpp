@@ -26,7 +26,7 @@ std::vector<KeySchema> rule_set_keys() {
       {.name = "stigc",
        .kind = integer,
        .required = true,
-       .doc = "Version of the file format.",
+       .doc = "Version of the file format: 1.",
        .low = 1,
        .high = kFormatVersion},
       {.name = "name", .kind = name, .required = true, .doc = "Short name, for files and reports."},
@@ -223,15 +223,15 @@ std::vector<KeySchema> expect_keys() {
 
 const ObjectSchema& object_schema(ObjectKind kind) {
   static const std::array<ObjectSchema, 9> kTable = {{
-      {ObjectKind::rule_set, "rule set", rule_set_keys()},
-      {ObjectKind::brick, "brick", brick_keys()},
-      {ObjectKind::start_entry, "start entry", start_keys()},
-      {ObjectKind::rule, "rule", rule_keys()},
-      {ObjectKind::height, "height", height_keys()},
-      {ObjectKind::count, "count", count_keys()},
-      {ObjectKind::box, "box", box_keys()},
-      {ObjectKind::physical, "physical", physical_keys()},
-      {ObjectKind::expect, "expect", expect_keys()},
+      {ObjectKind::rule_set, "rule set", "stigc: 1 …", rule_set_keys()},
+      {ObjectKind::brick, "brick", "{color: \"#8d99ae\"}", brick_keys()},
+      {ObjectKind::start_entry, "start entry", "{at: [0, 0, 0], brick: 1}", start_keys()},
+      {ObjectKind::rule, "rule", "{name: …, place: …, when: …}", rule_keys()},
+      {ObjectKind::height, "height", "{min: 0, max: 3}", height_keys()},
+      {ObjectKind::count, "count", "{of: [1], min: 2}", count_keys()},
+      {ObjectKind::box, "box", "{size: [9, 9, 4]}", box_keys()},
+      {ObjectKind::physical, "physical", "{sides: [+x]}", physical_keys()},
+      {ObjectKind::expect, "expect", "{bricks: 6}", expect_keys()},
   }};
   const ObjectSchema& found = kTable[static_cast<std::size_t>(kind)];
   assert(found.kind == kind);

@@ -65,6 +65,7 @@ struct KeySchema {
 struct ObjectSchema {
   ObjectKind kind;
   std::string_view title;  ///< "rule", as in "unknown key 'plaec' in a rule"
+  std::string_view example;  ///< the least that such a mapping may be
   std::vector<KeySchema> keys;
 };
 

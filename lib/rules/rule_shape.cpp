@@ -26,6 +26,9 @@ class ShapeChecker : public NodeChecks {
 
   bool check_object(const YamlNode& node, ObjectKind kind) {
     const ObjectSchema& schema = object_schema(kind);
+    if (node.kind != YamlKind::mapping) {
+      return wrong(node, fmt::format("{} like {}", with_article(schema.title), schema.example));
+    }
     return check_keys(
         node, schema.title, schema.keys,
         [&](const YamlNode& value, const KeySchema& key) { return check_value(value, key); });
@@ -64,38 +67,46 @@ class ShapeChecker : public NodeChecks {
             node, key, 3, 3, "three whole numbers [x, y, z]",
             [&](const YamlNode& item) { return check_number(item, key.name, bounds_of(key)); });
       case ValueKind::symbols:
-        return check_list(node, key, key.least, key.most, "a list of symbols",
-                          [&](const YamlNode& item) { return check_symbol(item, true); });
+        return check_states(node, key, key.least);
       case ValueKind::choices:
         return check_list(
             node, key, key.least, key.most, "a list of words",
             [&](const YamlNode& item) { return check_choice(item, key.name, key.words); });
       case ValueKind::objects:
-        return check_list(node, key, key.least, key.most,
-                          fmt::format("a list of entries, each {}",
-                                      with_article(object_schema(key.object).title)),
-                          [&](const YamlNode& item) { return check_object(item, key.object); });
+        return check_list(
+            node, key, key.least, key.most,
+            fmt::format("a list of entries like - {}", object_schema(key.object).example),
+            [&](const YamlNode& item) { return check_object(item, key.object); });
       case ValueKind::bricks:
-        return check_map(node, key, "a mapping from symbols to bricks", [&](const YamlPair& pair) {
-          const bool symbol = check_symbol(pair.key, false);
-          return check_object(pair.value, key.object) && symbol;
-        });
+        return check_map(node, key, "symbols and their bricks, like 1: {color: \"#8d99ae\"}",
+                         [&](const YamlPair& pair) {
+                           const bool symbol = check_symbol(pair.key, false);
+                           return check_object(pair.value, key.object) && symbol;
+                         });
       case ValueKind::legend:
-        return check_map(node, key, "a mapping from symbols to lists", [&](const YamlPair& pair) {
-          const bool symbol = check_symbol(pair.key, false);
-          const bool list =
-              check_list(pair.value, key, 1, SIZE_MAX, "a list of symbols",
-                         [&](const YamlNode& item) { return check_symbol(item, true); });
-          return symbol && list;
-        });
+        return check_map(node, key, "symbols and their lists, like a: [1, 2]",
+                         [&](const YamlPair& pair) {
+                           const bool symbol = check_symbol(pair.key, false);
+                           return check_states(pair.value, key, 1) && symbol;
+                         });
       case ValueKind::by_stage:
-        return check_map(node, key, "a mapping from stages to numbers", [&](const YamlPair& pair) {
-          const bool stage = check_stage(pair.key);
-          return check_number(pair.value, key.name, bounds_of(key)) && stage;
-        });
+        return check_map(node, key, "stages and their numbers, like 1: 24",
+                         [&](const YamlPair& pair) {
+                           const bool stage = check_stage(pair.key);
+                           return check_number(pair.value, key.name, bounds_of(key)) && stage;
+                         });
       default:
         return check_object(node, key.object);
     }
+  }
+
+  /// A list of symbols, those of drawings too.
+  bool check_states(const YamlNode& node, const KeySchema& key, std::size_t least) {
+    if (node.kind == YamlKind::scalar) {
+      return wrong(node, "a list of symbols", fmt::format("[{}]", yaml_text(node.text, true)));
+    }
+    return check_list(node, key, least, SIZE_MAX, "a list of symbols",
+                      [&](const YamlNode& item) { return check_symbol(item, true); });
   }
 
   template <class Check>
@@ -157,11 +168,12 @@ class ShapeChecker : public NodeChecks {
   }
 
   bool check_drawing(const YamlNode& node) {
-    if (!expect(node, YamlKind::scalar, "a drawing")) return false;
+    constexpr std::string_view kWanted = "a drawing: a bar '|' and the rows below it";
+    if (!expect(node, YamlKind::scalar, kWanted)) return false;
     // `when: 3` is a number to an editor.
     const bool plain = node.style == YamlStyle::plain;
     if (plain && (number_of(node) || node.text == "true" || node.text == "false")) {
-      return wrong(node, "a drawing");
+      return wrong(node, kWanted);
     }
     return true;
   }
