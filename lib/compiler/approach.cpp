@@ -19,7 +19,7 @@ std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z
 
 /// The part of a structure that a side looks at.
 struct View3 {
-  const TargetStates& target;
+  const TargetBricks& target;
   const BrickSet& state;
   ApproachSide side;
 
@@ -198,7 +198,7 @@ bool behind_robot(const SideCell& site, const SideCell& brick, const Abilities& 
   return to_face >= robot.carried_x + robot.body_back;
 }
 
-ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, ApproachSide side,
+ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, ApproachSide side,
                   const Abilities& robot) {
   const View3 view{target, state, side};
   const SideCell site = seen_from(side, cell);

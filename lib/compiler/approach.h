@@ -25,7 +25,7 @@
 #include <string_view>
 
 #include "compiler/abilities.h"
-#include "compiler/target_states.h"
+#include "compiler/target_bricks.h"
 
 namespace stig {
 
@@ -62,7 +62,7 @@ struct ReachResult {
 };
 
 /// Can a block be put into this empty cell from this side, as things stand?
-ReachResult reach(const TargetStates& target, const BrickSet& state, Cell cell, ApproachSide side,
+ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, ApproachSide side,
                   const Abilities& robot);
 /// Does a brick here stand in the lane of a robot at `site`: the cells that its body passes on
 /// the way there and back?

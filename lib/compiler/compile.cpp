@@ -15,8 +15,6 @@ namespace stig {
 
 namespace {
 
-constexpr int kBlockColours = 4;
-
 SourceRange whole(const RuleSet& rules) { return {rules.file, 0, 0}; }
 
 bool report_proof(const RuleSet& rules, const VerifyResult& proof, Diagnostics& out) {

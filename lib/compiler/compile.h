@@ -42,6 +42,9 @@ struct CompileOptions {
   PolicyLimits limits;
 };
 
+/// Kinds of brick that a block's LEDs tell apart.
+inline constexpr int kBlockColours = 4;
+
 /// A picture that goes with a refusal or a warning.
 struct RefusalDrawing {
   std::string title, drawing;

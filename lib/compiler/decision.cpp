@@ -213,7 +213,7 @@ Decision make_decision(const Policy& policy) {
   return out;
 }
 
-std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy, Pruning pruning) {
+std::unique_ptr<DecisionNode> settle(const TargetBricks& target, Policy& policy, Pruning pruning) {
   prune(target, policy, pruning);
   while (policy.complete) {
     Decision decision = make_decision(policy);
@@ -268,7 +268,7 @@ Policy only_where(const Policy& policy, const std::vector<std::uint32_t>& group,
 }
 
 /// The best of all single questions for a group; false when none makes the tree smaller.
-bool ask_once(const TargetStates& target, Policy& policy, std::unique_ptr<DecisionNode>& root,
+bool ask_once(const TargetBricks& target, Policy& policy, std::unique_ptr<DecisionNode>& root,
               const std::vector<std::uint32_t>& group) {
   std::size_t fewest = size_of(*root);
   bool found = false;
@@ -295,7 +295,7 @@ bool ask_once(const TargetStates& target, Policy& policy, std::unique_ptr<Decisi
 
 }  // namespace
 
-std::unique_ptr<DecisionNode> simplify(const TargetStates& target, Policy& policy,
+std::unique_ptr<DecisionNode> simplify(const TargetBricks& target, Policy& policy,
                                        std::unique_ptr<DecisionNode> root, std::size_t most) {
   if (policy.states.size() > most) return root;
   for (bool better = true; better;) {

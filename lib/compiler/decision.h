@@ -51,13 +51,13 @@ Decision make_decision(const Policy& policy);
 
 /// Prunes the policy and makes its tree; where cases cannot be told apart, what only some of
 /// them allow is withdrawn, and it begins again. Null when the policy is not complete then.
-std::unique_ptr<DecisionNode> settle(const TargetStates& target, Policy& policy,
+std::unique_ptr<DecisionNode> settle(const TargetBricks& target, Policy& policy,
                                      Pruning pruning = Pruning::search);
 
 /// Looks for a smaller tree: where columns with one top take several questions, nothing is to
 /// be done but where one cell shows one thing, if work completes all the same. Policies of
 /// more than `most` structures are left as they are.
-std::unique_ptr<DecisionNode> simplify(const TargetStates& target, Policy& policy,
+std::unique_ptr<DecisionNode> simplify(const TargetBricks& target, Policy& policy,
                                        std::unique_ptr<DecisionNode> root, std::size_t most = 2000);
 
 /// The leaf's placement that an observation leads to; nothing too where a question's answer is

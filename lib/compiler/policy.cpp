@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <functional>
 #include <limits>
 #include <tuple>
 #include <unordered_map>
 
 #include "base/hash.h"
+#include "compiler/columns.h"
 
 namespace stig {
 
@@ -21,16 +21,17 @@ struct SetHash {
 /// Walks every structure that placements within reach lead to.
 class Explorer {
  public:
-  Explorer(const TargetStates& target, const Abilities& robot,
+  Explorer(const TargetBricks& target, const OpenBricks& open, Sight& sight, const Abilities& robot,
            const std::vector<ApproachSide>& sides, const PolicyScope& scope,
            const PolicyLimits& limits, Policy& out)
       : target_(target),
+        open_(open),
+        sight_(sight),
         robot_(robot),
         sides_(sides),
         scope_(scope),
         limits_(limits),
-        out_(out),
-        sight_(target, robot) {}
+        out_(out) {}
 
   void explore() {
     number(target_.start());
@@ -69,10 +70,9 @@ class Explorer {
 
   void visit(std::uint32_t s) {
     const BrickSet state = out_.states[s];  // a copy: the list grows
-    const std::vector<std::uint32_t> open = target_.open(state);
+    const std::vector<std::uint32_t> open = open_(state);
     for (const ApproachSide side : sides_) {
-      for (const auto& [v, u] : foremost(state, side)) {
-        if (!can_stand(state, side, u, v)) continue;
+      for (const auto& [v, u] : columns_before(target_, state, side)) {
         Situation situation{s, side, u, v, observe(state, side, u, v), {}};
         for (const std::uint32_t brick : open) {
           if (auto found = placement(state, situation, brick)) {
@@ -85,57 +85,29 @@ class Explorer {
     }
   }
 
-  /// By row: the foremost column.
-  std::map<int, int> foremost(const BrickSet& state, ApproachSide side) const {
-    std::map<int, int> out;
-    for (std::size_t i = 0; i < target_.bricks(); ++i) {
-      if (!state.has(i)) continue;
-      const SideCell at = seen_from(side, target_.cell(i));
-      const auto [row, added] = out.emplace(at.v, at.u);
-      if (!added) row->second = std::max(row->second, at.u);
-    }
-    return out;
-  }
-
-  /// Can a robot drive up to the column at all, as far as to put a block before it?
-  bool can_stand(const BrickSet& state, ApproachSide side, int u, int v) const {
-    for (std::size_t i = 0; i < target_.bricks(); ++i) {
-      if (!state.has(i)) continue;
-      const SideCell at = seen_from(side, target_.cell(i));
-      if (at.u >= u + 2 && std::abs(at.v - v) <= 1) return false;
-    }
-    return true;
-  }
-
   std::optional<std::pair<Placement, std::uint32_t>> placement(const BrickSet& state,
                                                                const Situation& at,
                                                                std::uint32_t brick) {
-    const SideCell site = seen_from(at.side, target_.cell(brick));
-    WindowCell cell{site.u - at.u, site.v - at.v, site.z - target_.floor_level()};
-    const auto filled = [&](int z) {
-      return target_.filled(state, cell_from(at.side, {at.u, at.v, z}));
-    };
-    const bool beside_it = std::abs(cell.du) + std::abs(cell.dv) == 1 && cell.du >= 0;
-    const bool next =
-        beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
-    if (!next || (scope_.kinds == PlacementKinds::ahead && cell.dv != 0)) return std::nullopt;
+    std::optional<WindowCell> cell = next_to_column(target_, state, at.side, at.u, at.v, brick);
+    if (!cell || (scope_.kinds == PlacementKinds::ahead && cell->dv != 0)) return std::nullopt;
     if (reach(target_, state, target_.cell(brick), at.side, robot_).obstruction !=
         Obstruction::none) {
       return std::nullopt;
     }
-    if (cell.du == 0 && cell.dv == 0) cell.z = 0;
+    if (cell->du == 0 && cell->dv == 0) cell->z = 0;
     BrickSet after = state;
     after.add(brick);
-    return std::pair(Placement{cell, target_.colour(brick)}, number(after));
+    return std::pair(Placement{*cell, target_.colour(brick)}, number(after));
   }
 
-  const TargetStates& target_;
+  const TargetBricks& target_;
+  const OpenBricks& open_;
+  Sight& sight_;
   const Abilities& robot_;
   const std::vector<ApproachSide>& sides_;
   const PolicyScope& scope_;
   const PolicyLimits& limits_;
   Policy& out_;
-  Sight sight_;
   std::unordered_map<BrickSet, std::uint32_t, SetHash> numbers_;
   std::map<std::string, std::uint32_t> seen_;
 };
@@ -147,7 +119,7 @@ class Pruner {
   /// None: all at once.
   using Rank = std::function<std::uint64_t(const Observation&, const Placement&)>;
 
-  Pruner(const TargetStates& target, Policy& policy, Rank rank = {})
+  Pruner(const TargetBricks& target, Policy& policy, Rank rank = {})
       : target_(target), out_(policy), rank_(std::move(rank)) {}
 
   /// `effort`, in structures that are looked at, is used up; without any left, it gives up, and
@@ -270,7 +242,7 @@ class Pruner {
     return best;
   }
 
-  const TargetStates& target_;
+  const TargetBricks& target_;
   Policy& out_;
   Rank rank_;
   std::vector<bool> hopeful_;
@@ -307,8 +279,16 @@ PlacementKind kind_of(const Placement& placement) {
 Policy explore(const TargetStates& target, const Abilities& robot,
                const std::vector<ApproachSide>& sides, const PolicyScope& scope,
                const PolicyLimits& limits) {
+  Sight sight(target, robot);
+  const OpenBricks open = [&](const BrickSet& state) { return target.open(state); };
+  return explore(target, open, sight, robot, sides, scope, limits);
+}
+
+Policy explore(const TargetBricks& target, const OpenBricks& open, Sight& sight,
+               const Abilities& robot, const std::vector<ApproachSide>& sides,
+               const PolicyScope& scope, const PolicyLimits& limits) {
   Policy out;
-  Explorer(target, robot, sides, scope, limits, out).explore();
+  Explorer(target, open, sight, robot, sides, scope, limits, out).explore();
   if (out.too_large) return out;
   out.allowed.resize(out.observations.size());
   for (const Situation& situation : out.situations) {
@@ -325,7 +305,7 @@ bool withdraw(Policy& policy, const Withdrawal& withdrawal) {
   return true;
 }
 
-void prune(const TargetStates& target, Policy& policy, Pruning pruning) {
+void prune(const TargetBricks& target, Policy& policy, Pruning pruning) {
   assert(!policy.too_large);
   const Policy before = pruning == Pruning::search ? policy : Policy{};
   std::size_t unlimited = std::numeric_limits<std::size_t>::max();

@@ -27,6 +27,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -35,6 +36,7 @@
 
 #include "compiler/approach.h"
 #include "compiler/sight.h"
+#include "compiler/target_states.h"
 
 namespace stig {
 
@@ -105,6 +107,13 @@ Policy explore(const TargetStates& target, const Abilities& robot,
                const std::vector<ApproachSide>& sides, const PolicyScope& scope,
                const PolicyLimits& limits = {});
 
+/// Bricks that may be placed in a structure, rising.
+using OpenBricks = std::function<std::vector<std::uint32_t>(const BrickSet&)>;
+/// The same for bricks that anything else than rules keeps in order.
+Policy explore(const TargetBricks& target, const OpenBricks& open, Sight& sight,
+               const Abilities& robot, const std::vector<ApproachSide>& sides,
+               const PolicyScope& scope, const PolicyLimits& limits = {});
+
 /// Where two placements may each be made, but not both, one of them has to go. at_once: all that
 /// lead to a dead end, wherever they do; search: where that leaves no way to the whole structure,
 /// one by one, by several orders of preference, the first that leaves one.
@@ -112,7 +121,7 @@ enum class Pruning : std::uint8_t { at_once, search };
 
 /// Takes away what must be; sets what the policy says of itself. Again after more was
 /// withdrawn.
-void prune(const TargetStates& target, Policy& policy, Pruning pruning = Pruning::at_once);
+void prune(const TargetBricks& target, Policy& policy, Pruning pruning = Pruning::at_once);
 /// False when it was not allowed anyway.
 bool withdraw(Policy& policy, const Withdrawal& withdrawal);
 

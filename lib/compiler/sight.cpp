@@ -25,36 +25,43 @@ constexpr std::array<Vec3, 4> kFaces = {Vec3{-1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 1
                                         Vec3{0, -1, 0}};
 constexpr std::size_t kTop = 1;
 
-/// The bricks around a column and a camera before it.
-class Scene {
+std::size_t around_cells(int levels) { return static_cast<std::size_t>(levels * kDepth * kRows); }
+
+/// A camera before a column: what its place alone decides.
+class Shot {
  public:
-  Scene(const std::string& around, const Abilities& robot, const CarriedCamera& camera,
-        const Stance& stance)
-      : around_(around), robot_(robot), camera_(camera) {
+  Shot(const Abilities& robot, const CarriedCamera& camera, const Stance& stance, int levels)
+      : robot_(robot), camera_(camera), levels_(levels) {
     X_RC_ = camera.X_RC;
     if (camera.lifted) X_RC_.p.z += stance.lift;
     column_x_ = X_RC_.p.x + stance.distance + robot.block.side / 2;
     X_CR_ = inverse(X_RC_);
   }
 
-  /// Is the tag of this face seen, were there a brick in the cell? `lit`: one of its LEDs too.
-  bool tag_seen(const WindowCell& cell, const Vec3& normal, bool* lit) const {
+  /// The tag of this face, were there a brick in the cell; nothing when it is out of view.
+  std::optional<TagLook> look_at(const WindowCell& cell, const Vec3& normal) const {
     const BlockLook& look = robot_.block;
     const Vec3 middle = centre(cell) + normal * (look.side / 2 + look.proud);
-    if (!facing(middle, normal)) return false;
+    if (!facing(middle, normal)) return std::nullopt;
     const Vec3 right = std::abs(normal.z) > 0.5 ? Vec3{0, 1, 0} : Vec3{-normal.y, normal.x, 0};
     const Vec3 up = cross(normal, right);
     const double half = look.tag_side / 2;
+    TagLook out;
+    out.hides_tag.assign((around_cells(levels_) + 63) / 64, 0);
     for (const double a : {-half, half}) {
       for (const double b : {-half, half}) {
-        if (!point_seen(middle + right * a + up * b, cell)) return false;
+        const Vec3 corner = middle + right * a + up * b;
+        if (!in_view(corner)) return std::nullopt;
+        add_hiding(corner, cell, out.hides_tag);
       }
     }
     for (const Vec3& led : {right, -right, up, -up}) {
       const Vec3 p = middle + led * look.led_place;
-      *lit = *lit || (facing(p, normal) && point_seen(p, cell));
+      if (!facing(p, normal) || !in_view(p)) continue;
+      out.hides_led.emplace_back((around_cells(levels_) + 63) / 64, 0);
+      add_hiding(p, cell, out.hides_led.back());
     }
-    return true;
+    return out;
   }
 
  private:
@@ -66,34 +73,37 @@ class Scene {
     const Vec3 to = X_RC_.p - p;
     return dot(to, normal) >= length(to) * std::cos(robot_.block.most_angle);
   }
-  bool point_seen(const Vec3& p, const WindowCell& own) const {
+  bool in_view(const Vec3& p) const {
     const Vec3 p_C = X_CR_ * p;
     if (p_C.z < camera_.near || p_C.z > camera_.far) return false;
     const auto pixel = project(camera_.intrinsics, p_C);
     const CameraIntrinsics& image = camera_.intrinsics;
     const double edge = kEdge * image.width;
-    const bool inside = pixel && pixel->x >= edge && pixel->y >= edge &&
-                        pixel->x < image.width - edge && pixel->y < image.height - edge;
-    return inside && !hidden(p, own);
+    return pixel && pixel->x >= edge && pixel->y >= edge && pixel->x < image.width - edge &&
+           pixel->y < image.height - edge;
   }
-  bool hidden(const Vec3& p, const WindowCell& own) const {
-    for (int z = 0; z * kDepth * kRows < static_cast<int>(around_.size()); ++z) {
+  /// Adds the cells where a brick would stand before p.
+  void add_hiding(const Vec3& p, const WindowCell& own, CellWords& out) const {
+    for (int z = 0; z < levels_; ++z) {
       for (int du = -kBehind; du <= kBefore; ++du) {
         for (int dv = -kBeside; dv <= kBeside; ++dv) {
-          if (around_[around_index(du, dv, z)] == 0) continue;
           const WindowCell cell{du, dv, z};
-          if (cell != own && crosses(p, centre(cell))) return true;
+          if (cell == own || !crosses(p, centre(cell))) continue;
+          const std::size_t i = around_index(du, dv, z);
+          out[i / 64] |= std::uint64_t{1} << (i % 64);
         }
       }
     }
-    return false;
   }
   /// Does the way from the camera to p go through the brick about `middle`?
   bool crosses(const Vec3& p, const Vec3& middle) const {
     const double half = robot_.block.side / 2;
     const Vec3 from = X_RC_.p - middle, way = p - X_RC_.p;
-    double enter = 0, leave = 1;
     const std::array<double, 3> f{from.x, from.y, from.z}, w{way.x, way.y, way.z};
+    for (std::size_t i = 0; i < 3; ++i) {  // most bricks are nowhere near
+      if (std::min(f[i], f[i] + w[i]) > half || std::max(f[i], f[i] + w[i]) < -half) return false;
+    }
+    double enter = 0, leave = 1;
     for (std::size_t i = 0; i < 3; ++i) {
       if (std::abs(w[i]) < 1e-12) {
         if (std::abs(f[i]) >= half) return false;
@@ -106,12 +116,26 @@ class Scene {
     return leave - enter > 1e-9;
   }
 
-  const std::string& around_;
   const Abilities& robot_;
   const CarriedCamera& camera_;
+  int levels_ = 0;
   Pose X_RC_, X_CR_;
   double column_x_ = 0;
 };
+
+bool any_filled(const CellWords& cells, const CellWords& filled) {
+  std::uint64_t both = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i) both |= cells[i] & filled[i];
+  return both != 0;
+}
+
+CellWords words_of(const std::string& filled) {
+  CellWords out((filled.size() + 63) / 64, 0);
+  for (std::size_t i = 0; i < filled.size(); ++i) {
+    if (filled[i] != 0) out[i / 64] |= std::uint64_t{1} << (i % 64);
+  }
+  return out;
+}
 
 }  // namespace
 
@@ -120,39 +144,111 @@ WindowCell window_cell(std::size_t index) {
   return {i / 3 % 3 - 1, i % 3 - 1, i / kWindowColumns};
 }
 
-Sight::Sight(const TargetStates& target, const Abilities& robot)
-    : target_(&target), robot_(&robot), levels_(std::min(robot.levels, target.levels()) + 1) {
+int window_levels(const Abilities& robot, int target_levels) {
+  return std::min(robot.levels, target_levels) + 1;
+}
+
+Visibility::Visibility(const Abilities& robot, int levels) : levels_(levels) {
   constexpr int kLifts = 6;
   for (const double distance : {0.08, 0.10, 0.14, 0.20}) {
     for (int i = 0; i < kLifts; ++i) {
       stances_.push_back({distance, robot.lift_travel * i / (kLifts - 1)});
     }
   }
+  for (const Stance& stance : stances_) {
+    looks_.emplace_back();
+    for (const CarriedCamera& camera : robot.cameras) add_looks(Shot(robot, camera, stance, levels));
+  }
+}
+
+template <class Camera>
+void Visibility::add_looks(const Camera& shot) {
+  for (std::size_t i = 0; i < static_cast<std::size_t>(levels_ * kWindowColumns); ++i) {
+    for (std::size_t face = 0; face < kFaces.size(); ++face) {
+      std::optional<TagLook> look = shot.look_at(window_cell(i), kFaces[face]);
+      if (!look) continue;
+      look->cell = i;
+      look->on_top = face == kTop;
+      looks_.back().push_back(std::move(*look));
+    }
+  }
+}
+
+const std::vector<Observation>& Visibility::of(const std::string& filled) {
+  const auto found = known_.find(filled);
+  if (found != known_.end()) return found->second;
+  std::vector<Observation> out;
+  for (const std::vector<TagLook>& looks : looks_) out.push_back(observe(filled, looks));
+  return known_.emplace(filled, std::move(out)).first->second;
+}
+
+Observation Visibility::observe(const std::string& filled,
+                                const std::vector<TagLook>& looks) const {
+  Observation out;
+  out.cells.assign(static_cast<std::size_t>(levels_ * kWindowColumns), kUnseen);
+  const CellWords bricks = words_of(filled);
+  for (const TagLook& look : looks) {
+    if (any_filled(look.hides_tag, bricks)) continue;
+    const WindowCell cell = window_cell(look.cell);
+    if (filled[around_index(cell.du, cell.dv, cell.z)] == 0) {
+      out.cells[look.cell] = kSeenEmpty;
+      continue;
+    }
+    const bool lit = std::any_of(look.hides_led.begin(), look.hides_led.end(),
+                                 [&](const CellWords& led) { return !any_filled(led, bricks); });
+    if (lit) out.cells[look.cell] = kSeenBrick;
+    const WindowCell above{cell.du, cell.dv, cell.z + 1};
+    if (look.on_top && above.z < levels_) out.cells[window_index(above)] = kSeenEmpty;
+  }
+  return out;
+}
+
+Sight::Sight(const TargetBricks& target, const Abilities& robot)
+    : Sight(target, std::make_shared<Visibility>(robot, window_levels(robot, target.levels()))) {}
+
+Sight::Sight(const TargetBricks& target, std::shared_ptr<Visibility> visibility)
+    : target_(&target), visibility_(std::move(visibility)) {
+  assert(visibility_ != nullptr);
 }
 
 const Sight::Seen& Sight::seen(const BrickSet& state, ApproachSide side, int u, int v) {
-  std::string around(static_cast<std::size_t>(levels_ * kDepth * kRows), '\0');
-  for (int z = 0; z < levels_; ++z) {
+  std::string around(static_cast<std::size_t>(levels() * kDepth * kRows), '\0');
+  for (int z = 0; z < levels(); ++z) {
     for (int du = -kBehind; du <= kBefore; ++du) {
       for (int dv = -kBeside; dv <= kBeside; ++dv) {
         const Cell cell = cell_from(side, {u + du, v + dv, z + target_->floor_level()});
         const std::uint32_t brick = target_->brick_at(cell);
-        if (brick == TargetStates::kNone || !state.has(brick)) continue;
+        if (brick == TargetBricks::kNone || !state.has(brick)) continue;
         around[around_index(du, dv, z)] = static_cast<char>(target_->colour(brick));
       }
     }
   }
   const auto found = known_.find(around);
   if (found != known_.end()) return found->second;
+  Seen out = coloured(around);
+  return known_.emplace(std::move(around), std::move(out)).first->second;
+}
+
+Sight::Seen Sight::coloured(const std::string& around) {
+  std::string filled = around;
+  for (char& cell : filled) cell = cell == 0 ? '\0' : '\1';
   Seen out;
-  for (const Stance& stance : stances_) out.from.push_back(observe(around, stance));
+  out.from = visibility_->of(filled);
+  for (Observation& one : out.from) {
+    for (std::size_t i = 0; i < one.cells.size(); ++i) {
+      if (one.cells[i] != kSeenBrick) continue;
+      const WindowCell cell = window_cell(i);
+      const char colour = around[around_index(cell.du, cell.dv, cell.z)];
+      one.cells[i] = static_cast<std::uint8_t>(kSeenBrick + static_cast<std::uint8_t>(colour));
+    }
+  }
   out.all = out.from.front();
   for (const Observation& one : out.from) {
     for (std::size_t i = 0; i < one.cells.size(); ++i) {
       out.all.cells[i] = std::max(out.all.cells[i], one.cells[i]);
     }
   }
-  return known_.emplace(std::move(around), std::move(out)).first->second;
+  return out;
 }
 
 const Observation& Sight::look(const BrickSet& state, ApproachSide side, int u, int v) {
@@ -162,32 +258,6 @@ const Observation& Sight::look(const BrickSet& state, ApproachSide side, int u, 
 const std::vector<Observation>& Sight::look_from_each(const BrickSet& state, ApproachSide side,
                                                       int u, int v) {
   return seen(state, side, u, v).from;
-}
-
-Observation Sight::observe(const std::string& around, const Stance& stance) const {
-  Observation out;
-  out.cells.assign(static_cast<std::size_t>(levels_ * kWindowColumns), kUnseen);
-  for (const CarriedCamera& camera : robot_->cameras) {
-    const Scene scene(around, *robot_, camera, stance);
-    for (std::size_t i = 0; i < out.cells.size(); ++i) {
-      const WindowCell cell = window_cell(i);
-      const auto state = static_cast<std::uint8_t>(around[around_index(cell.du, cell.dv, cell.z)]);
-      for (std::size_t face = 0; face < kFaces.size(); ++face) {
-        bool lit = false;
-        if (!scene.tag_seen(cell, kFaces[face], &lit)) continue;
-        if (state == 0) {
-          out.cells[i] = kSeenEmpty;
-        } else if (lit) {
-          out.cells[i] = static_cast<std::uint8_t>(kSeenBrick + state);
-        }
-        const WindowCell above{cell.du, cell.dv, cell.z + 1};
-        if (state != 0 && face == kTop && above.z < levels_) {
-          out.cells[window_index(above)] = kSeenEmpty;
-        }
-      }
-    }
-  }
-  return out;
 }
 
 std::optional<ColumnTop> column_top(const Observation& seen) {

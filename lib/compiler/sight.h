@@ -13,6 +13,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -49,18 +50,57 @@ struct Stance {
   double distance = 0, lift = 0;
 };
 
+/// A set of the cells around a column.
+using CellWords = std::vector<std::uint64_t>;
+
+/// A face's tag in a camera's view, were there a brick in the cell: what would stand before it.
+struct TagLook {
+  std::size_t cell = 0;  ///< by window_index
+  bool on_top = false;
+  CellWords hides_tag;               ///< or a corner of it
+  std::vector<CellWords> hides_led;  ///< by LED in view
+};
+
+/// What can be seen of a column, by which of the cells around it are filled: bricks hide each
+/// other whatever their colours are. Working it out takes long, so it is kept; whoever looks at
+/// many colourings of a structure shares one of these.
+class Visibility {
+ public:
+  /// `levels` of the window.
+  Visibility(const Abilities& robot, int levels);
+
+  /// Of the column in the middle of what is filled, '\0' or anything else a cell: from each
+  /// stance, kUnseen, kSeenEmpty or kSeenBrick by window_index.
+  const std::vector<Observation>& of(const std::string& filled);
+  int levels() const { return levels_; }
+  const std::vector<Stance>& stances() const { return stances_; }
+
+ private:
+  template <class Camera>
+  void add_looks(const Camera& shot);
+  Observation observe(const std::string& filled, const std::vector<TagLook>& looks) const;
+
+  int levels_ = 0;
+  std::vector<Stance> stances_;
+  std::vector<std::vector<TagLook>> looks_;  ///< by stance
+  std::unordered_map<std::string, std::vector<Observation>> known_;
+};
+/// Levels of the window for a target of so many.
+int window_levels(const Abilities& robot, int target_levels);
+
 class Sight {
  public:
-  /// Both must outlive it.
-  Sight(const TargetStates& target, const Abilities& robot);
+  /// The target must outlive it.
+  Sight(const TargetBricks& target, const Abilities& robot);
+  Sight(const TargetBricks& target, std::shared_ptr<Visibility> visibility);
 
   /// Of the column (u, v) from this side.
   const Observation& look(const BrickSet& state, ApproachSide side, int u, int v);
   /// The same from each of stances() alone.
   const std::vector<Observation>& look_from_each(const BrickSet& state, ApproachSide side, int u,
                                                  int v);
-  int levels() const { return levels_; }
-  const std::vector<Stance>& stances() const { return stances_; }
+  int levels() const { return visibility_->levels(); }
+  const std::vector<Stance>& stances() const { return visibility_->stances(); }
 
  private:
   /// What stands around a column, and what is seen of it.
@@ -69,12 +109,10 @@ class Sight {
     Observation all;
   };
   const Seen& seen(const BrickSet& state, ApproachSide side, int u, int v);
-  Observation observe(const std::string& around, const Stance& stance) const;
+  Seen coloured(const std::string& around);
 
-  const TargetStates* target_;
-  const Abilities* robot_;
-  int levels_ = 0;  ///< of the window
-  std::vector<Stance> stances_;
+  const TargetBricks* target_;
+  std::shared_ptr<Visibility> visibility_;
   std::unordered_map<std::string, Seen> known_;  ///< by what stands around the column
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/columns.h"
+
+#include <cmath>
+#include <map>
+
+namespace stig {
+
+namespace {
+
+/// By row: the foremost column.
+std::map<int, int> foremost(const TargetBricks& target, const BrickSet& state, ApproachSide side) {
+  std::map<int, int> out;
+  for (std::size_t i = 0; i < target.bricks(); ++i) {
+    if (!state.has(i)) continue;
+    const SideCell at = seen_from(side, target.cell(i));
+    const auto [row, added] = out.emplace(at.v, at.u);
+    if (!added) row->second = std::max(row->second, at.u);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, const BrickSet& state,
+                                                ApproachSide side) {
+  const std::map<int, int> rows = foremost(target, state, side);
+  std::vector<std::pair<int, int>> out;
+  for (const auto& [v, u] : rows) {
+    bool free = true;
+    for (const int beside : {v - 1, v, v + 1}) {
+      const auto row = rows.find(beside);
+      free = free && (row == rows.end() || row->second < u + 2);
+    }
+    if (free) out.emplace_back(v, u);
+  }
+  return out;
+}
+
+std::optional<WindowCell> next_to_column(const TargetBricks& target, const BrickSet& state,
+                                         ApproachSide side, int u, int v, std::uint32_t brick) {
+  const SideCell site = seen_from(side, target.cell(brick));
+  const WindowCell cell{site.u - u, site.v - v, site.z - target.floor_level()};
+  const auto filled = [&](int z) { return target.filled(state, cell_from(side, {u, v, z})); };
+  const bool beside_it = std::abs(cell.du) + std::abs(cell.dv) == 1 && cell.du >= 0;
+  const bool next =
+      beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
+  return next ? std::optional(cell) : std::nullopt;
+}
+
+}  // namespace stig

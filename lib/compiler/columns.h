@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Columns before which a robot stands, and places next to them.
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "compiler/approach.h"
+#include "compiler/sight.h"
+
+namespace stig {
+
+/// Foremost columns of a structure's rows as (v, u), by row: those that a robot can drive up to
+/// from this side, as far as to put a block before them.
+std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, const BrickSet& state,
+                                                ApproachSide side);
+
+/// Where a missing brick is from the column (u, v), when it is next to it: on top, in front of a
+/// brick or beside one.
+std::optional<WindowCell> next_to_column(const TargetBricks& target, const BrickSet& state,
+                                         ApproachSide side, int u, int v, std::uint32_t brick);
+
+}  // namespace stig
