@@ -52,7 +52,7 @@ VENDORS = [
     Vendor("CLI/", "CLI11::CLI11", one_file=True),
     Vendor("dart/", "dart"),
     Vendor("Eigen/", "dart"),  # which brings it
-    Vendor("cadical", "Cadical::Cadical", one_file=True),
+    Vendor("cadical", "Cadical::Cadical"),
     Vendor("lua", "PkgConfig::LUA"),
 ]
 # The language's own headers have no dot; these are the system's and the compiler's.

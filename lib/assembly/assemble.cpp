@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/assemble.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+
+#include "assembly/colours.h"
+#include "assembly/rules.h"
+#include "base/hash.h"
+#include "rules/rule_printer.h"
+#include "rules/rule_reader.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::size_t kMostStates = 3'000;   ///< of a candidate
+constexpr std::uint64_t kMostLooks = 20'000;  ///< at bricks, for one order
+constexpr std::uint64_t kStepsOfLook = 5'000, kStepsOfSituation = 20'000, kStepsOfJudging = 60'000;
+constexpr std::size_t kMostCandidates = 4'000;
+/// Candidates for one robot are taken when so many more did not do for several.
+constexpr std::size_t kPatience = 24;
+
+using Sides = std::vector<ApproachSide>;
+
+/// Sets of sides that are tried in turn.
+std::vector<Sides> choices_of_sides(const AssemblyTask& task) {
+  if (!task.sides.empty()) return {task.sides};
+  constexpr auto px = ApproachSide::plus_x, mx = ApproachSide::minus_x, py = ApproachSide::plus_y,
+                 my = ApproachSide::minus_y;
+  return {{px, mx}, {py, my}, {px}, {py}, {mx}, {my}, {px, py, mx, my}};
+}
+
+Liking liking_of(std::uint64_t seed) {
+  constexpr int kWeights[] = {-9, -3, -1, 0, 1, 3, 9};
+  const auto weight = [&](std::uint64_t which) {
+    return kWeights[combine(seed, which) % std::size(kWeights)];
+  };
+  constexpr int kChances[] = {0, 2, 6, 20};
+  return {weight(1), weight(2), weight(3), kChances[combine(seed, 4) % std::size(kChances)], seed,
+          combine(seed, 5) % 2 == 0};
+}
+
+class Assembler {
+ public:
+  Assembler(const AssemblyTask& task, double effort, const AssemblyHooks& hooks)
+      : task_(task),
+        hooks_(hooks),
+        effort_(hooks.deadline),
+        allowance_{&effort_, static_cast<std::uint64_t>(effort * kStepsOfEffort)},
+        bricks_(all_bricks(task.target), 0),
+        visibility_(std::make_shared<Visibility>(task.robot,
+                                                 window_levels(task.robot, bricks_.levels()))) {}
+
+  Assembly run() {
+    std::vector<Sides> sides = choices_of_sides(task_);
+    std::size_t since_found = 0;
+    for (std::uint64_t seed = 0; !sides.empty(); ++seed) {
+      for (std::size_t i = 0; i < sides.size();) {
+        if (allowance_.passed() || out_.counts.candidates >= kMostCandidates) return result();
+        report();
+        if (try_one({task_.robot, sides[i]}, seed)) {
+          ++i;
+        } else {
+          sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(i));
+        }
+        if (out_.plan && (out_.plan->any_number || ++since_found > kPatience)) return result();
+      }
+    }
+    return result();
+  }
+
+ private:
+  Assembly result() {
+    out_.cut_short = effort_.cut_short();
+    return std::move(out_);
+  }
+
+  static std::vector<PlacedBrick> all_bricks(const Target& target) {
+    std::vector<PlacedBrick> out;
+    for (const Cell cell : target.cells) out.push_back({cell, 1});
+    return out;
+  }
+
+  void report() const {
+    if (!hooks_.progress) return;
+    const double spent = static_cast<double>(effort_.spent()) / static_cast<double>(allowance_.end);
+    hooks_.progress(std::min(1.0, spent), fmt::format("candidate {}", out_.counts.candidates + 1));
+  }
+
+  /// False when there is no order at all from these sides.
+  bool try_one(const Builders& builders, std::uint64_t seed) {
+    ++out_.counts.candidates;
+    bool exhausted = false;
+    const auto sequence = sequence_of(builders, seed, exhausted);
+    if (!sequence) {
+      ++out_.counts.no_order;
+      return !exhausted;
+    }
+    const Waiting waiting = combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
+    Candidate candidate = make_candidate(bricks_, *sequence, builders, waiting);
+    if (!is_new(candidate, builders.sides)) return true;
+    ++out_.counts.walked;
+    walk(builders, visibility_, {kMostStates, hooks_.deadline.stop}, candidate);
+    allowance_.spend(candidate.policy.situations.size() * kStepsOfSituation);
+    if (candidate.policy.too_large) {
+      ++out_.counts.too_large;
+    } else if (!candidate.walked) {
+      ++out_.counts.dead_end;
+    } else {
+      paint_and_judge(candidate, builders);
+    }
+    return true;
+  }
+
+  /// Was none like it walked before?
+  bool is_new(const Candidate& candidate, const Sides& sides) {
+    std::vector<std::uint64_t> key(candidate.target->bricks() + 1);
+    for (const ApproachSide side : sides) key.back() = combine(key.back(), static_cast<std::uint64_t>(side) + 1);
+    for (std::size_t i = 0; i < candidate.target->bricks(); ++i) {
+      BrickSet before(bricks_.bricks());
+      for (std::size_t k = 0; k < i; ++k) {
+        if (candidate.before[i].has(k)) before.add(candidate.sequence.bricks[k]);
+      }
+      key[candidate.sequence.bricks[i]] = before.hash();
+    }
+    return known_.insert(std::move(key)).second;
+  }
+
+  std::optional<Sequence> sequence_of(const Builders& builders, std::uint64_t seed,
+                                      bool& exhausted) {
+    std::optional<std::uint32_t> start;
+    if (task_.start) start = bricks_.brick_at(*task_.start);
+    std::uint64_t most = kMostLooks;
+    auto out = find_sequence(bricks_, builders, start, liking_of(seed), most);
+    allowance_.spend((kMostLooks - most) * kStepsOfLook);
+    exhausted = !out && most > 0;
+    return out;
+  }
+
+  void paint_and_judge(const Candidate& candidate, const Builders& builders) {
+    RuleView view;
+    look_at_rules(task_.target, candidate, view);
+    if (!view.schedule) {
+      ++out_.counts.no_colours;
+      return;
+    }
+    const PaintResult painted =
+        paint(task_.target, candidate, view, task_.most_colours, allowance_);
+    if (painted.answer != Answered::yes) {
+      ++out_.counts.no_colours;
+      return;
+    }
+    judge(candidate, view, painted.colours, builders);
+  }
+
+  /// Keeps the plan where it is better than the one there is.
+  void judge(const Candidate& candidate, const RuleView& view, const std::vector<Colour>& colours,
+             const Builders& builders) {
+    AssemblyPlan plan;
+    plan.text = print_rule_set(rules_of(task_.target, candidate, view, colours, builders.sides,
+                                        task_.robots, task_.wording));
+    Diagnostics diagnostics;
+    auto rules = read_rule_set(std::make_shared<const SourceFile>("plan", plan.text), diagnostics);
+    assert(rules);
+    plan.rules = std::make_unique<RuleSet>(std::move(*rules));
+    CompileOptions options;
+    options.verify.stop = options.limits.stop = hooks_.deadline.stop;
+    plan.compiled = compile_rules(*plan.rules, task_.robot, options, diagnostics);
+    allowance_.spend(plan.compiled.policy.situations.size() * kStepsOfJudging);
+    if (!plan.compiled.decision || diagnostics.has_errors()) {
+      ++out_.counts.refused;
+      return;
+    }
+    plan.any_number = plan.compiled.concurrency.conflicts.empty();
+    if (out_.plan && !plan.any_number) return;
+    for (std::size_t i = 0; i < candidate.target->bricks(); ++i) {
+      plan.order.push_back(candidate.target->cell(i));
+    }
+    plan.from = candidate.sequence.sides;
+    out_.plan = std::move(plan);
+  }
+
+  const AssemblyTask& task_;
+  const AssemblyHooks& hooks_;
+  Effort effort_;
+  Allowance allowance_;
+  TargetBricks bricks_;
+  std::shared_ptr<Visibility> visibility_;
+  std::set<std::vector<std::uint64_t>> known_;
+  Assembly out_;
+};
+
+}  // namespace
+
+Assembly assemble(const AssemblyTask& task, double effort, const AssemblyHooks& hooks) {
+  return Assembler(task, effort, hooks).run();
+}
+
+}  // namespace stig

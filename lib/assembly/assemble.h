@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// From a target to a rule set that a robot can follow.
+//
+//     sequence   an order that is within reach (sequence.h), by one liking after another
+//     candidate  what then can occur on the way, and what robots see of it (candidate.h)
+//     colours    such that rules and robots tell what is to be done where (colours.h)
+//     judge      the rule set as a file has it, compiled for this robot (compiler/compile.h)
+//
+// Candidates are made and judged until one stands; nothing is returned that the compiler has not
+// accepted. How much is tried is counted in work, so that the same target gives the same rules.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "assembly/sequence.h"
+#include "compiler/compile.h"
+#include "synthesis/effort.h"
+#include "synthesis/emit.h"
+#include "synthesis/target.h"
+
+namespace stig {
+
+struct AssemblyTask {
+  Target target;  ///< cubic, not empty
+  Abilities robot;
+  std::vector<ApproachSide> sides;  ///< empty: chosen
+  std::optional<int> robots;        ///< none: as many as may be, at least one
+  std::optional<Cell> start;        ///< of the target; none: chosen
+  int most_colours = kBlockColours;
+  Wording wording;  ///< with a name
+};
+
+struct AssemblyHooks {
+  std::function<void(double fraction, const std::string& what)> progress;
+  Deadline deadline;
+};
+
+/// What became of the candidates that were made.
+struct AssemblyCounts {
+  std::size_t candidates = 0;
+  std::size_t no_order = 0;    ///< no order within reach was found
+  std::size_t walked = 0;      ///< that were not known already
+  std::size_t too_large = 0;   ///< more structures on the way than are walked
+  std::size_t dead_end = 0;    ///< even with a colour for each brick robots could get stuck
+  std::size_t no_colours = 0;  ///< the colours do not do
+  std::size_t refused = 0;     ///< by the compiler
+};
+
+/// A rule set with its proof that the robot can follow it.
+struct AssemblyPlan {
+  std::string text;                ///< the file
+  std::unique_ptr<RuleSet> rules;  ///< as it is read
+  CompiledRules compiled;
+  std::vector<Cell> order;          ///< one order of work, the start first
+  std::vector<ApproachSide> from;   ///< beside it
+  bool any_number = false;          ///< of robots may work at once
+};
+
+struct Assembly {
+  std::optional<AssemblyPlan> plan;
+  AssemblyCounts counts;
+  bool cut_short = false;
+};
+
+/// `effort` as in SynthesisOptions.
+Assembly assemble(const AssemblyTask& task, double effort, const AssemblyHooks& hooks = {});
+
+}  // namespace stig

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/colours.h"
+
+#include <algorithm>
+#include <cadical.hpp>
+#include <limits>
+#include <map>
+#include <set>
+
+#include "assembly/cases.h"
+
+namespace stig {
+
+namespace {
+
+constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
+constexpr std::size_t kClausesOfRound = 4000;
+constexpr std::uint64_t kStepsOfPair = 100, kStepsOfConflict = 20'000;
+constexpr int kConflictsOfCall = 20'000;
+constexpr int kMostRounds = 400;
+
+using BrickPair = std::pair<std::uint32_t, std::uint32_t>;
+
+class Painter {
+ public:
+  Painter(const Target& target, const Candidate& candidate, const RuleView& rules, int k,
+          const Allowance& allowance)
+      : candidate_(candidate),
+        rules_(rules),
+        k_(k),
+        allowance_(allowance),
+        cases_(cases_of(candidate)) {
+    solver_.set("quiet", 1);
+    next_ = static_cast<int>(candidate.target->bricks()) * k_ + 1;
+    add_domains(target);
+    add_choices();
+  }
+
+  PaintResult run() {
+    for (int round = 0; round < kMostRounds; ++round) {
+      if (allowance_.passed()) return {};
+      solver_.limit("conflicts", kConflictsOfCall);
+      const int result = solver_.solve();
+      allowance_.spend(kStepsOfConflict + cases_.alike.size() * kStepsOfPair);
+      if (result == kUnsatisfiable) return {Answered::no, {}};
+      if (result != kSatisfiable) return {};
+      read_solution();
+      if (!add_violated()) return {Answered::yes, colours_};
+    }
+    return {};
+  }
+
+ private:
+  int has(std::uint32_t brick, int colour) const { return static_cast<int>(brick) * k_ + colour; }
+
+  void clause(const std::vector<int>& literals) {
+    for (const int literal : literals) solver_.add(literal);
+    solver_.add(0);
+  }
+
+  void add_domains(const Target& target) {
+    for (std::size_t orbit = 0; orbit < rules_.brick.size(); ++orbit) {
+      const std::uint32_t brick = rules_.brick[orbit];
+      std::vector<int> some;
+      for (int c = 1; c <= k_; ++c) {
+        if (rules_.frame.orbits[orbit].colours.contains(static_cast<State>(c))) {
+          some.push_back(has(brick, c));
+        } else {
+          clause({-has(brick, c)});
+        }
+        for (int d = 1; d < c; ++d) clause({-has(brick, c), -has(brick, d)});
+      }
+      clause(some);
+    }
+    // Colours that the target does not name are interchangeable.
+    if (target.bricks.empty()) clause({has(0, 1)});
+  }
+
+  void add_choices() {
+    for (const Case& one : cases_.cases) {
+      first_choice_.push_back(next_);
+      next_ += static_cast<int>(one.choices.size());
+    }
+    for (const auto& ways : cases_.ways_on) {
+      std::vector<int> some;
+      for (const std::uint32_t i : ways) {
+        for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) {
+          some.push_back(choice(i, c));
+        }
+      }
+      clause(some);
+    }
+    // The more is done the better.
+    for (std::uint32_t i = 0; i < cases_.cases.size(); ++i) {
+      for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) solver_.phase(choice(i, c));
+    }
+  }
+  int choice(std::uint32_t i, std::size_t c) const {
+    return first_choice_[i] + static_cast<int>(c);
+  }
+
+  /// True only where the two have different colours.
+  int differ(const BrickPair& pair) {
+    const auto [at, added] = differ_.emplace(pair, next_);
+    if (added) {
+      ++next_;
+      for (int c = 1; c <= k_; ++c) clause({-at->second, -has(pair.first, c), -has(pair.second, c)});
+    }
+    return at->second;
+  }
+  /// True only where they have the same.
+  int equal(const BrickPair& pair) {
+    const auto [at, added] = equal_.emplace(pair, next_);
+    if (added) {
+      ++next_;
+      for (int c = 1; c <= k_; ++c) clause({-at->second, -has(pair.first, c), has(pair.second, c)});
+    }
+    return at->second;
+  }
+
+  void read_solution() {
+    colours_.assign(candidate_.target->bricks(), 0);
+    for (std::uint32_t i = 0; i < colours_.size(); ++i) {
+      int c = 1;
+      while (solver_.val(has(i, c)) < 0) ++c;
+      colours_[i] = static_cast<Colour>(c);
+    }
+    done_.assign(cases_.cases.size(), {});
+    for (std::uint32_t i = 0; i < cases_.cases.size(); ++i) {
+      for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) {
+        done_[i].push_back(solver_.val(choice(i, c)) > 0);
+      }
+    }
+  }
+
+  bool add_violated() {
+    const std::size_t rules = add_clashes();
+    return add_lookalikes() + rules > 0;
+  }
+
+  std::size_t add_clashes() {
+    Colouring by_orbit(rules_.brick.size());
+    for (std::size_t i = 0; i < by_orbit.size(); ++i) by_orbit[i] = colours_[rules_.brick[i]];
+    const Schedule& schedule = *rules_.schedule;
+    allowance_.spend(cost_of(schedule));
+    std::size_t added = 0;
+    for (const Clash& clash : find_clashes(schedule, by_orbit, 64, kClausesOfRound)) {
+      const Site& to = rules_.frame.sites[static_cast<std::size_t>(clash.site)];
+      const auto from =
+          static_cast<std::size_t>(schedule.keys[static_cast<std::size_t>(clash.key)].site);
+      if (rules_.frame.sites[from].at.z != to.at.z) continue;
+      std::vector<int> literals;
+      for (const auto& [a, b] : compared_orbits(schedule, clash)) literals.push_back(differ(pair(a, b)));
+      if (clash.intended) literals.push_back(equal(pair(static_cast<int>(from), to.orbit)));
+      clause(literals);
+      ++added;
+    }
+    return added;
+  }
+  BrickPair pair(int orbit, int other) const {
+    const std::uint32_t a = rules_.brick[static_cast<std::size_t>(orbit)];
+    const std::uint32_t b = rules_.brick[static_cast<std::size_t>(other)];
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  std::size_t add_lookalikes() {
+    std::size_t added = 0;
+    for (const Likeness& likeness : cases_.alike) {
+      if (added >= kClausesOfRound) break;
+      const std::vector<bool>& other = done_[likeness.b];
+      const bool idle = std::find(other.begin(), other.end(), true) == other.end();
+      if (likeness.unless_idle && idle) continue;
+      const std::vector<bool>& done = done_[likeness.a];
+      if (std::find(done.begin(), done.end(), true) == done.end()) continue;
+      if (differ_now(likeness)) continue;
+      for (std::size_t c = 0; c < done.size(); ++c) {
+        if (done[c]) added += add_lookalike(likeness, c);
+      }
+    }
+    return added;
+  }
+
+  bool differ_now(const Likeness& likeness) const {
+    const Case &a = cases_.cases[likeness.a], &b = cases_.cases[likeness.b];
+    const CellBits both = a.filled & b.filled;
+    for (std::size_t i = 0; i < a.bricks.size(); ++i) {
+      if (both[i] && colours_[a.bricks[i]] != colours_[b.bricks[i]]) return true;
+    }
+    return false;
+  }
+
+  std::size_t add_lookalike(const Likeness& likeness, std::size_t c) {
+    const Case &a = cases_.cases[likeness.a], &b = cases_.cases[likeness.b];
+    const Choice& done = a.choices[c];
+    std::vector<int> literals = {-choice(likeness.a, c)};
+    for (const Choice& there : b.choices) {
+      if (there.at != done.at) continue;
+      if (colours_[there.brick] == colours_[done.brick]) return 0;
+      literals.push_back(
+          equal({std::min(there.brick, done.brick), std::max(there.brick, done.brick)}));
+    }
+    for (const BrickPair& bricks : compared_bricks(a, b)) literals.push_back(differ(bricks));
+    if (!likeness.unless_idle) {
+      clause(literals);
+      return 1;
+    }
+    for (std::size_t k = 0; k < b.choices.size(); ++k) {
+      std::vector<int> busy = literals;
+      busy.push_back(-choice(likeness.b, k));
+      clause(busy);
+    }
+    return 1;
+  }
+
+  const Candidate& candidate_;
+  const RuleView& rules_;
+  int k_;
+  const Allowance& allowance_;
+  Cases cases_;
+  CaDiCaL::Solver solver_;
+  int next_ = 1;  ///< variable
+  std::vector<int> first_choice_;
+  std::map<BrickPair, int> differ_, equal_;
+  std::vector<Colour> colours_;
+  std::vector<std::vector<bool>> done_;  ///< by case and choice
+};
+
+}  // namespace
+
+PaintResult paint(const Target& target, const Candidate& candidate, const RuleView& rules, int k,
+                  const Allowance& allowance) {
+  return Painter(target, candidate, rules, k, allowance).run();
+}
+
+}  // namespace stig

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Colours by which rules and robots tell what is to be done where.
+//
+// A *case* is what a robot sees before a column, with a colour for each brick, and what may be done
+// there. With few colours cases look alike. Colours are right when
+//
+//   rules   no key of a brick looks like a local state where another belongs, or none
+//           (synthesis/clashes.h); sites on different levels are told apart by the rules' heights
+//   sight   what is done in one case is right in each that some question, answered in the first,
+//           does not tell from it
+//   way on  in every structure that can occur something is done
+//
+// What is done in which case and the colours are found together by a SAT solver. Conditions are
+// added when a solution violates them.
+#pragma once
+
+#include <vector>
+
+#include "assembly/schedule.h"
+#include "synthesis/colouring.h"
+
+namespace stig {
+
+struct PaintResult {
+  Answered answer = Answered::given_up;
+  std::vector<Colour> colours;  ///< by brick of the candidate
+};
+
+/// With colours 1..k, by brick of the candidate those that the target allows.
+PaintResult paint(const Target& target, const Candidate& candidate, const RuleView& rules, int k,
+                  const Allowance& allowance);
+
+}  // namespace stig

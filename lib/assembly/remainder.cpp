@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/remainder.h"
+
+namespace stig {
+
+namespace {
+
+bool bars(const ReachResult& result) {
+  return result.obstruction != Obstruction::none &&
+         result.obstruction != Obstruction::unsupported &&
+         result.obstruction != Obstruction::overhang;
+}
+
+/// What bars the brick among `others`, whatever holds it.
+ReachResult barred_among(const TargetBricks& target, const BrickSet& others, std::uint32_t brick,
+                         ApproachSide side, const Abilities& robot) {
+  const ReachResult result = reach(target, others, target.cell(brick), side, robot);
+  if (result.obstruction != Obstruction::effector_blocked) return result;
+  const SideCell site = seen_from(side, target.cell(brick));
+  const std::uint32_t behind =
+      target.brick_at(cell_from(side, {site.u - 1, site.v, site.z + 1}));
+  if (behind == TargetBricks::kNone || others.has(behind)) return result;
+  BrickSet with = others;
+  with.add(behind);
+  const ReachResult stopped = reach(target, with, target.cell(brick), side, robot);
+  return bars(stopped) ? result : stopped;
+}
+
+/// From every side; fewer when it can be put from one.
+std::vector<Bar> bars_of(const TargetBricks& target, const BrickSet& others, std::uint32_t brick,
+                         const Builders& builders) {
+  std::vector<Bar> out;
+  for (const ApproachSide side : builders.sides) {
+    const ReachResult why = barred_among(target, others, brick, side, builders.robot);
+    if (!bars(why)) break;
+    out.push_back({side, why});
+  }
+  return out;
+}
+
+bool take_one(const TargetBricks& target, const Builders& builders,
+              std::optional<std::uint32_t> start, BrickSet& left) {
+  for (std::uint32_t i = 0; i < target.bricks(); ++i) {
+    if (!left.has(i) || start == i) continue;
+    left.remove(i);
+    if (bars_of(target, left, i, builders).size() < builders.sides.size()) return true;
+    left.add(i);
+  }
+  return false;
+}
+
+}  // namespace
+
+Remainder find_remainder(const TargetBricks& target, const Builders& builders,
+                         std::optional<std::uint32_t> start) {
+  Remainder out{target.whole(), {}};
+  while (take_one(target, builders, start, out.bricks)) {
+  }
+  if (out.bricks.count() < 2) return {};
+  for (std::uint32_t i = 0; i < target.bricks(); ++i) {
+    if (!out.bricks.has(i) || start == i) continue;
+    BrickSet others = out.bricks;
+    others.remove(i);
+    out.barred.push_back({i, bars_of(target, others, i, builders)});
+  }
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What is left of a structure when it is taken apart, as the proof that no order builds it.
+//
+// With fewer bricks about a site there is never less room: lanes, slots, covers and the
+// end-effector's place only get free. What can get lost is a hold, or a column to put a brick next
+// to, and that a column behind the site stops the end-effector before others. With all of that
+// granted for nothing, a brick that can be put last among some bricks can be put last among fewer
+// of them. So taking away whatever can be taken away, in any order, leaves the same remainder.
+//
+//     If two bricks or more remain, no order of work builds the structure.
+//
+// For in every order one of them comes last, and is no start then; the others stand, and bar it
+// from every side. The remainder says nothing of holds: where none is left, there may still be no
+// order.
+#pragma once
+
+#include <vector>
+
+#include "assembly/sequence.h"
+
+namespace stig {
+
+/// Why a brick cannot be put last, from one side.
+struct Bar {
+  ApproachSide side{};
+  ReachResult why;
+};
+struct BarredBrick {
+  std::uint32_t brick = 0;
+  std::vector<Bar> bars;  ///< from each side
+};
+
+struct Remainder {
+  BrickSet bricks;                  ///< empty: the proof does not go through
+  std::vector<BarredBrick> barred;  ///< each of them but a given start
+};
+
+/// `start`: a brick that is there from the beginning; none: any may be.
+Remainder find_remainder(const TargetBricks& target, const Builders& builders,
+                         std::optional<std::uint32_t> start);
+
+}  // namespace stig

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/sequence.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <numeric>
+#include <set>
+
+#include "base/hash.h"
+#include "compiler/columns.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::array<Offset, 6> kFaces = {
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
+bool beside_a_column(const TargetBricks& target, const BrickSet& state, std::uint32_t brick,
+                     ApproachSide side) {
+  const std::vector<std::pair<int, int>> columns = columns_before(target, state, side);
+  return std::any_of(columns.begin(), columns.end(), [&](const auto& column) {
+    return next_to_column(target, state, side, column.second, column.first, brick).has_value();
+  });
+}
+
+/// Bricks as they are liked to go, the first first.
+std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& liking) {
+  std::vector<std::int64_t> score(target.bricks());
+  for (std::size_t i = 0; i < score.size(); ++i) {
+    const Cell c = target.cell(i);
+    score[i] = std::int64_t{liking.x} * c.x + std::int64_t{liking.y} * c.y +
+               std::int64_t{liking.z} * c.z;
+    if (liking.chance > 0) {
+      score[i] += static_cast<std::int64_t>(combine(liking.seed, i) %
+                                            static_cast<std::uint64_t>(liking.chance));
+    }
+  }
+  std::vector<std::uint32_t> out(target.bricks());
+  std::iota(out.begin(), out.end(), 0U);
+  std::stable_sort(out.begin(), out.end(),
+                   [&](std::uint32_t a, std::uint32_t b) { return score[a] > score[b]; });
+  return out;
+}
+
+class Dismantler {
+ public:
+  Dismantler(const TargetBricks& target, const Builders& builders,
+             std::optional<std::uint32_t> start, const Liking& liking, std::uint64_t& most)
+      : target_(target),
+        builders_(builders),
+        start_(start),
+        liking_(liking),
+        order_(by_liking(target, liking)),
+        most_(most),
+        left_(target.whole()) {}
+
+  std::optional<Sequence> run() {
+    std::size_t next = 0;  // in order_, of what to try now
+    while (gone_.size() + 1 < target_.bricks()) {
+      if (remove_one(next)) {
+        next = 0;
+        continue;
+      }
+      dead_.insert(left_);
+      if (gone_.empty() || most_ == 0) return std::nullopt;
+      next = gone_.back().place + 1;
+      left_.add(brick_of(gone_.back()));
+      gone_.pop_back();
+    }
+    return sequence();
+  }
+
+ private:
+  struct Gone {
+    std::size_t place = 0;  ///< in order_, gone through twice: first those that follow
+    ApproachSide side{};
+  };
+
+  std::uint32_t brick_of(const Gone& gone) const { return order_[gone.place % order_.size()]; }
+
+  /// Is it to be tried first, since it is next to the last that went?
+  bool follows(std::uint32_t brick) const {
+    if (!liking_.in_chains || gone_.empty()) return true;
+    const Offset apart = target_.cell(brick) - target_.cell(brick_of(gone_.back()));
+    return std::abs(apart.x) + std::abs(apart.y) + std::abs(apart.z) == 1;
+  }
+
+  /// One brick is put next to another, so what is left hangs together.
+  bool hangs_together() {
+    std::uint32_t first = 0;
+    while (!left_.has(first)) ++first;
+    BrickSet met(target_.bricks());
+    met.add(first);
+    edge_ = {first};
+    std::size_t count = 1;
+    while (!edge_.empty()) {
+      const Cell cell = target_.cell(edge_.back());
+      edge_.pop_back();
+      for (const Offset step : kFaces) {
+        const std::uint32_t brick = target_.brick_at(cell + step);
+        if (brick == TargetBricks::kNone || !left_.has(brick) || met.has(brick)) continue;
+        met.add(brick);
+        edge_.push_back(brick);
+        ++count;
+      }
+    }
+    return count + gone_.size() + 1 == target_.bricks();
+  }
+
+  /// Can what is left be a start?
+  bool can_begin() const {
+    if (gone_.size() + 2 != target_.bricks() || start_) return true;
+    for (std::uint32_t i = 0; i < target_.bricks(); ++i) {
+      if (left_.has(i)) return target_.cell(i).z == target_.floor_level();
+    }
+    return false;
+  }
+
+  bool remove_one(std::size_t from) {
+    for (std::size_t i = from; i < 2 * order_.size() && most_ > 0; ++i) {
+      const std::uint32_t brick = order_[i % order_.size()];
+      if (!left_.has(brick) || start_ == brick || follows(brick) != (i < order_.size())) continue;
+      --most_;
+      left_.remove(brick);
+      if (!dead_.contains(left_) && hangs_together() && can_begin()) {
+        if (const auto side = side_for(target_, left_, brick, builders_)) {
+          gone_.push_back({i, *side});
+          return true;
+        }
+      }
+      left_.add(brick);
+    }
+    return false;
+  }
+
+  Sequence sequence() const {
+    Sequence out;
+    for (std::uint32_t i = 0; i < target_.bricks(); ++i) {
+      if (left_.has(i)) out.bricks.push_back(i);
+    }
+    out.sides.push_back(builders_.sides.front());
+    for (std::size_t i = gone_.size(); i-- > 0;) {
+      out.bricks.push_back(brick_of(gone_[i]));
+      out.sides.push_back(gone_[i].side);
+    }
+    return out;
+  }
+
+  const TargetBricks& target_;
+  const Builders& builders_;
+  std::optional<std::uint32_t> start_;
+  const Liking& liking_;
+  std::vector<std::uint32_t> order_;
+  std::uint64_t& most_;
+  BrickSet left_;
+  std::vector<Gone> gone_;
+  std::set<BrickSet> dead_;
+  std::vector<std::uint32_t> edge_;
+};
+
+}  // namespace
+
+std::optional<ApproachSide> side_for(const TargetBricks& target, const BrickSet& state,
+                                     std::uint32_t brick, const Builders& builders) {
+  for (const ApproachSide side : builders.sides) {
+    if (reach(target, state, target.cell(brick), side, builders.robot).obstruction ==
+            Obstruction::none &&
+        beside_a_column(target, state, brick, side)) {
+      return side;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Sequence> find_sequence(const TargetBricks& target, const Builders& builders,
+                                      std::optional<std::uint32_t> start, const Liking& liking,
+                                      std::uint64_t& most) {
+  return Dismantler(target, builders, start, liking, most).run();
+}
+
+}  // namespace stig

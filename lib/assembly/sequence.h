@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// An order in which robots that know everything could put the bricks of a target.
+//
+// The finished structure is taken apart: a brick goes when a robot could have put it there last,
+// next to a column that it can stand before, within reach. The reverse is an order of work. Where
+// several bricks could go, a *liking* says which goes first; where none can, the last choice is
+// undone. Sets of bricks that lead nowhere are remembered.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "compiler/approach.h"
+
+namespace stig {
+
+/// Who builds: what a robot can do, and from which sides it works.
+struct Builders {
+  Abilities robot;
+  std::vector<ApproachSide> sides;
+};
+
+/// Which bricks come late: those of the highest score, a sum of coordinates so weighted and of
+/// chance.
+struct Liking {
+  int x = 0, y = 0, z = 0;
+  int chance = 0;  ///< a number below this is added
+  std::uint64_t seed = 0;
+  bool in_chains = false;  ///< what is next to the last brick that went goes first
+};
+
+struct Sequence {
+  std::vector<std::uint32_t> bricks;  ///< the start first
+  std::vector<ApproachSide> sides;    ///< from where each can be put; the start's means nothing
+};
+
+/// From where the brick can be put when the others of `state` stand, next to some column.
+std::optional<ApproachSide> side_for(const TargetBricks& target, const BrickSet& state,
+                                     std::uint32_t brick, const Builders& builders);
+
+/// Begins with `start` or, where none is given, with a brick on the floor. Nothing when there is
+/// no such order or, with `most` at 0, when none was found by looking at so many bricks; what was
+/// looked at is taken off.
+std::optional<Sequence> find_sequence(const TargetBricks& target, const Builders& builders,
+                                      std::optional<std::uint32_t> start, const Liking& liking,
+                                      std::uint64_t& most);
+
+}  // namespace stig
