@@ -17,7 +17,7 @@ namespace stig {
 
 namespace {
 
-constexpr std::size_t kMostStates = 3'000;   ///< of a candidate
+constexpr std::size_t kMostStates = 3'000;    ///< of a candidate
 constexpr std::uint64_t kMostLooks = 20'000;  ///< at bricks, for one order
 constexpr std::uint64_t kStepsOfLook = 5'000, kStepsOfSituation = 20'000, kStepsOfJudging = 60'000;
 constexpr std::size_t kMostCandidates = 4'000;
@@ -40,8 +40,9 @@ Liking liking_of(std::uint64_t seed) {
     return kWeights[combine(seed, which) % std::size(kWeights)];
   };
   constexpr int kChances[] = {0, 2, 6, 20};
-  return {weight(1), weight(2), weight(3), kChances[combine(seed, 4) % std::size(kChances)], seed,
-          combine(seed, 5) % 2 == 0};
+  return {weight(1), weight(2),
+          weight(3), kChances[combine(seed, 4) % std::size(kChances)],
+          seed,      combine(seed, 5) % 2 == 0};
 }
 
 class Assembler {
@@ -101,7 +102,7 @@ class Assembler {
       return !exhausted;
     }
     const Waiting waiting = combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
-    Candidate candidate = make_candidate(bricks_, *sequence, builders, waiting);
+    CandidateOrder candidate = make_candidate(bricks_, *sequence, builders, waiting);
     if (!is_new(candidate, builders.sides)) return true;
     ++out_.counts.walked;
     walk(builders, visibility_, {kMostStates, hooks_.deadline.stop}, candidate);
@@ -117,9 +118,10 @@ class Assembler {
   }
 
   /// Was none like it walked before?
-  bool is_new(const Candidate& candidate, const Sides& sides) {
+  bool is_new(const CandidateOrder& candidate, const Sides& sides) {
     std::vector<std::uint64_t> key(candidate.target->bricks() + 1);
-    for (const ApproachSide side : sides) key.back() = combine(key.back(), static_cast<std::uint64_t>(side) + 1);
+    for (const ApproachSide side : sides)
+      key.back() = combine(key.back(), static_cast<std::uint64_t>(side) + 1);
     for (std::size_t i = 0; i < candidate.target->bricks(); ++i) {
       BrickSet before(bricks_.bricks());
       for (std::size_t k = 0; k < i; ++k) {
@@ -141,7 +143,7 @@ class Assembler {
     return out;
   }
 
-  void paint_and_judge(const Candidate& candidate, const Builders& builders) {
+  void paint_and_judge(const CandidateOrder& candidate, const Builders& builders) {
     RuleView view;
     look_at_rules(task_.target, candidate, view);
     if (!view.schedule) {
@@ -158,8 +160,8 @@ class Assembler {
   }
 
   /// Keeps the plan where it is better than the one there is.
-  void judge(const Candidate& candidate, const RuleView& view, const std::vector<Colour>& colours,
-             const Builders& builders) {
+  void judge(const CandidateOrder& candidate, const RuleView& view,
+             const std::vector<Colour>& colours, const Builders& builders) {
     AssemblyPlan plan;
     plan.text = print_rule_set(rules_of(task_.target, candidate, view, colours, builders.sides,
                                         task_.robots, task_.wording));

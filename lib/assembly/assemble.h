@@ -55,9 +55,9 @@ struct AssemblyPlan {
   std::string text;                ///< the file
   std::unique_ptr<RuleSet> rules;  ///< as it is read
   CompiledRules compiled;
-  std::vector<Cell> order;          ///< one order of work, the start first
-  std::vector<ApproachSide> from;   ///< beside it
-  bool any_number = false;          ///< of robots may work at once
+  std::vector<Cell> order;         ///< one order of work, the start first
+  std::vector<ApproachSide> from;  ///< beside it
+  bool any_number = false;         ///< of robots may work at once
 };
 
 struct Assembly {

@@ -16,7 +16,7 @@ bool share_a_face(Cell a, Cell b) {
 }
 
 /// Could brick k come after brick i as well, which the sequence has later?
-bool either_first(const Candidate& candidate, const Builders& builders, std::size_t k,
+bool either_first(const CandidateOrder& candidate, const Builders& builders, std::size_t k,
                   std::size_t i) {
   const TargetBricks& target = *candidate.target;
   BrickSet others(target.bricks());
@@ -28,7 +28,7 @@ bool either_first(const Candidate& candidate, const Builders& builders, std::siz
   return side_for(target, others, static_cast<std::uint32_t>(k), builders).has_value();
 }
 
-void set_waits(const Builders& builders, Waiting waiting, Candidate& out) {
+void set_waits(const Builders& builders, Waiting waiting, CandidateOrder& out) {
   const TargetBricks& target = *out.target;
   const std::size_t count = target.bricks();
   out.before.assign(count, BrickSet(count));
@@ -47,7 +47,7 @@ void set_waits(const Builders& builders, Waiting waiting, Candidate& out) {
   }
 }
 
-std::vector<std::uint32_t> open_bricks(const Candidate& candidate, const BrickSet& state) {
+std::vector<std::uint32_t> open_bricks(const CandidateOrder& candidate, const BrickSet& state) {
   std::vector<std::uint32_t> out;
   for (std::uint32_t i = 1; i < candidate.before.size(); ++i) {
     if (!state.has(i) && state.contains(candidate.before[i])) out.push_back(i);
@@ -57,10 +57,10 @@ std::vector<std::uint32_t> open_bricks(const Candidate& candidate, const BrickSe
 
 }  // namespace
 
-Candidate make_candidate(const TargetBricks& target, const Sequence& sequence,
-                         const Builders& builders, Waiting waiting) {
+CandidateOrder make_candidate(const TargetBricks& target, const Sequence& sequence,
+                              const Builders& builders, Waiting waiting) {
   assert(target.bricks() <= kMostBricks);
-  Candidate out;
+  CandidateOrder out;
   out.sequence = sequence;
   std::vector<PlacedBrick> bricks;
   for (const std::uint32_t brick : sequence.bricks) {
@@ -72,7 +72,7 @@ Candidate make_candidate(const TargetBricks& target, const Sequence& sequence,
 }
 
 void walk(const Builders& builders, const std::shared_ptr<Visibility>& visibility,
-          const PolicyLimits& limits, Candidate& candidate) {
+          const PolicyLimits& limits, CandidateOrder& candidate) {
   Sight sight(*candidate.target, visibility);
   const OpenBricks open = [&](const BrickSet& state) { return open_bricks(candidate, state); };
   candidate.policy = explore(*candidate.target, open, sight, builders.robot, builders.sides,

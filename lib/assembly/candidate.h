@@ -17,7 +17,7 @@
 
 namespace stig {
 
-struct Candidate {
+struct CandidateOrder {
   /// The bricks in the order of work, the start first, brick i of colour i + 1.
   std::unique_ptr<TargetBricks> target;
   Sequence sequence;             ///< bricks as the target numbered them
@@ -37,10 +37,10 @@ enum class Waiting : std::uint8_t {
   needed,  ///< those that share no face are free where either may come first
 };
 /// Not walked yet.
-Candidate make_candidate(const TargetBricks& target, const Sequence& sequence,
-                         const Builders& builders, Waiting waiting);
+CandidateOrder make_candidate(const TargetBricks& target, const Sequence& sequence,
+                              const Builders& builders, Waiting waiting);
 
 void walk(const Builders& builders, const std::shared_ptr<Visibility>& visibility,
-          const PolicyLimits& limits, Candidate& candidate);
+          const PolicyLimits& limits, CandidateOrder& candidate);
 
 }  // namespace stig

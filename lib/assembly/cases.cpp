@@ -52,7 +52,7 @@ void find_alike(Cases& out) {
 
 }  // namespace
 
-Cases cases_of(const Candidate& candidate) {
+Cases cases_of(const CandidateOrder& candidate) {
   const Policy& policy = candidate.policy;
   Cases out;
   std::vector<std::uint32_t> number(policy.observations.size(), kNoCase);

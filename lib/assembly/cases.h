@@ -20,9 +20,9 @@ struct Choice {
 /// An observation that can arise.
 struct Case {
   ApproachSide side{};
-  CellBits empty, filled;              ///< of the window, as it is seen
-  std::vector<std::uint8_t> bricks;    ///< by cell: which brick is seen, where one is
-  std::vector<Choice> choices;         ///< what may be done
+  CellBits empty, filled;            ///< of the window, as it is seen
+  std::vector<std::uint8_t> bricks;  ///< by cell: which brick is seen, where one is
+  std::vector<Choice> choices;       ///< what may be done
   std::uint32_t observation = 0;
 };
 
@@ -41,7 +41,7 @@ struct Cases {
   std::vector<std::vector<std::uint32_t>> ways_on;
 };
 
-Cases cases_of(const Candidate& candidate);
+Cases cases_of(const CandidateOrder& candidate);
 
 /// Cells in which both cases see bricks, different ones: as pairs of bricks.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> compared_bricks(const Case& a, const Case& b);

@@ -23,7 +23,7 @@ using BrickPair = std::pair<std::uint32_t, std::uint32_t>;
 
 class Painter {
  public:
-  Painter(const Target& target, const Candidate& candidate, const RuleView& rules, int k,
+  Painter(const Target& target, const CandidateOrder& candidate, const RuleView& rules, int k,
           const Allowance& allowance)
       : candidate_(candidate),
         rules_(rules),
@@ -104,7 +104,8 @@ class Painter {
     const auto [at, added] = differ_.emplace(pair, next_);
     if (added) {
       ++next_;
-      for (int c = 1; c <= k_; ++c) clause({-at->second, -has(pair.first, c), -has(pair.second, c)});
+      for (int c = 1; c <= k_; ++c)
+        clause({-at->second, -has(pair.first, c), -has(pair.second, c)});
     }
     return at->second;
   }
@@ -150,7 +151,8 @@ class Painter {
           static_cast<std::size_t>(schedule.keys[static_cast<std::size_t>(clash.key)].site);
       if (rules_.frame.sites[from].at.z != to.at.z) continue;
       std::vector<int> literals;
-      for (const auto& [a, b] : compared_orbits(schedule, clash)) literals.push_back(differ(pair(a, b)));
+      for (const auto& [a, b] : compared_orbits(schedule, clash))
+        literals.push_back(differ(pair(a, b)));
       if (clash.intended) literals.push_back(equal(pair(static_cast<int>(from), to.orbit)));
       clause(literals);
       ++added;
@@ -212,7 +214,7 @@ class Painter {
     return 1;
   }
 
-  const Candidate& candidate_;
+  const CandidateOrder& candidate_;
   const RuleView& rules_;
   int k_;
   const Allowance& allowance_;
@@ -227,8 +229,8 @@ class Painter {
 
 }  // namespace
 
-PaintResult paint(const Target& target, const Candidate& candidate, const RuleView& rules, int k,
-                  const Allowance& allowance) {
+PaintResult paint(const Target& target, const CandidateOrder& candidate, const RuleView& rules,
+                  int k, const Allowance& allowance) {
   return Painter(target, candidate, rules, k, allowance).run();
 }
 

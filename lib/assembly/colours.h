@@ -27,7 +27,7 @@ struct PaintResult {
 };
 
 /// With colours 1..k, by brick of the candidate those that the target allows.
-PaintResult paint(const Target& target, const Candidate& candidate, const RuleView& rules, int k,
-                  const Allowance& allowance);
+PaintResult paint(const Target& target, const CandidateOrder& candidate, const RuleView& rules,
+                  int k, const Allowance& allowance);
 
 }  // namespace stig

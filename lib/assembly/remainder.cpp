@@ -17,8 +17,7 @@ ReachResult barred_among(const TargetBricks& target, const BrickSet& others, std
   const ReachResult result = reach(target, others, target.cell(brick), side, robot);
   if (result.obstruction != Obstruction::effector_blocked) return result;
   const SideCell site = seen_from(side, target.cell(brick));
-  const std::uint32_t behind =
-      target.brick_at(cell_from(side, {site.u - 1, site.v, site.z + 1}));
+  const std::uint32_t behind = target.brick_at(cell_from(side, {site.u - 1, site.v, site.z + 1}));
   if (behind == TargetBricks::kNone || others.has(behind)) return result;
   BrickSet with = others;
   with.add(behind);

@@ -29,7 +29,7 @@ std::vector<Colour> renumbered(const std::vector<Colour>& colours, std::size_t n
 }
 
 /// What stands about a brick's site when it is due.
-Pattern pattern_of(const Candidate& candidate, std::uint32_t brick,
+Pattern pattern_of(const CandidateOrder& candidate, std::uint32_t brick,
                    const std::vector<Colour>& colours) {
   const Neighbourhood& n = neighbourhood(Lattice::cubic);
   const TargetBricks& target = *candidate.target;
@@ -88,7 +88,7 @@ void add_rules(const SameRule& same, ExactRules& out) {
   }
 }
 
-ExactRules exact_rules(const Candidate& candidate, const std::vector<Colour>& colours,
+ExactRules exact_rules(const CandidateOrder& candidate, const std::vector<Colour>& colours,
                        const std::set<std::uint32_t>& need_heights) {
   std::vector<SameRule> found;
   for (std::uint32_t i = 1; i < candidate.target->bricks(); ++i) {
@@ -122,7 +122,7 @@ void add_leds(RuleSet& rules) {
 
 }  // namespace
 
-RuleSet rules_of(const Target& target, const Candidate& candidate, const RuleView& view,
+RuleSet rules_of(const Target& target, const CandidateOrder& candidate, const RuleView& view,
                  const std::vector<Colour>& colours, const std::vector<ApproachSide>& sides,
                  std::optional<int> robots, const Wording& wording) {
   const std::vector<Colour> painted = renumbered(colours, target.bricks.size());
@@ -131,8 +131,7 @@ RuleSet rules_of(const Target& target, const Candidate& candidate, const RuleVie
   const ExactRules exact = exact_rules(candidate, painted, that_need_heights(view, by_orbit));
   const int count = std::max<int>(*std::max_element(painted.begin(), painted.end()),
                                   static_cast<int>(target.bricks.size()));
-  RuleSet out =
-      make_rule_set(view.frame, by_orbit, count, target.bricks, exact.rules, wording);
+  RuleSet out = make_rule_set(view.frame, by_orbit, count, target.bricks, exact.rules, wording);
   for (std::size_t i = 0; i < out.rules.size(); ++i) {
     if (!exact.heights[i]) continue;
     out.rules[i].height_min = exact.heights[i]->first;

@@ -9,7 +9,7 @@
 namespace stig {
 
 /// `robots`: that the file says work at once; none: it does not say.
-RuleSet rules_of(const Target& target, const Candidate& candidate, const RuleView& view,
+RuleSet rules_of(const Target& target, const CandidateOrder& candidate, const RuleView& view,
                  const std::vector<Colour>& colours, const std::vector<ApproachSide>& sides,
                  std::optional<int> robots, const Wording& wording);
 

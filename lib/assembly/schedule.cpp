@@ -16,7 +16,7 @@ using Bits = std::uint32_t;
 /// Enumerates the states of one site after another.
 class Enumerator {
  public:
-  Enumerator(const Candidate& candidate, const RuleView& view)
+  Enumerator(const CandidateOrder& candidate, const RuleView& view)
       : candidate_(candidate), view_(view) {}
 
   /// False when there are more than there may be.
@@ -66,7 +66,7 @@ class Enumerator {
     return true;
   }
 
-  const Candidate& candidate_;
+  const CandidateOrder& candidate_;
   const RuleView& view_;
   std::vector<Beside> bricks_;
 };
@@ -82,7 +82,8 @@ Bits those_of(const RuleView& view, const Site& site, const BrickSet& set) {
   return out;
 }
 
-bool add_keys(const Candidate& candidate, const RuleView& view, std::size_t orbit, Schedule& out) {
+bool add_keys(const CandidateOrder& candidate, const RuleView& view, std::size_t orbit,
+              Schedule& out) {
   const std::uint32_t brick = view.brick[orbit];
   const Bits before = those_of(view, view.frame.sites[orbit], candidate.before[brick]);
   const Bits free = those_of(view, view.frame.sites[orbit], candidate.free[brick]);
@@ -100,7 +101,7 @@ bool add_keys(const Candidate& candidate, const RuleView& view, std::size_t orbi
 
 }  // namespace
 
-void look_at_rules(const Target& target, const Candidate& candidate, RuleView& out) {
+void look_at_rules(const Target& target, const CandidateOrder& candidate, RuleView& out) {
   out.frame = make_frame(target, {{candidate.target->cell(0)}, Symmetry::none, true});
   Schedule schedule;
   schedule.frame = &out.frame;

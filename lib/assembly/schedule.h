@@ -18,6 +18,6 @@ struct RuleView {
   std::vector<std::uint32_t> brick;  ///< the candidate's, by orbit
 };
 /// The frame must not move afterwards: the schedule points to it.
-void look_at_rules(const Target& target, const Candidate& candidate, RuleView& out);
+void look_at_rules(const Target& target, const CandidateOrder& candidate, RuleView& out);
 
 }  // namespace stig

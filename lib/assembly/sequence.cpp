@@ -30,8 +30,8 @@ std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& l
   std::vector<std::int64_t> score(target.bricks());
   for (std::size_t i = 0; i < score.size(); ++i) {
     const Cell c = target.cell(i);
-    score[i] = std::int64_t{liking.x} * c.x + std::int64_t{liking.y} * c.y +
-               std::int64_t{liking.z} * c.z;
+    score[i] =
+        std::int64_t{liking.x} * c.x + std::int64_t{liking.y} * c.y + std::int64_t{liking.z} * c.z;
     if (liking.chance > 0) {
       score[i] += static_cast<std::int64_t>(combine(liking.seed, i) %
                                             static_cast<std::uint64_t>(liking.chance));
