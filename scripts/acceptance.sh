@@ -62,26 +62,38 @@ bench_part() {
   [[ -n $found ]] || { printf '\nNo benchmark was built.\n'; failures=$((failures + 1)); }
 }
 
+# Runs one test program on the laws' other cases; its log and result stand in out/.
+law_one() {
+  local name
+  name=$(basename "$1")
+  if RC_PARAMS="seed=$2 max_success=500" STIG_WORLDS=10000 STIG_TRIALS=100 \
+    "$1" >"out/laws-$name.log" 2>&1; then
+    echo clean >"out/laws-$name.result"
+  else
+    echo "**failed**, see out/laws-$name.log" >"out/laws-$name.result"
+  fi
+}
+
 laws_part() {
-  local program name log result
+  local program name log result programs
   printf '\n## Laws on other random cases, seed %s\n\n| tests | result |\n|---|---|\n' "$seed"
   scripts/install.sh build test >&2
   configure_and_build dev >&2
-  while IFS= read -r program; do
-    name=$(basename "$program")
-    log=out/laws-$name.log
-    say "$name" >&2
-    result=clean
-    RC_PARAMS="seed=$seed max_success=500" STIG_WORLDS=10000 STIG_TRIALS=100 "$program" >"$log" 2>&1 || {
-      result="**failed**, see $log"
-      failures=$((failures + 1))
-    }
+  mapfile -t programs < <(find build/dev/tests -name 'test_*' -type f -executable | sort)
+  export -f law_one
+  say "${#programs[@]} test programs" >&2
+  printf '%s\0' "${programs[@]}" |
+    xargs -0 -P "$(nproc)" -I{} bash -c 'law_one "$@"' _ {} "$seed"
+  for program in "${programs[@]}"; do
+    name=$(basename "$program") log=out/laws-$(basename "$program").log
+    result=$(cat "out/laws-$name.result")
+    [[ $result == clean ]] || failures=$((failures + 1))
     printf '| %s | %s |\n' "$name" "$result"
     # How many of the small random worlds were proved, refuted, left open.
     sed -n 's/.*MESSAGE: \(proved [0-9].*\)/| | \1 |/p' "$log"
     # Blocks picked up, carried and stacked by robots, and how well they sit.
     sed -n 's/.*MESSAGE: \([0-9]* stacked.*\)/| | \1 |/p' "$log"
-  done < <(find build/dev/tests -name 'test_*' -type f -executable | sort)
+  done
 }
 
 # One row: what stigc validate said of these arguments.
