@@ -17,7 +17,7 @@ struct Row {
   bool held = false;
 };
 
-/// Of one trial, which may fill several rows.
+/// The rows of one trial, which may fill several.
 using Rows = std::vector<Row>;
 
 /// A trial of this name; names are what the program's arguments choose by.

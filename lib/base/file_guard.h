@@ -19,7 +19,7 @@ struct FileNumber {
   std::uint64_t device = 0, inode = 0;
   auto operator<=>(const FileNumber&) const = default;
 };
-/// Of the file that a path leads to, or that is open; nothing when there is none.
+/// The number of the file that a path leads to, or that is open; nothing when there is none.
 std::optional<FileNumber> file_number(const std::string& path);
 std::optional<FileNumber> file_number(int descriptor);
 

@@ -19,7 +19,7 @@ struct HullFace {
 /// are in none. Empty when the points lie in one plane.
 std::vector<HullFace> hull_faces(const std::vector<Vec3>& points);
 
-/// Of a solid of density 1.
+/// Mass properties of a solid of density 1.
 struct HullMass {
   double volume = 0;
   Vec3 centre;

@@ -80,7 +80,7 @@ constexpr Mat3 matrix(const Quat& q) {
       {2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)}};
 }
 
-/// Of a rotation, by its largest component (Shepperd 1978).
+/// The quaternion of a rotation, from its largest component (Shepperd 1978).
 inline Quat quaternion_of(const Mat3& r) {
   const double trace = r.x.x + r.y.y + r.z.z;
   Quat q;

@@ -60,7 +60,7 @@ class StageCheck {
     std::vector<Local> locals;  ///< by position
     std::vector<RuleCandidate> candidates;
   };
-  /// Of a filling's bricks, those that a site sees.
+  /// Those of a filling's bricks that a site sees.
   struct Seen {
     std::uint32_t bit;
     NeighbourSet at;

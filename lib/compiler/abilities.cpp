@@ -30,7 +30,7 @@ Extent extent_of(const BodyModel& body) {
     for (const Vec3& p : body.points) grow(out, body.X_RB * p);
     return out;
   }
-  // Of a box exactly; of round shapes the box about them.
+  // Exact for a box; round shapes count as the box about them.
   const Vec3 h = body.size * 0.5;
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner{(i & 1) ? h.x : -h.x, (i & 2) ? h.y : -h.y, (i & 4) ? h.z : -h.z};

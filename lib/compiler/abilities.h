@@ -32,7 +32,7 @@ struct CarriedCamera {
   bool lifted = true;
 };
 
-/// Of the block, what its file says and its magnets do.
+/// What the block's file says of it, and what its magnets do.
 struct BlockFigures {
   BlockLook look;
   double mass = 0.110;
@@ -69,7 +69,7 @@ struct Abilities {
 
 /// What keeps a robot from building at all, each a sentence; empty: nothing.
 std::vector<std::string> lacking(const RobotModel& robot);
-/// Of a robot that lacks nothing.
+/// The abilities of a robot that lacks nothing.
 Abilities abilities_of(const RobotModel& robot, const BlockFigures& block);
 
 }  // namespace stig

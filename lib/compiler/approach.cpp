@@ -97,7 +97,7 @@ ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   if (grounded(view, site)) return {};
   const Cell below = cell_from(view.side, {site.u, site.v, site.z - 1});
   const double side = robot.block.side, inset = 0.005;
-  // Of the block's weight about the lower edge of the joint.
+  // The moment of the block's weight about the lower edge of the joint.
   const double moment = robot.block_weight * side / 2;
   if (!view.filled(site.u - 1, site.v, site.z) && !view.filled(site.u, site.v, site.z - 1)) {
     return {Obstruction::unsupported, below, moment, 0};

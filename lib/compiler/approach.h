@@ -67,7 +67,7 @@ ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, 
 /// Does a brick here stand in the lane of a robot at `site`: the cells that its body passes on
 /// the way there and back?
 bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot);
-/// Of a cell in that lane: does it lie behind the robot that is as deep in the lane as it goes?
+/// Does a cell of that lane lie behind the robot when it is as deep in the lane as it goes?
 bool behind_robot(const SideCell& site, const SideCell& brick, const Abilities& robot);
 /// "needs the lift at 168 mm, it goes to 137 mm": a sentence's end.
 std::string explain(const ReachResult& result);

@@ -69,7 +69,7 @@ struct Concurrency {
   bool ways_cross = false;
 };
 
-/// Of a complete policy and its tree.
+/// Checks a complete policy and its tree.
 Concurrency check_concurrency(const TargetStates& target, const Abilities& robot,
                               const Policy& policy, const DecisionNode& decision);
 

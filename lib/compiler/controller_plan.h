@@ -38,7 +38,7 @@ struct ControllerPlan {
   RobotFigures figures;
 };
 
-/// Of rules that were compiled with success; holds for as long as `compiled` does.
+/// The plan for rules that were compiled with success; it is valid for as long as `compiled` is.
 ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
                                const CompiledRules& compiled);
 

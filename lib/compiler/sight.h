@@ -23,7 +23,7 @@
 
 namespace stig {
 
-/// Of one cell: what is known.
+/// What is known of one cell.
 enum : std::uint8_t { kUnseen = 0, kSeenEmpty = 1, kSeenBrick = 2 };  ///< then colour + 2
 
 /// A cell relative to a column: du towards the robot, dv to its left, z from the floor.
@@ -94,7 +94,7 @@ class Sight {
   Sight(const TargetBricks& target, const Abilities& robot);
   Sight(const TargetBricks& target, std::shared_ptr<Visibility> visibility);
 
-  /// Of the column (u, v) from this side.
+  /// What is seen of the column (u, v) from this side.
   const Observation& look(const BrickSet& state, ApproachSide side, int u, int v);
   /// The same from each of stances() alone.
   const std::vector<Observation>& look_from_each(const BrickSet& state, ApproachSide side, int u,

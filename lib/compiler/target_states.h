@@ -20,7 +20,7 @@ namespace stig {
 /// Bricks: those of the start first, then in the order of the proof's run.
 class TargetStates : public TargetBricks {
  public:
-  /// Of a proved rule set with a single stage. Both arguments must outlive it.
+  /// The states of a proved rule set with a single stage. Both arguments must outlive them.
   TargetStates(const RuleSet& rules, const VerifyResult& proof);
   TargetStates(TargetStates&&) noexcept;
   ~TargetStates();

@@ -46,7 +46,7 @@ struct ExpectationItem {
 struct ExpectationLimits {
   std::uint32_t samples = 64;
   std::uint64_t deposits = 20'000;  ///< of one sample, where there is no box
-  /// Of one sample: rules of low probability can idle.
+  /// The most steps of one sample: rules of low probability can idle.
   std::uint64_t steps = 10'000'000;
   std::uint64_t seed = 1;
   EventOrdersLimits search;

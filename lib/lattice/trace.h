@@ -65,7 +65,7 @@ struct ReplayReport {
   std::string difference;      ///< first difference in words; empty when identical
   std::uint64_t compared = 0;  ///< events compared
 };
-/// Of the hooks, progress and stop are used; a stop shows as a difference.
+/// Replays a trace. It uses the hooks progress and stop; a stop shows as a difference.
 ReplayReport replay(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks = {});
 
 }  // namespace stig

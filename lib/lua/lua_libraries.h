@@ -64,7 +64,7 @@ std::int64_t integer_argument(lua_State* state, int index, const char* function,
                               std::int64_t low, std::int64_t high);
 std::string_view text_argument(lua_State* state, int index, const char* function, const char* name);
 Vec3 vector_argument(lua_State* state, int index, const char* function, const char* name);
-/// Of length 1, whatever the length of what was given.
+/// The argument as a quaternion of length 1, whatever the length of what was given.
 Quat quaternion_argument(lua_State* state, int index, const char* function, const char* name);
 /// Pushes what a message shows of an argument: "missing", a number, the beginning of a text in
 /// quotes, otherwise its type. It is valid as long as it stays on the stack.

@@ -17,7 +17,7 @@
 
 namespace stig {
 
-/// Of one state. Work that is not instructions (searching texts, sorting, making strings) is
+/// Limits of one state. Work other than instructions (searching texts, sorting, strings) is
 /// charged as instructions too, so that the first of these bounds the time of a call.
 struct LuaLimits {
   std::uint64_t instructions = 1'000'000;  ///< a call of init, step, reset or destroy

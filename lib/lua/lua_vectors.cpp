@@ -254,7 +254,7 @@ int cross_method(lua_State* state) {
   lua_settop(state, 1);
   return 1;
 }
-/// Of the vector from the x axis; or to another vector, counter-clockwise.
+/// The angle of the vector from the x axis, or to another vector, counter-clockwise.
 int angle2(lua_State* state) {
   const Vec2 a = check<Vec2>(state, 1);
   const Vec2 b = lua_isnone(state, 2) ? a : check<Vec2>(state, 2);

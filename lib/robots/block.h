@@ -55,7 +55,7 @@ struct BlockModel {
   double inertia() const;
   /// Dipole moment of a magnet, A·m².
   double magnet_moment() const;
-  /// Of a solid sphere about its centre, kg m².
+  /// The moment of inertia of a solid sphere about its centre, kg m².
   double magnet_inertia() const { return 0.4 * magnet_mass * magnet_radius * magnet_radius; }
   /// The eight places, in binary order: x changes first.
   std::vector<Vec3> magnet_places() const;

@@ -184,7 +184,7 @@ JointModel read_joint(const FormView& view, const RobotParts& parts) {
   return joint;
 }
 
-/// Of all joints; with the six of its root these are the degrees of freedom of a mechanism.
+/// The most axes of all joints; with the six of its root, the degrees of freedom of a mechanism.
 constexpr std::size_t kMostRobotAxes = 58;
 
 void check_count(const FormView& root, const RobotParts& parts) {

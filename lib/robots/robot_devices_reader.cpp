@@ -58,7 +58,7 @@ class DeviceReader {
   }
 
   std::size_t body(const FormView& view) { return parts_.body(view, "body").value_or(kNoBody); }
-  /// Of `at`, in the frame of the body's middle.
+  /// The place that `at` gives, in the frame of the body's middle.
   Vec3 place(const FormView& view, std::size_t body) {
     return view.vector("at") + (body == kNoBody ? Vec3{} : model_.bodies[body].p_BO);
   }

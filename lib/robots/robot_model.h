@@ -168,7 +168,7 @@ struct RobotModel {
 };
 
 /// A solid's moments about its centre and the body's axes, or those that the file gives, kg·m².
-/// Of a hull that is askew, products of inertia are left out.
+/// Principal moments; products of inertia of a hull that is askew are left out.
 Vec3 moments_of(const BodyModel& body);
 
 }  // namespace stig

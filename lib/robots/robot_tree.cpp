@@ -73,7 +73,7 @@ class Tree {
     }
   }
 
-  /// Of its name, so that joints could not mean it; reported already.
+  /// Is it the second of its name, which joints could not mean? Reported already.
   bool is_second(std::size_t body) const {
     return std::any_of(bodies().begin(), bodies().begin() + static_cast<std::ptrdiff_t>(body),
                        [&](const BodyModel& one) { return one.name == bodies()[body].name; });

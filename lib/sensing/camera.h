@@ -18,7 +18,7 @@
 
 namespace stig {
 
-/// Of a point on the image plane, pixels: x right, y down, from the upper left corner.
+/// A point on the image plane, pixels: x right, y down, from the upper left corner.
 struct ImagePoint {
   double x = 0, y = 0;
 };

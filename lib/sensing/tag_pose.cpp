@@ -22,7 +22,7 @@ struct Corner {
 };
 using Corners = std::array<Corner, 4>;
 
-/// Of the tag's centre: its image on the plane z = 1, and how that moves with the place on
+/// The image of the tag's centre on the plane z = 1, and how it moves with the place on
 /// the tag, by metre.
 struct CentreMap {
   double x = 0, y = 0;

@@ -18,7 +18,7 @@
 
 namespace stig {
 
-/// Of a tag's corners, tag frame: lower left, lower right, upper right, upper left.
+/// A tag's corners, tag frame: lower left, lower right, upper right, upper left.
 std::array<Vec3, 4> tag_corners(double side);
 
 struct TagPose {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of the colourings that were found: rules for the most promising, and the best of those.
+// Rules for the most promising of the colourings that were found, and the best of those.
 #pragma once
 
 #include "synthesis/effort.h"

@@ -28,7 +28,7 @@ struct BlockCount {
   friend bool operator==(const BlockCount&, const BlockCount&) = default;
 };
 
-/// Of the blocks in the arena; `began`, `dropped` and `left` are the caller's to set.
+/// Counts the blocks in the arena; `began`, `dropped` and `left` are the caller's to set.
 BlockCount count_blocks(const std::vector<WatchedBlock>& there, const Watch& watch,
                         const std::vector<CacheSpawn>& caches);
 

@@ -22,7 +22,7 @@ std::string seen_text(const RuleSet& rules, State state) {
   return state == kFloor ? "the floor" : rules.brick(state).name;
 }
 
-/// Of the rules that place this colour, the one that is nearest to firing, and what it lacks.
+/// The rule of this colour that is nearest to firing, and what it lacks.
 std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site, Colour colour) {
   const RuleExplanation* nearest = nullptr;
   const auto lacks = [](const RuleExplanation& one) {

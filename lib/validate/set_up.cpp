@@ -109,7 +109,7 @@ class Layout {
     return out;
   }
 
-  /// Of those that robots work from; the first is where it begins.
+  /// The sides that a robot works from; it begins at the first.
   std::vector<ApproachSide> sides_of(int robot) const {
     const auto& sides = compiled_.sides;
     const auto count = static_cast<int>(sides.size());

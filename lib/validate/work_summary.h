@@ -13,7 +13,7 @@
 
 namespace stig {
 
-/// Of all robots and runs together.
+/// Time in one state, of all robots and runs together.
 struct StateTime {
   std::string state;
   double time = 0, idle = 0;  ///< s; idle is part of time

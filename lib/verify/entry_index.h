@@ -17,7 +17,7 @@ using PossibleStates = std::array<StateSet, kMaxNeighbours>;
 
 class EntryIndex {
  public:
-  /// Of the rules that act in a stage (1-based). The table and the rules must outlive it.
+  /// Indexes the rules that act in a stage (1-based). The table and the rules must outlive it.
   EntryIndex(const RuleSet& rules, const RuleTable& table, int stage);
 
   /// Entries (positions in RuleTable::entries) that accept one of the possible states of

@@ -11,7 +11,7 @@
 
 namespace stig {
 
-/// Of a proved set: fills in walled_in and maybe_walled_in.
+/// Fills in walled_in and maybe_walled_in of a proved set.
 void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
                     Findings& findings);
 

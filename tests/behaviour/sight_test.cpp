@@ -15,7 +15,7 @@ struct Sightings {
   int seen = 0, astray = 0;
 };
 
-/// Of a column, by a robot that stands before it.
+/// What a robot that stands before a column sees of it.
 Sightings before_column(const char* robot, double ahead, std::uint64_t seed) {
   Trial trial(fmt::format("stigc_scene: 1\nrobots:\n"
                           "  - {{file: {}, program: sight_probe.lua,\n"

@@ -47,7 +47,7 @@ struct Click {
   Misfit end;        ///< of the second block against the first, a second after the start
 };
 
-/// Of pair_scene and scenes like it.
+/// The click of pair_scene and scenes like it.
 inline Click click(const WorldConfig& config, double side) {
   World world(config);
   Click out;

@@ -10,7 +10,7 @@
 
 namespace stig {
 
-/// Of number `seed`: two colours, a box of up to 4×4×4, both lattices, exact, sparse and
+/// World number `seed`: two colours, a box of up to 4×4×4, both lattices, exact, sparse and
 /// wildcard patterns, heights, counts, symmetries, floors, periodic sides, stages.
 RuleSet small_world(std::uint64_t seed);
 

@@ -13,7 +13,7 @@ struct CameraPlace {
   std::size_t robot = 0, camera = 0;
 };
 
-/// Of ROBOT or ROBOT:CAMERA; the first camera of a robot when none is named.
+/// The camera named ROBOT or ROBOT:CAMERA; the first camera of a robot when none is named.
 std::optional<CameraPlace> camera_named(const Simulation& run, const std::string& name,
                                         std::string& problem);
 /// A PNG file.

@@ -14,7 +14,7 @@ namespace stig {
 inline constexpr const char* kPaperRobot = "bebot.yaml";
 inline constexpr const char* kArgosRobot = "builderbot.yaml";
 
-/// Of a robot's file, by default one of ours, with the paper's block: both are found
+/// Reads a robot's file, by default one of ours, with the paper's block: both are found
 /// where scenes find theirs. Errors, and what keeps it from building at all, are reported.
 std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
                                         const App& app, const char* usual = kPaperRobot);

@@ -35,7 +35,7 @@ struct Shape {
   /// The hull of 4 to 64 points about the body's origin, its centre of mass. Points that enclose
   /// nothing give a shape without extent, which no world takes.
   static Shape hull(const std::vector<Vec3>& points);
-  /// Of the ball around its centre that holds it.
+  /// The radius of the smallest ball around its centre that contains it.
   double radius() const;
 };
 

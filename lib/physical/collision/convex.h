@@ -47,7 +47,7 @@ struct PrincipalHull {
   Vec3 inertia;  ///< kg m² for 1 kg/m³
   double volume = 0;
 };
-/// Of points that enclose something.
+/// The hull of points that enclose a volume, in its principal frame.
 PrincipalHull principal_hull(const std::vector<Vec3>& points);
 
 }  // namespace stig

@@ -38,7 +38,7 @@ inline constexpr double kGraze = 0.2e-3;
 double extent(const Placed& box, const Vec3& n);
 /// The points of contact with that axis as the normal.
 Touch touch_boxes_along(const Placed& a, const Placed& b, const BoxAxis& axis, double margin);
-/// Of boxes, hulls and cylinders as prisms.
+/// The touch of boxes, hulls and cylinders, the latter as prisms.
 Touch touch_hulls(const Placed& a, const Placed& b, double margin);
 // The sphere is a.
 Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin);

@@ -11,7 +11,7 @@ namespace stig {
 
 namespace {
 
-/// Of the part in the world's axes, about its centre of mass.
+/// The part's inertia in the world's axes, about its centre of mass.
 Mat3 turned(const Mat3& r, const Mat3& inertia) {
   const auto column = [&](const Vec3& e) { return r * (inertia * r.transposed(e)); };
   return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};

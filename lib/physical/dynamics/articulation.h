@@ -43,7 +43,7 @@ struct AxisState {
   double stop = 0;    ///< positive: from the lower stop
 };
 
-/// Of a system of bodies: linear, and angular about the world's origin.
+/// The momentum of a system of bodies: linear, and angular about the world's origin.
 struct Momentum {
   Vec3 linear, angular;
 };
@@ -60,13 +60,13 @@ struct Articulation {
   std::vector<AxisState> axes;
   std::vector<double> q, v;
 
-  // Of the positions q.
+  // Functions of the positions q.
   std::vector<Pose> poses;          ///< of the parts
   std::vector<Twist> columns;       ///< parts × dofs: see Mechanism::columns
   std::vector<PartWeight> weights;  ///< of the parts
   std::vector<Twist> motions;       ///< of the parts' origins, for v
 
-  // Of this step.
+  // Values of this step.
   std::vector<double> kick, way;
   std::vector<double> inverse;  ///< of M + D dt, dofs × dofs
   Momentum momentum;            ///< that it should have after the step, but for contacts
@@ -87,7 +87,7 @@ struct Articulations {
   std::vector<JointPlace> joints;  ///< by number in the configuration
 };
 
-/// Of the joints from number `first` on; those before must not share bodies with them.
+/// Adds the joints from number `first` on; those before must not share bodies with them.
 void add_articulations(const WorldConfig& config, std::size_t first, Articulations& out);
 
 /// How a part's origin moves at generalised velocities v, and how that would change if they stayed

@@ -14,7 +14,7 @@ Mat3 inertia_in(const Quat& q, const Vec3& moments) { return rotated_diagonal(ma
 
 Mat3 sum(const Mat3& a, const Mat3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 
-/// Of a point of mass at d.
+/// The inertia of a point mass at d.
 Mat3 point_inertia(double mass, const Vec3& d) {
   const auto column = [&](const Vec3& e) { return (e * squared(d) - d * dot(d, e)) * mass; };
   return {column({1, 0, 0}), column({0, 1, 0}), column({0, 0, 1})};

@@ -187,7 +187,7 @@ bool read_definitions(Taker& in, WorldConfig& out) {
   return in.good();
 }
 
-/// Of everything in the first configuration that a step depends on.
+/// A hash of everything in the first configuration that a step depends on.
 std::uint64_t hash_of(const WorldState& world) {
   const WorldConfig& config = world.config;
   Writer out;

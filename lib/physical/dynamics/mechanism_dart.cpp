@@ -15,7 +15,7 @@ namespace {
 
 using namespace dart::dynamics;
 
-/// Of the bodies between the degrees of freedom of one joint, which DART wants to weigh
+/// Mass and inertia of the bodies between the axes of one joint, which DART wants to weigh
 /// something: kg, and kg·m².
 constexpr double kAlmostNoMass = 1e-12, kAlmostNoInertia = 1e-18;
 
@@ -46,7 +46,7 @@ class DartMechanism final : public Mechanism {
 
  private:
   using Six = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
-  /// Of the degrees of freedom of `singles_`.
+  /// The number of the first degree of freedom of `singles_`.
   std::size_t first() const { return floating_ == nullptr ? 0 : 6; }
   BodyNode* add_joint(BodyNode* parent, const Part& part, const std::string& name);
   BodyNode* add_dof(BodyNode* parent, const DofDef& dof, const std::string& name,

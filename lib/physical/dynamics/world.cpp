@@ -125,7 +125,7 @@ void leave(WorldState& world, std::uint32_t i) {
   world.events.push_back({EventKind::left_arena, BodyId{i}, kFloorId});
 }
 
-/// Of a mechanism all bodies leave when one does.
+/// Notes the bodies that left; all bodies of a mechanism leave when one does.
 void note_leavers(WorldState& world) {
   const double most = world.config.arena;
   for (const std::uint32_t i : world.awake) {

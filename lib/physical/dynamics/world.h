@@ -125,7 +125,7 @@ class World {
   BodyState state(BodyId id) const;
   /// Direction of a body's magnet, world frame.
   Vec3 magnet_direction(BodyId id, std::size_t magnet) const;
-  /// Of the last step, in a fixed order: wakings, contacts by body, snaps by
+  /// The events of the last step, in a fixed order: wakings, contacts by body, snaps by
   /// body, sleepers, leavers.
   const std::vector<WorldEvent>& events() const;
   /// Kinetic (with that of integrated spheres), of gravity and of magnets, J. For tests and
@@ -157,7 +157,7 @@ class World {
   /// What the actuator shall do from now on: m/s or rad/s, m or rad, N or N·m, as its kind
   /// says; finite. A change wakes the mechanism.
   void drive(JointId id, std::size_t dof, double target);
-  /// Of a magnet with an active part, from now on; finite, 0 at the start. Wakes the body and those
+  /// Sets an electromagnet's current from now on; finite, 0 at the start. Wakes the body and those
   /// with magnets within the cut-off.
   void set_current(BodyId id, std::size_t magnet, double current);
   double current(BodyId id, std::size_t magnet) const;
@@ -166,7 +166,7 @@ class World {
   std::string checkpoint() const;
   /// False, and nothing changed, when the bytes are no checkpoint of this configuration.
   bool resume(std::string_view checkpoint);
-  /// Of the checkpoint's bytes.
+  /// The hash of the checkpoint's bytes.
   std::uint64_t hash() const;
 
  private:

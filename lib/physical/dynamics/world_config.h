@@ -43,7 +43,7 @@ struct BodyDef {
   Vec3 velocity, spin;  ///< m/s and rad/s, world frame
   Material material = kBlockMaterial;
   bool fixed = false;  ///< moved by nothing but its own velocity
-  /// Of a wheel: unit, body frame, the direction in which it grips less. Zero: none.
+  /// The axle of a wheel: unit, body frame; along it the wheel grips less. Zero: no wheel.
   Vec3 axle;
   double axle_friction = 0.3;  ///< times the friction elsewhere, along the axle
   std::vector<MagnetDef> magnets;

@@ -70,7 +70,7 @@ struct WorldState {
   double magnet_radius = 0;         ///< largest distance of a magnet from its body's centre
   Articulations articulations;
   std::vector<Contact> contacts;  ///< sorted by (a, b), the floor last
-  /// Of the search for them, kept for their memory alone: contacts are many and large.
+  /// Buffers of the search for contacts, kept for their memory alone: contacts are many and large.
   std::vector<Contact> found, merged;
   std::vector<Pull> pulls;      ///< of this step, sorted by (a, b)
   std::vector<BodyPair> snaps;  ///< bodies snapped together, sorted
@@ -85,7 +85,7 @@ struct WorldState {
   std::vector<Bounds> bounds;  ///< of each body
   /// Each body's shape where it is. Kept, since to copy a shape is to count its owners.
   std::vector<Placed> placed;
-  /// Of each thing of the grid: a loose body, or a mechanism by the number of its first link.
+  /// Bounds of each thing of the grid: a loose body, or a mechanism by its first link's number.
   std::vector<Bounds> thing_bounds;
   std::vector<CellEntry> resting_cells;
 };
@@ -113,7 +113,7 @@ void gather_forces(WorldState& world);
 void add_magnet_forces(WorldState& world);
 /// Those with magnets within the cut-off of the body's.
 void wake_magnet_partners(WorldState& world, std::uint32_t body);
-/// Of a link: its whole mechanism, when its first link is named.
+/// For a link: integrates its whole mechanism, when its first link is named.
 void integrate_velocity(WorldState& world, std::uint32_t body);
 /// Finds the contacts, keeps those among sleepers; wakes those that something fast touches.
 void update_contacts(WorldState& world);
@@ -127,7 +127,7 @@ void report_contacts(WorldState& world);
 void report_snaps(WorldState& world);
 void put_to_sleep(WorldState& world);
 
-/// Of the fields and of integrated spheres that spin, J.
+/// The energy of the fields and of integrated spheres that spin, J.
 double magnet_energy(const WorldState& world);
 double friction_of(const WorldConfig& config, Material a, Material b);
 

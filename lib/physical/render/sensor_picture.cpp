@@ -145,7 +145,7 @@ class ScenePainter {
   std::vector<std::size_t> near_;
 };
 
-/// Of the tile's corners from its middle; all round where the lens cannot be inverted.
+/// The largest angle from the tile's middle to a corner; all round where the lens has no inverse.
 double angle_about(const CameraIntrinsics& camera, const PixelBox& box, Vec3& middle) {
   const auto centre = unproject(camera, {(box.x0 + box.x1) / 2.0, (box.y0 + box.y1) / 2.0});
   if (!centre) return 4;

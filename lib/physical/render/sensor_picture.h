@@ -16,7 +16,7 @@ namespace stig {
 /// The cells of a tag's sheet, 10 x 10, row by row from above: true is light. The outermost are
 /// its white border.
 using TagCells = std::array<bool, 100>;
-/// Of tag36h11, for the tags of a block, 0 to 5; of others all light.
+/// The cells of tag36h11 for the tags of a block, 0 to 5; all light for others.
 TagCells tag_cells(int id);
 /// What a line of sight meets of the sheet of a tag with this side: light, dark, or nothing.
 std::optional<Vec3> sheet_colour(const TagCells& cells, double side, const PlaneHit& hit);

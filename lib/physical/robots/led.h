@@ -18,7 +18,7 @@ inline constexpr std::array<std::string_view, 5> kLedNames = {"off", "Q1", "Q2",
 
 constexpr std::string_view to_string(Led led) { return kLedNames[static_cast<std::size_t>(led)]; }
 
-/// Of "Q1" to "Q4" and "off"; nothing for any other word.
+/// The LED state named "Q1" to "Q4" or "off"; nothing for any other word.
 constexpr std::optional<Led> led_of(std::string_view name) {
   for (std::size_t i = 0; i < kLedNames.size(); ++i) {
     if (kLedNames[i] == name) return static_cast<Led>(i);

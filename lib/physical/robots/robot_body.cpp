@@ -89,7 +89,7 @@ DofState state_of(const World& world, const RobotBody& body, const AxisRef& axis
   return world.joint(body.joints[axis.joint])[axis.axis];
 }
 
-/// Of the rims, the mean over the wheels of a side.
+/// The way of the rims, the mean over the wheels of a side.
 double encoder(const World& world, const RobotBody& body, const std::vector<AxisRef>& wheels,
                double radius) {
   double sum = 0;

@@ -27,7 +27,7 @@ struct RangeNoise {
   int latency = 0;      ///< control ticks
 };
 
-/// Of a device's errors. Devices of one robot are numbered across kinds by the caller, below
+/// Where a device's errors are drawn. The caller numbers the devices of a robot across kinds, below
 /// 2^24.
 struct NoiseAddress {
   std::uint64_t seed = 0;
@@ -37,7 +37,7 @@ struct NoiseAddress {
 };
 Random noise_stream(const NoiseAddress& address);
 
-/// Of mean 0 and standard deviation 1 (Box and Muller 1958).
+/// A sample of mean 0 and standard deviation 1 (Box and Muller 1958).
 double gaussian(Random& random);
 
 /// Readings that arrive late. Until the first has arrived there are empty ones.

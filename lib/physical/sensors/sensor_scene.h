@@ -73,7 +73,7 @@ struct SensorScene {
   std::vector<MarkedBody> marked;
 };
 
-/// Of the scene at one moment. Keeps a reference to the scene, which must not change meanwhile;
+/// An index of the scene at one moment. It refers to the scene, which must not change meanwhile;
 /// any number of threads may ask.
 struct SensorIndex {
   explicit SensorIndex(const SensorScene& scene_now);

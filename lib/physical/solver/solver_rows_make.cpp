@@ -188,7 +188,7 @@ void note_runs(Rows& rows) {
   }
 }
 
-/// Of a point of a body, while its velocities stay the same.
+/// The acceleration of a point of a body, while its velocities stay the same.
 Vec3 acceleration(const SolverTask& task, std::uint32_t body, const Vec3& p) {
   if (const SolverLink* link = link_of(task, body)) {
     const Vec3 arm = p - link->p;

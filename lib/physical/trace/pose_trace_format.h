@@ -17,7 +17,7 @@ enum TraceRecord : std::uint8_t { kFrameRecord = 1, kEventRecord, kHashRecord, k
 inline constexpr std::array<std::string_view, 4> kShapeNames = {"box", "sphere", "cylinder",
                                                                 "hull"};
 
-/// Of a body in a frame: which differences follow, and its state.
+/// A body in a frame: which differences follow, and its state.
 enum TraceFlags : std::uint8_t { kMoved = 1, kTurned = 2, kAwake = 4, kLeft = 8 };
 
 }  // namespace stig

@@ -42,7 +42,7 @@ class NineBodies {
     const Eigen::Quaterniond q(place.linear());
     return {vec3(place.translation()), normalised(Quat{q.w(), q.x(), q.y(), q.z()})};
   }
-  /// Of a sphere's magnet.
+  /// The direction of a sphere's magnet.
   Vec3 direction(std::size_t sphere) const {
     return vec3(spheres_[sphere]->getWorldTransform().linear() * eigen(start_[sphere]));
   }

@@ -40,7 +40,7 @@ struct CrewRun {
   RunTally tally;
   RunEnd end = RunEnd::duration;
 
-  /// Of one robot or block, without failures.
+  /// What one robot or block said, without failures.
   std::vector<std::string> said(const std::string& who) const {
     std::vector<std::string> out;
     for (const CrewLine& line : lines) {
