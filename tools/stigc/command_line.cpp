@@ -147,17 +147,17 @@ CLI::App* command(CLI::App& app, const std::string& name, const std::string& sum
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* sub =
       command(app, "check", "report every problem of rule sets, scenes, robots and blocks",
-              "  stigc check rulesets/*.yaml scenes/*.yaml robots/*.yaml\n"
-              "  stigc check --diagnostics json staircase.yaml > problems.json\n"
-              "  stigc check -W error staircase.yaml\n");
+              "  stigc check rulesets/staircase.yaml scenes/drop.yaml robots/bebot.yaml\n"
+              "  stigc check --diagnostics json rulesets/staircase.yaml > problems.json\n"
+              "  stigc check -W error rulesets/staircase.yaml\n");
   files(sub, o.files, "rule sets, scenes, robots or blocks to check; - is standard input");
 }
 
 void add_fmt(CLI::App& app, FmtOptions& o) {
   CLI::App* sub = command(app, "fmt", "print rule sets in canonical form, comments kept",
-                          "  stigc fmt staircase.yaml\n"
-                          "  stigc fmt --write rulesets/*.yaml\n"
-                          "  stigc fmt --check rulesets/*.yaml\n");
+                          "  stigc fmt rulesets/staircase.yaml > mine.yaml\n"
+                          "  stigc fmt --check mine.yaml\n"
+                          "  stigc fmt --write mine.yaml\n");
   files(sub, o.files, "rule sets to print; - is standard input");
   CLI::Option* write = sub->add_flag("--write", o.write, "rewrite the files in place");
   sub->add_flag("--check", o.check, "write nothing; exit 1 when a file is not in canonical form")
@@ -196,14 +196,14 @@ void add_explore_swarm(CLI::App* sub, ExploreOptions& o) {
 }
 
 void add_explore(CLI::App& app, ExploreOptions& o) {
-  CLI::App* sub =
-      command(app, "explore", "run a swarm on a rule set and see what it builds",
-              "  stigc explore staircase.yaml\n"
-              "  stigc explore staircase.yaml -o staircase.png -o staircase.glb\n"
-              "  stigc explore architecture-4n.yaml --motion event --seed 7 --json\n"
-              "  stigc explore tiling.yaml --motion event --deposits 5000 -o tiling.vox\n"
-              "  stigc explore coral.yaml --runs 100 --threads 0 -o runs.csv -o 'coral-{run}.png'\n"
-              "  stigc explore staircase.yaml --trace run.stigt && stigc replay run.stigt\n");
+  CLI::App* sub = command(
+      app, "explore", "run a swarm on a rule set and see what it builds",
+      "  stigc explore rulesets/staircase.yaml\n"
+      "  stigc explore rulesets/staircase.yaml -o staircase.png -o staircase.glb\n"
+      "  stigc explore rulesets/architecture-4n.yaml --motion event --seed 7 --json\n"
+      "  stigc explore rulesets/tiling.yaml --motion event --deposits 5000 -o tiling.vox\n"
+      "  stigc explore rulesets/wall.yaml --runs 10 --threads 0 -o runs.csv -o 'wall-{run}.txt'\n"
+      "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc replay run.stigt\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   add_explore_swarm(sub, o);
   integer(sub, "--steps", o.steps, 0, (std::int64_t{1} << 43) - 1,
@@ -225,11 +225,12 @@ void add_explore(CLI::App& app, ExploreOptions& o) {
 }
 
 void add_explain(CLI::App& app, ExplainOptions& o) {
-  CLI::App* sub = command(
-      app, "explain", "say of each rule why it fires at a site, or why not",
-      "  stigc explain staircase.yaml --at 1,0,0\n"
-      "  stigc explain staircase.yaml --structure half-built.txt --at 1,0,1\n"
-      "  stigc explain architecture-4n.yaml --structure s.json --at 0,1,0 --stage 2 --json\n");
+  CLI::App* sub =
+      command(app, "explain", "say of each rule why it fires at a site, or why not",
+              "  stigc explain rulesets/staircase.yaml --at 1,0,0\n"
+              "  stigc explore rulesets/staircase.yaml --deposits 1 -o half-built.txt\n"
+              "  stigc explain rulesets/staircase.yaml --structure half-built.txt --at 1,0,1\n"
+              "  stigc explain rulesets/architecture-4n.yaml --at 0,1,0 --stage 2 --json\n");
   file(sub, "FILE", o.file, "the rule set");
   path(sub, "--structure", o.structure, "structure file (default: the rule set's start)");
   parsed(sub, "--at", "X,Y,Z", "the site", [&o](const std::string& text) {
@@ -242,8 +243,8 @@ void add_explain(CLI::App& app, ExplainOptions& o) {
 
 void add_test(CLI::App& app, TestOptions& o) {
   CLI::App* sub = command(app, "test", "hold rule sets to what they expect of themselves",
-                          "  stigc test rulesets/*.yaml\n"
-                          "  stigc test --states 20000000 architecture-4n.yaml\n");
+                          "  stigc test rulesets/staircase.yaml rulesets/wall.yaml\n"
+                          "  stigc test --states 20000000 rulesets/plate.yaml\n");
   files(sub, o.files, "rule sets with an 'expect' entry");
   integer(sub, "--samples", o.samples, 1, 1 << 24,
           "orders of events sampled before all are tried (default: 64)");
@@ -274,10 +275,11 @@ constexpr const char* kWorldThatIsMeant =
 void add_verify(CLI::App& app, VerifyFileOptions& o) {
   CLI::App* sub =
       command(app, "verify", "prove that every order of events ends alike, or refute it",
-              "  stigc verify staircase.yaml --certificate staircase.cert\n"
-              "  stigc certify staircase.yaml staircase.cert\n"
-              "  stigc verify order-dependent.yaml --witness two-ends\n"
-              "  stigc verify architecture-4n.yaml --box none --budget 300 --json\n");
+              "  stigc verify rulesets/staircase.yaml --certificate staircase.cert\n"
+              "  stigc certify rulesets/staircase.yaml staircase.cert\n"
+              "  stigc verify rulesets/wall.yaml --box none --budget 300 --json\n"
+              "  stigc verify rulesets/order-dependent.yaml --witness two-ends  # exit status 1: "
+              "refuted\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   world(sub, o.world, kWorldThatIsMeant);
   add_sides(*sub, o.sides, kTurnsOfSides);
@@ -293,12 +295,13 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
 }
 
 void add_certify(CLI::App& app, CertifyOptions& o) {
-  CLI::App* sub = command(app, "certify", "check a proof again, without trust in its maker",
-                          "  stigc verify staircase.yaml --certificate staircase.cert\n"
-                          "  stigc certify staircase.yaml staircase.cert\n"
-                          "  stigc synth cube.txt --proof proof -o cube.yaml && stigc certify "
-                          "--fewest proof\n"
-                          "  stigc certify --drat fewer.cnf fewer.drat\n");
+  CLI::App* sub = command(
+      app, "certify", "check a proof again, without trust in its maker",
+      "  stigc verify rulesets/staircase.yaml --certificate staircase.cert\n"
+      "  stigc certify rulesets/staircase.yaml staircase.cert\n"
+      "  stigc explore rulesets/stepped-pyramid.yaml -o pyramid.txt\n"
+      "  stigc synth pyramid.txt --proof proof -o pyramid.yaml && stigc certify --fewest proof\n"
+      "  stigc certify --drat proof/fewer.cnf proof/fewer.drat\n");
   file(sub, "FILE", o.file, "the rule set; with --drat, a formula (DIMACS CNF)");
   sub->add_option("PROOF", o.proof,
                   "its certificate; with --drat, a proof that the formula has no solution")
@@ -325,12 +328,12 @@ CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<doub
 }
 
 void add_replay(CLI::App& app, ReplayOptions& o) {
-  CLI::App* sub =
-      command(app, "replay", "look at a recorded run, or run it again and compare",
-              "  stigc explore staircase.yaml --trace run.stigt && stigc replay run.stigt\n"
-              "  stigc simulate scenes/drop.yaml --trace drop.stigp && stigc replay drop.stigp\n"
-              "  stigc replay drop.stigp --at 1.5 -o drop.png\n"
-              "  stigc replay drop.stigp --verify\n");
+  CLI::App* sub = command(
+      app, "replay", "look at a recorded run, or run it again and compare",
+      "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc replay run.stigt\n"
+      "  stigc simulate scenes/drop.yaml --trace drop.stigp && stigc replay drop.stigp\n"
+      "  stigc replay drop.stigp --at 1.5 -o drop.png\n"
+      "  stigc replay drop.stigp --verify\n");
   file(sub, "TRACE", o.trace, "trace of explore, which is run again, or of simulate");
   sub->add_flag("--verify", o.verify,
                 "run the scene again and compare the hashes of its states; traces of explore "
@@ -341,13 +344,13 @@ void add_replay(CLI::App& app, ReplayOptions& o) {
 }
 
 void add_simulate(CLI::App& app, SimulateOptions& o) {
-  CLI::App* sub =
-      command(app, "simulate", "run a scene of blocks as physics has it",
-              "  stigc simulate scenes/pyramid.yaml\n"
-              "  stigc simulate scenes/drop.yaml --duration 3 -o drop.png --at 0.4\n"
-              "  stigc simulate scenes/drop.yaml --trace drop.stigp --checkpoint drop.stigk\n"
-              "  stigc simulate --resume drop.stigk --trace drop.stigp --duration 20\n"
-              "  stigc simulate scenes/drop.yaml --runs 10 --json\n");
+  CLI::App* sub = command(
+      app, "simulate", "run a scene of blocks as physics has it",
+      "  stigc simulate scenes/pyramid.yaml\n"
+      "  stigc simulate scenes/drop.yaml --duration 3 -o drop.png --at 0.4\n"
+      "  stigc simulate scenes/drop.yaml --duration 1 --trace drop.stigp --checkpoint drop.stigk\n"
+      "  stigc simulate --resume drop.stigk --trace drop.stigp --duration 2\n"
+      "  stigc simulate scenes/stack.yaml --runs 3 --json\n");
   sub->add_option("SCENE", o.scene, "the scene; left out with --resume")->type_name("FILE");
   parsed(sub, "--seed", "N", "seed of all random choices (default: the scene's)",
          [&o](const std::string& text) { return parse_seed(text, o.seed.emplace()); });
@@ -378,11 +381,11 @@ void add_describe(CLI::App& app, DescribeOptions& o) {
 void add_compile(CLI::App& app, CompileFileOptions& o) {
   CLI::App* sub =
       command(app, "compile", "turn a rule set into the controller of a robot",
-              "  stigc compile staircase.yaml\n"
-              "  stigc compile staircase.yaml -o staircase.lua --report staircase.txt\n"
-              "  stigc compile line.yaml --sides +x --robot robots/builderbot.yaml\n"
-              "  stigc compile staircase.yaml --target argos -o staircase\n"
-              "  stigc compile staircase.yaml --target dot | dot -Tsvg > decisions.svg\n");
+              "  stigc compile rulesets/staircase.yaml\n"
+              "  stigc compile rulesets/staircase.yaml -o staircase.lua --report staircase.txt\n"
+              "  stigc compile rulesets/staircase.yaml --sides=+x --robot robots/builderbot.yaml\n"
+              "  stigc compile rulesets/staircase.yaml --target argos -o staircase\n"
+              "  stigc compile rulesets/staircase.yaml --target dot > decisions.dot\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   path(sub, "--robot", o.robot, "the robot's file (default: bebot.yaml, the paper's)");
   add_sides(*sub, o.sides, kSidesOfRobots);
@@ -407,11 +410,12 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
 
 void add_validate(CLI::App& app, ValidateOptions& o) {
   CLI::App* sub = command(app, "validate", "let robots build a rule set's structure, and judge it",
-                          "  stigc validate staircase.yaml\n"
-                          "  stigc validate staircase.yaml --runs 25 -o staircase-runs\n"
-                          "  stigc validate stepped-pyramid.yaml --robots 4 --json\n"
-                          "  stigc validate stepped-pyramid.yaml --robots 4 --allocation dynamic\n"
-                          "  stigc validate staircase.yaml --scene faults/cache-empty.yaml\n");
+                          "  stigc validate rulesets/staircase.yaml\n"
+                          "  stigc validate rulesets/staircase.yaml --runs 2 -o staircase-runs\n"
+                          "  stigc validate rulesets/stepped-pyramid.yaml --robots 4 --allocation "
+                          "dynamic --duration 5  # exit status 1: too short\n"
+                          "  stigc validate rulesets/staircase.yaml --scene "
+                          "scenes/faults/cache-empty.yaml --duration 5  # exit status 1\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   integer(sub, "--robots", o.robots, 1, 100, "robots (default: the file's, or 1)");
   path(sub, "--robot", o.robot, "the robots' file (default: bebot.yaml, the paper's)");
@@ -434,7 +438,7 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
 
 void add_files_out(CLI::App& app, Storage& s) {
   CLI::App* graph = command(app, "graph", "print which rule's brick another rule can need, as DOT",
-                            "  stigc graph staircase.yaml | dot -Tsvg > staircase.svg\n");
+                            "  stigc graph rulesets/staircase.yaml > staircase.dot\n");
   file(graph, "FILE", s.graph.file, "the rule set");
   add_replay(app, s.replay);
   CLI::App* schema =
@@ -447,16 +451,18 @@ void add_files_out(CLI::App& app, Storage& s) {
           {"robot", FileForm::robot},
           {"block", FileForm::block}},
          "what kind of file (default: rules)");
-  CLI::App* measure = command(app, "measure", "measure a structure file",
-                              "  stigc measure staircase.vox\n"
-                              "  stigc measure tiling.vox --lattice hexagonal\n"
-                              "  stigc measure staircase.json --json\n");
+  CLI::App* measure = command(
+      app, "measure", "measure a structure file",
+      "  stigc explore rulesets/staircase.yaml -o staircase.vox && stigc measure staircase.vox\n"
+      "  stigc explore rulesets/tiling.yaml -o tiling.vox\n"
+      "  stigc measure tiling.vox --lattice hexagonal --json\n");
   file(measure, "STRUCTURE", s.measure.structure, "structure file (.vox .json .txt)");
   lattice(measure, s.measure.lattice);
   measure->add_flag("--json", s.measure.json, "print one JSON object");
   CLI::App* draw = command(app, "draw", "draw a structure file, or turn it into another format",
+                           "  stigc explore rulesets/staircase.yaml -o staircase.vox\n"
                            "  stigc draw staircase.vox -o staircase.png\n"
-                           "  stigc draw staircase.json -o staircase.glb -o staircase.stl\n");
+                           "  stigc draw staircase.vox -o staircase.glb -o staircase.stl\n");
   file(draw, "STRUCTURE", s.draw.structure, "structure file (.vox .json .txt)");
   lattice(draw, s.draw.lattice);
   repeated(draw, "-o,--output", s.draw.outputs, "FILE",
@@ -499,12 +505,13 @@ void add_synth_search(CLI::App* sub, SynthOptions& o) {
 }
 
 void add_synth(CLI::App& app, SynthOptions& o) {
-  CLI::App* sub =
-      command(app, "synth", "compile a structure into a rule set that builds it in every order",
-              "  stigc synth castle.vox -o castle.yaml\n"
-              "  stigc synth staircase.txt --colours given --floor -o staircase.yaml\n"
-              "  stigc synth pyramid.vox --symmetry rotations --fewest rules -o pyramid.yaml\n"
-              "  stigc synth cube.json --order breadth-first --proof proof/ -o cube.yaml --json\n");
+  CLI::App* sub = command(
+      app, "synth", "compile a structure into a rule set that builds it in every order",
+      "  stigc explore rulesets/stepped-pyramid.yaml -o pyramid.txt\n"
+      "  stigc synth pyramid.txt -o pyramid.yaml\n"
+      "  stigc synth pyramid.txt --colours given --floor -o as-drawn.yaml\n"
+      "  stigc synth pyramid.txt --symmetry rotations --fewest rules -o turned.yaml\n"
+      "  stigc synth pyramid.txt --order breadth-first --proof proof -o proved.yaml --json\n");
   file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt)");
   lattice(sub, o.lattice);
   parsed(sub, "--colours", "N|given|free",
@@ -536,14 +543,15 @@ void add_about_itself(CLI::App& app, Storage& s) {
   CLI::App* completions =
       command(app, "completions", "print a completion script for a shell",
               "  source <(stigc completions bash)\n"
-              "  stigc completions zsh > ~/.zfunc/_stigc\n"
+              "  mkdir -p ~/.zfunc && stigc completions zsh > ~/.zfunc/_stigc\n"
+              "  mkdir -p ~/.config/fish/completions\n"
               "  stigc completions fish > ~/.config/fish/completions/stigc.fish\n");
   choice(completions, "SHELL", s.completions.shell,
          {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}}, "the shell")
       ->required();
   CLI::App* doctor = command(app, "doctor", "look at the surroundings the program runs in",
                              "  stigc doctor\n"
-                             "  stigc doctor rulesets/*.yaml\n");
+                             "  stigc doctor rulesets/staircase.yaml\n");
   doctor->add_option("FILE", s.doctor.files, "rule sets to check as well")->type_name("FILE");
   doctor->add_flag("--json", s.doctor.json, "print one JSON object");
 }

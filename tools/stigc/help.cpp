@@ -78,9 +78,12 @@ std::string help_text(const CommandTree& tree) {
   out += "\nOptions of every command:\n" + options_of(tree.global, false);
   return out +
          "\nExamples:\n"
-         "  stigc check staircase.yaml\n"
-         "  stigc explore staircase.yaml -o staircase.png\n"
-         "  stigc explain staircase.yaml --at 1,0,0\n"
+         "  stigc check rulesets/staircase.yaml\n"
+         "  stigc explore rulesets/staircase.yaml -o staircase.png\n"
+         "  stigc explain rulesets/staircase.yaml --at 1,0,0\n"
+         "\nrulesets/, scenes/, robots/, blocks/ and programs/ that are not in the working "
+         "directory\n"
+         "are those that come with the program.\n"
          "\nExit status: 0 all is well; 1 a file is invalid or a property does not hold; 2 the\n"
          "command line is wrong; 3 the work failed, ran out of its budget or was interrupted.\n";
 }

@@ -8,6 +8,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "help.h"
+#include "shipped_files.h"
 
 namespace stig {
 namespace {
@@ -30,15 +31,16 @@ int complain(const Parsed& parsed, const App& app) {
   return kUsage;
 }
 
-int run_parsed(const Parsed& parsed, App& app) {
+int run_parsed(Parsed& parsed, App& app) {
   if (!parsed.problem.empty()) return complain(parsed, app);
   if (!parsed.line) return print_help(parsed, app);
+  find_shipped_files(parsed.line->command, app);
   return std::visit([&](const auto& options) { return run(options, app); }, parsed.line->command);
 }
 
 int run_program(int argc, const char* const* argv) {
   prepare_process();
-  const Parsed parsed = parse_command_line(argc, argv);
+  Parsed parsed = parse_command_line(argc, argv);
   App app(parsed.line ? parsed.line->global : GlobalOptions{});
   int code = kOk;
   try {

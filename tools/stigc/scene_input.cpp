@@ -4,28 +4,17 @@
 #include <filesystem>
 
 #include "base/load.h"
+#include "shipped_files.h"
 
 namespace stig {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Where this program's file is; empty when the system does not say.
-fs::path program_folder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : program.parent_path();
-}
-
 constexpr const char* kKinds[] = {"blocks", "robots", "programs"};
 
-/// Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.
 void add_own_folders(const char* kind, std::vector<std::string>& out) {
-  const fs::path program = program_folder();
-  if (program.empty()) return;
-  out.push_back((program / ".." / "share" / "stig" / kind).string());
-  out.push_back((program / ".." / ".." / kind).string());
-  out.push_back((program / kind).string());
+  for (std::string& folder : shipped_folders(kind)) out.push_back(std::move(folder));
 }
 
 }  // namespace

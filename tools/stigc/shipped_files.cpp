@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "shipped_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+
+namespace stig {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Where this program's file is; empty when the system does not say.
+fs::path program_folder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path();
+}
+
+constexpr const char* kKinds[] = {"rulesets", "scenes", "robots", "blocks", "programs"};
+
+/// Where the shipped file of this name is; nothing when there is none, or the name leads to
+/// something already.
+std::optional<std::string> shipped_file(const std::string& name) {
+  std::error_code error;
+  const fs::path path(name);
+  if (path.is_absolute() || path.empty() || fs::exists(path, error)) return std::nullopt;
+  const std::string kind = path.begin()->string();
+  if (std::find(std::begin(kKinds), std::end(kKinds), kind) == std::end(kKinds)) return {};
+  if (std::find(path.begin(), path.end(), "..") != path.end()) return std::nullopt;
+  for (const std::string& folder : shipped_folders(kind)) {
+    const fs::path there = fs::path(folder) / path.lexically_relative(kind);
+    if (fs::is_regular_file(there, error)) return there.lexically_normal().string();
+  }
+  return std::nullopt;
+}
+
+/// Looks up the names of the files that a command reads.
+struct Finder {
+  const App& app;
+
+  void operator()(CheckOptions& o) const { find(o.files); }
+  void operator()(FmtOptions& o) const {
+    if (!o.write) find(o.files);
+  }
+  void operator()(ExploreOptions& o) const { find(o.file); }
+  void operator()(ExplainOptions& o) const { find(o.file); }
+  void operator()(TestOptions& o) const { find(o.files); }
+  void operator()(VerifyFileOptions& o) const { find(o.file); }
+  void operator()(CertifyOptions& o) const { find(o.file); }
+  void operator()(GraphOptions& o) const { find(o.file); }
+  void operator()(DoctorOptions& o) const { find(o.files); }
+  void operator()(SimulateOptions& o) const { find(o.scene); }
+  void operator()(DescribeOptions& o) const { find(o.robot); }
+  void operator()(CompileFileOptions& o) const {
+    find(o.file);
+    find(o.robot);
+  }
+  void operator()(ValidateOptions& o) const {
+    find(o.file);
+    find(o.scene);
+    find(o.robot);
+  }
+  /// Structures and traces do not come with the program.
+  template <class Other>
+  void operator()(Other&) const {}
+
+  void find(std::string& name) const {
+    std::optional<std::string> there = shipped_file(name);
+    if (!there) return;
+    app.say(fmt::format("reading {}, which came with the program", printable(*there)));
+    name = std::move(*there);
+  }
+  void find(std::optional<std::string>& name) const {
+    if (name) find(*name);
+  }
+  void find(std::vector<std::string>& names) const {
+    for (std::string& name : names) find(name);
+  }
+};
+
+}  // namespace
+
+std::vector<std::string> shipped_folders(const std::string& kind) {
+  const fs::path program = program_folder();
+  if (program.empty()) return {};
+  // Installed as bin/stigc beside share/stig; built as build/NAME/stigc in the sources.
+  return {(program / ".." / "share" / "stig" / kind).string(),
+          (program / ".." / ".." / kind).string(), (program / kind).string()};
+}
+
+void find_shipped_files(CommandOptions& options, const App& app) {
+  std::visit(Finder{app}, options);
+}
+
+}  // namespace stig

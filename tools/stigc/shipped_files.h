@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Files that come with the program: rulesets/, scenes/, robots/, blocks/ and programs/.
+//
+// They are found from any folder by the names that the documentation has for them, such as
+// rulesets/staircase.yaml. A file of that name in the working directory comes first, and the name
+// of what a command writes is never looked up: results go where the command line says.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app.h"
+#include "options.h"
+
+namespace stig {
+
+/// Where files of a kind ("robots") may be: installed beside the program, or in its sources.
+std::vector<std::string> shipped_folders(const std::string& kind);
+
+/// Names of files that the command reads, and that are not there, become those of shipped files
+/// where there are such; a remark says which is read.
+void find_shipped_files(CommandOptions& options, const App& app);
+
+}  // namespace stig
