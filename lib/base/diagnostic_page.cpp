@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "base/diagnostic.h"
+#include "base/diagnostic_example.h"
 
 namespace stig {
 
@@ -49,7 +49,10 @@ Lines that begin with `note:` point to the other place involved, if there is one
 Errors end a command with exit status 1; warnings do not. All problems of a file are
 reported at once. `--diagnostics json` prints the same as data.
 
-This page is generated from `lib/base/diagnostics.def`.
+`stigc --explain R204` prints what this page has on a code, and `stigc --explain` lists the codes.
+Examples are parts of a file, which say what matters alone, or command lines.
+
+This page is generated from `lib/base/diagnostics.def` and the examples beside it.
 )";
 
 bool has_prefix(const CodeInfo& code, std::string_view prefix) {
@@ -68,6 +71,7 @@ std::string diagnostics_markdown() {
       begun = true;
       out += fmt::format("\n### {} {} ({})\n\n{}\n", code.name, code.slug,
                          code.severity == Severity::error ? "error" : "warning", code.explanation);
+      out += "\n" + example_text(code, "    ");
     }
   }
   return out;

@@ -277,6 +277,8 @@ TEST_CASE("bash completes commands, options, words and files") {
   }
   CHECK(completed("stigc completions f", 2) == "fish\n");
   CHECK(completed("stigc check se", 2) == "sets\n");
+  CHECK(completed("stigc --explain P70", 2).starts_with("P701 P702 "));
+  CHECK(completed("stigc check --explain R304", 3) == "R304\n");
 }
 
 TEST_CASE("compile writes all that an ARGoS experiment needs, or nothing") {

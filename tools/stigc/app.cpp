@@ -62,6 +62,14 @@ bool stdout_is_read() {
   return file && was_read(*file);
 }
 
+/// The code of the error that is shown first.
+std::string first_error(const Diagnostics& diagnostics) {
+  for (const Diagnostic* d : sorted_by_place(diagnostics)) {
+    if (d->severity == Severity::error) return std::string(info(d->code).name);
+  }
+  return {};
+}
+
 std::string styled(std::string_view code, std::string_view text, bool on) {
   return on ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
 }
@@ -107,6 +115,7 @@ void App::report(const Diagnostics& diagnostics) const {
     TextStyle style;
     style.color = color_err_;
     write_all(STDERR_FILENO, to_text(diagnostics, style));
+    if (diagnostics.has_errors()) say("for more: stigc --explain " + first_error(diagnostics));
   }
 }
 

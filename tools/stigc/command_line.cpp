@@ -17,6 +17,7 @@ namespace {
 /// Where the parser puts what it reads: one of each kind of options.
 struct Storage {
   GlobalOptions global;
+  std::string code;  ///< of a diagnostic
   CheckOptions check;
   FmtOptions fmt;
   ExploreOptions explore;
@@ -556,11 +557,17 @@ void add_about_itself(CLI::App& app, Storage& s) {
   doctor->add_flag("--json", s.doctor.json, "print one JSON object");
 }
 
+constexpr const char* kExplain = "--explain";
+
 void build(CLI::App& app, Storage& s) {
   app.name("stigc");
-  app.require_subcommand(1);
+  app.require_subcommand(0, 1);
   app.set_help_flag("-h,--help", "this help, or that of a command, with examples");
   app.set_version_flag("--version", "stigc " STIG_VERSION, "the version of the program");
+  app.add_option(kExplain, s.code,
+                 "what a diagnostic's code means, with an example; without CODE: all codes")
+      ->type_name("[CODE]")
+      ->expected(0, 1);
   add_global(app, s.global);
   add_check(app, s.check);
   add_fmt(app, s.fmt);
@@ -681,12 +688,20 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   Parsed result;
   try {
     app.parse(argc, argv);
-    result.command = app.get_subcommands().front()->get_name();
-    result.line = CommandLine{storage.global, chosen(result.command, storage)};
+    if (app.count(kExplain) > 0) {
+      result.explain = storage.code;
+    } else if (app.get_subcommands().empty()) {
+      result.problem = "a command is wanted";
+    } else {
+      result.command = app.get_subcommands().front()->get_name();
+      result.line = CommandLine{storage.global, chosen(result.command, storage)};
+    }
   } catch (const CLI::ParseError& error) {
     const auto commands = app.get_subcommands();
     if (!commands.empty()) result.command = commands.front()->get_name();
-    if (error.get_exit_code() != 0 || unknown_command(app)) {
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && app.count(kExplain) > 0) {
+      result.explain = storage.code;  // "stigc check --explain R304": of no file
+    } else if (error.get_exit_code() != 0 || unknown_command(app)) {
       result.problem = problem_in_words(app, error);
     } else {
       const bool version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;

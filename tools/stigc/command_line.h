@@ -35,10 +35,11 @@ struct CommandTree {
 CommandTree command_tree();
 
 struct Parsed {
-  std::optional<CommandLine> line;  ///< to be run
-  std::string help;                 ///< to be printed on standard output instead
-  std::string problem;              ///< a usage error
-  std::string command;              ///< the command that help or problem is about, if any
+  std::optional<CommandLine> line;     ///< to be run
+  std::string help;                    ///< to be printed on standard output instead
+  std::optional<std::string> explain;  ///< a code that is to be explained; empty: all are listed
+  std::string problem;                 ///< a usage error
+  std::string command;                 ///< the command that help or problem is about, if any
 };
 
 Parsed parse_command_line(int argc, const char* const* argv);

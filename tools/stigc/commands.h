@@ -24,8 +24,10 @@ int run(const DoctorOptions& options, App& app);
 int run(const SynthOptions& options, App& app);
 int run(const SimulateOptions& options, App& app);
 int run(const DescribeOptions& options, App& app);
-
 int run(const CompileFileOptions& options, App& app);
 int run(const ValidateOptions& options, App& app);
+
+/// `stigc --explain CODE`; the empty code lists all.
+int explain_code(const std::string& code, App& app);
 
 }  // namespace stig

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "base/diagnostic.h"
 #include "help.h"
 
 namespace stig {
@@ -16,9 +17,13 @@ bool is_file(const OptionInfo& option) {
          option.value == "PROOF";
 }
 
-/// The words of "a|b|c"; none when there is no bar.
+/// The words of "a|b|c" and the codes of diagnostics; none for other values.
 std::vector<std::string> words_of(const OptionInfo& option) {
   std::vector<std::string> words;
+  if (option.value == "[CODE]") {
+    for (const CodeInfo& code : all_codes()) words.emplace_back(code.name);
+    return words;
+  }
   std::string rest = option.value;
   if (rest.find('|') == std::string::npos) return words;
   while (true) {
@@ -73,19 +78,25 @@ std::string bash_values(const OptionInfo& option) {
   return is_file(option) ? "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$cur\"))" : ":";
 }
 
+/// Answers for the value of the option before the cursor, if there is one.
+std::string bash_option_values(const std::vector<OptionInfo>& options) {
+  std::string out = "      case \"$prev\" in\n";
+  for (const OptionInfo& option : options) {
+    if (option.names.empty() || option.value.empty()) continue;
+    out += fmt::format("        {}) {}; return ;;\n", fmt::join(option.names, "|"),
+                       bash_values(option));
+  }
+  return out + "      esac\n";
+}
+
 std::string bash_command(const CommandTree& tree, const CommandInfo& command) {
   const auto options = all_options(tree, command);
-  std::string out = fmt::format("    {})\n      case \"$prev\" in\n", command.name);
   std::string positional = ":";
   for (const OptionInfo& option : options) {
-    if (option.names.empty()) {
-      positional = bash_values(option);
-    } else if (!option.value.empty()) {
-      out += fmt::format("        {}) {}; return ;;\n", fmt::join(option.names, "|"),
-                         bash_values(option));
-    }
+    if (option.names.empty()) positional = bash_values(option);
   }
-  out += "      esac\n      case \"$cur\" in\n";
+  std::string out = fmt::format("    {})\n{}", command.name, bash_option_values(options));
+  out += "      case \"$cur\" in\n";
   out +=
       fmt::format("        -*) COMPREPLY=($(compgen -W '{}' -- \"$cur\")) ;;\n", names_of(options));
   return out + fmt::format("        *) {} ;;\n      esac ;;\n", positional);
@@ -109,9 +120,7 @@ std::string bash_script(const CommandTree& tree) {
          " \" in *\" $word \"*) command=\"$word\"; break ;; esac\n"
          "  done\n"
          "  case \"$command\" in\n" +
-         cases +
-         "    *)\n"
-         "      COMPREPLY=($(compgen -W '" +
+         cases + "    *)\n" + bash_option_values(tree.global) + "      COMPREPLY=($(compgen -W '" +
          names + " " + names_of(tree.global) +
          "' -- \"$cur\")) ;;\n"
          "  esac\n"

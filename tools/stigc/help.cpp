@@ -73,7 +73,7 @@ std::string usage_line(const CommandInfo& command) {
 std::string help_text(const CommandTree& tree) {
   std::string out =
       "stigc - rule sets of collective construction: check them, run them, explain them.\n\n"
-      "Usage: stigc COMMAND …\n\nCommands:\n";
+      "Usage: stigc COMMAND …\n       stigc --explain [CODE]\n\nCommands:\n";
   for (const CommandInfo& command : tree.commands) out += entry(command.name, command.summary);
   out += "\nOptions of every command:\n" + options_of(tree.global, false);
   return out +
@@ -81,6 +81,7 @@ std::string help_text(const CommandTree& tree) {
          "  stigc check rulesets/staircase.yaml\n"
          "  stigc explore rulesets/staircase.yaml -o staircase.png\n"
          "  stigc explain rulesets/staircase.yaml --at 1,0,0\n"
+         "  stigc --explain R304\n"
          "\nrulesets/, scenes/, robots/, blocks/ and programs/ that are not in the working "
          "directory\n"
          "are those that come with the program.\n"

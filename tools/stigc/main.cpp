@@ -33,6 +33,7 @@ int complain(const Parsed& parsed, const App& app) {
 
 int run_parsed(Parsed& parsed, App& app) {
   if (!parsed.problem.empty()) return complain(parsed, app);
+  if (parsed.explain) return explain_code(*parsed.explain, app);
   if (!parsed.line) return print_help(parsed, app);
   find_shipped_files(parsed.line->command, app);
   return std::visit([&](const auto& options) { return run(options, app); }, parsed.line->command);
