@@ -36,13 +36,12 @@ struct Blocking {
   auto operator<=>(const Blocking&) const = default;
 };
 
-/// A change to the rule set that was tried: with it every order ends alike, up to the end
-/// of the stage in which orders parted.
+/// A change to the rule set that was tried: with it every order is proved to end alike.
 struct Repair {
   std::vector<Rule> added;             ///< with exact patterns
   std::vector<std::uint32_t> removed;  ///< rules
-  std::uint64_t bricks = 0;            ///< of the structure that is proved then
-  bool whole = true;                   ///< proved for all stages
+  bool whole = true;         ///< proved for all stages; false: up to the one where orders parted
+  std::uint64_t bricks = 0;  ///< at the end of the last stage that is proved
   RuleSet repaired;
 };
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "rules/rule_checks.h"
+
 namespace stig {
 namespace {
 
@@ -52,10 +54,7 @@ class Repairer {
     const DivergingOrders& found = *refuted.refutation;
     least_ = rules_.start.size() + std::min(found.first_stage_end, found.second_stage_end);
     std::optional<Repair> repair = search(refuted);
-    if (repair && stage_ < rules_.stage_count()) {
-      repair->whole = left() > 0 && verify_within(repair->repaired, rules_.stage_count()).verdict ==
-                                        ProofVerdict::proved;
-    }
+    if (repair && stage_ < repair->repaired.stage_count()) extend_to_the_end(*repair);
     return repair;
   }
 
@@ -87,6 +86,16 @@ class Repairer {
     return std::nullopt;
   }
 
+  /// Proves it for the stages that follow too, if that can be done.
+  void extend_to_the_end(Repair& repair) const {
+    repair.whole = false;
+    if (left() <= 0) return;
+    const VerifyResult result = verify_within(repair.repaired, repair.repaired.stage_count());
+    if (result.verdict != ProofVerdict::proved) return;
+    repair.whole = true;
+    repair.bricks = result.structure->size();
+  }
+
   double left() const {
     const std::chrono::duration<double> rest = end_ - std::chrono::steady_clock::now();
     return rest.count();
@@ -99,11 +108,23 @@ class Repairer {
     again.progress = {};
     return verify(rules, again);
   }
-  /// A repair that builds less than either order did is none.
+  /// A repair that builds less than either order did is none, nor is one that the reader
+  /// of rule sets would refuse.
   bool holds(const VerifyResult& result, Repair& repair) const {
     if (result.verdict != ProofVerdict::proved || result.structure->size() < least_) return false;
+    if (!reaches_stage(repair.repaired)) return false;
+    Diagnostics problems;
+    check_rule_set(repair.repaired, CheckScope::certain, problems);
+    if (problems.has_errors()) return false;
     repair.bricks = result.structure->size();
     return true;
+  }
+  /// What is proved of the stages up to `stage_` says how that stage ends only if one of its
+  /// own rules is left: without any it would not have been run.
+  bool reaches_stage(const RuleSet& repaired) const {
+    return stage_ == 1 || repaired.stage_count() <= stage_ ||
+           std::any_of(repaired.rules.begin(), repaired.rules.end(),
+                       [&](const Rule& rule) { return rule.stage == stage_; });
   }
 
   /// A rule more for each way in which an order can come to a halt before the other.

@@ -184,10 +184,28 @@ class TinyWorld {
 
 RuleSet small_world(std::uint64_t seed) { return Maker(seed).make(); }
 
-std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t most) {
+RuleSet staged_small_world(std::uint64_t seed) {
+  RuleSet rules = small_world(seed);
+  std::mt19937_64 words(seed);
+  const int stages =
+      std::min(2 + static_cast<int>(words() % 2), static_cast<int>(rules.rules.size()));
+  rules.stages.clear();
+  for (std::size_t r = 0; r < rules.rules.size(); ++r) {
+    const int turn = static_cast<int>(r) + 1;
+    const auto any = static_cast<int>(words() % static_cast<std::uint64_t>(stages + 1));
+    rules.rules[r].stage = turn <= stages ? turn : any;
+  }
+  for (int stage = 1; stage <= stages; ++stage) {
+    if (words() % 6 == 0) rules.stages[stage] = static_cast<std::int64_t>(1 + words() % 4);
+  }
+  return rules;
+}
+
+std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t most, int last_stage) {
   TinyWorld world(rules);
   std::set<TinyWorld::States> begins{world.start()};
-  for (int stage = 1; stage <= rules.stage_count(); ++stage) {
+  const int last = last_stage == 0 ? rules.stage_count() : last_stage;
+  for (int stage = 1; stage <= last; ++stage) {
     const auto limit = rules.stages.find(stage);
     std::set<TinyWorld::States> ends;
     // A stage's limit counts its own deposits, so each beginning is followed alone.

@@ -14,9 +14,14 @@ namespace stig {
 /// wildcard patterns, heights, counts, symmetries, floors, periodic sides, stages.
 RuleSet small_world(std::uint64_t seed);
 
+/// The same with its rules dealt out to two or three stages, some of which are cut short.
+RuleSet staged_small_world(std::uint64_t seed);
+
 /// Every structure in which some order of events ends, stage after stage, by trying them
 /// all in the set's own box (solid or periodic); nothing when more than `most` structures
-/// are met. Knows the language's meaning and OracleMatcher, no engine.
-std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t most);
+/// are met. Knows the language's meaning and OracleMatcher, no engine. `last_stage`: the
+/// structures at the end of an earlier stage; 0: of all.
+std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t most,
+                                           int last_stage = 0);
 
 }  // namespace stig
