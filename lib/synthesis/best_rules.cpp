@@ -18,6 +18,8 @@ namespace {
 /// More rules than this hardly fit a file (kMaxRuleFileBytes).
 constexpr std::size_t kMostRules = 5000;
 constexpr int kRestarts = 30;
+/// When the time is over rules are still made for targets of so many cells: in a moment.
+constexpr std::size_t kMostCellsAfterwards = 10'000;
 /// Solutions of one number of colours that are merged; more as long as it goes quickly.
 constexpr int kMergedOfEach = 3;
 /// Steps of making a view and the rule that asks for it.
@@ -39,6 +41,10 @@ class RuleChooser {
     for (Solution& solution : solutions) {
       const bool enough = merged[solution.colour_count] >= kMergedOfEach && limits_.quick.passed();
       if (!done.empty() && (enough || limits_.many.passed())) continue;
+      // Exact rules alone, too, take their time.
+      if (limits_.whole.out_of_time() && solution.frame->cells.size() > kMostCellsAfterwards) {
+        continue;
+      }
       ++merged[solution.colour_count];
       if (hooks_.progress) {
         hooks_.progress(0.9, fmt::format("{} colours: merging {} exact rules",
@@ -59,15 +65,16 @@ class RuleChooser {
     assert(schedule);
     limits_.whole.spend(cost_of(*schedule));
     const auto exact = exact_rules(*schedule, solution.colours);
-    if (options_.merge) {
-      const auto views = local_views(*schedule, solution.colours);
-      limits_.whole.spend(views.size() * kStepsOfView);
+    const auto views =
+        options_.merge ? local_views(*schedule, solution.colours, limits_.whole) : std::nullopt;
+    if (views) {
+      limits_.whole.spend(views->size() * kStepsOfView);
       std::vector<MergedRule> rules = merge_rules(*solution.frame, solution.colour_count, exact,
-                                                  views, restarts, limits_.whole);
+                                                  *views, restarts, limits_.whole);
       if (solution.rules.empty() || rules.size() < solution.rules.size()) {
         solution.rules = std::move(rules);
       }
-    } else {
+    } else if (solution.rules.empty()) {
       solution.rules = as_patterns(*solution.frame, exact);
     }
     const RuleSet rules = make_rule_set(*solution.frame, solution.colours, solution.colour_count,

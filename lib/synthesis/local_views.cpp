@@ -10,6 +10,9 @@
 namespace stig {
 namespace {
 
+/// The clock is looked at once in so many sites.
+constexpr std::size_t kSitesBetweenLooks = 1024;
+
 bool less(const View& a, const View& b) {
   return std::memcmp(a.at.data(), b.at.data(), a.at.size()) < 0;
 }
@@ -50,7 +53,9 @@ View view_of(const Frame& frame, const Site& site, std::uint32_t mask, const Col
   return view;
 }
 
-std::vector<LocalView> local_views(const Schedule& schedule, const Colouring& colours) {
+std::optional<std::vector<LocalView>> local_views(const Schedule& schedule,
+                                                  const Colouring& colours,
+                                                  const Allowance& allowance) {
   const Frame& frame = *schedule.frame;
   std::vector<LocalView> views;
   for (const bool on_floor : {false, true}) {
@@ -59,6 +64,7 @@ std::vector<LocalView> local_views(const Schedule& schedule, const Colouring& co
     if (!on_floor || frame.floor) views.push_back({view_of(frame, bare, 0, colours), 0});
   }
   for (std::size_t s = 0; s < frame.sites.size(); ++s) {
+    if (s % kSitesBetweenLooks == 0 && allowance.out_of_time()) return std::nullopt;
     const Site& site = frame.sites[s];
     for (const std::uint32_t mask : schedule.states.of(s)) {
       const bool intended = schedule.intended(site, mask);

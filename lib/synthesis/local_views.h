@@ -4,10 +4,12 @@
 // each it is known which brick, if any, belongs there.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "rules/neighbourhood.h"
 #include "synthesis/clashes.h"
+#include "synthesis/effort.h"
 
 namespace stig {
 
@@ -21,7 +23,10 @@ struct LocalView {
 
 /// Every distinct view of every site in every orientation, and the bare surroundings,
 /// with floor and without; sorted. The colouring must be free of clashes (asserted).
-std::vector<LocalView> local_views(const Schedule& schedule, const Colouring& colours);
+/// Nothing when the time is over first.
+std::optional<std::vector<LocalView>> local_views(const Schedule& schedule,
+                                                  const Colouring& colours,
+                                                  const Allowance& allowance);
 
 /// One view of a class of keys that are turns of each other: the least.
 struct ExactRule {

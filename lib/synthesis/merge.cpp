@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <unordered_set>
 
 #include "base/random.h"
@@ -66,13 +67,11 @@ class Merger {
     covered_.assign(exact_.size(), false);
     for (const std::size_t seed : order) {
       if (covered_[seed]) continue;
-      MergedRule rule = exactly(seed);
-      if (!allowance_.passed()) {
-        do {
-          rule = grow(seed);
-        } while (add_violated(rule));
+      if (const auto rule = general(seed)) {
+        add(*rule);
+      } else {
+        rules_.push_back(exactly(seed));
       }
-      add(std::move(rule));
     }
     leave_out_the_needless();
     return rules_;
@@ -111,6 +110,15 @@ class Merger {
       if (!pattern.allowed[i].contains(view.at[i])) return false;
     }
     return true;
+  }
+
+  /// A rule that covers the seed, and others with it; nothing when the allowance is spent.
+  std::optional<MergedRule> general(std::size_t seed) {
+    while (!allowance_.passed()) {
+      MergedRule rule = grow(seed);
+      if (!add_violated(rule)) return rule;
+    }
+    return std::nullopt;
   }
 
   MergedRule exactly(std::size_t seed) const {
@@ -326,10 +334,12 @@ class Merger {
   }
 
   void leave_out_the_needless() {
+    if (allowance_.out_of_time()) return;
     allowance_.spend(rules_.size() * exact_.size() * frame_.group.size() * kStepsOfAsking);
     std::vector<int> times(exact_.size(), 0);
     std::vector<std::vector<std::size_t>> covered_by(rules_.size());
     for (std::size_t k = 0; k < rules_.size(); ++k) {
+      if (allowance_.out_of_time()) return;
       for (std::size_t r = 0; r < exact_.size(); ++r) {
         if (!covers(rules_[k], exact_[r])) continue;
         ++times[r];

@@ -210,6 +210,7 @@ class Synthesiser {
     const Allowance many = share(kMergingMany);
     choose_rules(target_, options_, std::move(solutions_),
                  {many.within(steps(kMergingQuick)), many, whole_}, hooks_, result_);
+    result_.unanswered = !result_.best;
   }
 
   void explain_failure() {

@@ -9,6 +9,7 @@
 #include "synthesis/emit.h"
 #include "synthesis/shapes.h"
 #include "synthesis/synthesise.h"
+#include "verify/verify.h"
 
 namespace stig {
 namespace {
@@ -55,6 +56,50 @@ TEST_CASE("a deadline that is over ends the search, and the result says so") {
   const Synthesis result = synthesise(box({4, 4, 4}), {}, hooks);
   CHECK(result.cut_short);
   CHECK_FALSE(result.obstacle);
+}
+
+/// Are these the target's cells, whatever the order of events?
+void check_proved(const Solution& s) {
+  const VerifyResult result =
+      verify(make_rule_set(*s.frame, s.colours, s.colour_count, {}, s.rules, {}), {});
+  CHECK(result.verdict == ProofVerdict::proved);
+  REQUIRE(result.structure);
+  CHECK(result.structure->size() == s.frame->cells.size());
+}
+
+TEST_CASE("a stop ends merging at once, and what was found is right") {
+  std::atomic<bool> stop = false;
+  SynthesisHooks hooks;
+  hooks.deadline.stop = &stop;
+  hooks.progress = [&](double, const std::string& what) {
+    if (what.find("merging") != std::string::npos) stop = true;
+  };
+  const Synthesis result = synthesise(hollow_box(5), {}, hooks);
+  CHECK(result.cut_short);
+  REQUIRE(result.best);
+  CHECK(result.best->rules.size() == result.best->exact_rules);
+  check_proved(*result.best);
+}
+
+TEST_CASE("when the time is over nothing is done for each of the rules that stay exact") {
+  const Target target = hollow_box(9);
+  const Frame frame = make_frame(target, {{target.cells.front()}});
+  BadOrder bad;
+  const auto schedule = make_schedule(frame, order_plans().front().make(frame), bad);
+  REQUIRE(schedule);
+  ColouringSearch search(*schedule, 0);
+  Colouring colours;
+  int k = search.at_least();
+  while (search.colour(k, {}, colours) != Answered::yes) ++k;
+  const auto exact = exact_rules(*schedule, colours);
+  const auto views = local_views(*schedule, colours, {});
+  REQUIRE(views);
+  std::atomic<bool> stop = true;
+  Effort effort({std::chrono::steady_clock::time_point::max(), &stop});
+  CHECK_FALSE(local_views(*schedule, colours, {&effort}));
+  CHECK(merge_rules(frame, k, exact, *views, 5, {&effort}).size() == exact.size());
+  CHECK(effort.cut_short());
+  CHECK(effort.spent() < exact.size() * exact.size());
 }
 
 TEST_CASE("impossible is said of every order alone") {

@@ -32,6 +32,8 @@ namespace {
 
 /// In larger structures it is not asked whether agents can walk to every site in time.
 constexpr std::size_t kMostWalkedTo = 20'000;
+/// For the proof of what was found when the time was over.
+constexpr double kSecondsAfterwards = 1;
 /// What --proof writes into its folder.
 constexpr std::array<const char*, 3> kProofFiles = {"fewer.json", "fewer.cnf", "fewer.drat"};
 
@@ -224,10 +226,10 @@ bool write_into(const std::string& folder, const std::string& name, const std::s
 
 /// Holds "the fewest for this order" to the checker: states that only seem possible, seen
 /// from one site, make clauses that it does not derive.
-void confirm_fewest(const SynthOptions& options, const Target& target, Solution& solution,
-                    Outcome& outcome) {
+void confirm_fewest(const SynthOptions& options, const Target& target, const Deadline& deadline,
+                    Solution& solution, Outcome& outcome) {
   if (!solution.fewer_refuted || solution.colour_count == 1) return;
-  Effort effort(Deadline::after(options.seconds, &stop_requested()));
+  Effort effort(deadline);
   outcome.fewest =
       prove_fewest(solution, static_cast<int>(target.bricks.size()),
                    {&effort, static_cast<std::uint64_t>(options.effort * kStepsOfEffort)});
@@ -277,18 +279,36 @@ int write_one(const std::string& path, const std::string& bytes, const App& app,
   return kOk;
 }
 
+/// Proves the rules once more, and looks for bricks that can be walled in. When the time
+/// is over a moment is left for the proof.
+void prove(const RuleSet& rules, const Deadline& deadline, Outcome& outcome) {
+  VerifyOptions verifying;
+  if (deadline.passed()) {
+    verifying.seconds = kSecondsAfterwards;
+  } else {
+    const std::chrono::duration<double> left = deadline.end - std::chrono::steady_clock::now();
+    verifying.seconds = std::clamp(left.count(), kSecondsAfterwards, verifying.seconds);
+    verifying.stop = deadline.stop;
+  }
+  outcome.proof = verify(rules, verifying);
+  const bool small = outcome.proof.structure && outcome.proof.structure->size() <= kMostWalkedTo;
+  if (outcome.proof.verdict == ProofVerdict::proved && small && !deadline.passed()) {
+    find_walled_in(rules, verifying, outcome.proof, outcome.findings);
+  }
+}
+
 /// Rules, certificate and proof, proved once more by the verifier; returns an exit code.
-int write_results(const SynthOptions& options, const Target& target, Synthesis& result, App& app,
-                  Outcome& outcome) {
-  confirm_fewest(options, target, *result.best, outcome);
+int write_results(const SynthOptions& options, const Target& target, const Deadline& deadline,
+                  Synthesis& result, App& app, Outcome& outcome) {
+  confirm_fewest(options, target, deadline, *result.best, outcome);
   const Solution& s = *result.best;
   const RuleSet rules = make_rule_set(*s.frame, s.colours, s.colour_count, target.bricks, s.rules,
                                       wording(options, s, result.cut_short));
-  VerifyOptions verifying;
-  verifying.stop = &stop_requested();
-  outcome.proof = verify(rules, verifying);
-  if (outcome.proof.verdict == ProofVerdict::proved && s.frame->cells.size() <= kMostWalkedTo) {
-    find_walled_in(rules, verifying, outcome.proof, outcome.findings);
+  prove(rules, deadline, outcome);
+  result.cut_short = result.cut_short || deadline.passed();
+  if (result.cut_short && outcome.proof.verdict != ProofVerdict::proved) {
+    app.complain(fmt::format("the rules that were found are not proved: {}", ended_early()));
+    return kRunFailed;
   }
   const std::string text = print_rule_set(rules);
   if (text.size() > kMaxRuleFileBytes) {
@@ -399,7 +419,7 @@ int run(const SynthOptions& options, App& app) {
   progress.clear();
   int code = kRunFailed;
   if (result.best) {
-    code = write_results(options, target, result, app, outcome);
+    code = write_results(options, target, hooks.deadline, result, app, outcome);
     if (has_file(options) && !options.json) app.print(summary(result, outcome));
     if (!has_file(options) && !options.json) app.say(summary(result, outcome));
   } else if (result.obstacle) {
