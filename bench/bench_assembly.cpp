@@ -30,8 +30,8 @@ constexpr std::size_t kMostSets = 200'000;
 
 SourceRef source(const std::string& path) {
   std::ifstream file(std::string(STIG_SOURCE_DIR) + "/" + path);
-  return std::make_shared<const SourceFile>(
-      path, std::string(std::istreambuf_iterator<char>(file), {}));
+  return std::make_shared<const SourceFile>(path,
+                                            std::string(std::istreambuf_iterator<char>(file), {}));
 }
 
 Abilities paper_robot() {
@@ -84,11 +84,15 @@ Row measure(const std::string& kind, std::uint64_t seed, const Abilities& robot)
   row.candidates = made.counts.candidates;
   const AssemblyCounts& c = made.counts;
   std::cerr << fmt::format(
-      "{:11} {:4} {:3} bricks {} {:8} {:7.2f} s: {} tried, {} no order, {} walked, {} too large, {} dead "
+      "{:11} {:4} {:3} bricks {} {:8} {:7.2f} s: {} tried, {} no order, {} walked, {} too large, "
+      "{} dead "
       "ends, {} no colours, {} refused\n",
       kind, seed, row.bricks, row.possible ? "possible" : "-       ",
-      !made.plan ? "NOT" : row.any_number ? "any" : "one", row.seconds, c.candidates, c.no_order, c.walked,
-      c.too_large, c.dead_end, c.no_colours, c.refused);
+      !made.plan       ? "NOT"
+      : row.any_number ? "any"
+                       : "one",
+      row.seconds, c.candidates, c.no_order, c.walked, c.too_large, c.dead_end, c.no_colours,
+      c.refused);
   return row;
 }
 

@@ -53,10 +53,16 @@ class Assembler {
         effort_(hooks.deadline),
         allowance_{&effort_, static_cast<std::uint64_t>(effort * kStepsOfEffort)},
         bricks_(all_bricks(task.target), 0),
-        visibility_(std::make_shared<Visibility>(task.robot,
-                                                 window_levels(task.robot, bricks_.levels()))) {}
+        widest_{task.robot, task.sides},
+        visibility_(
+            std::make_shared<Visibility>(task.robot, window_levels(task.robot, bricks_.levels()))) {
+    if (task.sides.empty()) widest_.sides.assign(kAllSides.begin(), kAllSides.end());
+    if (task.start) start_ = bricks_.brick_at(*task.start);
+  }
 
   Assembly run() {
+    out_.obstacle = find_obstacle(bricks_, widest_, start_);
+    if (out_.obstacle) return result();
     std::vector<Sides> sides = choices_of_sides(task_);
     std::size_t since_found = 0;
     for (std::uint64_t seed = 0; !sides.empty(); ++seed) {
@@ -65,6 +71,9 @@ class Assembler {
         report();
         if (try_one({task_.robot, sides[i]}, seed)) {
           ++i;
+        } else if (sides[i].size() == widest_.sides.size()) {
+          out_.obstacle = AssemblyObstacle{};
+          return result();
         } else {
           sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(i));
         }
@@ -134,10 +143,8 @@ class Assembler {
 
   std::optional<Sequence> sequence_of(const Builders& builders, std::uint64_t seed,
                                       bool& exhausted) {
-    std::optional<std::uint32_t> start;
-    if (task_.start) start = bricks_.brick_at(*task_.start);
     std::uint64_t most = kMostLooks;
-    auto out = find_sequence(bricks_, builders, start, liking_of(seed), most);
+    auto out = find_sequence(bricks_, builders, start_, liking_of(seed), most);
     allowance_.spend((kMostLooks - most) * kStepsOfLook);
     exhausted = !out && most > 0;
     return out;
@@ -162,9 +169,31 @@ class Assembler {
   /// Keeps the plan where it is better than the one there is.
   void judge(const CandidateOrder& candidate, const RuleView& view,
              const std::vector<Colour>& colours, const Builders& builders) {
+    RuleSet rules = rules_of(task_.target, candidate, view, colours, builders.sides, task_.robots,
+                             task_.wording);
+    auto plan = compiled(rules);
+    if (plan && !plan->any_number && !out_.plan && !task_.robots) {
+      rules.physical->robots = 1;  // or compile would warn that nobody said how many
+      plan = compiled(rules);
+    }
+    if (!plan) {
+      ++out_.counts.refused;
+      return;
+    }
+    if (out_.plan && !plan->any_number) return;
+    std::vector<Cell> order;
+    for (std::size_t i = 0; i < candidate.target->bricks(); ++i) {
+      order.push_back(candidate.target->cell(i));
+    }
+    plan->start = order.front();
+    plan->work = work_of(plan->compiled, order);
+    out_.plan = std::move(plan);
+  }
+
+  /// As a file has the rules; nothing when they are refused.
+  std::optional<AssemblyPlan> compiled(const RuleSet& printed) {
     AssemblyPlan plan;
-    plan.text = print_rule_set(rules_of(task_.target, candidate, view, colours, builders.sides,
-                                        task_.robots, task_.wording));
+    plan.text = print_rule_set(printed);
     Diagnostics diagnostics;
     auto rules = read_rule_set(std::make_shared<const SourceFile>("plan", plan.text), diagnostics);
     assert(rules);
@@ -173,17 +202,9 @@ class Assembler {
     options.verify.stop = options.limits.stop = hooks_.deadline.stop;
     plan.compiled = compile_rules(*plan.rules, task_.robot, options, diagnostics);
     allowance_.spend(plan.compiled.policy.situations.size() * kStepsOfJudging);
-    if (!plan.compiled.decision || diagnostics.has_errors()) {
-      ++out_.counts.refused;
-      return;
-    }
+    if (!plan.compiled.decision || diagnostics.has_errors()) return std::nullopt;
     plan.any_number = plan.compiled.concurrency.conflicts.empty();
-    if (out_.plan && !plan.any_number) return;
-    for (std::size_t i = 0; i < candidate.target->bricks(); ++i) {
-      plan.order.push_back(candidate.target->cell(i));
-    }
-    plan.from = candidate.sequence.sides;
-    out_.plan = std::move(plan);
+    return plan;
   }
 
   const AssemblyTask& task_;
@@ -191,6 +212,8 @@ class Assembler {
   Effort effort_;
   Allowance allowance_;
   TargetBricks bricks_;
+  Builders widest_;
+  std::optional<std::uint32_t> start_;
   std::shared_ptr<Visibility> visibility_;
   std::set<std::vector<std::uint64_t>> known_;
   Assembly out_;

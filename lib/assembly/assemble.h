@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From a target to a rule set that a robot can follow.
 //
+//     obstacle   why no order of work builds it, where that can be said at once (obstacle.h)
 //     sequence   an order that is within reach (sequence.h), by one liking after another
 //     candidate  what then can occur on the way, and what robots see of it (candidate.h)
 //     colours    such that rules and robots tell what is to be done where (colours.h)
@@ -16,7 +17,9 @@
 #include <string>
 #include <vector>
 
+#include "assembly/obstacle.h"
 #include "assembly/sequence.h"
+#include "assembly/work.h"
 #include "compiler/compile.h"
 #include "synthesis/effort.h"
 #include "synthesis/emit.h"
@@ -25,7 +28,7 @@
 namespace stig {
 
 struct AssemblyTask {
-  Target target;  ///< cubic, not empty
+  Target target;  ///< cubic, two bricks or more
   Abilities robot;
   std::vector<ApproachSide> sides;  ///< empty: chosen
   std::optional<int> robots;        ///< none: as many as may be, at least one
@@ -55,13 +58,14 @@ struct AssemblyPlan {
   std::string text;                ///< the file
   std::unique_ptr<RuleSet> rules;  ///< as it is read
   CompiledRules compiled;
-  std::vector<Cell> order;         ///< one order of work, the start first
-  std::vector<ApproachSide> from;  ///< beside it
-  bool any_number = false;         ///< of robots may work at once
+  Cell start;
+  std::vector<WorkStep> work;  ///< one order of it
+  bool any_number = false;     ///< of robots may work at once
 };
 
 struct Assembly {
   std::optional<AssemblyPlan> plan;
+  std::optional<AssemblyObstacle> obstacle;  ///< no robot of this kind builds it from these sides
   AssemblyCounts counts;
   bool cut_short = false;
 };

@@ -31,7 +31,7 @@ struct BarredBrick {
 };
 
 struct Remainder {
-  BrickSet bricks;                  ///< empty: the proof does not go through
+  BrickSet bricks{0};               ///< empty: the proof does not go through
   std::vector<BarredBrick> barred;  ///< each of them but a given start
 };
 

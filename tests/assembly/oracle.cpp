@@ -10,8 +10,7 @@ namespace {
 
 /// Is there a brick beside or below, so that a robot before a column would put it there?
 bool next_to_something(const TargetBricks& target, const BrickSet& state, Cell cell) {
-  for (const Offset step :
-       {Offset{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}}) {
+  for (const Offset step : {Offset{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, -1}}) {
     if (target.filled(state, cell + step)) return true;
   }
   return false;

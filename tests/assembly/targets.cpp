@@ -20,8 +20,8 @@ class Dice {
   Dice(std::string_view kind, std::uint64_t seed) : seed_(combine(hash_text(kind), seed)) {}
   /// From low to high, both included.
   int from(int low, int high) {
-    return low + static_cast<int>(combine(seed_, rolls_++) %
-                                  static_cast<std::uint64_t>(high - low + 1));
+    return low +
+           static_cast<int>(combine(seed_, rolls_++) % static_cast<std::uint64_t>(high - low + 1));
   }
 
  private:
@@ -154,8 +154,8 @@ std::vector<Cell> blob(Dice& dice) {
         if (held && next.z < 3 && !cells.contains(next)) beside.push_back(next);
       }
     }
-    cells.insert(beside[static_cast<std::size_t>(
-        dice.from(0, static_cast<int>(beside.size()) - 1))]);
+    cells.insert(
+        beside[static_cast<std::size_t>(dice.from(0, static_cast<int>(beside.size()) - 1))]);
   }
   return {cells.begin(), cells.end()};
 }

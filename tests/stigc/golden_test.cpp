@@ -158,6 +158,31 @@ TEST_CASE("synth prints a rule set, a summary, or why there is none") {
   hold(place, "synth-asymmetric", "stigc synth stairs.txt --symmetry rotations --start 0,0,0");
 }
 
+TEST_CASE("synth for a robot prints rules that compile, or what keeps the robot from building") {
+  const Workplace place;
+  place.write("bebot.yaml", project_file("robots/bebot.yaml"));
+  place.write("wall.txt", "1 1 1 1\n---\n1 1 1 1\n");
+  place.write("mound.txt", ". . .\n. 1 .\n. . .\n---\n1 1 1\n1 1 1\n1 1 1\n");
+  place.write("apart.txt", "1 . 1 1\n");
+  place.write("one.txt", "1\n");
+  hold(place, "synth-robot",
+       "stigc synth wall.txt --robot bebot.yaml --robots 2 -o wall.yaml --certificate wall.cert && "
+       "stigc certify wall.yaml wall.cert && stigc compile -W error wall.yaml");
+  hold(place, "synth-robot-rules",
+       "stigc synth wall.txt --robot bebot.yaml --sides=+y --start 1,0,0 --colours 3");
+  hold(place, "synth-robot-json",
+       "stigc synth wall.txt --robot bebot.yaml --json | grep -v seconds");
+  hold(place, "synth-robot-impossible",
+       "stigc synth mound.txt --robot bebot.yaml; stigc synth apart.txt --robot bebot.yaml; "
+       "stigc synth mound.txt --robot bebot.yaml --sides=+x --json | grep -v seconds");
+  hold(place, "synth-robot-usage",
+       "stigc synth wall.txt --sides=+x; stigc synth wall.txt --robot bebot.yaml --symmetry "
+       "rotations; stigc synth wall.txt --robot bebot.yaml --colours 5; stigc synth wall.txt "
+       "--robot bebot.yaml --start 0,0,1; stigc synth one.txt --robot bebot.yaml; stigc synth "
+       "wall.txt --robot none.yaml; stigc synth wall.txt --robot bebot.yaml --colours 1 "
+       "--effort 1 --sides=+x");
+}
+
 TEST_CASE("usage errors name what is wrong and what was meant") {
   const Workplace place;
   hold(place, "usage",

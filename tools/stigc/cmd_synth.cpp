@@ -20,6 +20,8 @@
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
 #include "structure_input.h"
+#include "synth_robot.h"
+#include "synth_words.h"
 #include "synthesis/emit.h"
 #include "synthesis/remedies.h"
 #include "synthesis/scaffold.h"
@@ -53,25 +55,6 @@ std::string_view words(Obstacle::Kind kind) {
   return "colours";
 }
 
-/// Do the rules go into a file? Otherwise to standard output, where there is no JSON.
-bool has_file(const SynthOptions& options) { return options.output && *options.output != "-"; }
-
-std::string file_name(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
-
-/// "tower", of "models/tower.vox": what a rule set may be called.
-std::string set_name(const std::string& path) {
-  std::string name = file_name(path);
-  name = name.substr(0, name.rfind('.'));
-  for (char& c : name) {
-    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-    if (!plain) c = '-';
-  }
-  return name.empty() ? "target" : name;
-}
-
 /// The options that made a difference, as they are written.
 std::string options_in_words(const SynthOptions& o) {
   std::string out;
@@ -83,12 +66,6 @@ std::string options_in_words(const SynthOptions& o) {
   if (o.fewest == Fewest::rules) out += " --fewest rules";
   if (o.effort != 1) out += fmt::format(" --effort {}", o.effort);
   return out;
-}
-
-/// Why the result of a search that was cut short is not the one that the effort gives.
-std::string_view ended_early() {
-  return stop_requested() ? "a signal ended the search: another run may find better"
-                          : "the time allowed ended the search: another run may find better";
 }
 
 Wording wording(const SynthOptions& options, const Solution& solution, bool cut_short) {
@@ -267,18 +244,6 @@ int write_proof(const SynthOptions& options, const Solution& solution,
   return kOk;
 }
 
-/// Writes one file and remembers it; returns an exit code.
-int write_one(const std::string& path, const std::string& bytes, const App& app,
-              std::vector<std::string>& written) {
-  FileError error;
-  if (!write_file(path, bytes, error)) {
-    app.complain(error.message);
-    return kRunFailed;
-  }
-  written.push_back(path);
-  return kOk;
-}
-
 /// Proves the rules once more, and looks for bricks that can be walled in. When the time
 /// is over a moment is left for the proof.
 void prove(const RuleSet& rules, const Deadline& deadline, Outcome& outcome) {
@@ -389,6 +354,11 @@ void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result
 }  // namespace
 
 int run(const SynthOptions& options, App& app) {
+  if (options.robot) return synth_for_robot(options, app);
+  if (!options.sides.empty() || options.robots) {
+    app.complain("--sides and --robots are about robots: --robot FILE says which");
+    return kUsage;
+  }
   const auto loaded = read_structure(options.target, options.lattice, app);
   if (!loaded) return kFailed;
   if (loaded->structure.empty()) {

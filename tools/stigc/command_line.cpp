@@ -512,7 +512,9 @@ void add_synth(CLI::App& app, SynthOptions& o) {
       "  stigc synth pyramid.txt -o pyramid.yaml\n"
       "  stigc synth pyramid.txt --colours given --floor -o as-drawn.yaml\n"
       "  stigc synth pyramid.txt --symmetry rotations --fewest rules -o turned.yaml\n"
-      "  stigc synth pyramid.txt --order breadth-first --proof proof -o proved.yaml --json\n");
+      "  stigc synth pyramid.txt --order breadth-first --proof proof -o proved.yaml --json\n"
+      "  stigc synth pyramid.txt --robot robots/bebot.yaml -o followed.yaml\n"
+      "  stigc compile followed.yaml\n");
   file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt)");
   lattice(sub, o.lattice);
   parsed(sub, "--colours", "N|given|free",
@@ -530,6 +532,13 @@ void add_synth(CLI::App& app, SynthOptions& o) {
       ->allow_extra_args(false)
       ->trigger_on_parse();
   sub->add_flag("--floor", o.floor, "cells below z = 0 look like floor to the rules");
+  path(sub, "--robot", o.robot,
+       "a robot's file: only rules that stigc compile accepts for it, in an order that it can "
+       "follow");
+  integer(sub, "--robots", o.robots, 1, 100,
+          "with --robot: so many have to be able to work at once (default: as many as may be)");
+  add_sides(*sub, o.sides,
+            "with --robot: the sides that it works from, as --sides=+x,-x (default: chosen)");
   add_synth_search(sub, o);
   path(sub, "-o,--output", o.output, "the rule set (default: standard output)");
   path(sub, "--certificate", o.certificate,

@@ -199,6 +199,9 @@ struct SynthOptions {
   Symmetry symmetry = Symmetry::none;
   std::vector<Cell> start;
   bool floor = false;
+  std::optional<std::string> robot;  ///< that has to be able to follow the rules
+  std::vector<std::string> sides;    ///< that it works from; empty: chosen
+  std::optional<int> robots;         ///< that work at once; otherwise as many as may be
   Fewest fewest = Fewest::colours;
   std::optional<OrderFamily> family;
   bool strict = false;   ///< no ties

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/obstacle.h"
+
+#include <array>
+
+namespace stig {
+
+namespace {
+
+constexpr std::array<Offset, 6> kFaces = {
+    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
+
+/// The bricks that hang together with one.
+BrickSet part_of(const TargetBricks& target, std::uint32_t first) {
+  BrickSet out(target.bricks());
+  out.add(first);
+  std::vector<std::uint32_t> edge = {first};
+  while (!edge.empty()) {
+    const Cell cell = target.cell(edge.back());
+    edge.pop_back();
+    for (const Offset step : kFaces) {
+      const std::uint32_t brick = target.brick_at(cell + step);
+      if (brick == TargetBricks::kNone || out.has(brick)) continue;
+      out.add(brick);
+      edge.push_back(brick);
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const Builders& builders,
+                                              std::optional<std::uint32_t> start) {
+  AssemblyObstacle out;
+  out.part = part_of(target, start.value_or(0));
+  if (!target.complete(out.part)) {
+    out.kind = AssemblyObstacle::Kind::apart;
+    return out;
+  }
+  out.remainder = find_remainder(target, builders, start);
+  if (out.remainder.barred.empty()) return std::nullopt;
+  out.kind = AssemblyObstacle::Kind::remainder;
+  return out;
+}
+
+}  // namespace stig

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Why no order of work builds a target, whatever the rules and colours are. Said only where it is
+// proved.
+#pragma once
+
+#include "assembly/remainder.h"
+
+namespace stig {
+
+struct AssemblyObstacle {
+  enum class Kind : std::uint8_t {
+    exhausted,  ///< every order was looked at: each leaves a brick that nobody can put
+    apart,      ///< bricks that share no face with the rest, and so are next to no column of it
+    remainder,  ///< bricks of which none can be put last (remainder.h)
+  } kind = Kind::exhausted;
+  BrickSet part{0};     ///< apart: those that hang together with the first brick, or the start
+  Remainder remainder;  ///< remainder: what is left
+};
+
+/// What can be said without a search.
+std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const Builders& builders,
+                                              std::optional<std::uint32_t> start);
+
+}  // namespace stig

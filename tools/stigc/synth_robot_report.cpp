@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: MIT
+// What synth --robot prints.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "base/text.h"
+#include "compiler/conflict_text.h"
+#include "lattice/structure_text.h"
+#include "report.h"
+#include "synth_robot.h"
+
+namespace stig {
+namespace {
+
+/// Of a remainder, so many bricks are spoken of; the rest looks like them.
+constexpr std::size_t kMostBarred = 4;
+constexpr std::int32_t kMostDrawnAcross = 20;
+constexpr std::size_t kMostOpenShown = 60;
+
+std::string sides_text(const std::vector<ApproachSide>& sides) {
+  std::vector<std::string_view> words;
+  for (const ApproachSide side : sides) words.push_back(to_string(side));
+  return fmt::format("{}", fmt::join(words, " "));
+}
+
+std::size_t colours_of(const AssemblyPlan& plan) {
+  std::set<Colour> used;
+  for (const PlacedBrick& brick : plan.compiled.proof.structure->bricks()) used.insert(brick.brick);
+  return used.size();
+}
+
+std::size_t structures_of(const CompiledRules& compiled) {
+  return static_cast<std::size_t>(
+      std::count(compiled.policy.reached.begin(), compiled.policy.reached.end(), true));
+}
+
+/// Slices from the top down: of each brick when it is put and from where. Empty for what is too
+/// large to be looked at.
+std::string order_drawing(const AssemblyPlan& plan) {
+  std::map<Cell, std::string> text = {{plan.start, "1"}};
+  Cell low = plan.start, high = plan.start;
+  for (const WorkStep& step : plan.work) {
+    text[step.at] = fmt::format("{}{}", text.size() + 1, to_string(step.from));
+    low = {std::min(low.x, step.at.x), std::min(low.y, step.at.y), 0};
+    high = {std::max(high.x, step.at.x), std::max(high.y, step.at.y), std::max(high.z, step.at.z)};
+  }
+  if (high.x - low.x >= kMostDrawnAcross || high.y - low.y >= kMostDrawnAcross) return {};
+  std::size_t width = 1;
+  for (const auto& [cell, word] : text) width = std::max(width, word.size());
+  std::string out;
+  for (int z = high.z; z >= 0; --z) {
+    for (int y = high.y; y >= low.y; --y) {
+      std::string row;
+      for (int x = low.x; x <= high.x; ++x) {
+        const auto found = text.find({x, y, z});
+        row += fmt::format(" {:>{}}", found == text.end() ? "." : found->second, width);
+      }
+      out += "   " + row + "\n";
+    }
+    if (z > 0) out += "    ---\n";
+  }
+  return out;
+}
+
+std::string open_text(const std::vector<WorkStep>& work) {
+  std::size_t most = 0, sum = 0;
+  for (const WorkStep& step : work) {
+    most = std::max(most, step.open);
+    sum += step.open;
+  }
+  std::string out = fmt::format("{:.1f} on average, {} at most",
+                                static_cast<double>(sum) / static_cast<double>(work.size()), most);
+  if (work.size() > kMostOpenShown) return out;
+  std::vector<std::size_t> open;
+  for (const WorkStep& step : work) open.push_back(step.open);
+  return fmt::format("{}: {}", out, fmt::join(open, " "));
+}
+
+std::string remainder_drawing(const Target& target, const BrickSet& left) {
+  Structure structure(Lattice::cubic);
+  for (std::size_t i = 0; i < target.cells.size(); ++i) {
+    structure.place(target.cells[i], static_cast<Colour>(left.has(i) ? 1 : 2));
+  }
+  std::vector<Brick> bricks(2);
+  bricks[0].symbol = "#";
+  bricks[1].symbol = "o";
+  return small_drawing(structure, bricks);
+}
+
+std::string remainder_lines(const Target& target, const Remainder& remainder) {
+  std::string out = fmt::format(
+      "take the finished structure apart, brick by brick, each as it could have been put last: "
+      "{} of {} (#) are left, and none of them can be put last\n",
+      remainder.bricks.count(), counted(target.cells.size(), "brick"));
+  out += remainder_drawing(target, remainder.bricks);
+  for (std::size_t i = 0; i < std::min(kMostBarred, remainder.barred.size()); ++i) {
+    const BarredBrick& one = remainder.barred[i];
+    out += fmt::format("  the brick at {}\n", to_text(target.cells[one.brick]));
+    for (const Bar& bar : one.bars) {
+      out += fmt::format("    from {}: {}\n", to_string(bar.side), explain(bar.why));
+    }
+  }
+  if (remainder.barred.size() > kMostBarred) {
+    out += fmt::format("  and {} more\n", remainder.barred.size() - kMostBarred);
+  }
+  return out;
+}
+
+std::string_view word_of(AssemblyObstacle::Kind kind) {
+  switch (kind) {
+    case AssemblyObstacle::Kind::apart:
+      return "not-connected";
+    case AssemblyObstacle::Kind::remainder:
+      return "remainder";
+    case AssemblyObstacle::Kind::exhausted:
+      break;
+  }
+  return "every-order";
+}
+
+Json obstacle_json(const Target& target, const AssemblyObstacle& obstacle) {
+  Json out = {{"reason", word_of(obstacle.kind)}};
+  if (obstacle.kind != AssemblyObstacle::Kind::remainder) return out;
+  out["remainder"] = Json::array();
+  for (std::size_t i = 0; i < target.cells.size(); ++i) {
+    if (obstacle.remainder.bricks.has(i)) out["remainder"].push_back(to_json(target.cells[i]));
+  }
+  out["barred"] = Json::array();
+  for (const BarredBrick& one : obstacle.remainder.barred) {
+    Json bars = Json::object();
+    for (const Bar& bar : one.bars) bars[std::string(to_string(bar.side))] = explain(bar.why);
+    out["barred"].push_back({{"at", to_json(target.cells[one.brick])}, {"from", std::move(bars)}});
+  }
+  return out;
+}
+
+Json plan_json(const AssemblyPlan& plan) {
+  const CompiledRules& compiled = plan.compiled;
+  Json out = {{"proof", to_string(compiled.proof.verdict)},
+              {"method", to_string(compiled.proof.method)},
+              {"local_states", compiled.proof.local_states},
+              {"structures", structures_of(compiled)},
+              {"colours", colours_of(plan)},
+              {"rules", plan.rules->rules.size()},
+              {"start", to_json(plan.start)},
+              {"sides", Json::array()},
+              {"robots", compiled.robots ? Json(*compiled.robots) : Json(nullptr)},
+              {"any_number", plan.any_number},
+              {"order", Json::array()}};
+  for (const ApproachSide side : compiled.sides) out["sides"].push_back(to_string(side));
+  for (const WorkStep& step : plan.work) {
+    out["order"].push_back(
+        {{"at", to_json(step.at)}, {"from", to_string(step.from)}, {"open", step.open}});
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string counts_in_words(const AssemblyCounts& counts) {
+  std::vector<std::string> parts;
+  const auto add = [&](std::size_t number, const char* what) {
+    if (number > 0) parts.push_back(fmt::format("{} {}", number, what));
+  };
+  add(counts.no_order, "without an order of work");
+  add(counts.dead_end, "in which robots could get stuck");
+  add(counts.no_colours, "that the colours do not do for");
+  add(counts.too_large, "with too many structures on the way");
+  add(counts.refused, "that compile refused");
+  return fmt::format("none of {} does{}{}", counted(counts.candidates, "candidate"),
+                     parts.empty() ? "" : ": ", fmt::join(parts, ", "));
+}
+
+std::string plan_lines(const Target& target, const Assembly& made) {
+  const AssemblyPlan& plan = *made.plan;
+  const CompiledRules& compiled = plan.compiled;
+  std::string out = line("bricks", fmt::to_string(target.cells.size()));
+  out += line("colours", fmt::to_string(colours_of(plan)));
+  out += line("rules", fmt::to_string(plan.rules->rules.size()));
+  out += line("sides", sides_text(compiled.sides));
+  out += line("robots", robots_text(compiled));
+  out += line("order", fmt::format("of {}; the number says when, the sign from which side",
+                                   counted(made.counts.candidates, "candidate")));
+  out += order_drawing(plan);
+  if (!plan.work.empty()) out += line("sites open", open_text(plan.work));
+  return out + line("proof", fmt::format("every order of events builds it ({} local states), every "
+                                         "order of work completes it ({} structures on the way)",
+                                         compiled.proof.local_states, structures_of(compiled)));
+}
+
+std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacle, bool color) {
+  const std::string impossible = red("impossible", color) + ": ";
+  switch (obstacle.kind) {
+    case AssemblyObstacle::Kind::apart:
+      return impossible +
+             fmt::format(
+                 "{} of {} share no face with the rest, and robots put bricks next to others\n",
+                 target.cells.size() - obstacle.part.count(),
+                 counted(target.cells.size(), "brick")) +
+             remainder_drawing(target, obstacle.part);
+    case AssemblyObstacle::Kind::remainder:
+      return impossible + remainder_lines(target, obstacle.remainder);
+    case AssemblyObstacle::Kind::exhausted:
+      break;
+  }
+  return impossible + "every order of work was looked at, and each leaves a brick out of reach\n";
+}
+
+std::string assembly_json(const SynthOptions& options, const Target& target, const Assembly& made,
+                          double seconds, const std::vector<std::string>& written) {
+  Json json = {{"target", options.target}, {"bricks", target.cells.size()}};
+  if (made.plan) {
+    json["verdict"] = "compiled";
+    json.update(plan_json(*made.plan));
+  } else if (made.obstacle) {
+    json["verdict"] = "impossible";
+    json.update(obstacle_json(target, *made.obstacle));
+  } else {
+    json["verdict"] = made.cut_short ? "out-of-time" : "not-found";
+  }
+  json["impossible"] = made.obstacle.has_value();
+  json["cut_short"] = made.cut_short;
+  json["candidates"] = made.counts.candidates;
+  json["seconds"] = seconds;
+  if (!written.empty()) json["written"] = written;
+  return dump(json);
+}
+
+}  // namespace stig

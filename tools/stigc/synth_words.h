@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What synth says and does in the same way with robots and without.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app.h"
+
+namespace stig {
+
+/// Do the rules go into a file? Otherwise to standard output, where there is no JSON.
+bool has_file(const SynthOptions& options);
+
+/// "tower.vox", of "models/tower.vox".
+std::string file_name(const std::string& path);
+/// "tower", of "models/tower.vox": what a rule set may be called.
+std::string set_name(const std::string& path);
+
+/// Why the result of a search that was cut short is not the one that the effort gives.
+std::string_view ended_early();
+
+/// Writes one file and remembers it; returns an exit code.
+int write_one(const std::string& path, const std::string& bytes, const App& app,
+              std::vector<std::string>& written);
+
+}  // namespace stig
