@@ -175,6 +175,10 @@ class Crew {
   static void robot_members(Each& each, auto& robot);
   template <class Each>
   static void block_members(Each& each, auto& block);
+  template <class Each>
+  static void crew_members(Each& each, auto& crew);
+  template <class Each>
+  static void histories(Each& each, auto& crew);
   bool fits(const Robot& robot) const;
   void apply(const BlockCommands& commands, std::size_t block);
   void say(const CrewLine& about, const std::vector<std::string>& lines,

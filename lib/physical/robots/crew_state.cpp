@@ -56,23 +56,33 @@ void Crew::block_members(Each& each, auto& block) {
   each.list(block.inbox), each.list(block.outbox);
 }
 
+template <class Each>
+void Crew::crew_members(Each& each, auto& crew) {
+  each(crew.sends_);
+  each.known(crew.robots_.size());
+  for (auto& robot : crew.robots_) robot_members(each, robot);
+  each.known(crew.blocks_.size());
+  for (auto& block : crew.blocks_) block_members(each, block);
+}
+
+template <class Each>
+void Crew::histories(Each& each, auto& crew) {
+  for (auto& robot : crew.robots_) each_member(each, robot.history);
+  for (auto& block : crew.blocks_) each_member(each, block.history);
+}
+
 std::string Crew::state() const {
   BytesOut out;
-  out(sends_);
-  out(std::uint64_t{robots_.size()});
-  for (const Robot& robot : robots_) robot_members(out, robot);
-  out(std::uint64_t{blocks_.size()});
-  for (const Block& block : blocks_) block_members(out, block);
+  crew_members(out, *this);
   return out.take();
 }
 
 std::string Crew::checkpoint() const {
   assert(config_.resumable);
-  std::string out;
-  put_block(out, state());
-  for (const Robot& robot : robots_) out += robot.history.bytes();
-  for (const Block& block : blocks_) out += block.history.bytes();
-  return out;
+  BytesOut out;
+  out(state());
+  histories(out, *this);
+  return out.take();
 }
 
 /// Lists as long as the robot's devices are many.
@@ -138,11 +148,7 @@ bool Crew::resume(std::string_view checkpoint) {
   ByteReader whole(checkpoint);
   ByteReader in(whole.block());
   BytesIn each(in);
-  each(sends_);
-  if (in.varint() != robots_.size()) return false;
-  for (Robot& robot : robots_) robot_members(each, robot);
-  if (in.varint() != blocks_.size()) return false;
-  for (Block& block : blocks_) block_members(each, block);
+  crew_members(each, *this);
   if (!in.good() || in.left() > 0) return false;
   if (!std::all_of(robots_.begin(), robots_.end(), [this](const Robot& r) { return fits(r); }) ||
       !std::all_of(blocks_.begin(), blocks_.end(), [](const Block& block) {
@@ -150,12 +156,8 @@ bool Crew::resume(std::string_view checkpoint) {
       })) {
     return false;
   }
-  for (Robot& robot : robots_) {
-    if (!robot.history.take(whole)) return false;
-  }
-  for (Block& block : blocks_) {
-    if (!block.history.take(whole)) return false;
-  }
+  BytesIn rest(whole);
+  histories(rest, *this);
   if (!whole.good() || whole.left() > 0) return false;
   return std::all_of(robots_.begin(), robots_.end(), [this](Robot& r) { return bring_back(r); }) &&
          std::all_of(blocks_.begin(), blocks_.end(), [this](Block& b) { return bring_back(b); });

@@ -30,22 +30,6 @@ void ReadingHistory::add(std::string_view record) {
   last_.clear();
 }
 
-std::string ReadingHistory::bytes() const {
-  std::string out;
-  put_varint(out, packed_.size());
-  for (const std::string& chunk : packed_) put_block(out, chunk);
-  put_block(out, last_);
-  return out;
-}
-
-bool ReadingHistory::take(ByteReader& in) {
-  packed_.clear();
-  const std::uint64_t chunks = in.varint();
-  for (std::uint64_t i = 0; i < chunks && in.good(); ++i) packed_.emplace_back(in.block());
-  last_ = in.block();
-  return in.good();
-}
-
 bool ReadingHistory::each(const std::function<bool(ByteReader&)>& next) const {
   const auto whole = [&](const std::string& chunk) {
     const auto bytes = unpacked(chunk, kMostChunk);

@@ -16,12 +16,13 @@ namespace stig {
 class ReadingHistory {
  public:
   void add(std::string_view record);
-  std::string bytes() const;
-  /// False when the bytes are no history.
-  bool take(ByteReader& in);
   /// Hands the records to `next`, which takes one at a time from the reader; until the end, or
   /// until it or the reader finds something wrong: then false.
   bool each(const std::function<bool(ByteReader&)>& next) const;
+
+  static void members(auto& each, auto& history) {
+    each.list(history.packed_), each(history.last_);
+  }
 
  private:
   std::vector<std::string> packed_;

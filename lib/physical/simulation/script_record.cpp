@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physical/simulation/script_record.h"
 
+#include "base/byte_members.h"
+
 namespace stig {
 
 namespace {
@@ -18,32 +20,22 @@ struct Found {
   std::uint64_t place = 0;
 };
 
-// The members of each answer; Value is the type itself or its const.
-
-template <class Each, class P>
-requires std::is_same_v<std::remove_const_t<P>, Pose>
-void each_member(Each& each, P& pose) { each_member(each, pose.p), each_member(each, pose.q); }
-template <class Each, class B>
-requires std::is_same_v<std::remove_const_t<B>, ScriptBlock>
-void each_member(Each& each, B& block) {
+void each_member(auto& each, EitherWay<ScriptBlock> auto& block) {
   each(block.name), each_member(each, block.X_WB), each(block.colour);
   for (auto& face : block.faces) each(face);
   each(block.left), each(block.lattice), each(block.x), each(block.y), each(block.z);
 }
-template <class Each, class R>
-requires std::is_same_v<std::remove_const_t<R>, ScriptRobot>
-void each_member(Each& each, R& robot) {
+void each_member(auto& each, EitherWay<ScriptRobot> auto& robot) {
   each(robot.name), each_member(each, robot.X_WR), each(robot.failed), each(robot.halted);
   each(robot.driven);
 }
-template <class Each, class D>
-requires std::is_same_v<std::remove_const_t<D>, Dropped>
-void each_member(Each& each, D& dropped) {
+void each_member(auto& each, EitherWay<Dropped> auto& dropped) {
   each(dropped.good), each(dropped.place), each(dropped.problem);
 }
-template <class Each, class F>
-requires std::is_same_v<std::remove_const_t<F>, Found>
-void each_member(Each& each, F& found) { each(found.good), each(found.robot), each(found.place); }
+void each_member(auto& each, EitherWay<Found> auto& found) {
+  each(found.good), each(found.robot), each(found.place);
+}
+
 }  // namespace
 
 template <class Value>

@@ -5,8 +5,8 @@
 
 #include <map>
 
+#include "base/bytes.h"
 #include "lua/lua_script.h"
-#include "physical/robots/crew_bytes.h"
 
 namespace stig {
 

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "base/bytes.h"
+#include "base/byte_members.h"
 #include "base/hash.h"
 #include "base/packed.h"
 #include "physical/render/show_json.h"
@@ -348,7 +348,9 @@ std::string Simulation::state() const {
       put(out, std::bit_cast<std::uint64_t>(value));
     }
   }
-  out += script_history_.bytes();
+  BytesOut script;
+  each_member(script, script_history_);
+  out += script.take();
   put_block(out, crew_ ? crew_->checkpoint() : "");
   return out;
 }
@@ -390,7 +392,9 @@ bool Simulation::take_state(ByteReader& in) {
       *value = std::bit_cast<double>(in.u64());
     }
   }
-  if (!take_pushes(in) || !script_history_.take(in)) return false;
+  if (!take_pushes(in)) return false;
+  BytesIn script(in);
+  each_member(script, script_history_);
   const std::string_view programs = in.block();
   if (!in.good() || in.left() > 0 || !bring_back_script()) return false;
   if (!crew_) return programs.empty();
