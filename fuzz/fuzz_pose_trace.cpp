@@ -7,7 +7,8 @@
 
 #include "base/bytes.h"
 #include "base/packed.h"
-#include "physical/simulation/simulation.h"
+#include "physical/simulation/checkpoint_file.h"
+#include "physical/trace/pose_trace.h"
 
 namespace {
 

@@ -100,8 +100,12 @@ class BytesIn {
 
 /// Numbers, words and what else is written as it is.
 template <class Each, class Value>
-requires requires(Each each, Value& value) { each(value); }
+requires requires(Each& each, Value& value) { each(value); }
 void each_member(Each& each, Value& value) { each(value); }
+/// Classes list theirs themselves: static void members(auto& each, auto& self).
+template <class Each, class Value>
+requires requires(Each& each, Value& value) { Value::members(each, value); }
+void each_member(Each& each, Value& value) { Value::members(each, value); }
 
 void each_member(auto& each, EitherWay<Vec3> auto& v) { each(v.x), each(v.y), each(v.z); }
 void each_member(auto& each, EitherWay<Quat> auto& q) {

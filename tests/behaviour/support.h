@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/simulation.h"
 
 namespace stig::behaviour {

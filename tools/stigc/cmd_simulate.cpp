@@ -10,6 +10,7 @@
 #include "camera_place.h"
 #include "commands.h"
 #include "outputs.h"
+#include "physical/simulation/checkpoint_file.h"
 #include "physical/simulation/run_picture.h"
 #include "progress.h"
 #include "report.h"

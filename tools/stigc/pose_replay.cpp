@@ -8,6 +8,7 @@
 
 #include "base/hash.h"
 #include "outputs.h"
+#include "physical/simulation/verify_trace.h"
 #include "progress.h"
 #include "report.h"
 #include "simulate_report.h"

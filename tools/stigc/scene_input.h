@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "app.h"
-#include "physical/simulation/simulation.h"
+#include "physical/simulation/loaded_scene.h"
 
 namespace stig {
 

@@ -3,18 +3,14 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <utility>
 
+#include "physical/dynamics/ticks.h"
 #include "physical/robots/crew_history.h"
 
 namespace stig {
 
 namespace {
-
-std::uint64_t ticks_in(double seconds, double step) {
-  return static_cast<std::uint64_t>(std::max<long long>(1, std::llround(seconds / step)));
-}
 
 std::uint32_t number(BodyId id) { return static_cast<std::uint32_t>(id); }
 

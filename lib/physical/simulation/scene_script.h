@@ -3,15 +3,14 @@
 #pragma once
 
 #include "lua/lua_script.h"
-#include "physical/readout/lattice_reading.h"
-#include "physical/simulation/simulation.h"
+#include "physical/simulation/run_state.h"
 
 namespace stig {
 
 /// For one call of the script: blocks' numbers and lattices are read when first asked for.
 class SceneScript final : public ScriptWorld {
  public:
-  explicit SceneScript(Simulation& run);
+  explicit SceneScript(RunState& run);
 
   double time() const override;
   std::uint64_t seed() const override;
@@ -33,7 +32,7 @@ class SceneScript final : public ScriptWorld {
   BodyId body_of(ScriptThing thing) const;
   std::string name_of(BodyId body) const;
 
-  Simulation& run_;
+  RunState& run_;
   std::vector<BodyId> bodies_;  ///< of blocks
   mutable std::optional<std::vector<ScriptBlock>> read_;
 };

@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/simulation.h"
 #include "physical/support.h"
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physical/simulation/simulation.h"
 
+#include "physical/simulation/checkpoint_file.h"
+#include "physical/simulation/loaded_scene.h"
+#include "physical/simulation/verify_trace.h"
 #include "physical/support.h"
 
 using namespace stig;

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "physical/simulation/run_agents.h"
+
+#include <algorithm>
+
+#include "physical/scene/scene_crew.h"
+#include "physical/simulation/run_state.h"
+
+namespace stig {
+
+namespace {
+
+bool has_programs(const Scene& scene) {
+  return std::any_of(scene.block_programs.begin(), scene.block_programs.end(),
+                     [](std::size_t program) { return program != RobotSpawn::kNoProgram; });
+}
+
+/// The number of a body's block; nothing when it is none, or there is no crew.
+std::optional<std::size_t> block_at(const Crew* crew, std::size_t body) {
+  if (crew == nullptr) return std::nullopt;
+  const std::size_t block = crew->block_of(BodyId{static_cast<std::uint32_t>(body)});
+  return block < crew->blocks() ? std::optional(block) : std::nullopt;
+}
+
+}  // namespace
+
+RunAgents::RunAgents(const Scene& scene, const PlacedScene& placed, bool resumable) {
+  // A script may colour blocks.
+  const bool script = scene.script != RobotSpawn::kNoProgram;
+  if (!script && scene.robots.empty() && !has_programs(scene)) return;
+  CrewConfig crew = crew_of(scene, placed);
+  crew.resumable = resumable;
+  crew_.emplace(std::move(crew), placed.config);
+}
+
+void RunAgents::add(const RunState& run, std::size_t body) {
+  if (!crew_) return;
+  const BlockModel& model = run.scene->models[run.scene->stock_model];
+  crew_->add(crew_block(*run.scene, run.placed, body), block_body(model, {}).shape);
+}
+
+void RunAgents::before_step(RunState& run, const RunHooks& hooks) {
+  if (!crew_) return;
+  crew_->before_step(run.world);
+  for (const CrewLine& line : crew_->take_log()) {
+    if (hooks.on_line) hooks.on_line(line);
+    run.recorder.note(run, line);
+  }
+}
+
+void RunAgents::save(BytesOut& out) const { out(crew_ ? crew_->checkpoint() : std::string()); }
+
+bool RunAgents::load(BytesIn& in, RunState& run) {
+  std::string programs;
+  in(programs);
+  if (!in.good()) return false;
+  if (!crew_) return programs.empty();
+  for (std::size_t i = run.placed.config.bodies.size(); i < run.world.size(); ++i) add(run, i);
+  if (!crew_->resume(programs)) return false;
+  crew_->take_changed();
+  return true;
+}
+
+Led led_of(const RunState& run, std::size_t body) {
+  const Crew* crew = run.agents.crew();
+  if (crew == nullptr || body >= run.world.size()) return run.placed.bodies[body].colour;
+  const auto block = block_at(crew, body);
+  return block ? crew->colour(*block) : Led::off;
+}
+
+std::array<int, 6> faces_of(const RunState& run, std::size_t body) {
+  std::array<int, 6> out{};
+  out.fill(static_cast<int>(led_of(run, body)));
+  const auto block = block_at(run.agents.crew(), body);
+  if (!block) return out;
+  const auto& leds = run.agents.crew()->leds(*block);
+  for (std::size_t face = 0; face < out.size(); ++face) {
+    std::array<int, 5> shown{};
+    for (std::size_t i = 0; i < 4; ++i) ++shown[static_cast<std::size_t>(leds[4 * face + i])];
+    out[face] = static_cast<int>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+  }
+  return out;
+}
+
+}  // namespace stig

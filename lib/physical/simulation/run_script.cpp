@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "physical/simulation/run_script.h"
+
+#include "physical/simulation/run_state.h"
+#include "physical/simulation/scene_script.h"
+#include "physical/simulation/script_record.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::uint32_t kScriptAgent = 0xffffff;  ///< beyond all robots and blocks
+
+}  // namespace
+
+RunScript::RunScript(const Scene& scene, const PlacedScene& placed) {
+  if (scene.script == RobotSpawn::kNoProgram) return;
+  LuaSettings settings;
+  settings.id = "script";
+  settings.limits.instructions *= 10;
+  settings.seed = placed.seed;
+  settings.agent = kScriptAgent;
+  script_.emplace(scene.programs[scene.script], settings);
+}
+
+void RunScript::before_step(RunState& run, const RunHooks& hooks) {
+  if (!script_ || !looks_now(run)) return;
+  if (run.world.tick() == 0) call(ScriptCall::start, run, hooks);
+  if (!run.stop) call(ScriptCall::step, run, hooks);
+}
+
+void RunScript::end(RunState& run, const RunHooks& hooks) {
+  if (script_ && !failed_) call(ScriptCall::end, run, hooks);
+}
+
+void RunScript::call(ScriptCall which, RunState& run, const RunHooks& hooks) {
+  SceneScript world(run);
+  std::string answers;
+  RecordedWorld recorded(world, answers);
+  ScriptWorld& seen = run.resumable ? static_cast<ScriptWorld&>(recorded) : world;
+  std::vector<std::string> log;
+  ended(script_->call(which, seen, log), run);
+  if (run.resumable) {
+    std::string record(1, static_cast<char>(which));
+    put_block(record, answers);
+    record.push_back(failed_ ? '\1' : '\0');
+    history_.add(record);
+  }
+  for (const std::string& line : log) {
+    if (hooks.on_line) hooks.on_line({run.world.tick(), "script", {}, line, false});
+  }
+}
+
+/// A failure ends the run as a stop does.
+void RunScript::ended(const ControllerStatus& status, RunState& run) {
+  if (status.ok) return;
+  failed_ = run.stop = true;
+  run.message = status.error;
+}
+
+bool RunScript::accept(RunState& run) {
+  if (!script_) return true;
+  return history_.each([&](ByteReader& in) { return replay(in, run); });
+}
+
+/// One call.
+bool RunScript::replay(ByteReader& in, RunState& run) {
+  const std::uint8_t which = in.u8();
+  ByteReader answers(in.block());
+  const bool failed = in.u8() == 1;
+  if (!in.good() || which > static_cast<std::uint8_t>(ScriptCall::end)) return false;
+  ReplayedWorld world(answers);
+  std::vector<std::string> said;
+  ended(script_->call(static_cast<ScriptCall>(which), world, said), run);
+  if (world.stopped) {
+    run.stop = true;
+    run.message = *world.stopped;
+  }
+  for (const auto& [name, value] : world.measures) measures_[name] = value;
+  return answers.good() && answers.left() == 0 && failed_ == failed;
+}
+
+}  // namespace stig

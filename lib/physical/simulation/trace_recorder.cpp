@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "physical/simulation/trace_recorder.h"
+
+#include "physical/dynamics/ticks.h"
+#include "physical/render/show_json.h"
+#include "physical/simulation/run_state.h"
+
+namespace stig {
+
+namespace {
+
+constexpr double kFrameSeconds = 0.02, kHashSeconds = 1;
+enum : std::uint32_t { kLedChannel, kLogChannel, kShowChannel };
+
+/// Bodies that have not come yet have left, so to speak.
+TraceFrame frame_of(const World& world, std::size_t bodies) {
+  TraceFrame frame{world.tick(), {}};
+  for (std::uint32_t i = 0; i < world.size(); ++i) {
+    frame.bodies.push_back(trace_state(world.state(BodyId{i})));
+  }
+  BodyState absent;
+  absent.left = true;
+  absent.awake = false;
+  frame.bodies.resize(bodies, trace_state(absent));
+  return frame;
+}
+
+/// All alike: one digit; otherwise a digit an LED.
+std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
+  std::string out;
+  for (const Led led : leds) out += static_cast<char>('0' + static_cast<int>(led));
+  if (out.find_first_not_of(out[0]) == std::string::npos) out.resize(1);
+  return out;
+}
+
+bool is_due(const RunState& run, double seconds) {
+  return run.world.tick() % ticks_in(seconds, run.placed.config.step) == 0;
+}
+
+}  // namespace
+
+PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
+  PoseTraceHeader header;
+  header.title = scene.title;
+  header.seed = placed.seed;
+  header.step = placed.config.step;
+  header.frame_every = ticks_in(kFrameSeconds, header.step);
+  header.hash_every = ticks_in(kHashSeconds, header.step);
+  for (std::size_t i = 0; i < placed.bodies.size(); ++i) {
+    const SceneBody& from = placed.bodies[i];
+    TraceBody body;
+    body.name = from.name;
+    body.block = from.block;
+    body.led = from.colour;
+    body.rgb = from.rgb;
+    if (i < placed.config.bodies.size()) {
+      body.shape = placed.config.bodies[i].shape;
+      body.fixed = placed.config.bodies[i].fixed;
+    } else {
+      body.shape = block_body(scene.models[scene.stock_model], {}).shape;
+    }
+    header.bodies.push_back(std::move(body));
+  }
+  header.channels = {"leds", "log", "show"};
+  header.files = scene.files;
+  return header;
+}
+
+void TraceRecorder::begin(const RunState& run, PoseTraceWriter& writer) {
+  writer_ = &writer;
+  framed_ = UINT64_MAX;
+  if (run.world.tick() == 0) write_frame(run);
+}
+
+void TraceRecorder::note(const RunState& run, const CrewLine& line) {
+  if (writer_ == nullptr) return;
+  writer_->value({run.world.tick(), kLogChannel, static_cast<std::uint32_t>(line.body),
+                  line.who + ": " + line.text});
+}
+
+void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
+  Crew* crew = run.agents.crew();
+  if (crew == nullptr) return;
+  const std::vector<std::size_t> changed = crew->take_changed(), stepped = crew->take_stepped();
+  if (writer_ == nullptr) return;
+  for (const std::size_t block : changed) {
+    writer_->value({run.world.tick(), kLedChannel,
+                    static_cast<std::uint32_t>(crew->block_body(block)),
+                    led_bytes(crew->leds(block))});
+  }
+  for (const std::size_t robot : stepped) {
+    writer_->value({run.world.tick(), kShowChannel,
+                    static_cast<std::uint32_t>(crew->root_body(robot)),
+                    show_json(crew->commands(robot).user, inverse(crew->root_pose(robot)))});
+  }
+}
+
+void TraceRecorder::after_step(RunState& run) {
+  if (writer_ == nullptr) return;
+  for (const WorldEvent& event : run.world.events()) writer_->event({run.world.tick(), event});
+  if (is_due(run, kFrameSeconds)) write_frame(run);
+  if (is_due(run, kHashSeconds)) writer_->hash({run.world.tick(), hash_of(run)});
+}
+
+void TraceRecorder::write_frame(const RunState& run) {
+  if (framed_ == run.world.tick()) return;
+  framed_ = run.world.tick();
+  writer_->frame(frame_of(run.world, run.placed.bodies.size()));
+}
+
+void TraceRecorder::finish(const RunState& run, RunEnd end) {
+  if (writer_ == nullptr) return;
+  if (!is_due(run, kFrameSeconds)) write_frame(run);
+  writer_->finish({run.world.tick(), end, hash_of(run), run.message});
+  writer_ = nullptr;
+}
+
+}  // namespace stig

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// What goes from a run into its trace.
+#pragma once
+
+#include "physical/simulation/run_part.h"
+#include "physical/trace/pose_trace.h"
+
+namespace stig {
+
+struct PlacedScene;
+struct Scene;
+
+/// What the header of a scene's trace says.
+PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed);
+
+class TraceRecorder final : public RunPart {
+ public:
+  /// From now on; see Simulation::record. The writer must outlive the recorder, or `finish`.
+  void begin(const RunState& run, PoseTraceWriter& writer);
+  /// Goes on in the trace of another run.
+  void take_over(const TraceRecorder& other) { writer_ = other.writer_; }
+  /// Something that a program said.
+  void note(const RunState& run, const CrewLine& line);
+  /// Ends the trace, if there is one.
+  void finish(const RunState& run, RunEnd end);
+
+  /// What programs have changed in this tick.
+  void before_step(RunState& run, const RunHooks& hooks) override;
+  void after_step(RunState& run) override;
+
+ private:
+  void write_frame(const RunState& run);
+
+  PoseTraceWriter* writer_ = nullptr;
+  std::uint64_t framed_ = UINT64_MAX;  ///< tick of the last frame written
+};
+
+}  // namespace stig

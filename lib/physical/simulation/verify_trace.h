@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// A trace's scene, run again and compared.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "physical/simulation/loaded_scene.h"
+#include "physical/simulation/run_part.h"
+#include "physical/trace/pose_trace.h"
+
+namespace stig {
+
+struct VerifyReport {
+  bool identical = false;
+  std::uint64_t compared = 0;  ///< hashes
+  std::string difference;      ///< in words; empty when identical
+};
+
+VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded, const RunHooks& hooks);
+
+}  // namespace stig
