@@ -31,13 +31,14 @@ class RuleChooser {
               const SynthesisHooks& hooks, Synthesis& result)
       : target_(target), options_(options), limits_(limits), hooks_(hooks), result_(result) {}
 
-  void run(std::vector<Solution> solutions) {
+  void run(std::vector<Solution> solutions, std::optional<Solution> ready) {
     std::stable_sort(solutions.begin(), solutions.end(), [](const auto& a, const auto& b) {
       return std::tuple(a.exact_rules > kMostRules, a.colour_count, a.exact_rules) <
              std::tuple(b.exact_rules > kMostRules, b.colour_count, b.exact_rules);
     });
     std::map<int, int> merged;
     std::vector<Solution> done;
+    if (ready) done.push_back(std::move(*ready));
     for (Solution& solution : solutions) {
       const bool enough = merged[solution.colour_count] >= kMergedOfEach && limits_.quick.passed();
       if (!done.empty() && (enough || limits_.many.passed())) continue;
@@ -54,7 +55,8 @@ class RuleChooser {
       done.push_back(std::move(solution));
     }
     choose(std::move(done));
-    if (result_.best && !limits_.whole.passed()) make_rules(*result_.best, kRestarts);
+    if (result_.best && !result_.best->heights && !limits_.whole.passed())
+      make_rules(*result_.best, kRestarts);
   }
 
  private:
@@ -116,9 +118,9 @@ class RuleChooser {
 }  // namespace
 
 void choose_rules(const Target& target, const SynthesisOptions& options,
-                  std::vector<Solution> solutions, const MergingLimits& limits,
-                  const SynthesisHooks& hooks, Synthesis& result) {
-  RuleChooser(target, options, limits, hooks, result).run(std::move(solutions));
+                  std::vector<Solution> solutions, std::optional<Solution> ready,
+                  const MergingLimits& limits, const SynthesisHooks& hooks, Synthesis& result) {
+  RuleChooser(target, options, limits, hooks, result).run(std::move(solutions), std::move(ready));
 }
 
 }  // namespace stig

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules for the most promising of the colourings that were found, and the best of those.
+// Of the colourings that were found: rules for the most promising, and the best of those.
 #pragma once
 
 #include "synthesis/effort.h"
@@ -13,9 +13,10 @@ struct MergingLimits {
   Allowance whole;  ///< for making the best one better
 };
 
-/// Sets best and others of `result`; nothing when there are no solutions.
+/// Sets best and others of `result`; nothing when there are no solutions. `ready`: one that
+/// has its rules already.
 void choose_rules(const Target& target, const SynthesisOptions& options,
-                  std::vector<Solution> solutions, const MergingLimits& limits,
-                  const SynthesisHooks& hooks, Synthesis& result);
+                  std::vector<Solution> solutions, std::optional<Solution> ready,
+                  const MergingLimits& limits, const SynthesisHooks& hooks, Synthesis& result);
 
 }  // namespace stig

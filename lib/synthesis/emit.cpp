@@ -140,6 +140,8 @@ RuleSet make_rule_set(const Frame& frame, const Colouring& colours, int colour_c
     Rule rule;
     rule.place = merged.place;
     rule.pattern = merged.pattern;
+    rule.height_min = merged.height_min;
+    rule.height_max = merged.height_max;
     rule.name = name_of(set, merged);
     if (const int n = ++times[rule.name]; n > 1) rule.name += fmt::format(" ({})", n);
     set.rules.push_back(std::move(rule));

@@ -12,6 +12,7 @@
 // neighbourhood whatever matches both: `stigc check` asks for that, too.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "synthesis/effort.h"
@@ -22,7 +23,8 @@ namespace stig {
 struct MergedRule {
   Pattern pattern;
   Colour place = 0;
-  std::int32_t rank = 0;  ///< the lowest of the exact rules that it covers
+  std::int32_t rank = 0;                          ///< the lowest of the exact rules that it covers
+  std::optional<int> height_min{}, height_max{};  ///< of the site, inclusive
 };
 
 /// `restarts`: so many covers are made, each from the exact rules in another order, and

@@ -86,6 +86,23 @@ std::vector<Cell> counting_cells(const Solution& solution, int named) {
   return cells;
 }
 
+std::vector<Cell> longest_run(const Target& target) {
+  const Neighbourhood& n = neighbourhood(target.lattice);
+  std::vector<Cell> longest;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
+    if (!n.is_face[i]) continue;
+    for (const Cell first : target.cells) {
+      if (index_in(target.cells, first - n.offsets[i]) >= 0) continue;
+      std::vector<Cell> run{first};
+      while (index_in(target.cells, run.back() + n.offsets[i]) >= 0) {
+        run.push_back(run.back() + n.offsets[i]);
+      }
+      if (run.size() > longest.size()) longest = std::move(run);
+    }
+  }
+  return longest;
+}
+
 std::optional<Scaffold> find_scaffold(const Target& target, const std::vector<Cell>& run,
                                       std::size_t most, int colours,
                                       const SynthesisOptions& options, double effort,

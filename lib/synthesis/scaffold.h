@@ -18,6 +18,9 @@ struct Scaffold {
 /// Cells of a solution that must all have different colours under its order.
 std::vector<Cell> counting_cells(const Solution& solution, int named);
 
+/// The longest straight row of the target's cells, in one of the directions of faces.
+std::vector<Cell> longest_run(const Target& target);
+
 /// The scaffold of at most `most` cells with which the fewest colours do, fewer than
 /// `colours`; nothing when none helps. `run`: the cells that have to count. Each try takes a share
 /// of `effort`.

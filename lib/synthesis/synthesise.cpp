@@ -7,6 +7,7 @@
 #include <array>
 
 #include "synthesis/best_rules.h"
+#include "synthesis/by_skeleton.h"
 #include "synthesis/candidates.h"
 #include "synthesis/effort.h"
 #include "synthesis/hints.h"
@@ -17,9 +18,9 @@ namespace {
 
 /// When, in shares of the effort, each part of the search is to end. The rest is for
 /// merging.
-constexpr double kLooking = 0.15, kLookingLarge = 0.05, kGathering = 0.5, kGatheringLarge = 0.6,
-                 kGatheringAgain = 0.75, kMergingMany = 0.85, kMergingQuick = 0.03,
-                 kExplaining = 0.1;
+constexpr double kSkeleton = 0.1, kLooking = 0.15, kLookingLarge = 0.05, kGathering = 0.5,
+                 kGatheringLarge = 0.6, kGatheringAgain = 0.75, kMergingMany = 0.85,
+                 kMergingQuick = 0.03, kExplaining = 0.1;
 constexpr std::array<double, 3> kDiscovering = {0.35, 0.6, 0.7};
 /// For one question to the solver, round by round …
 constexpr std::array<double, 3> kSlices = {0.02, 0.05, 0.15};
@@ -46,19 +47,13 @@ class Synthesiser {
 
   Synthesis run(const std::vector<std::vector<Cell>>& starts) {
     const auto began = std::chrono::steady_clock::now();
-    for (const std::vector<Cell>& start : starts) candidates_.add_start(start);
-    candidates_.look_at_families(share(large() ? kLookingLarge : kLooking), whole_);
-    if (candidates_.list.empty()) look_at_every_order();
-    const bool open = candidates_.list.empty() && !every_order_;
-    if (open && candidates_.all_given() && !options_.family) {
-      candidates_.search(share(kDiscovering.back()));
+    tell("looking for a skeleton");
+    skeleton_ = solve_by_skeleton(target_, options_, share(kSkeleton));
+    if (skeleton_ && (skeleton_->colour_count == 1 || target_.cells.size() > kManyOrbits)) {
+      result_.best = std::move(skeleton_);
+    } else {
+      search(starts);
     }
-    colour();
-    if (solutions_.empty()) {
-      if (!every_order_) look_at_every_order();
-      discover(kSlices.back(), share(kMergingMany));
-    }
-    finish();
     result_.orders_tried = candidates_.tried();
     result_.cut_short = effort_.cut_short();
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - began;
@@ -67,6 +62,23 @@ class Synthesiser {
   }
 
  private:
+  void search(const std::vector<std::vector<Cell>>& starts) {
+    if (skeleton_) best_ = skeleton_->colour_count;
+    for (const std::vector<Cell>& start : starts) candidates_.add_start(start);
+    candidates_.look_at_families(share(large() ? kLookingLarge : kLooking), whole_);
+    if (candidates_.list.empty() && !skeleton_) look_at_every_order();
+    const bool open = candidates_.list.empty() && !every_order_;
+    if (open && candidates_.all_given() && !options_.family) {
+      candidates_.search(share(kDiscovering.back()));
+    }
+    colour();
+    if (solutions_.empty() && !skeleton_) {
+      if (!every_order_) look_at_every_order();
+      discover(kSlices.back(), share(kMergingMany));
+    }
+    finish();
+  }
+
   void look_at_every_order() {
     every_order_ = candidates_.look_at_every_order(share(kMergingMany));
   }
@@ -84,12 +96,15 @@ class Synthesiser {
 
   void colour() {
     discover(0);
-    gather(large() ? kGatheringLarge : kGathering);
+    if (improves_on_skeleton()) gather(large() ? kGatheringLarge : kGathering);
     const int before = best_;
     if (large() && best_ != 0) return;
     for (std::size_t round = 1; round < kSlices.size(); ++round) discover(round);
     if (best_ != before) gather(kGatheringAgain);
   }
+
+  /// Is there any reason to look for more solutions with so many colours?
+  bool improves_on_skeleton() const { return !skeleton_ || best_ < skeleton_->colour_count; }
 
   /// With large targets effort is better spent on few rules than on the last colour.
   bool large() const { return candidates_.frames().front()->orbits.size() > kManyOrbits; }
@@ -206,9 +221,9 @@ class Synthesiser {
   /// Rules for the most promising solutions of each number of colours; then, for the one
   /// that is best, as few as can be had with the effort that is left.
   void finish() {
-    if (solutions_.empty()) return explain_failure();
+    if (solutions_.empty() && !skeleton_) return explain_failure();
     const Allowance many = share(kMergingMany);
-    choose_rules(target_, options_, std::move(solutions_),
+    choose_rules(target_, options_, std::move(solutions_), std::move(skeleton_),
                  {many.within(steps(kMergingQuick)), many, whole_}, hooks_, result_);
     result_.unanswered = !result_.best;
   }
@@ -230,7 +245,13 @@ class Synthesiser {
           candidates_.schedule_of(*easiest, whole_), named_, options_.most_colours,
           easiest->least(), Allowance{&effort_, effort_.spent() + steps(kExplaining)});
     }
-    if (result_.obstacle) result_.obstacle->proved = every_order_;
+    if (result_.obstacle) result_.obstacle->proved = every_order_ && heights_do_not_help();
+  }
+
+  /// In a level target all cells have one height, and what else sees them has another view.
+  bool heights_do_not_help() const {
+    return !options_.heights || std::all_of(target_.cells.begin(), target_.cells.end(),
+                                            [&](Cell c) { return c.z == target_.cells.front().z; });
   }
 
   const Target& target_;
@@ -241,6 +262,7 @@ class Synthesiser {
   Allowance whole_;
   Candidates candidates_;
   std::vector<Solution> solutions_;
+  std::optional<Solution> skeleton_;
   int best_ = 0;               ///< fewest colours so far; 0: none
   std::uint64_t easiest_ = 0;  ///< steps of the easiest solution; 0: none
   bool every_order_ = false;   ///< there are no others than those that were looked at

@@ -6,6 +6,9 @@
 // the exact rules are merged into general ones (merge.h); and what comes out is held
 // to every local state of every site once more (check_rules.h).
 //
+// Before that, a skeleton of rays and fills is looked for, whose rules ask for heights
+// (by_skeleton.h); where one colour does, or the target is large, nothing else is tried.
+//
 // "Fewest" is always said of the orders that were tried: a proof is of one order.
 #pragma once
 
@@ -31,6 +34,7 @@ struct SynthesisOptions {
   std::optional<OrderFamily> family;  ///< of orders; left out: all
   bool strict_only = false;           ///< no ties
   bool merge = true;                  ///< otherwise one exact rule a neighbourhood
+  bool heights = true;                ///< may rules ask for heights? (by_skeleton.h)
   double effort = 1;                  ///< how much is tried (effort.h)
 };
 
@@ -46,6 +50,7 @@ struct Solution {
   Colouring colours;  ///< by orbit
   int colour_count = 0;
   bool fewer_refuted = false;  ///< one colour fewer does not do for this order
+  bool heights = false;        ///< rules ask for heights; not merged from exact ones
   std::size_t exact_rules = 0;
   std::vector<MergedRule> rules;
 };

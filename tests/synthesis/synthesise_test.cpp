@@ -80,7 +80,7 @@ void check_file(const RuleSet& rules) {
   CAPTURE(to_text(diagnostics));
   CHECK(diagnostics.all().empty());
   REQUIRE(again);
-  CHECK(*again == rules);
+  CHECK(print_rule_set(*again) == print_rule_set(rules));
 }
 
 TEST_CASE("rule sets for random targets build them in every order of events") {
@@ -199,7 +199,9 @@ TEST_CASE("impossible targets say which reason stands in the way") {
 
 TEST_CASE("a fault is found in rules that were tampered with") {
   const Target target = box({3, 2, 2});
-  const Synthesis result = synthesise(target, {});
+  SynthesisOptions options;
+  options.heights = false;
+  const Synthesis result = synthesise(target, options);
   REQUIRE(result.best);
   BadOrder bad;
   const auto schedule = make_schedule(*result.best->frame, result.best->order, bad);

@@ -78,11 +78,9 @@ Wording wording(const SynthOptions& options, const Solution& solution, bool cut_
 }
 
 Json point_json(const Solution& s) {
-  return {{"colours", s.colour_count},
-          {"fewer_refuted", s.fewer_refuted},
-          {"rules", s.rules.size()},
-          {"exact_rules", s.exact_rules},
-          {"order", s.order.name}};
+  return {{"colours", s.colour_count}, {"fewer_refuted", s.fewer_refuted},
+          {"rules", s.rules.size()},   {"exact_rules", s.exact_rules},
+          {"heights", s.heights},      {"order", s.order.name}};
 }
 
 /// What came of it, besides the synthesis itself.
@@ -149,8 +147,12 @@ std::string summary(const Synthesis& result, const Outcome& outcome) {
                                   s.colour_count == 1 ? ""
                                   : s.fewer_refuted   ? ", the fewest for this order"
                                                       : ", perhaps not the fewest for this order"));
-  out += line("rules", fmt::format("{}, merged from {} exact ones", s.rules.size(), s.exact_rules));
-  out += line("order", fmt::format("{} (of {} tried)", s.order.name, result.orders_tried));
+  out += line("rules", s.heights ? fmt::format("{}, with heights", s.rules.size())
+                                 : fmt::format("{}, merged from {} exact ones", s.rules.size(),
+                                               s.exact_rules));
+  out += line("order", result.orders_tried == 0
+                           ? s.order.name
+                           : fmt::format("{} (of {} tried)", s.order.name, result.orders_tried));
   out += line("proof", proof.verdict == ProofVerdict::proved
                            ? fmt::format("every order of events builds it ({} local states)",
                                          proof.local_states)
@@ -340,11 +342,15 @@ void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result
     searching.most_colours = options.colours.value_or(kMaxColours);
   }
   const Synthesis& known = result.best ? result : plain;
-  if (!known.best || known.best->colour_count == 1) return;
-  const int below = std::min(known.best->colour_count, searching.most_colours + 1);
-  auto found = find_scaffold(
-      target, counting_cells(*known.best, static_cast<int>(target.bricks.size())),
-      static_cast<std::size_t>(options.scaffold), below, searching, options.effort, hooks);
+  if (known.best && known.best->colour_count == 1) return;
+  // Without a solution to learn from, the longest run is what has to count.
+  const std::vector<Cell> run =
+      known.best ? counting_cells(*known.best, static_cast<int>(target.bricks.size()))
+                 : longest_run(target);
+  const int below =
+      std::min(known.best ? known.best->colour_count : kMaxColours, searching.most_colours + 1);
+  auto found = find_scaffold(target, run, static_cast<std::size_t>(options.scaffold), below,
+                             searching, options.effort, hooks);
   if (!found) return;
   target = std::move(found->target);
   result = std::move(found->result);
