@@ -2,7 +2,6 @@
 #include "verify/findings.h"
 
 #include <algorithm>
-#include <chrono>
 #include <set>
 
 #include "lattice/firing_graph.h"
@@ -16,20 +15,6 @@ namespace {
 
 constexpr std::size_t kMostRedundancyTrials = 200;
 
-/// Seconds left of those granted.
-class Clock {
- public:
-  explicit Clock(double seconds) : seconds_(seconds), begun_(std::chrono::steady_clock::now()) {}
-  double left() const {
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
-    return std::max(0.0, seconds_ - spent.count());
-  }
-
- private:
-  double seconds_;
-  std::chrono::steady_clock::time_point begun_;
-};
-
 RuleSet without(const RuleSet& rules, std::size_t rule) {
   RuleSet fewer = rules;
   fewer.rules.erase(fewer.rules.begin() + static_cast<std::ptrdiff_t>(rule));
@@ -42,23 +27,21 @@ bool has_same_stages(const RuleSet& a, const RuleSet& b) {
 }
 
 void find_redundant(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
-                    const Clock& clock, Findings& findings) {
-  findings.redundant_known = true;
+                    const Budget& budget, Findings& findings) {
   for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
     if (std::binary_search(findings.dead.begin(), findings.dead.end(), r)) continue;
     // Each trial costs about what the proof did.
-    if (r >= kMostRedundancyTrials || clock.left() < 2 * result.seconds) {
-      findings.redundant_known = false;
-      return;
+    if (r >= kMostRedundancyTrials || budget.work_left() < result.work || budget.spent()) {
+      ++findings.untried;
+      continue;
     }
     const RuleSet fewer = without(rules, r);
     if (fewer.rules.empty() || !has_same_stages(fewer, rules)) continue;
-    VerifyOptions again = options;
-    again.seconds = clock.left();
-    again.progress = {};
-    const VerifyResult trial = verify(fewer, again);
+    const VerifyResult trial = verify_within(fewer, options, budget);
     if (trial.verdict == ProofVerdict::proved && *trial.structure == *result.structure) {
       findings.redundant.push_back(r);
+    } else if (trial.verdict == ProofVerdict::unknown && budget.spent()) {
+      ++findings.untried;
     }
   }
 }
@@ -121,22 +104,24 @@ double Parallelism::mean() const {
 
 Findings find_more(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
                    const FindingOptions& limits) {
-  const Clock clock(limits.seconds);
   Findings findings;
+  std::uint64_t done = 0;
+  const Budget budget{time_after(limits.seconds), options.states, options.stop, limits.work, &done};
   find_levels(rules, findings);
   if (result.verdict == ProofVerdict::proved) {
     const RuleUse use = use_of_rules(rules, options, result);
     findings.dead = use.dead;
     findings.blocking = use.blocking;
     findings.parallelism = parallelism_of(rules, options.box);
-    find_walled_in(rules, options, result, findings);
-    find_redundant(rules, options, result, clock, findings);
+    find_walled_in(rules, options, result, budget, findings);
+    find_redundant(rules, options, result, budget, findings);
   }
   if (result.refutation) {
     const DivergingOrders& found = *result.refutation;
     findings.blocking.push_back({found.second[found.common].match.rule, found.rival.match.rule,
                                  found.second[found.common].site, found.rival.site});
-    findings.repair = find_repair(rules, options, result, clock.left());
+    findings.repair = find_repair(rules, options, result, budget);
+    findings.repair_cut_short = !findings.repair && budget.spent();
   }
   return findings;
 }

@@ -48,7 +48,7 @@ struct Repair {
 struct Findings {
   std::vector<std::uint32_t> dead;       ///< rules that no order of events fires (proved sets)
   std::vector<std::uint32_t> redundant;  ///< each alone can be left out: the proof still holds
-  bool redundant_known = false;          ///< all rules were tried
+  std::uint64_t untried = 0;             ///< rules of which it is not known (proved sets)
   /// By rule: the level of the firing graph, the least number of other rules' levels that
   /// must have come before; none: it cannot fire, or the graph is too large.
   std::vector<std::optional<int>> levels;
@@ -58,11 +58,13 @@ struct Findings {
   std::vector<WalledIn> walled_in;    ///< examples, kMostWalledIn at most
   std::uint64_t maybe_walled_in = 0;  ///< sites of which neither was shown
   std::optional<Repair> repair;       ///< refuted sets: the smallest that was found
+  bool repair_cut_short = false;      ///< none was found, and not all were tried
 };
 
+/// For repairs, redundant rules and walled-in bricks together.
 struct FindingOptions {
-  double seconds = 10;  ///< for repairs and redundant rules together
-  const std::atomic<bool>* stop = nullptr;
+  std::uint64_t work = kVerifyWork / 6;  ///< steps (budget.h)
+  double seconds = kNoTimeLimit;
 };
 
 Findings find_more(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,

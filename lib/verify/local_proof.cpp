@@ -16,6 +16,7 @@ struct Look {
   Mask before = ~Mask{0};  ///< what may stay of the site's `before`
   std::optional<LocalFailure> failure;
   std::uint64_t states = 0;
+  std::uint64_t work = 0;  ///< steps that the look took
 };
 
 /// Looks at one site after another under an invariant that may change between looks.
@@ -27,6 +28,7 @@ class SiteChecker {
   Look check(std::uint32_t number) {
     result_ = {};
     model_.look(number, site_);
+    result_.work = kStepsOfLook + kStepsOfState * site_.rules.size();
     const bool is_brick = number < model_.bricks();
     if (site_.rules.empty()) {
       if (is_brick) fail(LocalFailure::Kind::stuck, 0);
@@ -166,7 +168,11 @@ class SiteChecker {
   }
 
   void visit(Mask among, const std::function<bool(Mask)>& each) {
-    const bool all = for_each_local_state(model_, site_, order_, among, kMostLocalStates, each);
+    const auto counted = [&](Mask state) {
+      result_.work += kStepsOfState;
+      return each(state);
+    };
+    const bool all = for_each_local_state(model_, site_, order_, among, kMostLocalStates, counted);
     if (!all) fail(LocalFailure::Kind::too_many, 0);
   }
 
@@ -209,7 +215,7 @@ class SiteChecker {
     return &window;
   }
   /// What the window's fillings show of some neighbours while the site is empty; sorted.
-  std::vector<Mask> projections(std::uint32_t number, Mask of) const {
+  std::vector<Mask> projections(std::uint32_t number, Mask of) {
     const Window& window = invariant_.windows[number];
     std::vector<std::pair<std::size_t, Mask>> bits;
     for (Mask left = of; left != 0; left &= left - 1) {
@@ -220,6 +226,7 @@ class SiteChecker {
     const auto self =
         site_.colour != 0 ? position(window, site_.number) : std::optional<std::size_t>{};
     std::vector<Mask> masks;
+    result_.work += window.count() * kStepsOfCell;
     for (std::size_t f = 0; f < window.count(); ++f) {
       if (self && window.has(f, *self)) continue;
       if (invariant_.over_at > 0 && window.bricks_in(f) >= invariant_.over_at) continue;
@@ -293,13 +300,15 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
   std::vector<LocalFailure> failures;
   std::vector<std::uint64_t> states(model.sites(), 0);
   for (std::uint64_t looks = 0; !waiting.empty(); ++looks) {
-    if (looks % 1024 == 0 && budget.spent()) return proof;
+    if (budget.spent_at(looks)) return proof;
     const std::uint32_t number = waiting.take();
     const Look look = checker.check(number);
+    budget.spend(look.work);
     // What fails under a strong invariant fails under a weaker one: once is enough.
     if (look.failure) failures.push_back(*look.failure);
     if (failures.size() >= kMostFailures) break;
     states[number] = checker.count_states();
+    budget.spend(states[number] * kStepsOfState);
     if (number >= model.bricks()) continue;
     const Mask kept = invariant.before[number] & look.before;
     if (kept == invariant.before[number]) continue;

@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::int64_t kMostCells = std::int64_t{1} << 26;  ///< of the region looked at
 constexpr std::size_t kMostAttempts = 24;
+constexpr std::uint64_t kAttemptWork = 2'000'000'000;  ///< steps
 
 /// The bounding box of a structure and one cell more to every side, as far as agents get.
 class Region {
@@ -108,9 +109,11 @@ Work work_of(const Certificate& certificate) {
 
 class Reachability {
  public:
-  Reachability(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result)
+  Reachability(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
+               const Budget& budget)
       : rules_(rules),
         options_(options),
+        budget_(budget),
         n_(neighbourhood(rules.lattice)),
         structure_(*result.structure),
         run_(result.run),
@@ -159,9 +162,11 @@ class Reachability {
   /// Builds all that can be built without this brick, and looks whether it is cut off.
   bool wall_in(std::uint32_t b, Findings& findings) const {
     const RuleTable table(rules_);
-    Budget budget;
-    budget.end = std::chrono::steady_clock::now() + std::chrono::seconds(2);
-    budget.stop = options_.stop;
+    if (budget_.spent()) return false;
+    std::uint64_t done = 0;
+    Budget attempt = budget_;
+    attempt.work = std::min(kAttemptWork, budget_.work_left());
+    attempt.done = &done;
     LatticeWorld world(table, rules_.start, options_.box);
     std::vector<Deposit> order;
     for (std::uint32_t i = 0; i < run_.size() && work_.stage[i] < work_.stage[b]; ++i) {
@@ -173,7 +178,9 @@ class Reachability {
     const Cell site = work_.bricks[b].at;
     StageRunConfig config;
     config.may_fill = [&](Cell cell) { return cell != site; };
-    const StageRun run = run_stage(world, config, budget);
+    attempt.spend(order.size() * kStepsOfDeposit);
+    const StageRun run = run_stage(world, config, attempt);
+    budget_.spend(done);
     order.insert(order.end(), run.deposits.begin(), run.deposits.end());
     for (std::size_t i = 0; i < order.size(); ++i) order[i].step = i + 1;
     if (!world.is_site(site) || !table.enabled(world.view(site), site.z, world.stage())) {
@@ -186,6 +193,7 @@ class Reachability {
 
   const RuleSet& rules_;
   const VerifyOptions& options_;
+  const Budget& budget_;
   const Neighbourhood& n_;
   const Structure& structure_;
   const std::vector<Deposit>& run_;
@@ -196,9 +204,9 @@ class Reachability {
 }  // namespace
 
 void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
-                    Findings& findings) {
+                    const Budget& budget, Findings& findings) {
   if (result.structure->empty()) return;
-  Reachability(rules, options, result).find(findings);
+  Reachability(rules, options, result, budget).find(findings);
 }
 
 }  // namespace stig

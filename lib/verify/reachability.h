@@ -13,6 +13,6 @@ namespace stig {
 
 /// Fills in walled_in and maybe_walled_in of a proved set.
 void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
-                    Findings& findings);
+                    const Budget& budget, Findings& findings);
 
 }  // namespace stig

@@ -73,6 +73,7 @@ class Explainer {
  private:
   LatticeWorld after(std::size_t prefix) const {
     LatticeWorld world = begin_;
+    budget_.spend(prefix * kStepsOfDeposit);
     for (std::size_t i = 0; i < prefix; ++i) {
       world.deposit(other_[i].site, other_[i].colour, [](Cell, const View&) {});
     }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "rules/rule_checks.h"
 
@@ -42,12 +41,8 @@ Rule rule_for(const RuleSet& rules, const View& view, Colour colour, int stage) 
 
 class Repairer {
  public:
-  Repairer(const RuleSet& rules, const VerifyOptions& options, double seconds)
-      : rules_(rules),
-        options_(options),
-        end_(std::chrono::steady_clock::now() +
-             std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                 std::chrono::duration<double>(seconds))) {}
+  Repairer(const RuleSet& rules, const VerifyOptions& options, const Budget& budget)
+      : rules_(rules), options_(options), budget_(budget) {}
 
   std::optional<Repair> find(const VerifyResult& refuted) {
     stage_ = refuted.stage;
@@ -72,8 +67,8 @@ class Repairer {
       std::vector<Candidate> next;
       for (const Candidate& candidate : level) {
         for (Repair& repair : additions(candidate.repair, candidate.result)) {
-          if (left() <= 0) return std::nullopt;
-          VerifyResult result = verify_within(repair.repaired, stage_);
+          if (budget_.spent()) return std::nullopt;
+          VerifyResult result = verify_up_to(stage_, repair.repaired);
           if (holds(result, repair)) return repair;
           if (result.refutation) next.push_back({std::move(repair), std::move(result)});
         }
@@ -89,24 +84,16 @@ class Repairer {
   /// Proves it for the stages that follow too, if that can be done.
   void extend_to_the_end(Repair& repair) const {
     repair.whole = false;
-    if (left() <= 0) return;
-    const VerifyResult result = verify_within(repair.repaired, repair.repaired.stage_count());
+    if (budget_.spent()) return;
+    const VerifyResult result = verify_within(repair.repaired, options_, budget_);
     if (result.verdict != ProofVerdict::proved) return;
     repair.whole = true;
     repair.bricks = result.structure->size();
   }
 
-  double left() const {
-    const std::chrono::duration<double> rest = end_ - std::chrono::steady_clock::now();
-    return rest.count();
-  }
-  /// Of the stages up to one alone.
-  VerifyResult verify_within(RuleSet rules, int stage) const {
+  VerifyResult verify_up_to(int stage, RuleSet rules) const {
     std::erase_if(rules.rules, [&](const Rule& rule) { return rule.stage > stage; });
-    VerifyOptions again = options_;
-    again.seconds = std::max(0.01, left());
-    again.progress = {};
-    return verify(rules, again);
+    return verify_within(rules, options_, budget_);
   }
   /// A repair that builds less than either order did is none, nor is one that the reader
   /// of rule sets would refuse.
@@ -155,20 +142,20 @@ class Repairer {
   std::optional<Repair> removals(const DivergingOrders& found) const {
     const std::uint32_t rules[] = {found.second[found.common].match.rule, found.rival.match.rule};
     for (const std::uint32_t rule : rules) {
-      if (left() <= 0 || rules_.rules.size() < 2) return std::nullopt;
+      if (budget_.spent() || rules_.rules.size() < 2) return std::nullopt;
       Repair repair;
       repair.removed = {rule};
       repair.repaired = rules_;
       repair.repaired.rules.erase(repair.repaired.rules.begin() +
                                   static_cast<std::ptrdiff_t>(rule));
-      if (holds(verify_within(repair.repaired, stage_), repair)) return repair;
+      if (holds(verify_up_to(stage_, repair.repaired), repair)) return repair;
     }
     return std::nullopt;
   }
 
   const RuleSet& rules_;
   const VerifyOptions& options_;
-  std::chrono::steady_clock::time_point end_;
+  const Budget& budget_;
   int stage_ = 1;          ///< in which orders part
   std::size_t least_ = 0;  ///< bricks that each order had at its end
 };
@@ -176,9 +163,9 @@ class Repairer {
 }  // namespace
 
 std::optional<Repair> find_repair(const RuleSet& rules, const VerifyOptions& options,
-                                  const VerifyResult& refuted, double seconds) {
+                                  const VerifyResult& refuted, const Budget& budget) {
   if (!refuted.refutation) return std::nullopt;
-  return Repairer(rules, options, seconds).find(refuted);
+  return Repairer(rules, options, budget).find(refuted);
 }
 
 }  // namespace stig

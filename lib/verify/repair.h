@@ -8,8 +8,8 @@
 
 namespace stig {
 
-/// None: nothing that was tried within the time is proved.
+/// None: nothing that was tried within the budget is proved.
 std::optional<Repair> find_repair(const RuleSet& rules, const VerifyOptions& options,
-                                  const VerifyResult& refuted, double seconds);
+                                  const VerifyResult& refuted, const Budget& budget);
 
 }  // namespace stig

@@ -28,7 +28,9 @@ class StageProver {
         budget_(budget),
         run_(std::move(run)),
         model_(rules, table, before, run_),
-        others_(before, model_, budget) {}
+        others_(before, model_, budget) {
+    budget.spend(model_.sites() * kStepsOfLook);
+  }
 
   /// The bricks that the run finds open and other orders may find closed.
   const std::set<Cell>& stuck() const { return stuck_; }
@@ -52,8 +54,9 @@ class StageProver {
       if (groups.size() == 1 && groups.front().size() == model_.bricks()) break;
     }
     if (proof_.open.empty()) {
-      proof_.open = fmt::format("the time allowed ended with {} of {} bricks looked at one by one",
-                                group_bricks(groups), model_.bricks());
+      proof_.open =
+          fmt::format("the effort or time allowed ended with {} of {} bricks looked at one by one",
+                      group_bricks(groups), model_.bricks());
     }
     return std::move(proof_);
   }

@@ -72,6 +72,7 @@ Plan::Plan(const std::vector<Deposit>& order) {
 StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budget& budget) {
   StageRun run;
   OpenSites open(config);
+  budget.spend(world.structure().size() * kStepsOfDeposit / 4);
   const auto allowed = [&](Cell site) { return !config.may_fill || config.may_fill(site); };
   for (const Cell site : world.enabled_sites()) {
     if (allowed(site)) open.set(site, true);
@@ -81,7 +82,8 @@ StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budg
       run.ended = true;
       return run;
     }
-    if (run.deposits.size() >= config.most || (step % 1024 == 0 && budget.spent())) return run;
+    if (run.deposits.size() >= config.most || budget.spent_at(step)) return run;
+    budget.spend(kStepsOfDeposit);
     Random random(kSeed, config.run, Purpose::event, 0, step);
     const Cell site = open.next(random);
     const Match match = choose(world, site, config.plan, random);

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 
 #include "base/text.h"
 #include "certify/check.h"
@@ -25,17 +24,12 @@ constexpr std::uint32_t kTries = 16;  ///< to find an end of such a set
 class Verification {
  public:
   Verification(const RuleSet& rules, const VerifyOptions& options)
-      : rules_(rules),
-        options_(options),
-        table_(rules),
-        world_(table_, rules.start, options.box),
-        begun_(std::chrono::steady_clock::now()) {
-    // A year, for budgets without end: the clock's own range is not exceeded.
-    const double seconds = std::clamp(options.seconds, 0.0, 3.2e7);
-    budget_.end = begun_ + std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                               std::chrono::duration<double>(seconds));
+      : rules_(rules), options_(options), table_(rules), world_(table_, rules.start, options.box) {
+    budget_.end = time_after(options.seconds);
     budget_.states = options.states;
     budget_.stop = options.stop;
+    budget_.work = options.work;
+    budget_.done = &result_.work;
   }
 
   VerifyResult run() {
@@ -56,8 +50,6 @@ class Verification {
     if (result_.interrupted && result_.verdict == ProofVerdict::unknown) {
       result_.open = "interrupted";
     }
-    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begun_;
-    result_.seconds = spent.count();
     return std::move(result_);
   }
 
@@ -65,6 +57,7 @@ class Verification {
   /// Nothing is called proved that the checker does not accept.
   void hold_to_checker() {
     say("checking the certificate");
+    budget_.spend(world_.structure().size() * kStepsOfLook + result_.local_states * kStepsOfState);
     certificate_.bricks = world_.structure().size();
     const CheckReport report = check_certificate(rules_, certificate_, certificate_.box);
     if (report.accepted) {
@@ -174,7 +167,7 @@ class Verification {
     if (result_.refutation) return;
     result_.verdict = ProofVerdict::unknown;
     result_.open = budget_.spent()
-                       ? "the time allowed ended while two orders were compared"
+                       ? "the effort or time allowed ended while two orders were compared"
                        : fmt::format(
                              "stage {} ends differently for different orders; what later "
                              "stages make of each of these ends is not explored",
@@ -186,7 +179,6 @@ class Verification {
   RuleTable table_;
   LatticeWorld world_;
   Budget budget_;
-  std::chrono::steady_clock::time_point begun_;
   Certificate certificate_;
   bool have_structure_ = false;
   VerifyResult result_;
@@ -227,6 +219,17 @@ std::optional<Box> file_box(const RuleSet& rules) {
 
 VerifyResult verify(const RuleSet& rules, const VerifyOptions& options) {
   return Verification(rules, options).run();
+}
+
+VerifyResult verify_within(const RuleSet& rules, const VerifyOptions& options,
+                           const Budget& budget) {
+  VerifyOptions again = options;
+  again.work = budget.work_left();
+  again.seconds = budget.seconds_left();
+  again.progress = {};
+  VerifyResult result = verify(rules, again);
+  budget.spend(result.work);
+  return result;
 }
 
 }  // namespace stig

@@ -21,6 +21,7 @@
 #include "certify/certificate.h"
 #include "lattice/structure.h"
 #include "lattice/swarm.h"
+#include "verify/budget.h"
 #include "verify/stage_proof.h"
 
 namespace stig {
@@ -29,9 +30,12 @@ enum class ProofVerdict : std::uint8_t { proved, refuted, endless, unknown };
 std::string_view to_string(ProofVerdict verdict);  ///< "proved"
 std::string_view to_string(ProofMethod method);    ///< "components"
 
+inline constexpr std::uint64_t kVerifyWork = 60'000'000'000;
+
 struct VerifyOptions {
-  std::optional<Box> box;  ///< none: unbounded space. The file's own box: file_box()
-  double seconds = 60;
+  std::optional<Box> box;            ///< none: unbounded space. The file's own box: file_box()
+  std::uint64_t work = kVerifyWork;  ///< steps (budget.h)
+  double seconds = kNoTimeLimit;
   std::uint64_t states = 2'000'000;  ///< fillings held of one group of bricks
   const std::atomic<bool>* stop = nullptr;
   /// Now and then: the stage and what is being done, in words.
@@ -73,7 +77,7 @@ struct VerifyResult {
   std::vector<std::size_t> stage_ends;            ///< number of deposits in `run` after each stage
   ProofMethod method = ProofMethod::certificate;  ///< proved: the least local of all stages'
   std::uint64_t local_states = 0;
-  double seconds = 0;
+  std::uint64_t work = 0;                  ///< steps that it took
   std::optional<Certificate> certificate;  ///< proved
   std::optional<DivergingOrders> refutation;
   std::optional<EndlessGrowth> endless;
@@ -84,5 +88,8 @@ struct VerifyResult {
 
 /// The rule set must fit its box (see config_problem in swarm.h).
 VerifyResult verify(const RuleSet& rules, const VerifyOptions& options);
+/// The same with what is left of a budget, which pays for it.
+VerifyResult verify_within(const RuleSet& rules, const VerifyOptions& options,
+                           const Budget& budget);
 
 }  // namespace stig

@@ -45,9 +45,10 @@ class Exploration {
     slots_.assign(1024, 0);
     insert(0);
     for (std::size_t f = 0; f < window_.count(); ++f) {
-      if (window_.count() > budget_.states || (f % 1024 == 0 && budget_.spent())) {
+      if (window_.count() > budget_.states || budget_.spent_at(f)) {
         return WindowFailure{WindowFailure::Kind::too_many, f, 0};
       }
+      budget_.spend(window_.size() * kStepsOfCell);
       if (auto failure = expand(f)) return failure;
     }
     return std::nullopt;

@@ -12,10 +12,10 @@
 namespace stig {
 namespace {
 
-VerifyResult verified(const RuleSet& rules, double seconds) {
+VerifyResult verified(const RuleSet& rules, std::uint64_t work) {
   VerifyOptions options;
   options.box = file_box(rules);
-  options.seconds = seconds;
+  options.work = work;
   return verify(rules, options);
 }
 
@@ -24,7 +24,7 @@ TEST_CASE("shipped sets that are proved have certificates that are accepted") {
   for (const std::string& name : shipped_names()) {
     CAPTURE(name);
     const RuleSet rules = shipped(name);
-    const VerifyResult result = verified(rules, 20);
+    const VerifyResult result = verified(rules, 20'000'000'000);
     if (result.verdict != ProofVerdict::proved) continue;
     ++proved;
     const CheckReport report = check_certificate(rules, *result.certificate);
@@ -59,7 +59,7 @@ TEST_CASE("changed certificates of the verifier claim the only end or are refuse
     for (int world = 0; world < 5; ++world) {
       const auto seed = *rc::gen::resize(100, rc::gen::inRange<std::uint64_t>(0, 1'000'000));
       const RuleSet rules = small_world(seed);
-      const VerifyResult result = verified(rules, 5);
+      const VerifyResult result = verified(rules, 5'000'000'000);
       if (result.verdict != ProofVerdict::proved || result.run.size() < 3) continue;
       change_and_check(rules, result, accepted, refused);
     }

@@ -15,7 +15,7 @@ Findings findings_of(const RuleSet& rules) {
   options.box = file_box(rules);
   const VerifyResult result = verify(rules, options);
   CHECK(result.verdict == ProofVerdict::proved);
-  return find_more(rules, options, result, {30, nullptr});
+  return find_more(rules, options, result, {});
 }
 
 }  // namespace
@@ -25,7 +25,7 @@ TEST_CASE("a rule that waits for a brick that never comes is dead") {
       findings_of(small_set(east_of("1", "2") + east_of("3", "1", "    height: {min: 0}\n")));
   CHECK(f.dead == std::vector<std::uint32_t>{1});
   CHECK(f.redundant.empty());
-  CHECK(f.redundant_known);
+  CHECK(f.untried == 0);
 }
 
 TEST_CASE("of two rules that do the same either can be left out") {
@@ -40,6 +40,42 @@ TEST_CASE("of two rules that do the same either can be left out") {
   const Findings f = findings_of(small_set(east_of("1", "2") + again));
   CHECK(f.redundant == std::vector<std::uint32_t>{0, 1});
   CHECK(f.dead.empty());
+}
+
+TEST_CASE("what else there is to say depends on the work allowed, not on the clock") {
+  const RuleSet rules = shipped("stepped-pyramid");
+  VerifyOptions options;
+  const VerifyResult result = verify(rules, options);
+  REQUIRE(result.verdict == ProofVerdict::proved);
+  CHECK(result.work > 0);
+  CHECK(verify(rules, options).work == result.work);
+  const Findings none = find_more(rules, options, result, {1});
+  CHECK(none.untried == rules.rules.size());
+  CHECK(none.redundant.empty());
+  // For the first rule's trial alone.
+  const Findings some = find_more(rules, options, result, {result.work});
+  CHECK(some.untried > 0);
+  CHECK(some.untried < rules.rules.size());
+  CHECK(find_more(rules, options, result, {}).untried == 0);
+}
+
+TEST_CASE("a repair that was not looked for to the end is said to be open") {
+  const RuleSet rules = small_set(east_of("1", "2") + east_of("1", "3"), "conflicts: random\n");
+  VerifyOptions options;
+  const VerifyResult result = verify(rules, options);
+  REQUIRE(result.verdict == ProofVerdict::refuted);
+  const Findings cut = find_more(rules, options, result, {1});
+  CHECK_FALSE(cut.repair);
+  CHECK(cut.repair_cut_short);
+  const Findings all = find_more(rules, options, result, {});
+  CHECK(all.repair);
+  CHECK_FALSE(all.repair_cut_short);
+}
+
+TEST_CASE("a verdict depends on the work allowed") {
+  VerifyOptions options;
+  options.work = 1;
+  CHECK(verify(shipped("stepped-pyramid"), options).verdict == ProofVerdict::unknown);
 }
 
 TEST_CASE("a row has as many rounds as bricks, four arms have fewer") {

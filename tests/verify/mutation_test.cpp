@@ -89,7 +89,7 @@ TEST_CASE("changed rule sets are judged soundly, and nothing falls over") {
       CAPTURE(round);
       VerifyOptions options;
       options.box = file_box(rules);
-      options.seconds = 1;
+      options.work = 1'000'000'000;
       options.states = 50'000;
       hold(rules, options);
     }

@@ -51,7 +51,7 @@ void try_world(std::uint64_t seed, Tally& tally) {
   options.box = file_box(rules);
   const VerifyResult result = verify(rules, options);
   if (result.verdict != ProofVerdict::refuted) return;
-  const Findings findings = find_more(rules, options, result, {30, nullptr});
+  const Findings findings = find_more(rules, options, result, {});
   if (findings.repair) check_claim(*findings.repair, result.stage, tally);
 }
 

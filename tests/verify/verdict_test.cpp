@@ -14,10 +14,10 @@ using namespace stig;
 
 namespace {
 
-VerifyResult verdict(const RuleSet& rules, double seconds = 60) {
+VerifyResult verdict(const RuleSet& rules, std::uint64_t work = kVerifyWork) {
   VerifyOptions options;
   options.box = file_box(rules);
-  options.seconds = seconds;
+  options.work = work;
   return verify(rules, options);
 }
 
@@ -51,7 +51,7 @@ TEST_CASE("T3b: step 6 is refuted, and one pattern more repairs it") {
   }
   VerifyOptions options;
   options.box = file_box(rules);
-  const Findings findings = find_more(rules, options, result, {60, nullptr});
+  const Findings findings = find_more(rules, options, result, {});
   REQUIRE(findings.repair);
   CHECK(findings.repair->added.size() == 1);
   CHECK(findings.repair->removed.empty());

@@ -181,7 +181,7 @@ int run(const CompileFileOptions& options, App& app) {
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
   settings.robots = robots_for(options, *rules, app);
   stop_on_signals();
-  settings.verify.seconds = options.budget;
+  settings.verify.seconds = options.budget.value_or(kNoTimeLimit);
   settings.verify.stop = &stop_requested();
   settings.limits.states = options.states;
   settings.limits.stop = &stop_requested();

@@ -260,7 +260,8 @@ void prove(const RuleSet& rules, const Deadline& deadline, Outcome& outcome) {
   outcome.proof = verify(rules, verifying);
   const bool small = outcome.proof.structure && outcome.proof.structure->size() <= kMostWalkedTo;
   if (outcome.proof.verdict == ProofVerdict::proved && small && !deadline.passed()) {
-    find_walled_in(rules, verifying, outcome.proof, outcome.findings);
+    const Budget budget{deadline.end, verifying.states, deadline.stop};
+    find_walled_in(rules, verifying, outcome.proof, budget, outcome.findings);
   }
 }
 

@@ -75,7 +75,11 @@ int run(const VerifyFileOptions& options, App& app) {
   if (!problem.empty()) return complain(problem, app);
   stop_on_signals();
   Progress progress(app);
-  settings.seconds = options.budget;
+  const auto part = [&](std::uint64_t work) {
+    return static_cast<std::uint64_t>(options.effort * static_cast<double>(work));
+  };
+  settings.work = part(settings.work);
+  settings.seconds = options.budget.value_or(kNoTimeLimit);
   settings.states = options.states;
   settings.stop = &stop_requested();
   settings.progress = [&](int stage, const std::string& what) {
@@ -83,8 +87,8 @@ int run(const VerifyFileOptions& options, App& app) {
   };
   const VerifyResult result = verify(*rules, settings);
   FindingOptions limits;
-  limits.seconds = std::min(10.0, options.budget);
-  limits.stop = &stop_requested();
+  limits.work = part(limits.work);
+  limits.seconds = settings.seconds;
   progress.show(0, "looking at what else there is to say");
   const Findings findings = find_more(*rules, settings, result, limits);
   progress.clear();

@@ -269,6 +269,12 @@ constexpr const char* kTurnsOfSides =
     "of symmetric rules, the turns alone that robots at these sides follow, as --sides=+x,-x; +x: "
     "as written";
 
+CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<double>& out,
+                     const std::string& doc) {
+  return parsed(app, names, "S", doc,
+                [&out](const std::string& text) { return parse_seconds(text, out.emplace()); });
+}
+
 constexpr const char* kWorldThatIsMeant =
     "the world that is meant, a size laid around the start, or none for unbounded space (default: "
     "the file's box, else none)";
@@ -278,14 +284,19 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
       command(app, "verify", "prove that every order of events ends alike, or refute it",
               "  stigc verify rulesets/staircase.yaml --certificate staircase.cert\n"
               "  stigc certify rulesets/staircase.yaml staircase.cert\n"
-              "  stigc verify rulesets/wall.yaml --box none --budget 300 --json\n"
+              "  stigc verify rulesets/wall.yaml --box none --effort 5 --json\n"
               "  stigc verify rulesets/order-dependent.yaml --witness two-ends  # exit status 1: "
               "refuted\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   world(sub, o.world, kWorldThatIsMeant);
   add_sides(*sub, o.sides, kTurnsOfSides);
-  parsed(sub, "--budget", "S", "seconds after which the verdict is 'unknown' (default: 60)",
-         [&o](const std::string& text) { return parse_seconds(text, o.budget); });
+  parsed(sub, "--effort", "E",
+         "how much is tried before the verdict is 'unknown'; 1 is a minute at most on a machine of "
+         "2020, and ten seconds more for what else there is to say; the same effort gives the same "
+         "output (default: 1)",
+         [&o](const std::string& text) { return parse_effort(text, o.effort); });
+  seconds(sub, "--budget", o.budget,
+          "seconds after which the verdict is 'unknown' whatever the effort (default: no limit)");
   integer(sub, "--states", o.states, 1, std::int64_t{1} << 31,
           "fillings of a group of bricks kept at most (default: 2000000)");
   path(sub, "--certificate", o.certificate, "write the certificate of a proof");
@@ -320,12 +331,6 @@ void lattice(CLI::App* sub, std::optional<Lattice>& out) {
   choice<std::optional<Lattice>, Lattice>(
       sub, "--lattice", out, {{"cubic", Lattice::cubic}, {"hexagonal", Lattice::hexagonal}},
       "the lattice of a file that does not say it, as no .vox does (default: cubic)");
-}
-
-CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<double>& out,
-                     const std::string& doc) {
-  return parsed(app, names, "S", doc,
-                [&out](const std::string& text) { return parse_seconds(text, out.emplace()); });
 }
 
 void add_replay(CLI::App& app, ReplayOptions& o) {
@@ -403,8 +408,8 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
        "write it to a file; .lua.map beside it says which lines are rules; for ARGoS "
        "NAME[.argos], beside which NAME_robot.lua and NAME_block.lua are written");
   path(sub, "--report", o.report, "write the table to a file as well");
-  parsed(sub, "--budget", "S", "seconds for the proof of the rule set (default: 60)",
-         [&o](const std::string& text) { return parse_seconds(text, o.budget); });
+  seconds(sub, "--budget", o.budget,
+          "seconds for the proof of the rule set (default: as much work as verify does)");
   integer(sub, "--states", o.states, 1, std::int64_t{1} << 24,
           "structures on the way that are walked at most (default: 100000)");
 }

@@ -70,6 +70,13 @@ std::string parse_seconds(std::string_view text, double& out) {
   return {};
 }
 
+std::string parse_effort(std::string_view text, double& out) {
+  constexpr double kMost = 1e6;
+  if (!parse_decimal(text, out)) return fmt::format("'{}' is no number", text);
+  if (!(out > 0) || out > kMost) return fmt::format("{} is not above 0 and up to 1000000", text);
+  return {};
+}
+
 std::string parse_cell(std::string_view text, Cell& out) {
   std::array<std::int32_t, 3> xyz{};
   const std::string problem = parse_three(text, -kMaxCoordinate, kMaxCoordinate, xyz);

@@ -83,7 +83,8 @@ struct VerifyFileOptions {
   std::string file;
   std::vector<std::string> sides;  ///< rules for robots at these alone; empty: in every turn
   WorldOptions world;
-  double budget = 60;  ///< seconds
+  double effort = 1;             ///< multiple of kVerifyWork
+  std::optional<double> budget;  ///< seconds
   std::uint64_t states = 2'000'000;
   std::optional<std::string> certificate;
   std::optional<std::string> witness;  ///< begins the names of the files that show the verdict
@@ -139,7 +140,7 @@ struct CompileFileOptions {
       target;  ///< otherwise by the output's name: .lua, .argos, or a table
   std::optional<std::string> output;
   std::optional<std::string> report;  ///< the table, whatever the target
-  double budget = 60;                 ///< s, of the proof
+  std::optional<double> budget;       ///< s, of the proof
   std::uint64_t states = 100'000;
 };
 

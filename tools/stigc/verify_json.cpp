@@ -65,7 +65,8 @@ Json findings_json(const VerifyReport& report) {
   Json json;
   json["dead_rules"] = rules_json(report.rules, f.dead);
   json["redundant_rules"] = rules_json(report.rules, f.redundant);
-  json["redundant_rules_complete"] = f.redundant_known;
+  json["redundant_rules_complete"] =
+      report.result.verdict == ProofVerdict::proved && f.untried == 0;
   json["levels"] = f.level_count;
   json["blocking"] = Json::array();
   for (const Blocking& b : f.blocking) {
@@ -86,6 +87,7 @@ Json findings_json(const VerifyReport& report) {
   }
   json["reach_not_shown"] = f.maybe_walled_in;
   if (f.repair) json["repair"] = repair_json(report.rules, *f.repair);
+  if (f.repair_cut_short) json["repair_search_complete"] = false;
   return json;
 }
 
@@ -107,7 +109,7 @@ Json to_json(const VerifyReport& report) {
   }
   json["local_states"] = result.local_states;
   json["method"] = result.verdict == ProofVerdict::proved ? Json(to_string(result.method)) : Json();
-  json["seconds"] = result.seconds;
+  json["work"] = result.work;
   json["stage"] = result.stage;
   json["interrupted"] = result.interrupted;
   if (!result.open.empty()) json["explored"] = result.open;

@@ -124,7 +124,7 @@ std::string unknown_text(const VerifyReport& report, bool color) {
     out += line("stage", fmt::format("{} of {}", report.result.stage, report.rules.stage_count()));
   }
   if (report.result.interrupted) return out;
-  std::string help = "more time (--budget) or memory (--states)";
+  std::string help = "more effort (--effort), time (--budget) or memory (--states)";
   if (!report.box) help += ", or a box to grow in (--box)";
   if (report.rules.stage_count() > 1) help = "the rules of one stage in a file of their own";
   return out + line("may help", help);
@@ -172,6 +172,10 @@ std::string findings_text(const VerifyReport& report) {
   if (!f.redundant.empty()) {
     out += line("not needed", fmt::format("each alone: {}", names(rules, f.redundant)));
   }
+  if (f.untried > 0) {
+    out += line("not needed?", fmt::format("not decided of {} within the effort (--effort)",
+                                           counted(f.untried, "rule")));
+  }
   if (report.result.verdict == ProofVerdict::proved) {
     for (std::size_t i = 0; i < std::min(f.blocking.size(), kMostNames); ++i) {
       const Blocking& b = f.blocking[i];
@@ -191,6 +195,9 @@ std::string findings_text(const VerifyReport& report) {
                                           counted(f.maybe_walled_in, "site")));
   }
   if (f.repair) out += repair_text(report, *f.repair);
+  if (f.repair_cut_short) {
+    out += line("repair", "none was found within the effort (--effort); not all were tried");
+  }
   return out;
 }
 
