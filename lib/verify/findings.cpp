@@ -2,9 +2,11 @@
 #include "verify/findings.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "lattice/firing_graph.h"
+#include "lattice/never_fires.h"
 #include "lattice/world.h"
 #include "verify/reachability.h"
 #include "verify/repair.h"
@@ -108,9 +110,13 @@ Findings find_more(const RuleSet& rules, const VerifyOptions& options, const Ver
   std::uint64_t done = 0;
   const Budget budget{time_after(limits.seconds), options.states, options.stop, limits.work, &done};
   find_levels(rules, findings);
+  findings.dead = rules_that_never_fire(rules, options.box);
   if (result.verdict == ProofVerdict::proved) {
     const RuleUse use = use_of_rules(rules, options, result);
-    findings.dead = use.dead;
+    std::vector<std::uint32_t> dead;
+    std::set_union(findings.dead.begin(), findings.dead.end(), use.dead.begin(), use.dead.end(),
+                   std::back_inserter(dead));
+    findings.dead = std::move(dead);
     findings.blocking = use.blocking;
     findings.parallelism = parallelism_of(rules, options.box);
     find_walled_in(rules, options, result, budget, findings);

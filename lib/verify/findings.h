@@ -46,7 +46,7 @@ struct Repair {
 };
 
 struct Findings {
-  std::vector<std::uint32_t> dead;       ///< rules that no order of events fires (proved sets)
+  std::vector<std::uint32_t> dead;       ///< rules that are proved never to fire
   std::vector<std::uint32_t> redundant;  ///< each alone can be left out: the proof still holds
   std::uint64_t untried = 0;             ///< rules of which it is not known (proved sets)
   /// By rule: the level of the firing graph, the least number of other rules' levels that

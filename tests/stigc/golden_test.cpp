@@ -104,6 +104,7 @@ TEST_CASE("verify proves, refutes, or shows growth without end") {
   hold(place, "verify-json", "stigc verify sets/line.yaml --json");
   hold(place, "verify-refuted-json", "stigc verify sets/corner.yaml --json");
   place.write("pyramid.yaml", project_file("rulesets/stepped-pyramid.yaml"));
+  hold(place, "verify-never-fires", "stigc check sets/slice.yaml; stigc verify sets/slice.yaml");
   hold(place, "verify-effort", "stigc verify pyramid.yaml --effort 0.00005");
   hold(place, "verify-replay",
        "stigc verify -q sets/corner.yaml --witness c > /dev/null; stigc replay c-first.stigt; "

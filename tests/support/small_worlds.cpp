@@ -124,6 +124,7 @@ class TinyWorld {
       }
     }
   }
+  const std::set<std::uint32_t>& fired() const { return fired_; }
   BrickMap bricks(const States& states) const {
     BrickMap map;
     for (std::size_t i = 0; i < states.size(); ++i) {
@@ -167,6 +168,7 @@ class TinyWorld {
     if (fresh && beside) {
       for (const Match& match : matcher_.matches(view, site.z, stage)) {
         it->second.push_back(rules_.rules[match.rule].place);
+        fired_.insert(match.rule);
         if (rules_.conflicts == Conflicts::first) break;
       }
     }
@@ -178,33 +180,13 @@ class TinyWorld {
   Cell low_;
   Offset size_;
   std::map<std::string, std::vector<Colour>> memo_;
+  std::set<std::uint32_t> fired_;
 };
 
-}  // namespace
-
-RuleSet small_world(std::uint64_t seed) { return Maker(seed).make(); }
-
-RuleSet staged_small_world(std::uint64_t seed) {
-  RuleSet rules = small_world(seed);
-  std::mt19937_64 words(seed);
-  const int stages =
-      std::min(2 + static_cast<int>(words() % 2), static_cast<int>(rules.rules.size()));
-  rules.stages.clear();
-  for (std::size_t r = 0; r < rules.rules.size(); ++r) {
-    const int turn = static_cast<int>(r) + 1;
-    const auto any = static_cast<int>(words() % static_cast<std::uint64_t>(stages + 1));
-    rules.rules[r].stage = turn <= stages ? turn : any;
-  }
-  for (int stage = 1; stage <= stages; ++stage) {
-    if (words() % 6 == 0) rules.stages[stage] = static_cast<std::int64_t>(1 + words() % 4);
-  }
-  return rules;
-}
-
-std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t most, int last_stage) {
-  TinyWorld world(rules);
+/// The world's structures at the end of a stage; nothing when more than `most` are met.
+std::optional<std::set<TinyWorld::States>> follow(TinyWorld& world, const RuleSet& rules,
+                                                  std::size_t most, int last) {
   std::set<TinyWorld::States> begins{world.start()};
-  const int last = last_stage == 0 ? rules.stage_count() : last_stage;
   for (int stage = 1; stage <= last; ++stage) {
     const auto limit = rules.stages.find(stage);
     std::set<TinyWorld::States> ends;
@@ -230,8 +212,49 @@ std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t mos
     }
     begins = std::move(ends);
   }
+  return begins;
+}
+
+}  // namespace
+
+RuleSet small_world(std::uint64_t seed) { return Maker(seed).make(); }
+
+RuleSet staged_small_world(std::uint64_t seed) {
+  RuleSet rules = small_world(seed);
+  std::mt19937_64 words(seed);
+  const int stages =
+      std::min(2 + static_cast<int>(words() % 2), static_cast<int>(rules.rules.size()));
+  rules.stages.clear();
+  for (std::size_t r = 0; r < rules.rules.size(); ++r) {
+    const int turn = static_cast<int>(r) + 1;
+    const auto any = static_cast<int>(words() % static_cast<std::uint64_t>(stages + 1));
+    rules.rules[r].stage = turn <= stages ? turn : any;
+  }
+  for (int stage = 1; stage <= stages; ++stage) {
+    if (words() % 6 == 0) rules.stages[stage] = static_cast<std::int64_t>(1 + words() % 4);
+  }
+  Rule column;
+  column.name = "column";
+  column.place = 2;
+  column.stage = stages + 1;
+  const auto below = static_cast<std::size_t>(neighbourhood(rules.lattice).index_of({0, 0, -1}));
+  column.pattern.allowed[below] = StateSet::bricks(2);
+  rules.rules.push_back(column);
+  return rules;
+}
+
+std::set<std::uint32_t> rules_seen_to_fire(const RuleSet& rules, std::size_t most) {
+  TinyWorld world(rules);
+  follow(world, rules, most, rules.stage_count());
+  return world.fired();
+}
+
+std::optional<std::set<BrickMap>> all_ends(const RuleSet& rules, std::size_t most, int last_stage) {
+  TinyWorld world(rules);
+  const auto ends = follow(world, rules, most, last_stage == 0 ? rules.stage_count() : last_stage);
+  if (!ends) return std::nullopt;
   std::set<BrickMap> maps;
-  for (const TinyWorld::States& states : begins) maps.insert(world.bricks(states));
+  for (const TinyWorld::States& states : *ends) maps.insert(world.bricks(states));
   return maps;
 }
 

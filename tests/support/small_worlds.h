@@ -14,8 +14,12 @@ namespace stig {
 /// wildcard patterns, heights, counts, symmetries, floors, periodic sides, stages.
 RuleSet small_world(std::uint64_t seed);
 
-/// The same with its rules dealt out to two or three stages, some of which are cut short.
+/// The same with its rules dealt out to up to three stages, some of which are cut short, and
+/// after them a stage that stacks bricks on all that stand, in one way only.
 RuleSet staged_small_world(std::uint64_t seed);
+
+/// Rules that fire in some order of events, as far as `most` structures show it.
+std::set<std::uint32_t> rules_seen_to_fire(const RuleSet& rules, std::size_t most);
 
 /// Every structure in which some order of events ends, stage after stage, by trying them
 /// all in the set's own box (solid or periodic); nothing when more than `most` structures

@@ -28,6 +28,16 @@ TEST_CASE("a rule that waits for a brick that never comes is dead") {
   CHECK(f.untried == 0);
 }
 
+TEST_CASE("of a refuted set it is known too") {
+  const RuleSet rules = small_set(east_of("1", "2") + east_of("1", "3") + east_of("3", "1"),
+                                  "conflicts: random\nfloor: true\n");
+  RuleSet more = rules;
+  more.rules.back().height_min = 1;
+  const VerifyResult result = verify(more, {});
+  REQUIRE(result.verdict == ProofVerdict::refuted);
+  CHECK(find_more(more, {}, result, {}).dead == std::vector<std::uint32_t>{2});
+}
+
 TEST_CASE("of two rules that do the same either can be left out") {
   const std::string again = R"(
   - name: the same, if nothing is above

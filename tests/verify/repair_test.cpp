@@ -59,8 +59,8 @@ void try_world(std::uint64_t seed, Tally& tally) {
 
 TEST_CASE("a repair of a staged set ends in as many bricks as it says") {
   Tally tally;
-  for (std::uint64_t seed = 0; seed < 3000; ++seed) try_world(seed, tally);
+  for (std::uint64_t seed = 0; seed < 800; ++seed) try_world(seed, tally);
   MESSAGE(tally.whole << " of all stages (" << tally.followed << " of an earlier one), "
                       << tally.partial << " of some");
-  CHECK(tally.followed >= 10);
+  CHECK(tally.followed >= 5);
 }

@@ -4,6 +4,7 @@
 
 #include "base/load.h"
 #include "commands.h"
+#include "lattice/never_fires.h"
 #include "robots/robot_reader.h"
 #include "rules/rule_reader.h"
 #include "scene_input.h"
@@ -28,7 +29,9 @@ void check_file(const std::string& path, Diagnostics& diagnostics) {
       read_block(std::move(source), diagnostics);
       break;
     case FileContent::rules:
-      read_rule_set(std::move(source), diagnostics);
+      if (const auto rules = read_rule_set(std::move(source), diagnostics)) {
+        check_rules_fire(*rules, diagnostics);
+      }
       break;
   }
 }

@@ -53,11 +53,33 @@ std::string box_in_words(const std::optional<Box>& box) {
                      to_text(box->size), to_text(box->low));
 }
 
-std::string proved_text(const VerifyReport& report, bool color) {
+std::string verdict_line(ProofVerdict verdict, bool color) {
+  switch (verdict) {
+    case ProofVerdict::proved:
+      return green("PROVED", color) + ": every order of events ends in the same structure\n";
+    case ProofVerdict::refuted:
+      return red("REFUTED", color) + ": two orders of events end in different structures\n";
+    case ProofVerdict::endless:
+      return yellow("ENDLESS", color) + ": an order of events goes on for ever\n";
+    case ProofVerdict::unknown:
+      break;
+  }
+  return yellow("UNKNOWN", color) + ": neither shown nor refuted\n";
+}
+
+/// A rule that does nothing is seldom meant.
+std::string never_fires_text(const VerifyReport& report) {
+  const std::vector<std::uint32_t>& dead = report.findings.dead;
+  if (dead.empty()) return {};
+  const std::string text =
+      dead.size() == 1 ? fmt::format("rule {} never fires", rule_name(report.rules, dead.front()))
+                       : fmt::format("rules {} never fire", names(report.rules, dead));
+  return line("warning", text);
+}
+
+std::string proved_text(const VerifyReport& report) {
   const VerifyResult& result = report.result;
-  std::string out = fmt::format("{}: {}\n", green("PROVED", color),
-                                "every order of events ends in the same structure");
-  out += line("world", box_in_words(report.box));
+  std::string out = line("world", box_in_words(report.box));
   out += line("bricks", fmt::format("{}: {} at the start, {} placed", result.structure->size(),
                                     report.rules.start.size(), result.run.size()));
   out += line("hash", to_hex(structure_hash(*result.structure)));
@@ -81,12 +103,10 @@ std::string end_in_words(const Structure& structure, bool ended) {
                      ended ? "" : " and growing", to_hex(structure_hash(structure)));
 }
 
-std::string refuted_text(const VerifyReport& report, bool color) {
+std::string refuted_text(const VerifyReport& report) {
   const DivergingOrders& found = *report.result.refutation;
   const Deposit& decisive = found.second[found.common];
-  std::string out =
-      fmt::format("{}: two orders of events end in different structures\n", red("REFUTED", color));
-  out += line("world", box_in_words(report.box));
+  std::string out = line("world", box_in_words(report.box));
   out += line("one end", end_in_words(found.first_end, true));
   out += line("another", end_in_words(found.second_end, found.second_ended));
   if (structure_hash(found.first_end) == structure_hash(found.second_end)) {
@@ -102,11 +122,9 @@ std::string refuted_text(const VerifyReport& report, bool color) {
   return out;
 }
 
-std::string endless_text(const VerifyReport& report, bool color) {
+std::string endless_text(const VerifyReport& report) {
   const EndlessGrowth& endless = *report.result.endless;
-  std::string out =
-      fmt::format("{}: an order of events goes on for ever\n", yellow("ENDLESS", color));
-  out += line("world", box_in_words(report.box));
+  std::string out = line("world", box_in_words(report.box));
   out +=
       line("period",
            fmt::format("after {}, the last {} again and again, each time ({}, {}, {}) further on",
@@ -116,9 +134,8 @@ std::string endless_text(const VerifyReport& report, bool color) {
   return out;
 }
 
-std::string unknown_text(const VerifyReport& report, bool color) {
-  std::string out = fmt::format("{}: neither shown nor refuted\n", yellow("UNKNOWN", color));
-  out += line("world", box_in_words(report.box));
+std::string unknown_text(const VerifyReport& report) {
+  std::string out = line("world", box_in_words(report.box));
   out += line("explored", printable(report.result.open));
   if (report.rules.stage_count() > 1) {
     out += line("stage", fmt::format("{} of {}", report.result.stage, report.rules.stage_count()));
@@ -168,7 +185,6 @@ std::string findings_text(const VerifyReport& report) {
                             counted(f.parallelism->rounds.size(), "round"),
                             counted(f.parallelism->widest(), "brick"), f.parallelism->mean()));
   }
-  if (!f.dead.empty()) out += line("never fires", names(rules, f.dead));
   if (!f.redundant.empty()) {
     out += line("not needed", fmt::format("each alone: {}", names(rules, f.redundant)));
   }
@@ -206,18 +222,19 @@ std::string findings_text(const VerifyReport& report) {
 std::string to_text(const VerifyReport& report, bool color) {
   const std::string title = report.rules.title.empty() ? "" : ": " + printable(report.rules.title);
   std::string out = bold(printable(report.rules.name), color) + title + "\n";
+  out += verdict_line(report.result.verdict, color) + never_fires_text(report);
   switch (report.result.verdict) {
     case ProofVerdict::proved:
-      out += proved_text(report, color);
+      out += proved_text(report);
       break;
     case ProofVerdict::refuted:
-      out += refuted_text(report, color);
+      out += refuted_text(report);
       break;
     case ProofVerdict::endless:
-      out += endless_text(report, color);
+      out += endless_text(report);
       break;
     case ProofVerdict::unknown:
-      out += unknown_text(report, color);
+      out += unknown_text(report);
       break;
   }
   out += findings_text(report);
