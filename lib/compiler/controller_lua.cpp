@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/decision_text.h"
 
@@ -42,6 +43,15 @@ std::string cell_text(const WindowCell& cell) {
   return fmt::format("{}, {}, {}", cell.du, cell.dv, cell.z);
 }
 
+/// What the last line of a module returns.
+std::string_view returned_name(std::string_view text) {
+  constexpr std::string_view kReturn = "\nreturn ";
+  const std::size_t at = text.rfind(kReturn);
+  assert(at != text.npos);
+  text.remove_prefix(at + kReturn.size());
+  return text.substr(0, text.find('\n'));
+}
+
 class Printer {
  public:
   Printer(const RuleSet& rules, std::string_view file, const CompiledRules& compiled)
@@ -59,11 +69,11 @@ class Printer {
   }
 
   /// A file of the library as a table of this one; what it requires is here already.
-  void module(const RuntimeModule& one) {
-    line(fmt::format("local {} = (function()", one.name));
-    for (std::size_t at = 0; at < one.text.size();) {
-      const std::size_t end = std::min(one.text.find('\n', at), one.text.size());
-      const std::string_view text = std::string_view(one.text).substr(at, end - at);
+  void module(std::string_view module) {
+    line(fmt::format("local {} = (function()", returned_name(module)));
+    for (std::size_t at = 0; at < module.size();) {
+      const std::size_t end = std::min(module.find('\n', at), module.size());
+      const std::string_view text = module.substr(at, end - at);
       const bool required =
           text.starts_with("local ") && text.find(" = require '") != std::string_view::npos;
       if (!required) line(std::string(text));
@@ -215,10 +225,10 @@ void print_head(Printer& out, const RuleSet& rules, std::string_view file,
 
 ControllerText controller_lua(const RuleSet& rules, std::string_view file,
                               const ControllerPlan& plan, const CompiledRules& compiled,
-                              const std::vector<RuntimeModule>& library) {
+                              const std::vector<std::string>& library) {
   Printer out(rules, file, compiled);
   print_head(out, rules, file, plan, compiled);
-  for (const RuntimeModule& one : library) out.module(one);
+  for (const std::string& one : library) out.module(one);
   out.lines(
       "function init() building.start(CHART, TASK) end\n"
       "function reset() building.start(CHART, TASK) end\n"
@@ -228,8 +238,7 @@ ControllerText controller_lua(const RuleSet& rules, std::string_view file,
 
 ControllerText controller_argos(const RuleSet& rules, std::string_view file,
                                 const ControllerPlan& plan, const CompiledRules& compiled,
-                                const RuntimeModule& adapter,
-                                const std::vector<RuntimeModule>& library) {
+                                std::string_view adapter, const std::vector<std::string>& library) {
   Printer out(rules, file, compiled);
   print_head(out, rules, file, plan, compiled);
   out.module(adapter);
@@ -237,7 +246,7 @@ ControllerText controller_argos(const RuleSet& rules, std::string_view file,
       "-- What the library calls robot and math from here on.\n"
       "local robot, math = argos.robot, argos.math\n"
       "for name, figure in pairs(argos.figures) do TASK.profile[name] = figure end\n\n");
-  for (const RuntimeModule& one : library) out.module(one);
+  for (const std::string& one : library) out.module(one);
   out.lines(
       "local function start()\n"
       "   argos.start()\n"

@@ -26,27 +26,22 @@ struct ControllerText {
   std::vector<LineOrigin> lines;  ///< rising
 };
 
-/// A file of the library, its text as it stands in programs/.
-struct RuntimeModule {
-  std::string name;  ///< as `require` has it
-  std::string text;
-};
-/// What a controller needs, in this order.
-inline constexpr std::string_view kRuntimeModules[] = {
-    "robotics", "avoidance", "handling", "lattice", "travel", "sides", "column", "building"};
+/// The module of programs/ that a controller calls, as `require` has it; it requires the others.
+inline constexpr std::string_view kRuntimeRoot = "building";
 
-/// `file` is what comments call the rule set's file.
+/// `file` is what comments call the rule set's file. `library` are the texts of modules, each after
+/// those that it requires. The last line of a module returns a table, and the others know it by the
+/// name that this table has there.
 ControllerText controller_lua(const RuleSet& rules, std::string_view file,
                               const ControllerPlan& plan, const CompiledRules& compiled,
-                              const std::vector<RuntimeModule>& library);
+                              const std::vector<std::string>& library);
 
 /// What stands between the library and ARGoS, and the program of blocks there.
 inline constexpr std::string_view kArgosAdapter = "argos", kArgosBlock = "argos_block";
 
-/// The same program for ARGoS 3: `adapter` is kArgosAdapter's file.
+/// The same program for ARGoS 3: `adapter` is the text of kArgosAdapter.
 ControllerText controller_argos(const RuleSet& rules, std::string_view file,
                                 const ControllerPlan& plan, const CompiledRules& compiled,
-                                const RuntimeModule& adapter,
-                                const std::vector<RuntimeModule>& library);
+                                std::string_view adapter, const std::vector<std::string>& library);
 
 }  // namespace stig

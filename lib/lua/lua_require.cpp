@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// require: files beside the program, by plain names.
+// require: files beside the program or in folders there, by plain names.
 #include <algorithm>
 #include <filesystem>
 #include <lua.hpp>
@@ -16,14 +16,15 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLoaded = "stig.loaded";
 
-/// The file, if it really is in the program's folder: a link may not lead out of it.
+/// The file, if it really is below the program's folder: a link may not lead out of it.
 std::optional<std::string> find_beside(const std::string& program, const std::string& name) {
   std::error_code error;
   const fs::path folder = fs::canonical(fs::absolute(program).parent_path(), error);
   if (error) return std::nullopt;
-  const fs::path file = fs::canonical(folder / (name + ".lua"), error);
-  if (error || file.parent_path() != folder) return std::nullopt;
-  return file.string();
+  const fs::path file = fs::canonical(folder / module_file(name), error);
+  if (error) return std::nullopt;
+  const auto parted = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
+  return parted.first == folder.end() ? std::optional(file.string()) : std::nullopt;
 }
 
 /// The text of a module, or nothing with `problem` set.
@@ -34,7 +35,7 @@ std::optional<std::string> read_module(const LuaProgram& program, const std::str
   }
   const auto path = program.whole ? std::nullopt : find_beside(program.path, name);
   if (!path) {
-    problem = "there is no file '" + name + ".lua' beside the program";
+    problem = "there is no file '" + module_file(name) + "' beside the program";
     // Only what the text names came with it.
     if (program.whole) {
       problem +=
@@ -49,7 +50,7 @@ std::optional<std::string> read_module(const LuaProgram& program, const std::str
 }
 
 std::string beside(const std::string& program, const std::string& name) {
-  return program.substr(0, program.rfind('/') + 1) + name + ".lua";
+  return program.substr(0, program.rfind('/') + 1) + module_file(name);
 }
 
 int require(lua_State* state) {
@@ -58,7 +59,7 @@ int require(lua_State* state) {
   if (!is_module_name(name)) {
     return luaL_error(state,
                       "require: a name of letters, digits, _ and - is needed, of a file "
-                      "beside the program");
+                      "beside the program, with a dot after each folder");
   }
   lua_settop(state, 1);
   luaL_getsubtable(state, LUA_REGISTRYINDEX, kLoaded);
@@ -104,7 +105,19 @@ bool is_module_name(std::string_view name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
   };
-  return !name.empty() && name.size() <= 64 && std::all_of(name.begin(), name.end(), fits);
+  if (name.size() > 64) return false;
+  for (std::size_t at = 0;;) {
+    const std::string_view part = name.substr(at, name.find('.', at) - at);
+    if (part.empty() || !std::all_of(part.begin(), part.end(), fits)) return false;
+    at += part.size() + 1;
+    if (at > name.size()) return true;
+  }
+}
+
+std::string module_file(std::string_view name) {
+  std::string out(name);
+  std::replace(out.begin(), out.end(), '.', '/');
+  return out + ".lua";
 }
 
 std::vector<std::string> required_names(std::string_view text) {

@@ -38,8 +38,10 @@ struct LuaProgram {
 };
 /// Names that a text's `require 'name'` asks for, as far as they are written out; each once.
 std::vector<std::string> required_names(std::string_view text);
-/// Whether `require` takes the name: letters, digits, _ and -.
+/// Whether `require` takes the name: letters, digits, _ and -, and a dot after each folder.
 bool is_module_name(std::string_view name);
+/// Where a module of such a name is, from the program's folder: "motion/lift.lua" for motion.lift.
+std::string module_file(std::string_view name);
 inline constexpr std::size_t kMostLuaSource = std::size_t{256} << 10;
 std::optional<LuaProgram> read_lua_program(const std::string& path, FileError& error);
 

@@ -8,8 +8,9 @@ using namespace stig::behaviour;
 TEST_CASE("names that a text requires") {
   const auto names = required_names(
       "local a = require 'one'\nlocal b = require(\"two\")\nrequire 'one'\nrequire '../three'\n"
-      "require(name) -- require\n");
-  CHECK(names == std::vector<std::string>{"one", "two"});
+      "require(name) -- require\nlocal c = require 'part.four'\n");
+  CHECK(names == std::vector<std::string>{"one", "two", "part.four"});
+  CHECK(module_file("part.four") == "part/four.lua");
   CHECK(required_names("require '").empty());
 }
 

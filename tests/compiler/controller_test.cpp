@@ -76,14 +76,17 @@ TEST_CASE(
 
 TEST_CASE("for ARGoS the same program, its library between the adapter and four callbacks") {
   const Planned staircase(shipped("staircase"));
-  const RuntimeModule adapter{"argos", "local argos = {}\nreturn argos\n"};
-  const RuntimeModule building{"building", "local lattice = require 'lattice'\nreturn {}\n"};
+  const std::string adapter = "local argos = {}\nreturn argos\n";
+  const std::string building =
+      "local lattice = require 'mission.lattice'\nlocal building = {}\nreturn building\n";
   const ControllerText ours =
       controller_lua(staircase.rules, "s.yaml", staircase.plan, staircase.compiled, {building});
   const ControllerText argos = controller_argos(staircase.rules, "s.yaml", staircase.plan,
                                                 staircase.compiled, adapter, {building});
   CHECK(decisions(argos) == decisions(ours));
-  const std::size_t own = ours.text.find("local building = ");
+  const std::size_t own = ours.text.find("local building = (function()");
+  REQUIRE(own != std::string::npos);
+  CHECK(ours.text.find("require") == std::string::npos);
   CHECK(argos.text.substr(0, own) == ours.text.substr(0, own));
   std::size_t at = 0;
   for (const char* next :

@@ -199,17 +199,18 @@ TEST_CASE("what could reach the machine is not there") {
   ends("_G.pcall, _G.error = nil, nil while true do end", kTooLong);
 }
 
-TEST_CASE("require finds plain files beside the program only") {
+TEST_CASE("require finds plain files beside the program and in folders there only") {
   namespace fs = std::filesystem;
   const fs::path folder = fs::temp_directory_path() / "stig_lua_require";
   fs::remove_all(folder);
-  fs::create_directories(folder / "in");
+  fs::create_directories(folder / "in" / "part");
   const auto write = [&](const std::string& name, const std::string& text) {
     std::ofstream(folder / name) << text;
   };
   write("out.lua", "return 'out'");
   write("in/mod.lua", "count = (count or 0) + 1 return {name = ...}");
   write("in/none.lua", "");
+  write("in/part/piece.lua", "return {near = require 'mod', name = ...}");
   write("in/self.lua", "require 'self'");
   write("in/bad.lua", "\n\nerror('broken')");
   write("in/loop.lua", "while true do end");
@@ -218,6 +219,7 @@ TEST_CASE("require finds plain files beside the program only") {
   fs::create_symlink(folder / "out.lua", folder / "in/link.lua");
   fs::create_symlink("mod.lua", folder / "in/near.lua");
   fs::create_directory(folder / "in/dir.lua");
+  fs::create_directory_symlink(folder, folder / "in/up");
   const auto run = [&](const std::string& text) {
     LuaController controller({(folder / "in/main.lua").string(), text}, {}, small_settings());
     RobotCommands commands;
@@ -227,11 +229,14 @@ TEST_CASE("require finds plain files beside the program only") {
             "1)") == "");
   CHECK(run("assert(require 'none' == true and require 'near'.name == 'near')") == "");
   for (const char* name :
-       {"../out", "/etc/passwd", "..", ".", "", "a/b", "a.b", "a\\\\b", "mod\\0x"}) {
+       {"../out", "/etc/passwd", "..", ".", "", "a/b", "a..b", ".a", "a.", "a\\\\b", "mod\\0x"}) {
     CAPTURE(name);
     CHECK(run("require '" + std::string(name) + "'").find("letters, digits") != std::string::npos);
   }
-  for (const char* name : {"link", "absent"}) {
+  // in a folder, from where names begin at the program all the same
+  CHECK(run("local p = require 'part.piece' assert(p.name == 'part.piece' and p.near == require "
+            "'mod')") == "");
+  for (const char* name : {"link", "absent", "part.mod", "up.out"}) {
     CAPTURE(name);
     CHECK(run("require '" + std::string(name) + "'").find("there is no file") != std::string::npos);
   }

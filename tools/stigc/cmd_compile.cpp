@@ -85,7 +85,7 @@ int write_argos(const CompileFileOptions& options, const CompileJob& job, App& a
   const std::pair<std::string, std::string> written[] = {
       {files.robot + ".map", line_map_json(job, program)},
       {files.robot, program.text},
-      {files.block, block->text},
+      {files.block, *block},
       {files.experiment, experiment}};
   for (const auto& [path, text] : written) {
     if (const int code = write(path, text, app); code != kOk) return code;

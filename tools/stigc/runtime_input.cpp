@@ -1,26 +1,44 @@
 // SPDX-License-Identifier: MIT
 #include "runtime_input.h"
 
+#include <algorithm>
+
 #include "base/file_io.h"
+#include "lua/lua_settings.h"
 #include "scene_input.h"
 
 namespace stig {
 
-std::optional<RuntimeModule> read_module(std::string_view name, const App& app) {
-  FileError error;
-  auto text = own_loader()(std::string(name) + ".lua", kMaxSceneBytes, error);
-  if (text) return RuntimeModule{std::string(name), std::move(*text)};
-  app.complain("the library of controllers is not complete: " + error.message);
-  return std::nullopt;
+namespace {
+
+/// Adds a module after all that it requires. False where a file is missing.
+bool add_module(std::string_view name, const App& app, std::vector<std::string>& begun,
+                std::vector<std::string>& out) {
+  if (std::find(begun.begin(), begun.end(), name) != begun.end()) return true;
+  begun.emplace_back(name);
+  auto module = read_module(name, app);
+  if (!module) return false;
+  const std::vector<std::string> required = required_names(*module);
+  const bool whole = std::all_of(required.begin(), required.end(), [&](const std::string& other) {
+    return add_module(other, app, begun, out);
+  });
+  out.push_back(std::move(*module));
+  return whole;
 }
 
-std::optional<std::vector<RuntimeModule>> read_runtime(const App& app) {
-  std::vector<RuntimeModule> out;
-  for (const std::string_view name : kRuntimeModules) {
-    auto module = read_module(name, app);
-    if (!module) return std::nullopt;
-    out.push_back(std::move(*module));
-  }
+}  // namespace
+
+std::optional<std::string> read_module(std::string_view name, const App& app) {
+  FileError error;
+  auto text = own_loader()(module_file(name), kMaxSceneBytes, error);
+  if (!text) app.complain("the library of controllers is not complete: " + error.message);
+  return text;
+}
+
+std::optional<std::vector<std::string>> read_runtime(const App& app) {
+  std::vector<std::string> begun;
+  std::vector<std::string> out;
+  if (!add_module(kRuntimeRoot, app, begun, out)) return std::nullopt;
   return out;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -11,9 +12,10 @@
 
 namespace stig {
 
-/// One of its files, "argos" for argos.lua; said when it is missing.
-std::optional<RuntimeModule> read_module(std::string_view name, const App& app);
-/// In the order of kRuntimeModules; what is missing is said.
-std::optional<std::vector<RuntimeModule>> read_runtime(const App& app);
+/// One of its files, "motion.lift" for motion/lift.lua; said when it is missing.
+std::optional<std::string> read_module(std::string_view name, const App& app);
+/// kRuntimeRoot and all that it requires, each after what it requires itself; what is missing is
+/// said.
+std::optional<std::vector<std::string>> read_runtime(const App& app);
 
 }  // namespace stig

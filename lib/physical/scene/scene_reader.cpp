@@ -405,7 +405,8 @@ class Reader {
       const bool known = std::any_of(program.modules.begin(), program.modules.end(),
                                      [&](const auto& module) { return module.first == name; });
       if (known || program.modules.size() == kMostModules) continue;
-      const std::string path = program.path.substr(0, program.path.rfind('/') + 1) + name + ".lua";
+      const std::string path =
+          program.path.substr(0, program.path.rfind('/') + 1) + module_file(name);
       FileError error;
       const auto module = load_(path, kMostLuaSource, error);
       if (!module) continue;
