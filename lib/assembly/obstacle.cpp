@@ -3,12 +3,11 @@
 
 #include <array>
 
+#include "assembly/faces.h"
+
 namespace stig {
 
 namespace {
-
-constexpr std::array<Offset, 6> kFaces = {
-    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
 /// The bricks that hang together with one.
 BrickSet part_of(const TargetBricks& target, std::uint32_t first) {

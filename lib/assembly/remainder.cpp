@@ -55,7 +55,7 @@ Remainder find_remainder(const TargetBricks& target, const Builders& builders,
   Remainder out{target.whole(), {}};
   while (take_one(target, builders, start, out.bricks)) {
   }
-  if (out.bricks.count() < 2) return {};
+  if (out.bricks.count() < 2) return {BrickSet{}, {}};
   for (std::uint32_t i = 0; i < target.bricks(); ++i) {
     if (!out.bricks.has(i) || start == i) continue;
     BrickSet others = out.bricks;

@@ -8,7 +8,7 @@ namespace stig {
 
 namespace {
 
-constexpr std::size_t kMostStates = std::size_t{1} << 20;
+constexpr std::size_t kMostStatesAtOnce = std::size_t{1} << 20;
 constexpr int kMostFree = 10;  ///< neighbours that a brick leaves free
 
 using Bits = std::uint32_t;
@@ -61,7 +61,7 @@ class Enumerator {
       if (!extend(chosen, next + 1, out)) return false;
       chosen |= Bits{1} << bricks_[next].place;
     }
-    if (out.size() >= kMostStates) return false;
+    if (out.size() >= kMostStatesAtOnce) return false;
     out.push_back(chosen);
     return true;
   }

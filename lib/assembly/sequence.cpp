@@ -7,15 +7,13 @@
 #include <numeric>
 #include <set>
 
+#include "assembly/faces.h"
 #include "base/hash.h"
 #include "compiler/columns.h"
 
 namespace stig {
 
 namespace {
-
-constexpr std::array<Offset, 6> kFaces = {
-    {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
 bool beside_a_column(const TargetBricks& target, const BrickSet& state, std::uint32_t brick,
                      ApproachSide side) {

@@ -8,6 +8,7 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "certify/stage_check.h"
+#include "rules/cell_text.h"
 #include "rules/rule_printer.h"
 
 namespace stig {

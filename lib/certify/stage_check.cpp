@@ -9,10 +9,9 @@
 
 #include "base/text.h"
 #include "certify/filling.h"
+#include "rules/cell_text.h"
 
 namespace stig {
-
-std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
 StageCheck::StageCheck(const RuleSet& rules, const ActingRules& acting, const Space& space,
                        const CertifiedStage& stage, int number, KnownCells& cells)

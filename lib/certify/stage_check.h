@@ -26,9 +26,6 @@
 
 namespace stig {
 
-/// "(1, 0, 0)"
-std::string cell_text(Cell cell);
-
 class StageCheck {
  public:
   /// `cells` holds the structure that the stage finds; all must outlive the check.

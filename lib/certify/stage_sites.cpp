@@ -7,6 +7,7 @@
 #include "base/text.h"
 #include "certify/filling.h"
 #include "certify/stage_check.h"
+#include "rules/cell_text.h"
 
 namespace stig {
 namespace {

@@ -9,13 +9,13 @@
 #include <map>
 #include <vector>
 
+#include "rules/cell_text.h"
+
 namespace stig {
 
 namespace {
 
 constexpr std::array<std::string_view, 4> kSideNames = {"+x", "-x", "+y", "-y"};
-
-std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
 
 /// The part of a structure that a side looks at.
 struct View3 {

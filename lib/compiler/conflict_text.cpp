@@ -4,13 +4,12 @@
 #include <fmt/format.h>
 
 #include "base/text.h"
+#include "rules/cell_text.h"
 #include "rules/pattern_text.h"
 
 namespace stig {
 
 namespace {
-
-std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
 
 std::string work_text(const TargetStates& target, const Work& work) {
   return fmt::format("the brick at {} from {}", cell_text(target.cell(work.brick)),

@@ -8,13 +8,12 @@
 
 #include "base/text.h"
 #include "compiler/decision_text.h"
+#include "rules/cell_text.h"
 #include "rules/pattern_text.h"
 
 namespace stig {
 
 namespace {
-
-std::string cell_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
 
 void add_never(const Rule& rule, Cell at, Code code, const std::vector<std::string>& notes,
                Diagnostics& out) {

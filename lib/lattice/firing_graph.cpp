@@ -102,7 +102,7 @@ void set_cycles(FiringGraph& graph) {
 }
 
 /// A DOT string literal; control characters become spaces.
-std::string quoted(std::string_view text) {
+std::string dot_string(std::string_view text) {
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') out += '\\';
@@ -130,9 +130,9 @@ std::string node_line(const FiringGraph& graph, const RuleSet& rules, std::size_
   const std::string& colour = rules.brick(rules.rules[index].place).color;
   const auto& level = graph.nodes[index].level;
   return fmt::format("r{} [label={}, tooltip={}, fillcolor={}, fontcolor={}{}];\n", index + 1,
-                     quoted(rule_label(rules, index)),
-                     quoted(level ? fmt::format("level {}", *level) : "never fires"),
-                     quoted(colour.empty() ? "#dddddd" : colour), text_colour(colour),
+                     dot_string(rule_label(rules, index)),
+                     dot_string(level ? fmt::format("level {}", *level) : "never fires"),
+                     dot_string(colour.empty() ? "#dddddd" : colour), text_colour(colour),
                      level ? "" : ", style=\"filled,dashed\"");
 }
 
@@ -202,8 +202,8 @@ FiringGraph firing_graph(const RuleSet& rules) {
 
 std::string to_dot(const FiringGraph& graph, const RuleSet& rules) {
   const std::string& title = rules.title.empty() ? rules.name : rules.title;
-  std::string out = fmt::format("digraph {} {{\n", quoted(rules.name));
-  out += fmt::format("  label={};\n  labelloc=t;\n  rankdir=LR;\n", quoted(title));
+  std::string out = fmt::format("digraph {} {{\n", dot_string(rules.name));
+  out += fmt::format("  label={};\n  labelloc=t;\n  rankdir=LR;\n", dot_string(title));
   out += "  node [shape=box, style=\"filled,rounded\", fontname=\"sans-serif\"];\n";
   out += "  start [shape=circle, label=\"start\", fillcolor=\"white\"];\n";
   write_nodes(graph, rules, out);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "rules/cell_text.h"
+
 namespace stig {
 
 namespace {
@@ -46,12 +48,11 @@ std::optional<BrickListProblem> find_problem(std::vector<PlacedBrick>& bricks) {
 }
 
 std::string to_string(const BrickListProblem& problem) {
-  const Cell c = problem.at;
   switch (problem.kind) {
     case BrickListProblem::Kind::cell_twice:
-      return fmt::format("cell ({}, {}, {}) is given twice", c.x, c.y, c.z);
+      return fmt::format("cell {} is given twice", cell_text(problem.at));
     case BrickListProblem::Kind::coordinate:
-      return fmt::format("cell ({}, {}, {}) lies outside ±{}", c.x, c.y, c.z, kMaxCoordinate);
+      return fmt::format("cell {} lies outside ±{}", cell_text(problem.at), kMaxCoordinate);
     case BrickListProblem::Kind::too_many:
       return fmt::format("more than {} bricks", kMostFileBricks);
     case BrickListProblem::Kind::too_scattered:

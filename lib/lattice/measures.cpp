@@ -2,7 +2,8 @@
 #include "lattice/measures.h"
 
 #include <algorithm>
-#include <boost/pending/disjoint_sets.hpp>
+
+#include "base/islands.h"
 
 namespace stig {
 namespace {
@@ -34,19 +35,16 @@ void for_each_pair(const std::vector<PlacedBrick>& bricks, Offset o, const Visit
 /// Components and mean degree of the contact graph of bricks.
 void measure_contacts(const Structure& structure, const std::vector<PlacedBrick>& bricks,
                       Measures& out) {
-  std::vector<std::uint32_t> rank(bricks.size()), parent(bricks.size());
-  boost::disjoint_sets sets(rank.data(), parent.data());
-  for (std::uint32_t i = 0; i < bricks.size(); ++i) sets.make_set(i);
+  Islands islands(bricks.size());
   std::uint64_t contacts = 0;
   std::uint64_t components = bricks.size();
   for (const Offset o : faces(structure.lattice())) {
     if (o < Offset{}) continue;  // each pair once
     for_each_pair(bricks, o, [&](std::size_t i, std::size_t k) {
       ++contacts;
-      const auto a = sets.find_set(static_cast<std::uint32_t>(i));
-      const auto b = sets.find_set(static_cast<std::uint32_t>(k));
-      if (a == b) return;
-      sets.link(a, b);
+      const auto a = static_cast<std::uint32_t>(i), b = static_cast<std::uint32_t>(k);
+      if (islands.root(a) == islands.root(b)) return;
+      islands.join(a, b);
       --components;
     });
   }

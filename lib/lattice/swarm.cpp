@@ -8,16 +8,13 @@
 #include <thread>
 
 #include "lattice/engines.h"
+#include "rules/cell_text.h"
 
 namespace stig {
 namespace {
 
 constexpr std::int64_t kMostBoxCells = std::int64_t{1} << 30;
 constexpr std::uint64_t kWorkBetweenHooks = 1U << 14;
-
-std::string to_text(Cell c) {
-  return "(" + std::to_string(c.x) + ", " + std::to_string(c.y) + ", " + std::to_string(c.z) + ")";
-}
 
 bool moves_exist(Lattice lattice, int moves) {
   return lattice == Lattice::cubic ? moves == 6 || moves == 18 || moves == 26
@@ -37,10 +34,10 @@ std::string start_problem(const RuleTable& rules, const std::vector<PlacedBrick>
   std::set<Cell> cells;
   for (const PlacedBrick& b : start) {
     if (box && !box->contains(b.at))
-      return "the start's brick at " + to_text(b.at) + " is outside the box";
+      return "the start's brick at " + cell_text(b.at) + " is outside the box";
     if (rules.floor() && b.at.z < 0)
-      return "the start's brick at " + to_text(b.at) + " is below the floor";
-    if (!cells.insert(b.at).second) return "the start has two bricks at " + to_text(b.at);
+      return "the start's brick at " + cell_text(b.at) + " is below the floor";
+    if (!cells.insert(b.at).second) return "the start has two bricks at " + cell_text(b.at);
   }
   return {};
 }
@@ -71,9 +68,9 @@ std::string agents_problem(const RuleTable& rules, const std::vector<PlacedBrick
   for (const PlacedBrick& b : start) taken.insert(b.at);
   for (const Cell c : config.agents_at) {
     if (!config.box->contains(c) || (rules.floor() && c.z < 0)) {
-      return "the agent's cell " + to_text(c) + " is outside the box";
+      return "the agent's cell " + cell_text(c) + " is outside the box";
     }
-    if (!taken.insert(c).second) return "the agent's cell " + to_text(c) + " is taken";
+    if (!taken.insert(c).second) return "the agent's cell " + cell_text(c) + " is taken";
   }
   return {};
 }

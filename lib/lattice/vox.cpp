@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "lattice/rgb.h"
 #include "lattice/vox_scene.h"
@@ -13,8 +14,7 @@ namespace stig {
 
 namespace {
 
-constexpr std::uint32_t kModelSide = 256;
-constexpr std::uint32_t kVersion = 150, kNewestVersion = 200;
+constexpr std::uint32_t kNewestVersion = 200;
 
 struct Voxel {
   std::array<std::uint8_t, 3> at{};
@@ -89,7 +89,7 @@ bool VoxReader::read_chunks() {
   ByteReader in(bytes_);
   if (in.take(4) != "VOX ") return error("the file does not start with 'VOX '");
   const std::uint32_t version = in.u32();
-  if (in.good() && version != kVersion && version != kNewestVersion) {
+  if (in.good() && version != kVoxVersion && version != kNewestVersion) {
     return error(fmt::format("version {} of the format is not known", version));
   }
   if (in.take(4) != "MAIN") return error("the chunk 'MAIN' is missing");
@@ -125,7 +125,7 @@ bool VoxReader::read_size(ByteReader content) {
   std::array<std::uint32_t, 3> size{};
   for (std::uint32_t& side : size) {
     side = content.u32();
-    if (!content.good() || side > kModelSide) {
+    if (!content.good() || std::cmp_greater(side, kVoxModelSide)) {
       return error(fmt::format("model {} is not within 256 cells a side", sizes_.size() + 1));
     }
   }

@@ -7,13 +7,11 @@
 #include "base/bytes.h"
 #include "lattice/rgb.h"
 #include "lattice/vox.h"
+#include "lattice/vox_scene.h"
 
 namespace stig {
 
 namespace {
-
-constexpr std::int32_t kModelSide = 256;
-constexpr std::uint32_t kVersion = 150;
 
 void put_chunk(std::string& out, std::string_view id, std::string_view content) {
   out += id;
@@ -51,7 +49,7 @@ std::vector<PlacedBrick> sorted_by_block(const Structure& structure, Cell low) {
   std::vector<PlacedBrick> bricks = structure.bricks();
   const auto block = [low](const PlacedBrick& b) {
     const Offset from = b.at - low;
-    return Offset{from.x / kModelSide, from.y / kModelSide, from.z / kModelSide};
+    return Offset{from.x / kVoxModelSide, from.y / kVoxModelSide, from.z / kVoxModelSide};
   };
   std::stable_sort(bricks.begin(), bricks.end(),
                    [&](const PlacedBrick& a, const PlacedBrick& b) { return block(a) < block(b); });
@@ -76,8 +74,8 @@ std::vector<Block> blocks_of(const Structure& structure) {
   const std::vector<PlacedBrick> bricks = sorted_by_block(structure, low);
   const auto same_block = [low](const PlacedBrick& a, const PlacedBrick& b) {
     const Offset p = a.at - low, q = b.at - low;
-    return p.x / kModelSide == q.x / kModelSide && p.y / kModelSide == q.y / kModelSide &&
-           p.z / kModelSide == q.z / kModelSide;
+    return p.x / kVoxModelSide == q.x / kVoxModelSide &&
+           p.y / kVoxModelSide == q.y / kVoxModelSide && p.z / kVoxModelSide == q.z / kVoxModelSide;
   };
   for (std::size_t begin = 0; begin < bricks.size();) {
     std::size_t end = begin;
@@ -145,7 +143,7 @@ std::string print_vox(const Structure& structure, const std::vector<Brick>& bric
   put_scene(children, blocks);
   put_chunk(children, "RGBA", palette_content(bricks));
   std::string out = "VOX ";
-  put(out, kVersion);
+  put(out, kVoxVersion);
   out += "MAIN";
   put(out, std::uint32_t{0});
   put(out, static_cast<std::uint32_t>(children.size()));

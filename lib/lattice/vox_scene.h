@@ -14,6 +14,9 @@
 
 namespace stig {
 
+inline constexpr std::uint32_t kVoxVersion = 150;   ///< of the format, as it is written here
+inline constexpr std::int32_t kVoxModelSide = 256;  ///< the most cells of a model along x, y or z
+
 struct VoxTransform {
   /// Row i of the rotation is sign[i] at column axis[i].
   std::array<std::uint8_t, 3> axis{0, 1, 2};

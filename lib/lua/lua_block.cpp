@@ -12,7 +12,7 @@ namespace stig {
 
 namespace {
 
-BlockCommands& commands_of(lua_State* state) {
+BlockCommands& block_commands(lua_State* state) {
   auto* side = static_cast<LuaSide*>(LuaBox::of(state).user());
   return *static_cast<BlockSide*>(side)->commands;
 }
@@ -34,7 +34,7 @@ constexpr std::array<Name, 11> kNames{{{"off", 0},
                                        {"Q4", 4},
                                        {"blue", 4}}};
 
-std::uint8_t colour_argument(lua_State* state, int index, const char* function) {
+std::uint8_t led_argument(lua_State* state, int index, const char* function) {
   if (lua_type(state, index) == LUA_TNUMBER) {
     return static_cast<std::uint8_t>(integer_argument(state, index, function, "color", 0, 4));
   }
@@ -48,9 +48,9 @@ std::uint8_t colour_argument(lua_State* state, int index, const char* function) 
 }
 
 int set_all_colors(lua_State* state) {
-  const std::uint8_t colour = colour_argument(state, 1, "directional_leds.set_all_colors");
-  commands_of(state).leds.clear();
-  commands_of(state).all_leds = colour;
+  const std::uint8_t colour = led_argument(state, 1, "directional_leds.set_all_colors");
+  block_commands(state).leds.clear();
+  block_commands(state).all_leds = colour;
   return 0;
 }
 
@@ -58,15 +58,15 @@ int set_single_color(lua_State* state) {
   constexpr const char* kFunction = "directional_leds.set_single_color";
   const auto led =
       static_cast<std::size_t>(integer_argument(state, 1, kFunction, "index", 1, kBlockLeds) - 1);
-  const std::uint8_t colour = colour_argument(state, 2, kFunction);
-  auto& leds = commands_of(state).leds;
+  const std::uint8_t colour = led_argument(state, 2, kFunction);
+  auto& leds = block_commands(state).leds;
   std::erase_if(leds, [&](const auto& entry) { return entry.first == led; });
   leds.emplace_back(led, colour);
   return 0;
 }
 
-int send(lua_State* state) {
-  add_message(state, commands_of(state).sends, kBlockRadios);
+int block_send(lua_State* state) {
+  add_message(state, block_commands(state).sends, kBlockRadios);
   return 0;
 }
 
@@ -80,7 +80,7 @@ void open_block(lua_State* state, BlockSide& side) {
   put(state, "directional_leds");
   lua_newtable(state);
   for (std::size_t i = 0; i < kBlockRadios; ++i) {
-    push_radio(state, i, send);
+    push_radio(state, i, block_send);
     side.radios.push_back(keep_table(state));
     put(state, kBlockRadioNames[i]);
   }

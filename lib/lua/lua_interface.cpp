@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostLogged = std::size_t{64} << 10;  ///< bytes a call
 constexpr std::size_t kMostLine = 2000;
-constexpr std::size_t kMostMessage = 1024;
+constexpr std::size_t kMostSent = 1024;
 constexpr std::size_t kMostMessages = 64;  ///< of a radio in a step
 
 LuaSide& side_of(lua_State* state) { return *static_cast<LuaSide*>(LuaBox::of(state).user()); }
@@ -89,8 +89,8 @@ void push_value(lua_State* state, const LuaValue& value) {
 /// The bytes of the list at index 1.
 Message bytes_of(lua_State* state) {
   const lua_Unsigned size = lua_rawlen(state, 1);
-  if (size > kMostMessage)
-    luaL_error(state, "send: a message has at most %d bytes", static_cast<int>(kMostMessage));
+  if (size > kMostSent)
+    luaL_error(state, "send: a message has at most %d bytes", static_cast<int>(kMostSent));
   Message message;
   for (lua_Unsigned i = 1; i <= size; ++i) {
     lua_rawgeti(state, 1, static_cast<lua_Integer>(i));
@@ -114,8 +114,8 @@ Message message_argument(lua_State* state) {
     bad_argument(state, 1, "send", "message", "a list of bytes or a text");
   }
   const std::string_view text = text_argument(state, 1, "send", "message");
-  if (text.size() > kMostMessage) {
-    luaL_error(state, "send: a message has at most %d bytes", static_cast<int>(kMostMessage));
+  if (text.size() > kMostSent) {
+    luaL_error(state, "send: a message has at most %d bytes", static_cast<int>(kMostSent));
   }
   return Message(text);
 }

@@ -17,15 +17,15 @@ namespace {
 constexpr std::size_t kMostShown = 256;  ///< of each kind in a step
 constexpr std::size_t kMostShownText = 1000;
 
-RobotSide& side_of(lua_State* state) {
+RobotSide& robot_side(lua_State* state) {
   return *static_cast<RobotSide*>(static_cast<LuaSide*>(LuaBox::of(state).user()));
 }
-RobotCommands& commands_of(lua_State* state) { return *side_of(state).commands; }
+RobotCommands& robot_commands(lua_State* state) { return *robot_side(state).commands; }
 
 // ---- Camera ----
 
 int set_camera(lua_State* state, bool enabled) {
-  RobotSide& side = side_of(state);
+  RobotSide& side = robot_side(state);
   side.commands->camera_enabled.resize(side.model.cameras.size());
   side.commands->camera_enabled[device_of(state)] = enabled;
   return 0;
@@ -36,7 +36,7 @@ int disable_camera(lua_State* state) { return set_camera(state, false); }
 /// detect_led(vector3 in the camera's frame): 0 to 4.
 int detect_led(lua_State* state) {
   const Vec3 p_C = vector_argument(state, 1, "camera_system.detect_led", "position");
-  const RobotSide& side = side_of(state);
+  const RobotSide& side = robot_side(state);
   const std::size_t place = device_of(state);
   const bool sees = side.readings != nullptr && place < side.readings->cameras.size() &&
                     side.readings->cameras[place].enabled;
@@ -60,28 +60,28 @@ int set_velocity(lua_State* state) {
   constexpr const char* kName = "differential_drive.set_target_velocity";
   const double left = number_argument(state, 1, kName, "left");
   const double right = number_argument(state, 2, kName, "right");
-  commands_of(state).wheels = {left, -right};
+  robot_commands(state).wheels = {left, -right};
   return 0;
 }
 
 int set_lift(lua_State* state) {
   const double position = number_argument(state, 1, "lift_system.set_position", "position");
-  commands_of(state).lift = {LiftCommand::Kind::position, position};
+  robot_commands(state).lift = {LiftCommand::Kind::position, position};
   return 0;
 }
 int stop_lift(lua_State* state) {
-  commands_of(state).lift = {LiftCommand::Kind::stop, 0};
+  robot_commands(state).lift = {LiftCommand::Kind::stop, 0};
   return 0;
 }
 int calibrate_lift(lua_State* state) {
-  commands_of(state).lift = {LiftCommand::Kind::calibrate, 0};
+  robot_commands(state).lift = {LiftCommand::Kind::calibrate, 0};
   return 0;
 }
 
 int set_discharge(lua_State* state) {
   constexpr const char* kName = "electromagnet_system.set_discharge_mode";
   const std::string_view mode = text_argument(state, 1, kName, "mode");
-  auto& discharge = commands_of(state).discharge;
+  auto& discharge = robot_commands(state).discharge;
   if (mode == "constructive") {
     discharge = Discharge::constructive;
   } else if (mode == "destructive") {
@@ -95,15 +95,15 @@ int set_discharge(lua_State* state) {
 }
 
 int set_joint(lua_State* state) {
-  RobotSide& side = side_of(state);
+  RobotSide& side = robot_side(state);
   const double target = number_argument(state, 1, "joint.set_target", "target");
   side.commands->joints.resize(side.model.actuators.size());
   side.commands->joints[device_of(state)] = target;
   return 0;
 }
 
-int send(lua_State* state) {
-  RobotSide& side = side_of(state);
+int robot_send(lua_State* state) {
+  RobotSide& side = robot_side(state);
   add_message(state, side.commands->sends, side.model.radios.size());
   return 0;
 }
@@ -128,7 +128,7 @@ constexpr std::array<NamedColour, 12> kColours{{{"black", {0, 0, 0}},
                                                 {"gray", {128, 128, 128}}}};
 
 /// A name, "#rrggbb", or three numbers from 0 to 255, from `index` on.
-Rgb colour_argument(lua_State* state, int index, const char* function) {
+Rgb rgb_argument(lua_State* state, int index, const char* function) {
   if (lua_type(state, index) == LUA_TNUMBER) {
     std::array<std::uint8_t, 3> parts{};
     for (int i = 0; i < 3; ++i) {
@@ -156,16 +156,16 @@ void set_led(RobotCommands& commands, std::size_t led, Rgb rgb) {
   }
 }
 int set_leds(lua_State* state) {
-  const Rgb rgb = colour_argument(state, 1, "leds.set_leds");
-  RobotSide& side = side_of(state);
+  const Rgb rgb = rgb_argument(state, 1, "leds.set_leds");
+  RobotSide& side = robot_side(state);
   for (std::size_t i = 0; i < side.model.leds.size(); ++i) set_led(*side.commands, i, rgb);
   return 0;
 }
 int set_led_index(lua_State* state) {
-  RobotSide& side = side_of(state);
+  RobotSide& side = robot_side(state);
   const auto count = static_cast<std::int64_t>(side.model.leds.size());
   const std::int64_t led = integer_argument(state, 1, "leds.set_led_index", "index", 1, count);
-  const Rgb rgb = colour_argument(state, 2, "leds.set_led_index");
+  const Rgb rgb = rgb_argument(state, 2, "leds.set_led_index");
   set_led(*side.commands, static_cast<std::size_t>(led - 1), rgb);
   return 0;
 }
@@ -187,21 +187,21 @@ void show(lua_State* state, List& list, std::string_view name, Value value) {
 int show_number(lua_State* state) {
   const std::string_view name = text_argument(state, 1, "show.number", "name");
   const double number = number_argument(state, 2, "show.number", "value");
-  show(state, commands_of(state).user.numbers, name, number);
+  show(state, robot_commands(state).user.numbers, name, number);
   return 0;
 }
 int show_text(lua_State* state) {
   const std::string_view name = text_argument(state, 1, "show.text", "name");
   luaL_checkany(state, 2);
   std::string text(push_text(state, 2).substr(0, kMostShownText));
-  show(state, commands_of(state).user.texts, name, std::move(text));
+  show(state, robot_commands(state).user.texts, name, std::move(text));
   return 0;
 }
 int show_arrow(lua_State* state) {
   const Vec3 from = vector_argument(state, 1, "show.arrow", "from");
   const Vec3 to = vector_argument(state, 2, "show.arrow", "to");
-  const Rgb rgb = lua_isnoneornil(state, 3) ? Rgb{} : colour_argument(state, 3, "show.arrow");
-  auto& arrows = commands_of(state).user.arrows;
+  const Rgb rgb = lua_isnoneornil(state, 3) ? Rgb{} : rgb_argument(state, 3, "show.arrow");
+  auto& arrows = robot_commands(state).user.arrows;
   if (arrows.size() >= kMostShown) return luaL_error(state, "robot.show: too much in one step");
   arrows.push_back({from, to, rgb});
   return 0;
@@ -307,7 +307,7 @@ void put_radios(lua_State* state, RobotSide& side) {
   if (side.model.radios.empty()) return;
   lua_newtable(state);
   for (std::size_t i = 0; i < side.model.radios.size(); ++i) {
-    push_radio(state, i, send);
+    push_radio(state, i, robot_send);
     side.radios.push_back(keep_table(state));
     put(state, side.model.radios[i].name.c_str());
   }

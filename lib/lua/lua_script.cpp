@@ -185,11 +185,6 @@ int measure(lua_State* state) {
   return 0;
 }
 
-struct Job {
-  ScriptSide* side;
-  const char* function;
-};
-
 int open_and_run(lua_State* state) {
   push_robot(state);  // for log and print; a script is no robot
   lua_pop(state, 1);
@@ -220,7 +215,7 @@ int open_and_run(lua_State* state) {
 }
 
 int call_function(lua_State* state) {
-  const char* function = static_cast<Job*>(lua_touserdata(state, 1))->function;
+  const char* function = *static_cast<const char**>(lua_touserdata(state, 1));
   lua_pushglobaltable(state);
   lua_pushstring(state, function);
   const int type = lua_rawget(state, -2);
@@ -260,10 +255,10 @@ ControllerStatus LuaScript::call(ScriptCall which, ScriptWorld& world,
   own.side.world = &world;
   own.side.log = &log;
   own.side.logged = 0;
-  Job job{&own.side, kNames[static_cast<std::size_t>(which)]};
-  if (!own.begun) own.status = own.box.run(open_and_run, &job);
+  const char* name = kNames[static_cast<std::size_t>(which)];
+  if (!own.begun) own.status = own.box.run(open_and_run, nullptr);
   own.begun = true;
-  if (own.status.ok) own.status = own.box.run(call_function, &job);
+  if (own.status.ok) own.status = own.box.run(call_function, &name);
   own.side.world = nullptr;
   own.side.log = nullptr;
   return own.status;

@@ -4,25 +4,19 @@
 #include "base/load.h"
 #include "base/yaml.h"
 #include "robots/block.h"
+#include "robots/form_keys.h"
 
 namespace stig {
 
 namespace {
 
-using enum FormKind;
+using namespace keys;
 
 constexpr std::size_t kMaxBlockFileBytes = std::size_t{1} << 16;
 
-// Members left out have their defaults.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wmissing-field-initializers"
-
 /// A number that must be there.
 FormKey needed(std::string_view name, std::string_view doc, double low, double high) {
-  return {.name = name, .kind = number, .required = true, .doc = doc, .low = low, .high = high};
-}
-FormKey part(std::string_view name, std::string_view doc, const Form& form) {
-  return {.name = name, .kind = FormKind::form, .doc = doc, .form = &form};
+  return required(number(name, doc, low, high));
 }
 
 const Form& body_keys() {
@@ -48,7 +42,7 @@ const Form& tag_keys() {
       "block's tags",
       {needed("side", "m, of the square within the white border.", 1e-4, 10),
        needed("widest", "Degrees off the normal at which it is read still.", 0, 89.9),
-       {.name = "proud", .kind = number, .doc = "m that it stands out.", .low = 0, .high = 0.1}}};
+       number("proud", "m that it stands out.", 0, 0.1)}};
   return kKeys;
 }
 
@@ -63,38 +57,25 @@ const Form& led_keys() {
 const Form& radio_keys() {
   static const Form kKeys{
       "block's radios",
-      {{.name = "depth", .kind = number, .doc = "m below the face's middle.", .low = 0, .high = 1},
-       needed("range", "m.", 1e-4, 10)}};
+      {number("depth", "m below the face's middle.", 0, 1), needed("range", "m.", 1e-4, 10)}};
   return kKeys;
 }
 
 const Form& block_form() {
   static const Form kForm{
       "block file",
-      {{.name = "stigc_block",
-        .kind = version,
-        .required = true,
-        .doc = "Version of the format: 1.",
-        .high = 1},
-       {.name = "name", .kind = FormKind::name, .required = true, .doc = "A short name."},
-       {.name = "title", .kind = text, .doc = "One line for people."},
-       {.name = "source", .kind = text, .doc = "Where the figures are from."},
-       {.name = "body",
-        .kind = form,
-        .required = true,
-        .doc = "A cube of one mass.",
-        .form = &body_keys()},
+      {version("stigc_block", "Version of the format: 1.", 1),
+       required(words("name", FormKind::name, "A short name.")),
+       words("title", FormKind::text, "One line for people."),
+       words("source", FormKind::text, "Where the figures are from."),
+       required(part("body", "A cube of one mass.", body_keys())),
        part("magnets", "Eight spheres in the corners, free to turn.", magnet_keys()),
        part("tags", "One on each face.", tag_keys()),
        part("leds", "Four on each face, directional.", led_keys()),
        part("radios", "One behind each face, near field, half duplex.", radio_keys()),
-       {.name = "program",
-        .kind = FormKind::name,
-        .doc = "Lua file that it runs in scenes with robots."}}};
+       words("program", FormKind::name, "Lua file that it runs in scenes with robots.")}};
   return kForm;
 }
-
-#pragma GCC diagnostic pop
 
 BlockModel read_model(const FormView& root) {
   BlockModel out;

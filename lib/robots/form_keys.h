@@ -10,6 +10,8 @@
 
 namespace stig::keys {
 
+inline constexpr double kFar = 10;  ///< m, of a robot's parts from each other
+
 // Members left out have their defaults.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"

@@ -8,8 +8,6 @@ namespace {
 
 using namespace keys;
 
-constexpr double kFar = 10;  ///< m
-
 FormKey device_name() { return required(words("name", FormKind::name, "What programs call it.")); }
 FormKey on_body() { return required(words("body", FormKind::name, "The body it is fixed to.")); }
 FormKey at() { return vector("at", "Where, metres, body's frame (default: its origin).", kFar); }

@@ -9,7 +9,6 @@ namespace {
 
 using namespace keys;
 
-constexpr double kFar = 10;         ///< m, of a robot's parts from each other
 constexpr double kHeavy = 1e5;      ///< kg
 constexpr std::size_t kMany = 200;  ///< bodies, joints, devices of a kind
 

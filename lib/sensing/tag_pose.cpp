@@ -8,7 +8,7 @@ namespace stig {
 
 namespace {
 
-constexpr int kMostRounds = 40;
+constexpr int kMostFitRounds = 40;
 constexpr double kNoError = 1e-18;   ///< px², summed: nothing to gain below
 constexpr double kNoGain = 1e-10;    ///< of the error: refinement has ended
 constexpr double kFlattest = 1e-3;   ///< of a corner's triangle: twice its area by longest edge²
@@ -206,7 +206,7 @@ Fit refine(const Corners& corners, const Pose& start) {
   Fit fit{start, 0};
   Normal n = normal_at(corners, start);
   double damping = 1e-6;
-  for (int round = 0; round < kMostRounds && n.cost > kNoError && damping < 1e9; ++round) {
+  for (int round = 0; round < kMostFitRounds && n.cost > kNoError && damping < 1e9; ++round) {
     std::array<double, 6> d{};
     if (!solve(n, damping, d)) {
       damping = damping * 10;

@@ -3,16 +3,11 @@
 
 #include <fmt/format.h>
 
+#include "rules/cell_text.h"
 #include "rules/rule_table.h"
 #include "synthesis/local_views.h"
 
 namespace stig {
-namespace {
-
-std::string at(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
-
-}  // namespace
-
 std::optional<std::string> find_fault(const Schedule& schedule, const Colouring& colours,
                                       const RuleSet& rules) {
   const Frame& frame = *schedule.frame;
@@ -24,16 +19,16 @@ std::optional<std::string> find_fault(const Schedule& schedule, const Colouring&
       const bool intended = schedule.intended(site, mask);
       table.matches(view_of(frame, site, mask, colours), site.at.z, 1, matches);
       if (matches.empty() && intended) {
-        return fmt::format("no rule places the brick at {}", at(site.at));
+        return fmt::format("no rule places the brick at {}", cell_text(site.at));
       }
       for (const Match& match : matches) {
         if (!intended) {
           return fmt::format("rule '{}' fires at {} when it must not", rules.rules[match.rule].name,
-                             at(site.at));
+                             cell_text(site.at));
         }
         if (table.place(match.rule) != colours[static_cast<std::size_t>(site.orbit)]) {
           return fmt::format("rule '{}' places another brick at {}", rules.rules[match.rule].name,
-                             at(site.at));
+                             cell_text(site.at));
         }
       }
     }

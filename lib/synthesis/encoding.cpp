@@ -6,8 +6,6 @@
 
 namespace stig {
 
-using Kind = ClauseKind::Kind;
-
 namespace {
 constexpr std::size_t kMostForPairs = 16;
 }  // namespace
@@ -22,22 +20,22 @@ void Encoding::emit_domains(const std::vector<int>& naming, const Sink& sink) co
       if (orbits[i].colours.contains(static_cast<State>(c))) {
         literals.push_back(has(orbit, c));
       } else {
-        sink(std::array{-has(orbit, c)}, {Kind::domain, orbit});
+        sink(std::array{-has(orbit, c)}, {ClauseKind::Kind::domain, orbit});
       }
     }
-    sink(literals, {Kind::colour_of, orbit});
+    sink(literals, {ClauseKind::Kind::colour_of, orbit});
     // Without these an orbit may have several colours, each of which will do: they help
     // the solver, but not where there are very many.
     if (literals.size() > kMostForPairs) continue;
     for (std::size_t a = 0; a < literals.size(); ++a) {
       for (std::size_t b = a + 1; b < literals.size(); ++b) {
-        sink(std::array{-literals[a], -literals[b]}, {Kind::one_colour, orbit});
+        sink(std::array{-literals[a], -literals[b]}, {ClauseKind::Kind::one_colour, orbit});
       }
     }
   }
   for (std::size_t i = 0; i < naming.size(); ++i) {
     for (int c = named_ + static_cast<int>(i) + 2; c <= k_; ++c) {
-      sink(std::array{-has(naming[i], c)}, {Kind::naming, static_cast<int>(i)});
+      sink(std::array{-has(naming[i], c)}, {ClauseKind::Kind::naming, static_cast<int>(i)});
     }
   }
 }
@@ -53,7 +51,7 @@ void Encoding::emit_pair(std::int32_t pair, bool as_equal, const Sink& sink) {
   defined[p] = true;
   const auto [a, b] = d_.pairs()[p];
   const int same = equal(pair);
-  const ClauseKind kind{Kind::pair, pair};
+  const ClauseKind kind{ClauseKind::Kind::pair, pair};
   for (int c = 1; c <= k_; ++c) {
     const int x = has(a, c), y = has(b, c);
     if (as_equal) {
@@ -78,7 +76,7 @@ void Encoding::emit_clashes(std::size_t first, const Sink& sink) {
       emit_pair(clause.equal, true, sink);
       literals.push_back(equal(clause.equal));
     }
-    sink(literals, {Kind::clash, static_cast<int>(i)});
+    sink(literals, {ClauseKind::Kind::clash, static_cast<int>(i)});
   }
 }
 

@@ -10,7 +10,7 @@ namespace stig {
 namespace {
 
 /// Steps of asking one fill at one kind of site.
-constexpr std::uint64_t kStepsOfAsking = 2;
+constexpr std::uint64_t kStepsOfFillAsked = 2;
 
 /// The different neighbourhoods at each height.
 using Kinds = std::map<std::int32_t, std::set<std::uint32_t>>;
@@ -39,7 +39,7 @@ class FillSearch {
         inside_(kinds_of(grid, grid.cells)),
         outside_(kinds_of(grid, grid.beside)) {
     for (const Kinds* kinds : {&inside_, &outside_}) {
-      for (const auto& [z, masks] : *kinds) steps_ += masks.size() * kStepsOfAsking;
+      for (const auto& [z, masks] : *kinds) steps_ += masks.size() * kStepsOfFillAsked;
     }
   }
 

@@ -9,7 +9,7 @@ namespace stig {
 namespace {
 
 /// Steps of placing a cell in an order, and of working out and looking up a state or a key.
-constexpr std::uint64_t kStepsOfCell = 2'500, kStepsOfState = 50, kStepsOfKey = 100;
+constexpr std::uint64_t kStepsOfCell = 2'500, kStepsOfLocalState = 50, kStepsOfKey = 100;
 
 using Masks = std::array<std::uint32_t, kMaxNeighbours>;
 
@@ -121,7 +121,7 @@ void add_keys(std::size_t orbit, Schedule& schedule) {
 
 std::uint64_t cost_of(const Schedule& schedule) {
   return schedule.frame->cells.size() * kStepsOfCell +
-         schedule.states.masks.size() * kStepsOfState +
+         schedule.states.masks.size() * kStepsOfLocalState +
          schedule.keys.size() * schedule.frame->group.size() * kStepsOfKey;
 }
 

@@ -7,7 +7,7 @@ namespace stig {
 namespace {
 
 /// Steps of asking one rule at one site.
-constexpr std::uint64_t kStepsOfAsking = 8;
+constexpr std::uint64_t kStepsOfRule = 8;
 
 /// What a rule asks of one neighbour.
 struct Asked {
@@ -52,7 +52,7 @@ class GrowthJudge {
     order_ = {start_};
     placed_[static_cast<std::size_t>(start_)] = 1;
     for (std::size_t next = 0; next < order_.size() && !allowance_.passed(); ++next) {
-      allowance_.spend(grid_.step.size() * rules_.size() * kStepsOfAsking);
+      allowance_.spend(grid_.step.size() * rules_.size() * kStepsOfRule);
       for (const std::int32_t step : grid_.step) {
         const std::int32_t site = order_[next] - step;
         if (!grid_.is_solid(site) || has(site) || !any_rule(site)) continue;
@@ -96,7 +96,7 @@ class GrowthJudge {
 
   /// Does a rule place a wrong brick here when all of the target is around it?
   bool wrong_at(std::int32_t site) const {
-    allowance_.spend(rules_.size() * kStepsOfAsking);
+    allowance_.spend(rules_.size() * kStepsOfRule);
     return std::any_of(rules_.begin(), rules_.end(), [&](const AskingRule& rule) {
       return rule.place != colour(site) && matches(rule, site, Absences::granted, true);
     });

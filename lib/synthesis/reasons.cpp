@@ -7,12 +7,12 @@
 #include <array>
 #include <bit>
 
+#include "rules/cell_text.h"
+
 namespace stig {
 namespace {
 
 using Kind = Obstacle::Kind;
-
-std::string at(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
 /// Cells reached from the start by steps between neighbours.
 std::vector<bool> reached(const Target& target, const std::vector<Cell>& start) {
@@ -37,7 +37,7 @@ std::optional<Obstacle> start_problem(const Target& target, const Placing& placi
     if (index_in(target.cells, c) < 0) {
       return Obstacle{Kind::bad_start,
                       true,
-                      fmt::format("the start {} is not a cell of the target", at(c)),
+                      fmt::format("the start {} is not a cell of the target", cell_text(c)),
                       "",
                       {}};
     }
@@ -62,7 +62,7 @@ std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placi
                     true,
                     fmt::format("{} of {} cells, {} the first, are not connected to the start: no "
                                 "rule can see from one part to the other",
-                                cut_off, target.cells.size(), at(target.cells[first])),
+                                cut_off, target.cells.size(), cell_text(target.cells[first])),
                     "",
                     {}};
   }
@@ -73,10 +73,12 @@ std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placi
         asymmetry->colours_differ
             ? fmt::format("the target is not symmetric about the start: {} and its image {} ({}) "
                           "have different colours",
-                          at(asymmetry->cell), at(asymmetry->image), asymmetry->orientation)
+                          cell_text(asymmetry->cell), cell_text(asymmetry->image),
+                          asymmetry->orientation)
             : fmt::format("the target is not symmetric about the start: it has {}, but not its "
                           "image {} ({})",
-                          at(asymmetry->cell), at(asymmetry->image), asymmetry->orientation),
+                          cell_text(asymmetry->cell), cell_text(asymmetry->image),
+                          asymmetry->orientation),
         "",
         {}};
   }
@@ -135,7 +137,7 @@ bool in_a_row(const std::vector<Cell>& cells) {
 std::string list(const std::vector<Cell>& cells) {
   std::string out;
   for (std::size_t i = 0; i < std::min<std::size_t>(cells.size(), 12); ++i) {
-    out += (i == 0 ? "" : ", ") + at(cells[i]);
+    out += (i == 0 ? "" : ", ") + cell_text(cells[i]);
   }
   return cells.size() > 12 ? out + ", …" : out;
 }
@@ -151,8 +153,8 @@ std::string draw_pair(const Schedule& schedule, const Clash& clash,
   const Key& key = schedule.keys[static_cast<std::size_t>(clash.key)];
   const Site& q = frame.sites[static_cast<std::size_t>(key.site)];
   const Site& s = frame.sites[static_cast<std::size_t>(clash.site)];
-  return fmt::format("  {}, to be placed:\n{}  {}, {}:\n{}", at(q.at),
-                     draw_site(frame, q, key.mask, bricks), at(s.at), what_belongs(clash, s),
+  return fmt::format("  {}, to be placed:\n{}  {}, {}:\n{}", cell_text(q.at),
+                     draw_site(frame, q, key.mask, bricks), cell_text(s.at), what_belongs(clash, s),
                      draw_site(frame, s, clash.mask, bricks));
 }
 
@@ -165,8 +167,8 @@ Obstacle describe_look_alikes(const Schedule& schedule, const Clash& clash, cons
   const Site& s = frame.sites[static_cast<std::size_t>(clash.site)];
   return {Kind::look_alike,
           false,
-          fmt::format("where {} is to be placed it looks like {}, {}", at(q.at), at(s.at),
-                      what_belongs(clash, s)),
+          fmt::format("where {} is to be placed it looks like {}, {}", cell_text(q.at),
+                      cell_text(s.at), what_belongs(clash, s)),
           draw_pair(schedule, clash, target.bricks),
           {}};
 }

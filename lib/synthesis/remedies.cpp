@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "base/text.h"
+#include "rules/cell_text.h"
 #include "synthesis/reasons.h"
 #include "synthesis/recolour.h"
 #include "synthesis/scaffold.h"
@@ -130,8 +131,8 @@ class RemedyFinder {
     if (!solution) return;
     std::string changes;
     for (const auto& [cell, colour] : found->changes) {
-      changes += fmt::format("{}({}, {}, {}) as {}", changes.empty() ? "" : ", ", cell.x, cell.y,
-                             cell.z, target_.bricks[colour - 1U].symbol);
+      changes += fmt::format("{}{} as {}", changes.empty() ? "" : ", ", cell_text(cell),
+                             target_.bricks[colour - 1U].symbol);
     }
     add(fmt::format("colour {}", changes), *solution);
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "physical/readout/lattice_reading.h"
@@ -12,7 +13,6 @@
 namespace stig {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kStartTolerance = 0.002;  ///< m, of a start brick from its cell
 
 Vec3 vector_of(Offset o) {
@@ -49,7 +49,7 @@ bool holds_start(const RuleSet& rules, const BuildSite& site,
 /// the block's own axes.
 BuildSite site_of(const PlacedBrick& first, const Pose& X_WB, double side, int quarters) {
   const Mat3 own = beyond_cube_turn(matrix(X_WB.q));
-  const double yaw = std::atan2(own.x.y, own.x.x) + quarters * kPi / 2;
+  const double yaw = std::atan2(own.x.y, own.x.x) + quarters * std::numbers::pi / 2;
   BuildSite site{{{}, rotation({0, 0, yaw})}, side};
   site.X_WL.p = X_WB.p - rotate(site.X_WL.q, vector_of(first.at - Cell{}) * side);
   return site;

@@ -5,13 +5,13 @@
 
 #include <cmath>
 
+#include "base/degree.h"
+#include "rules/cell_text.h"
+
 namespace stig {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
 constexpr double kComesBy = 0.40;  ///< m: robots come straight at a site from 0.30 m
-
-std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
 void of_bricks(const BuildTarget& target, const Judgement& judgement,
                std::vector<std::string>& out) {

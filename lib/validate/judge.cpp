@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "physical/readout/lattice_reading.h"
+#include "rules/cell_text.h"
 #include "validate/replay_events.h"
 
 namespace stig {
@@ -135,7 +136,7 @@ std::string brick_text(const RuleSet& rules, Led led, Cell cell) {
   const std::string what = colour != 0       ? rules.brick(colour).name + " brick"
                            : led == Led::off ? std::string("dark block")
                                              : fmt::format("{} block", to_string(led));
-  return fmt::format("a {} at ({}, {}, {})", what, cell.x, cell.y, cell.z);
+  return fmt::format("a {} at {}", what, cell_text(cell));
 }
 
 Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& blocks,

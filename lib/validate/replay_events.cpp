@@ -7,6 +7,7 @@
 #include <map>
 
 #include "lattice/swarm.h"
+#include "rules/cell_text.h"
 #include "rules/drawing.h"
 #include "rules/explain.h"
 #include "rules/rule_printer.h"
@@ -14,8 +15,6 @@
 
 namespace stig {
 namespace {
-
-std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
 std::string seen_text(const RuleSet& rules, State state) {
   if (state == kEmpty) return "nothing";

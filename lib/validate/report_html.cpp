@@ -7,14 +7,14 @@
 #include <iterator>
 #include <optional>
 
+#include "base/degree.h"
 #include "base/text.h"
+#include "rules/cell_text.h"
 #include "validate/findings.h"
 #include "validate/progress_svg.h"
 
 namespace stig {
 namespace {
-
-constexpr double kDegree = 3.14159265358979323846 / 180;
 
 constexpr std::string_view kHead = R"(<!DOCTYPE html>
 <html lang="en">
@@ -100,7 +100,6 @@ class Page {
   std::string out_;
 };
 
-std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 std::string fixed(double v, int digits) { return fmt::format("{:.{}f}", v + 0.0, digits); }
 
 void runs(const ValidationReport& report, Page& page) {

@@ -8,8 +8,8 @@
 namespace stig {
 namespace {
 
-constexpr std::size_t kMostSites = 50;   ///< looked at
-constexpr std::size_t kFarthest = 5000;  ///< bricks visited from one
+constexpr std::size_t kMostLookedAt = 50;  ///< looked at
+constexpr std::size_t kFarthest = 5000;    ///< bricks visited from one
 
 std::uint32_t neighbour(const StageModel& model, std::uint32_t brick, int index) {
   const Neighbourhood& n = model.table().neighbours();
@@ -44,7 +44,7 @@ bool add_far_chains(const StageModel& model, const std::vector<LocalFailure>& fa
                     Invariant& invariant) {
   bool added = false;
   StageSite site;
-  for (std::size_t k = 0; k < std::min(kMostSites, failures.size()); ++k) {
+  for (std::size_t k = 0; k < std::min(kMostLookedAt, failures.size()); ++k) {
     model.look(failures[k].site, site);
     const LocalOrder order = local_order(model, invariant, site);
     for (Mask left = site.bricks; left != 0; left &= left - 1) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kDepositsOfRuns = 200'000;  ///< in all runs after the first
 constexpr std::size_t kMostRuns = 32;
-constexpr std::size_t kMostAttempts = 24;  ///< at orders that a failed proof suggests
+constexpr std::size_t kMostOrdersTried = 24;  ///< at orders that a failed proof suggests
 
 }  // namespace
 
@@ -131,7 +131,7 @@ bool OtherOrders::provoked(const Invariant& invariant, const std::vector<LocalFa
   std::size_t attempts = 0;
   for (const LocalFailure& failure : failures) {
     if (failure.kind == LocalFailure::Kind::too_many) continue;
-    if (attempts++ >= kMostAttempts || budget_.spent()) break;
+    if (attempts++ >= kMostOrdersTried || budget_.spent()) break;
     for (const Window& window : invariant.windows) {
       if (window.context.empty() && shown_by(window, failure)) return true;
     }

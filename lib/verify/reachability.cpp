@@ -12,7 +12,7 @@ namespace stig {
 namespace {
 
 constexpr std::int64_t kMostCells = std::int64_t{1} << 26;  ///< of the region looked at
-constexpr std::size_t kMostAttempts = 24;
+constexpr std::size_t kMostSitesTried = 24;
 constexpr std::uint64_t kAttemptWork = 2'000'000'000;  ///< steps
 
 /// The bounding box of a structure and one cell more to every side, as far as agents get.
@@ -132,7 +132,7 @@ class Reachability {
     }
     std::reverse(doubtful.begin(), doubtful.end());
     for (std::size_t k = 0; k < doubtful.size(); ++k) {
-      const bool tried = k < kMostAttempts && findings.walled_in.size() < kMostWalledIn;
+      const bool tried = k < kMostSitesTried && findings.walled_in.size() < kMostWalledIn;
       if (tried && wall_in(doubtful[k], findings)) continue;
       ++findings.maybe_walled_in;
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/text.h"
+#include "rules/cell_text.h"
 #include "verify/far_order.h"
 #include "verify/groups.h"
 #include "verify/other_orders.h"
@@ -17,8 +18,6 @@ namespace {
 
 constexpr int kMostWitnesses = 6;
 constexpr int kMostFarRounds = 3;  ///< of looking for far chains
-
-std::string in_words(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
 class StageProver {
  public:
@@ -165,7 +164,7 @@ class StageProver {
     gave_up_ = true;
     proof_.open = fmt::format(
         "{} sites are not settled by the order of their neighbours{}", failures_.size(),
-        failures_.empty() ? "" : ", the first at " + in_words(model_.at(failures_[0].site)));
+        failures_.empty() ? "" : ", the first at " + cell_text(model_.at(failures_[0].site)));
   }
 
   void write_proof(const Groups& groups) {

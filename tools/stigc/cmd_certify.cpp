@@ -15,6 +15,7 @@
 #include "lattice/structure.h"
 #include "meant_box.h"
 #include "report.h"
+#include "rules/cell_text.h"
 #include "rules/rule_printer.h"
 #include "rules/worked_from.h"
 
@@ -34,7 +35,7 @@ std::optional<std::string> bytes_of(const std::string& path, std::size_t most, c
 std::string place_of(const std::optional<BoxSpec>& box) {
   if (!box) return "in unbounded space";
   return fmt::format("in the {}box {} at {}", box->periodic ? "periodic " : "", to_text(box->size),
-                     to_text(*box->origin));
+                     cell_text(*box->origin));
 }
 
 void print_verdict(const std::string& path, const std::string& refusal, App& app) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "base/text.h"
 #include "commands.h"
@@ -63,10 +62,6 @@ std::optional<std::string> line_map_of(const CompileFileOptions& options) {
   if (!options.output || is_standard_output(options.output)) return std::nullopt;
   if (target_of(options) != CompileTarget::lua) return std::nullopt;
   return *options.output + ".map";
-}
-
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
 }
 
 /// The scripts first: an experiment never names what is not there.

@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "lattice/swarm.h"
 #include "report.h"
+#include "rules/cell_text.h"
 #include "rules/explain.h"
 #include "rules/rule_printer.h"
 #include "rules/rule_table.h"
@@ -20,7 +21,7 @@ namespace {
 constexpr std::size_t kMostCells = 6;
 
 /// What is explained, and where.
-struct Scene {
+struct ExplainedSite {
   const RuleSet& rules;
   const Structure& structure;
   std::optional<Box> box;
@@ -35,7 +36,7 @@ struct Scene {
 };
 
 /// Why no brick can be placed in the site whatever the rules say; or empty.
-std::string site_problem(const Scene& scene) {
+std::string site_problem(const ExplainedSite& scene) {
   if (scene.rules.floor && scene.site.z < 0) return "the site is below the floor";
   if (scene.box && !scene.box->contains(scene.site)) return "the site is outside the box";
   const State state = scene.structure.at(scene.site);
@@ -54,7 +55,7 @@ std::string indented(std::string_view drawing, std::string_view indent) {
   return out;
 }
 
-std::string condition_in_words(const Scene& scene, const Rule& rule,
+std::string condition_in_words(const ExplainedSite& scene, const Rule& rule,
                                const FailedCondition& failed) {
   std::string bounds;
   if (failed.min && failed.max && *failed.min == *failed.max) {
@@ -79,13 +80,13 @@ std::string condition_in_words(const Scene& scene, const Rule& rule,
                      printable(symbol_of(scene.rules, count.of)), failed.seen);
 }
 
-std::string cell_in_words(const Scene& scene, const FailedCell& cell) {
-  return fmt::format("at {} wants {}, sees {}", to_text(scene.site + cell.offset),
+std::string cell_in_words(const ExplainedSite& scene, const FailedCell& cell) {
+  return fmt::format("at {} wants {}, sees {}", cell_text(scene.site + cell.offset),
                      printable(symbol_of(scene.rules, cell.wanted)),
                      printable(symbol_of(scene.rules, StateSet::of(cell.seen))));
 }
 
-std::string title(const Scene& scene, const RuleExplanation& said) {
+std::string title(const ExplainedSite& scene, const RuleExplanation& said) {
   const Rule& rule = scene.rules.rules[said.rule];
   std::string place;
   if (rule.range)
@@ -94,11 +95,11 @@ std::string title(const Scene& scene, const RuleExplanation& said) {
 }
 
 /// " turned 90°", or nothing when the rule has but one orientation.
-std::string turn_in_words(const Scene& scene, const RuleExplanation& said) {
+std::string turn_in_words(const ExplainedSite& scene, const RuleExplanation& said) {
   return said.orientations == 1 ? "" : " turned " + scene.orientation(said).name;
 }
 
-std::string rule_lines(const Scene& scene, const RuleExplanation& said, bool color) {
+std::string rule_lines(const ExplainedSite& scene, const RuleExplanation& said, bool color) {
   const Rule& rule = scene.rules.rules[said.rule];
   if (said.fires) {
     return fmt::format("{} {}{} and places {}\n", title(scene, said), green("fires", color),
@@ -123,10 +124,10 @@ std::string rule_lines(const Scene& scene, const RuleExplanation& said, bool col
   return out + dim(indented(draw_pattern(scene.rules, pattern), "      "), color);
 }
 
-void print_text(const Scene& scene, const ExplainOptions& options, App& app) {
+void print_text(const ExplainedSite& scene, const ExplainOptions& options, App& app) {
   const Explanation& explanation = scene.explanation;
   app.print(fmt::format("{}, stage {}, sees\n",
-                        bold("site " + to_text(scene.site), app.color_out()), explanation.stage));
+                        bold("site " + cell_text(scene.site), app.color_out()), explanation.stage));
   app.print(indented(draw_view(scene.rules, explanation.view), "      "));
   const std::string problem = site_problem(scene);
   if (!problem.empty()) {
@@ -143,7 +144,7 @@ void print_text(const Scene& scene, const ExplainOptions& options, App& app) {
   }
 }
 
-Json to_json(const Scene& scene, const RuleExplanation& said) {
+Json to_json(const ExplainedSite& scene, const RuleExplanation& said) {
   const Rule& rule = scene.rules.rules[said.rule];
   Json json{{"rule", said.rule + 1},
             {"name", rule.name},
@@ -169,7 +170,7 @@ Json to_json(const Scene& scene, const RuleExplanation& said) {
   return json;
 }
 
-void print_json(const Scene& scene, const ExplainOptions& options, App& app) {
+void print_json(const ExplainedSite& scene, const ExplainOptions& options, App& app) {
   Json json{{"ruleset", scene.rules.name},
             {"site", to_json(scene.site)},
             {"stage", scene.explanation.stage},
@@ -215,8 +216,8 @@ int run(const ExplainOptions& options, App& app) {
   if (rules->box) box = lay_box(*rules->box, rules->start, rules->floor);
   const RuleTable table(*rules);
   const View view = view_at(structure, table, box, options.at);
-  const Scene scene{*rules, structure, box, options.at,
-                    explain(*rules, view, options.at.z, options.stage)};
+  const ExplainedSite scene{*rules, structure, box, options.at,
+                            explain(*rules, view, options.at.z, options.stage)};
   options.json ? print_json(scene, options, app) : print_text(scene, options, app);
   return kOk;
 }

@@ -17,6 +17,7 @@
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
+#include "rules/cell_text.h"
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
 #include "structure_input.h"
@@ -158,7 +159,7 @@ std::string summary(const Synthesis& result, const Outcome& outcome) {
                                          proof.local_states)
                            : fmt::format("stigc verify says {}", to_string(proof.verdict)));
   for (const WalledIn& walled : outcome.findings.walled_in) {
-    out += line("walled in", to_text(walled.site) +
+    out += line("walled in", cell_text(walled.site) +
                                  " can be cut off before it is placed; stigc verify shows how");
   }
   for (const Solution& other : result.others) {

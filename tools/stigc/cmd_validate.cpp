@@ -112,7 +112,7 @@ class Validation {
   std::optional<std::string> controller_text() const {
     const auto library = read_runtime(app_);
     if (!library) return std::nullopt;
-    const std::string name = fs::path(options_.file).filename().string();
+    const std::string name = file_name(options_.file);
     return controller_lua(*rules_, name, plan_controller(*rules_, *robot_, compiled_), compiled_,
                           *library)
         .text;

@@ -83,6 +83,8 @@ int complain(const std::vector<std::string>& problems, int code, const App& app)
 
 }  // namespace
 
+std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
+
 int check_outputs(const std::vector<std::string>& paths, const App& app,
                   const std::string& folder) {
   KnownFiles known = standard_output();

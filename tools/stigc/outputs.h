@@ -12,6 +12,9 @@
 
 namespace stig {
 
+/// "tower.vox", of "models/tower.vox".
+std::string file_name(const std::string& path);
+
 /// An exit code: kUsage when one of these would be written over what has been read, over another
 /// or over standard output, or is no name for a file; kRunFailed when one cannot be written, as far
 /// as can be told beforehand. Links are followed. `folder`: the command makes it if it is not

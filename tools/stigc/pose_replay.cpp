@@ -137,7 +137,7 @@ int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
     progress.show(static_cast<double>(world.tick()) / static_cast<double>(trace.end.ticks),
                   fmt::format("tick {} of {}", world.tick(), trace.end.ticks));
   };
-  const VerifyReport report = verify_trace(trace, *loaded, hooks);
+  const TraceComparison report = verify_trace(trace, *loaded, hooks);
   progress.clear();
   if (options.json) {
     Json json = summary_json(trace, options.trace);

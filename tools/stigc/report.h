@@ -40,7 +40,6 @@ std::string run_lines(const RuleSet& rules, const SwarmConfig& config, const Swa
 /// The lines on what all runs share.
 std::string setting_lines(const RuleSet& rules, const SwarmConfig& config, bool color);
 
-std::string to_text(Cell cell);    ///< "(1, 0, 2)"
 std::string to_text(Offset size);  ///< "20×20×20"
 /// The drawing, when it is small enough to be looked at; otherwise empty.
 std::string small_drawing(const Structure& structure, const std::vector<Brick>& bricks);

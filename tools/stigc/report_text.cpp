@@ -5,6 +5,7 @@
 #include "base/hash.h"
 #include "lattice/structure_text.h"
 #include "report.h"
+#include "rules/cell_text.h"
 
 namespace stig {
 namespace {
@@ -21,7 +22,7 @@ std::string count(std::uint64_t number, std::string_view one, std::string_view m
 
 std::string box_in_words(const std::optional<Box>& box) {
   if (!box) return "unbounded";
-  return fmt::format("{} from {}, {} sides", to_text(box->size), to_text(box->low),
+  return fmt::format("{} from {}, {} sides", to_text(box->size), cell_text(box->low),
                      box->periodic ? "periodic" : "solid");
 }
 
@@ -86,7 +87,6 @@ std::string rule_table(const RuleSet& rules, const SwarmResult& result, bool col
 
 }  // namespace
 
-std::string to_text(Cell c) { return fmt::format("({}, {}, {})", c.x, c.y, c.z); }
 std::string to_text(Offset s) { return fmt::format("{}×{}×{}", s.x, s.y, s.z); }
 
 std::string line(std::string_view label, std::string_view text) {
@@ -97,7 +97,8 @@ std::string structure_lines(const Structure& structure, const std::vector<Brick>
   const Measures m = measure(structure);
   if (structure.empty()) return line("bricks", "none");
   std::string out = line("colours", bricks_in_words(m, bricks));
-  out += line("size", fmt::format("{} from {}", to_text(m.bounds->size()), to_text(m.bounds->low)));
+  out +=
+      line("size", fmt::format("{} from {}", to_text(m.bounds->size()), cell_text(m.bounds->low)));
   out += line("components", fmt::to_string(m.components));
   out += line("neighbours", fmt::format("{:.3f} per brick on average", m.mean_neighbours));
   out += line("symmetry", fmt::format("order {}", m.symmetry_order));

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kKinds[] = {"blocks", "robots", "programs"};
+constexpr const char* kSceneFolders[] = {"blocks", "robots", "programs"};
 
 void add_own_folders(const char* kind, std::vector<std::string>& out) {
   for (std::string& folder : shipped_folders(kind)) out.push_back(std::move(folder));
@@ -35,7 +35,7 @@ FileContent content_of(std::string_view text) {
 SceneLoader scene_loader(const std::string& scene_path) {
   const fs::path folder = fs::path(scene_path).parent_path();
   std::vector<std::string> others;
-  for (const char* kind : kKinds) {
+  for (const char* kind : kSceneFolders) {
     others.push_back((folder / ".." / kind).string());
     add_own_folders(kind, others);
   }
@@ -44,7 +44,7 @@ SceneLoader scene_loader(const std::string& scene_path) {
 
 SceneLoader own_loader() {
   std::vector<std::string> folders;
-  for (const char* kind : kKinds) add_own_folders(kind, folders);
+  for (const char* kind : kSceneFolders) add_own_folders(kind, folders);
   if (folders.empty()) return memory_loader({});
   const std::string first = folders.front();
   return disk_loader(first, std::move(folders));

@@ -22,14 +22,14 @@ namespace stig {
 namespace {
 
 constexpr std::size_t kMostLattices = 12;
-constexpr std::size_t kMostNames = 12;
+constexpr std::size_t kMostListed = 12;
 
 std::string plural(std::size_t number, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", number, number == 1 ? one : many);
 }
 
 std::string some_names(const std::vector<std::string>& names) {
-  const auto shown = std::min(names.size(), kMostNames);
+  const auto shown = std::min(names.size(), kMostListed);
   std::string out = fmt::format(
       "{}", fmt::join(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(shown), ", "));
   return shown < names.size() ? out + fmt::format(" and {} more", names.size() - shown) : out;
@@ -278,7 +278,7 @@ std::string lines_of(const SimulationReport& r, bool speed) {
                                      plural(r.tally.snapped, "time", "times"),
                                      plural(r.tally.let_go, "time", "times")));
   if (!r.left.empty()) out += line("left", printable(some_names(r.left)) + " left the arena");
-  for (std::size_t i = 0; i < std::min(r.robots.size(), kMostNames); ++i) {
+  for (std::size_t i = 0; i < std::min(r.robots.size(), kMostListed); ++i) {
     const ScriptRobot& robot = r.robots[i];
     out += line(i == 0 ? "robots" : "",
                 fmt::format("{}, {:.3f} m driven{}", printable(robot.name), robot.driven,
@@ -286,8 +286,8 @@ std::string lines_of(const SimulationReport& r, bool speed) {
                             : robot.failed ? ", its program failed"
                                            : ""));
   }
-  if (r.robots.size() > kMostNames) {
-    out += line("", fmt::format("and {} more", r.robots.size() - kMostNames));
+  if (r.robots.size() > kMostListed) {
+    out += line("", fmt::format("and {} more", r.robots.size() - kMostListed));
   }
   if (!r.failed_blocks.empty()) {
     out += line("failed", fmt::format("{} of {}",

@@ -65,7 +65,7 @@ std::string target_problem(const SynthOptions& options, const Target& target) {
   return start.z == 0 ? "" : "the start has to stand on the floor, z = 0";
 }
 
-std::string options_in_words(const SynthOptions& o) {
+std::string robot_options_in_words(const SynthOptions& o) {
   std::string out = fmt::format(" --robot {}", file_name(*o.robot));
   if (o.robots) out += fmt::format(" --robots {}", *o.robots);
   if (!o.sides.empty()) out += fmt::format(" --sides={}", fmt::join(o.sides, ","));
@@ -79,9 +79,9 @@ std::string options_in_words(const SynthOptions& o) {
 AssemblyTask task_of(const SynthOptions& options, Target target, Abilities robot) {
   AssemblyTask out;
   const std::string file = file_name(options.target);
-  out.wording = {set_name(options.target),
-                 fmt::format("{}, {}", file, counted(target.cells.size(), "brick")),
-                 fmt::format("compiled by stigc synth from {}{}", file, options_in_words(options))};
+  out.wording = {
+      set_name(options.target), fmt::format("{}, {}", file, counted(target.cells.size(), "brick")),
+      fmt::format("compiled by stigc synth from {}{}", file, robot_options_in_words(options))};
   out.target = std::move(target);
   out.robot = std::move(robot);
   for (const std::string& side : options.sides) out.sides.push_back(*parse_side(side));
@@ -91,7 +91,7 @@ AssemblyTask task_of(const SynthOptions& options, Target target, Abilities robot
   return out;
 }
 
-std::vector<std::string> output_names(const SynthOptions& options) {
+std::vector<std::string> robot_output_names(const SynthOptions& options) {
   std::vector<std::string> names;
   if (has_file(options)) names.push_back(*options.output);
   if (options.certificate) names.push_back(*options.certificate);
@@ -157,7 +157,7 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   }
   const auto robot = read_abilities(options.robot, app);
   if (!robot) return kFailed;
-  if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
+  if (const int code = check_outputs(robot_output_names(options), app); code != kOk) return code;
   stop_on_signals();
   Progress progress(app);
   AssemblyHooks hooks;

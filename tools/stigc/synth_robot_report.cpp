@@ -11,6 +11,7 @@
 #include "compiler/conflict_text.h"
 #include "lattice/structure_text.h"
 #include "report.h"
+#include "rules/cell_text.h"
 #include "synth_robot.h"
 
 namespace stig {
@@ -99,7 +100,7 @@ std::string remainder_lines(const Target& target, const Remainder& remainder) {
   out += remainder_drawing(target, remainder.bricks);
   for (std::size_t i = 0; i < std::min(kMostBarred, remainder.barred.size()); ++i) {
     const BarredBrick& one = remainder.barred[i];
-    out += fmt::format("  the brick at {}\n", to_text(target.cells[one.brick]));
+    out += fmt::format("  the brick at {}\n", cell_text(target.cells[one.brick]));
     for (const Bar& bar : one.bars) {
       out += fmt::format("    from {}: {}\n", to_string(bar.side), explain(bar.why));
     }

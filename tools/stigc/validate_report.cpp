@@ -8,6 +8,7 @@
 #include <span>
 
 #include "app.h"
+#include "base/degree.h"
 #include "base/hash.h"
 #include "base/text.h"
 #include "report.h"
@@ -17,9 +18,7 @@
 namespace stig {
 namespace {
 
-constexpr double kDegree = 3.14159265358979323846 / 180;
-
-double millimetres(double metres) { return metres * 1e3; }
+double in_mm(double metres) { return metres * 1e3; }
 double degrees(double radians) { return radians / kDegree; }
 
 Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
@@ -29,10 +28,10 @@ Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
             {"there", brick.block.has_value()}};
   if (!brick.block) return json;
   json["shows"] = to_string(brick.led);
-  json["off_mm"] = {millimetres(brick.off.x), millimetres(brick.off.y), millimetres(brick.off.z)};
+  json["off_mm"] = {in_mm(brick.off.x), in_mm(brick.off.y), in_mm(brick.off.z)};
   json["yaw_degrees"] = degrees(brick.yaw);
   json["turn_degrees"] = degrees(brick.turn);
-  json["drift_mm"] = millimetres(length(brick.drift));
+  json["drift_mm"] = in_mm(length(brick.drift));
   return json;
 }
 
@@ -53,11 +52,11 @@ Json robot_json(const RobotRecord& robot) {
 
 Json judgement_json(const RuleSet& rules, const Judgement& judgement) {
   Json json{{"missing", judgement.missing()},
-            {"worst_mm", millimetres(judgement.worst_way)},
+            {"worst_mm", in_mm(judgement.worst_way)},
             {"worst_degrees", degrees(judgement.worst_turn)},
-            {"worst_joint_mm", millimetres(judgement.worst_joint_way)},
+            {"worst_joint_mm", in_mm(judgement.worst_joint_way)},
             {"worst_joint_degrees", degrees(judgement.worst_joint_turn)},
-            {"worst_drift_mm", millimetres(judgement.worst_drift)},
+            {"worst_drift_mm", in_mm(judgement.worst_drift)},
             {"placements", judgement.placements},
             {"allowed", judgement.allowed},
             {"against", judgement.against ? Json(judgement.against->reason) : Json(nullptr)}};
@@ -69,7 +68,7 @@ Json judgement_json(const RuleSet& rules, const Judgement& judgement) {
     json["extra"].push_back({{"cell", to_json(stray.cell)},
                              {"shows", to_string(stray.led)},
                              {"in_cell", stray.in_cell},
-                             {"off_mm", millimetres(length(stray.off))},
+                             {"off_mm", in_mm(length(stray.off))},
                              {"yaw_degrees", degrees(stray.yaw)}});
   }
   return json;
@@ -117,12 +116,12 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
 std::string bricks_in_words(const Judgement& judgement) {
   std::string out = fmt::format("{} of {}", judgement.bricks.size() - judgement.missing(),
                                 judgement.bricks.size());
-  out += fmt::format(", off by {:.2f} mm and {:.2f}° at most", millimetres(judgement.worst_way),
+  out += fmt::format(", off by {:.2f} mm and {:.2f}° at most", in_mm(judgement.worst_way),
                      degrees(judgement.worst_turn));
   return out +
          fmt::format("; neighbours by {:.2f} mm and {:.2f}°; {:.2f} mm from the start's lattice",
-                     millimetres(judgement.worst_joint_way), degrees(judgement.worst_joint_turn),
-                     millimetres(judgement.worst_drift));
+                     in_mm(judgement.worst_joint_way), degrees(judgement.worst_joint_turn),
+                     in_mm(judgement.worst_drift));
 }
 
 /// Seconds in each state, the longest first.
@@ -209,8 +208,8 @@ std::string table(const ValidationReport& report) {
     out += fmt::format(
         "{:>6}  {:<10}  {:<12}  {:>7.1f}  {:>9}  {:>6.2f}  {:>6.2f}  {:>8.2f}  {:>7g}  {}\n",
         trial.seed, to_string(j.verdict), to_string(trial.end), trial.time,
-        fmt::format("{} of {}", j.bricks.size() - j.missing(), j.bricks.size()),
-        millimetres(j.worst_way), degrees(j.worst_turn), driven, aborted, to_hex(trial.hash));
+        fmt::format("{} of {}", j.bricks.size() - j.missing(), j.bricks.size()), in_mm(j.worst_way),
+        degrees(j.worst_turn), driven, aborted, to_hex(trial.hash));
   }
   return out;
 }

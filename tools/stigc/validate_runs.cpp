@@ -14,8 +14,8 @@
 namespace stig {
 namespace {
 
-constexpr std::size_t kMostPictured = 12;  ///< runs whose end is drawn
-constexpr int kPicturesOnTheWay = 4;       ///< of the first run
+constexpr std::size_t kMostEndsDrawn = 12;  ///< runs whose end is drawn
+constexpr int kPicturesOnTheWay = 4;        ///< of the first run
 
 struct Slot {
   std::optional<Trial> trial;
@@ -60,9 +60,9 @@ class Batch {
     if (!placed) return;
     TrialSettings settings;
     settings.duration = duration_;
-    settings.pictures = !options_.output || i >= kMostPictured ? -1
-                        : i == 0                               ? kPicturesOnTheWay
-                                                               : 0;
+    settings.pictures = !options_.output || i >= kMostEndsDrawn ? -1
+                        : i == 0                                ? kPicturesOnTheWay
+                                                                : 0;
     if (options_.output) {
       slot.traced = true;
       slot.good = slot.trace.open(*options_.output + "/" + trace_name(seed));

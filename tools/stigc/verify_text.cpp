@@ -5,6 +5,7 @@
 
 #include "base/hash.h"
 #include "base/text.h"
+#include "rules/cell_text.h"
 #include "rules/explain.h"
 #include "rules/rule_printer.h"
 #include "verify_report.h"
@@ -47,10 +48,10 @@ std::string brick(const RuleSet& rules, Colour colour) {
   return printable(symbol_of(rules, StateSet::of(colour)));
 }
 
-std::string box_in_words(const std::optional<Box>& box) {
+std::string in_box(const std::optional<Box>& box) {
   if (!box) return "in unbounded space";
   return fmt::format("in the {}box {} from {}", box->periodic ? "periodic " : "",
-                     to_text(box->size), to_text(box->low));
+                     to_text(box->size), cell_text(box->low));
 }
 
 std::string verdict_line(ProofVerdict verdict, bool color) {
@@ -79,7 +80,7 @@ std::string never_fires_text(const VerifyReport& report) {
 
 std::string proved_text(const VerifyReport& report) {
   const VerifyResult& result = report.result;
-  std::string out = line("world", box_in_words(report.box));
+  std::string out = line("world", in_box(report.box));
   out += line("bricks", fmt::format("{}: {} at the start, {} placed", result.structure->size(),
                                     report.rules.start.size(), result.run.size()));
   out += line("hash", to_hex(structure_hash(*result.structure)));
@@ -95,7 +96,7 @@ std::string proved_text(const VerifyReport& report) {
 
 std::string deposit_in_words(const RuleSet& rules, const Deposit& deposit) {
   return fmt::format("brick {} at {} by rule {}", brick(rules, deposit.colour),
-                     to_text(deposit.site), rule_name(rules, deposit.match.rule));
+                     cell_text(deposit.site), rule_name(rules, deposit.match.rule));
 }
 
 std::string end_in_words(const Structure& structure, bool ended) {
@@ -106,7 +107,7 @@ std::string end_in_words(const Structure& structure, bool ended) {
 std::string refuted_text(const VerifyReport& report) {
   const DivergingOrders& found = *report.result.refutation;
   const Deposit& decisive = found.second[found.common];
-  std::string out = line("world", box_in_words(report.box));
+  std::string out = line("world", in_box(report.box));
   out += line("one end", end_in_words(found.first_end, true));
   out += line("another", end_in_words(found.second_end, found.second_ended));
   if (structure_hash(found.first_end) == structure_hash(found.second_end)) {
@@ -124,7 +125,7 @@ std::string refuted_text(const VerifyReport& report) {
 
 std::string endless_text(const VerifyReport& report) {
   const EndlessGrowth& endless = *report.result.endless;
-  std::string out = line("world", box_in_words(report.box));
+  std::string out = line("world", in_box(report.box));
   out +=
       line("period",
            fmt::format("after {}, the last {} again and again, each time ({}, {}, {}) further on",
@@ -135,7 +136,7 @@ std::string endless_text(const VerifyReport& report) {
 }
 
 std::string unknown_text(const VerifyReport& report) {
-  std::string out = line("world", box_in_words(report.box));
+  std::string out = line("world", in_box(report.box));
   out += line("explored", printable(report.result.open));
   if (report.rules.stage_count() > 1) {
     out += line("stage", fmt::format("{} of {}", report.result.stage, report.rules.stage_count()));
@@ -197,13 +198,13 @@ std::string findings_text(const VerifyReport& report) {
       const Blocking& b = f.blocking[i];
       out +=
           line("may block", fmt::format("'{}' at {} closes '{}' at {}, for a while",
-                                        printable(rules.rules[b.placed].name), to_text(b.at),
-                                        printable(rules.rules[b.blocked].name), to_text(b.site)));
+                                        printable(rules.rules[b.placed].name), cell_text(b.at),
+                                        printable(rules.rules[b.blocked].name), cell_text(b.site)));
     }
   }
   for (const WalledIn& walled : f.walled_in) {
     out += line("walled in",
-                fmt::format("{} can be cut off while it is open, after {}", to_text(walled.site),
+                fmt::format("{} can be cut off while it is open, after {}", cell_text(walled.site),
                             counted(walled.order.size(), "deposit")));
   }
   if (f.maybe_walled_in > 0) {

@@ -8,8 +8,6 @@ namespace stig {
 
 namespace {
 
-constexpr double kFacePreference = 1e-4;  ///< m, by which edges must be better than faces
-
 /// What one axis says of the way: part 0 is its beginning, 1 its end.
 struct Passage {
   BoxAxis axis;            ///< as they stand now

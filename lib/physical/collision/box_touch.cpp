@@ -8,9 +8,6 @@ namespace stig {
 
 namespace {
 
-/// An axis wins over the faces' best only by more than this, m.
-constexpr double kFacePreference = 1e-4;
-
 double half_of(const Placed& box, int i) {
   return i == 0 ? box.shape.half.x : i == 1 ? box.shape.half.y : box.shape.half.z;
 }

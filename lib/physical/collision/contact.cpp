@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -12,7 +13,6 @@ namespace stig {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kSides = 20;  ///< of the prism that stands for a cylinder
 
 /// Index of the point for which `score` is largest.
@@ -59,7 +59,7 @@ Touch touch_sphere_box(const Placed& a, const Placed& b, double margin) {
 std::shared_ptr<const Convex> unit_prism() {
   std::vector<Vec3> corners;
   for (int i = 0; i < kSides; ++i) {
-    const double a = 2 * kPi * i / kSides;
+    const double a = 2 * std::numbers::pi * i / kSides;
     const Vec3 rim{std::cos(a), std::sin(a), 1};
     corners.push_back(rim);
     corners.push_back({rim.x, rim.y, -1});

@@ -11,8 +11,6 @@ namespace stig {
 
 namespace {
 
-/// An edge's axis wins over the faces' best only by more than this, m; so does a later face.
-constexpr double kFacePreference = 1e-4;
 constexpr double kRounding = 1e-9;  ///< m, that arithmetic may add to a gap
 /// cos(pi / 20): the ball of radius 1 fits into a prism of 20 sides in a circle of 1 / this.
 constexpr double kInPrism = 0.98768834;

@@ -34,6 +34,8 @@ struct BoxAxis {
 /// do so along two axes do not touch: a block that is pushed over a seam must not take the
 /// next block's side for a wall.
 inline constexpr double kGraze = 0.2e-3;
+/// An edge's axis wins over the faces' best only by more than this, m; so does a later face.
+inline constexpr double kFacePreference = 1e-4;
 /// Half the box's extent along a unit vector.
 double extent(const Placed& box, const Vec3& n);
 /// The points of contact with that axis as the normal.

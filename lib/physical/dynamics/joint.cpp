@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "physical/dynamics/mechanism.h"
+#include "physical/dynamics/number_checks.h"
 #include "physical/dynamics/world_config.h"
 
 namespace stig {
@@ -14,14 +15,9 @@ namespace stig {
 namespace {
 
 constexpr std::size_t kMostDofs = 64;     ///< of a mechanism: its inverse is dense
-constexpr std::size_t kMostBodies = 256;  ///< of a mechanism
+constexpr std::size_t kMostJoined = 256;  ///< bodies of a mechanism
 
-bool is_unit(const Vec3& u) { return std::abs(squared(u) - 1) < 1e-6; }
-bool is_pose(const Pose& pose) {
-  const Quat& q = pose.q;
-  return is_finite(pose.p) && std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
-}
-bool not_negative(double x) { return std::isfinite(x) && x >= 0; }
+bool is_pose(const Pose& pose) { return is_finite(pose.p) && is_unit(pose.q); }
 
 /// Written so that NaN is refused too.
 const char* problem_of(const DofDef& dof) {
@@ -105,9 +101,9 @@ void check_trees(const WorldConfig& config, std::vector<std::string>& out) {
     } else if ((dofs[root] += joint.dofs.size()) > kMostDofs) {
       out.push_back(fmt::format("the mechanism of body {} has more than {} degrees of freedom",
                                 root, kMostDofs));
-    } else if (++bodies[root] > kMostBodies) {
+    } else if (++bodies[root] > kMostJoined) {
       out.push_back(
-          fmt::format("the mechanism of body {} has more than {} bodies", root, kMostBodies));
+          fmt::format("the mechanism of body {} has more than {} bodies", root, kMostJoined));
     } else if (!fits(config, joint)) {
       out.push_back(fmt::format("joint {} does not fit the poses of its bodies", i));
     }

@@ -23,18 +23,18 @@ using namespace dart::dynamics;
 
 constexpr double kFloorHalf = 50;  ///< m: the floor is a box, its upper face at z = 0
 
-Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
-Vec3 vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Eigen::Isometry3d eigen(const Pose& pose) {
+Eigen::Vector3d to_dart(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 from_dart(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Eigen::Isometry3d to_dart(const Pose& pose) {
   Eigen::Isometry3d out = Eigen::Isometry3d::Identity();
   out.linear() = Eigen::Quaterniond(pose.q.w, pose.q.x, pose.q.y, pose.q.z).toRotationMatrix();
-  out.translation() = eigen(pose.p);
+  out.translation() = to_dart(pose.p);
   return out;
 }
 
 ShapePtr shape_of(const Shape& shape) {
   if (shape.kind == ShapeKind::sphere) return std::make_shared<SphereShape>(shape.half.x);
-  return std::make_shared<BoxShape>(eigen(shape.half * 2));
+  return std::make_shared<BoxShape>(to_dart(shape.half * 2));
 }
 
 void add_shape(BodyNode& body, const ShapePtr& shape, double friction) {
@@ -56,7 +56,7 @@ BodyNode* add_welded(dart::simulation::World& world, const std::string& name,
 BodyNode* add_body(dart::simulation::World& world, const std::string& name, const Body& body) {
   const SkeletonPtr skeleton = Skeleton::create(name);
   const auto [joint, node] = skeleton->createJointAndBodyNodePair<FreeJoint>();
-  node->setInertia(Inertia(body.mass, Eigen::Vector3d::Zero(), eigen(body.inertia).asDiagonal()));
+  node->setInertia(Inertia(body.mass, Eigen::Vector3d::Zero(), to_dart(body.inertia).asDiagonal()));
   if (body.fixed) joint->setActuatorType(Joint::VELOCITY);
   world.addSkeleton(skeleton);
   return node;
@@ -67,15 +67,15 @@ FreeJoint& joint_of(BodyNode& node) { return static_cast<FreeJoint&>(*node.getPa
 /// Before a step.
 void set_state(BodyNode& node, const Body& body) {
   FreeJoint& joint = joint_of(node);
-  FreeJoint::setTransformOf(&node, eigen(Pose{body.p, body.q}));
-  joint.setLinearVelocity(eigen(body.v));
-  joint.setAngularVelocity(eigen(body.w));
+  FreeJoint::setTransformOf(&node, to_dart(Pose{body.p, body.q}));
+  joint.setLinearVelocity(to_dart(body.v));
+  joint.setAngularVelocity(to_dart(body.w));
   if (body.fixed) {
     joint.setCommands(joint.getVelocities());
     return;
   }
-  node.addExtForce(eigen(body.force), Eigen::Vector3d::Zero(), false, true);
-  node.addExtTorque(eigen(body.torque), false);
+  node.addExtForce(to_dart(body.force), Eigen::Vector3d::Zero(), false, true);
+  node.addExtTorque(to_dart(body.torque), false);
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ StockStep::StockStep(const WorldState& state) {
               friction_of(config, body.material, body.material));
   }
   if (!config.floor) return;
-  BodyNode* floor = add_welded(world, "floor", eigen(Pose{{0, 0, -kFloorHalf}, {}}));
+  BodyNode* floor = add_welded(world, "floor", to_dart(Pose{{0, 0, -kFloorHalf}, {}}));
   add_shape(*floor, shape_of(Shape::box(Vec3{2, 2, 2} * kFloorHalf)),
             friction_of(config, kFloorMaterial, kFloorMaterial));
 }
@@ -125,8 +125,8 @@ void StockStep::solve(WorldState& world) {
     Body& body = world.bodies[i];
     body.free = false;
     if (body.fixed) continue;
-    body.v = vec3(dart_->nodes[i]->getLinearVelocity());
-    body.w = vec3(dart_->nodes[i]->getAngularVelocity());
+    body.v = from_dart(dart_->nodes[i]->getLinearVelocity());
+    body.w = from_dart(dart_->nodes[i]->getAngularVelocity());
   }
 }
 
@@ -135,7 +135,7 @@ void StockStep::move(WorldState& world) const {
     Body& body = world.bodies[i];
     const Eigen::Isometry3d pose = dart_->nodes[i]->getWorldTransform();
     const Eigen::Quaterniond q(pose.linear());
-    body.p = vec3(pose.translation());
+    body.p = from_dart(pose.translation());
     body.q = normalised(Quat{q.w(), q.x(), q.y(), q.z()});
     body.r = matrix(body.q);
   }

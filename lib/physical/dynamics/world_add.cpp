@@ -10,9 +10,6 @@ namespace stig {
 
 namespace {
 
-constexpr std::size_t kMostBodies = 20'000;
-constexpr double kMostSizeRatio = 200;  ///< of the largest body to the smallest
-
 /// The addition as a world of its own, under this one's settings.
 WorldConfig alone(const WorldState& world, const Addition& addition) {
   WorldConfig config = world.config;

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "physical/collision/broad_phase.h"
+#include "physical/dynamics/number_checks.h"
 #include "physical/dynamics/stock_step.h"
 
 namespace stig {
@@ -14,17 +15,9 @@ namespace {
 
 constexpr double kMostStep = 0.02;       ///< s: stacks collapse above
 constexpr double kMostSpinStep = 0.001;  ///< s: facing spheres spin up and never settle above
-constexpr std::size_t kMostBodies = 20'000;
-constexpr double kMostSizeRatio = 200;  ///< of the largest body to the smallest
 constexpr double kMostOverlap = 1e-3;
-constexpr double kMostSpeed = 100;  ///< m/s
+constexpr double kMostStartSpeed = 100;  ///< m/s
 
-bool positive(double x) { return std::isfinite(x) && x > 0; }
-bool not_negative(double x) { return std::isfinite(x) && x >= 0; }
-bool is_unit(const Vec3& u) { return std::abs(squared(u) - 1) < 1e-6; }
-bool is_unit(const Quat& q) {
-  return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
-}
 /// Written so that NaN is refused too.
 bool moments_possible(const Vec3& i) {
   const double most = std::max({i.x, i.y, i.z});
@@ -56,7 +49,7 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
   }
   if (!is_finite(def.X_WB.p) || !is_unit(def.X_WB.q)) return "has a pose that is none";
   if (!inside_arena(def.X_WB.p, config.arena)) return "is outside of the arena";
-  if (!(squared(def.velocity) <= kMostSpeed * kMostSpeed)) return "is too fast";
+  if (!(squared(def.velocity) <= kMostStartSpeed * kMostStartSpeed)) return "is too fast";
   if (!(squared(def.spin) <= 1e6)) return "spins too fast";
   if (!(def.axle == Vec3{}) && !is_unit(def.axle)) return "has an axle that is no unit vector";
   if (!(def.axle_friction >= 0 && def.axle_friction <= 1)) {

@@ -18,6 +18,9 @@ namespace stig {
 using Material = std::uint8_t;
 inline constexpr Material kBlockMaterial = 0, kFloorMaterial = 1;
 
+inline constexpr std::size_t kMostBodies = 20'000;  ///< of a world
+inline constexpr double kMostSizeRatio = 200;       ///< of its largest body to its smallest
+
 /// A permanent magnet; with `active`, an electromagnet, and with both, a semi-permanent one:
 /// its moment is moment + current · active.
 struct MagnetDef {

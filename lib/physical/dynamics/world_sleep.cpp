@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "base/islands.h"
 #include "physical/dynamics/world_state.h"
-#include "physical/solver/islands.h"
 
 namespace stig {
 

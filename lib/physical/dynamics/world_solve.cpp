@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/islands.h"
 #include "physical/dynamics/world_state.h"
-#include "physical/solver/islands.h"
 
 namespace stig {
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/glb.h"
 #include "physical/render/scene_picture.h"
@@ -14,8 +15,7 @@ namespace stig {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr int kAround = 32;  ///< sides of a circle
+constexpr int kCircleSides = 32;  ///< sides of a circle
 constexpr Rgb kRed{214, 40, 40}, kGreen{34, 139, 60}, kBlue{38, 84, 200};
 constexpr Rgb kSight{196, 110, 0}, kRay{170, 30, 120}, kRadio{0, 120, 150};
 constexpr double kThrough = 0.6;   ///< bias of what shows through bodies
@@ -89,10 +89,10 @@ class Marks {
       const Vec3 u = axes.column(axis) * device.range,
                  v = axes.column((axis + 1) % 3) * device.range;
       const auto on = [&](int i) {
-        const double a = 2 * kPi * i / kAround;
+        const double a = 2 * std::numbers::pi * i / kCircleSides;
         return middle + u * std::cos(a) + v * std::sin(a);
       };
-      for (int i = 0; i < kAround; ++i) line(on(i), on(i + 1), 1, kRadio, kThrough);
+      for (int i = 0; i < kCircleSides; ++i) line(on(i), on(i + 1), 1, kRadio, kThrough);
     }
   }
 
@@ -178,7 +178,7 @@ std::string robot_glb(const RobotModel& robot) {
   // The robot has z up, the file y.
   std::vector<GlbNode> nodes(1);
   nodes[0].name = robot.name;
-  nodes[0].X_PN.q = rotation({-kPi / 2, 0, 0});
+  nodes[0].X_PN.q = rotation({-std::numbers::pi / 2, 0, 0});
   std::vector<int> node_of(robot.bodies.size(), 0);
   std::vector<std::size_t> todo = {robot.root()};
   while (!todo.empty()) {

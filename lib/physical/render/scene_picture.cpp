@@ -13,7 +13,7 @@ namespace {
 constexpr int kSamples = 2;            ///< a pixel, along x and y
 constexpr double kNear = 0.01;         ///< m: what is nearer to the eye is cut off
 constexpr double kFieldOfView = 0.52;  ///< rad, across the width
-constexpr Rgb kSky{250, 251, 252}, kFloorColour{238, 240, 243}, kGridColour{203, 209, 216};
+constexpr Rgb kBackdrop{250, 251, 252}, kFloorColour{238, 240, 243}, kGridColour{203, 209, 216};
 constexpr Rgb kEdge{38, 42, 48}, kTagInk{45, 48, 54}, kTagPaper{240, 240, 240};
 constexpr double kTagHalf = 0.22, kLedPlace = 0.36, kLedHalf = 0.05;  ///< shares of the side
 const Vec3 kLight = normalised(Vec3{0.35, -0.55, 0.95});
@@ -275,7 +275,7 @@ PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLoo
 
 ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
                          bool floor, const std::vector<PictureLine>& lines) {
-  Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kSky);
+  Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kBackdrop);
   Painter painter(raster, view);
   Extent extent;
   for (const Vec3& p : outline(main_bodies(bodies))) extent.add(p);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "physical/render/solid_faces.h"
 
+#include <cmath>
+#include <numbers>
+
 namespace stig {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kAround = 32, kUp = 16;  ///< facets of what is round
 
 /// One side of a box: axis 0 to 2, sign ±1.
@@ -31,7 +33,8 @@ std::vector<SolidFace> box_faces(const Vec3& half) {
 }
 
 Vec3 on_ball(double radius, int i, int j) {
-  const double a = 2 * kPi * i / kAround, b = kPi * j / kUp - kPi / 2;
+  const double a = 2 * std::numbers::pi * i / kAround,
+               b = std::numbers::pi * j / kUp - std::numbers::pi / 2;
   return Vec3{std::cos(b) * std::cos(a), std::cos(b) * std::sin(a), std::sin(b)} * radius;
 }
 
@@ -56,13 +59,13 @@ std::vector<SolidFace> cylinder_faces(double radius, double half) {
   std::vector<SolidFace> out;
   SolidFace top{{}, {0, 0, 1}, true}, bottom{{}, {0, 0, -1}, true};
   const auto rim = [&](int i, double z) {
-    const double a = 2 * kPi * i / kAround;
+    const double a = 2 * std::numbers::pi * i / kAround;
     return Vec3{radius * std::cos(a), radius * std::sin(a), z};
   };
   for (int i = 0; i < kAround; ++i) {
     top.corners.push_back(rim(i, half));
     bottom.corners.push_back(rim(-i, -half));
-    const double a = 2 * kPi * (i + 0.5) / kAround;
+    const double a = 2 * std::numbers::pi * (i + 0.5) / kAround;
     out.push_back({{rim(i, -half), rim(i + 1, -half), rim(i + 1, half), rim(i, half)},
                    {std::cos(a), std::sin(a), 0},
                    false});

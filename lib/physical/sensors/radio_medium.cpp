@@ -10,13 +10,13 @@ namespace stig {
 
 namespace {
 
-constexpr double kCell = 0.06;  ///< m
+constexpr double kRadioCell = 0.06;  ///< m
 
 PlaceIndex index_of(const std::vector<Radio>& radios) {
   std::vector<Bounds> places;
   places.reserve(radios.size());
   for (const Radio& r : radios) places.push_back({r.p_W, r.p_W});
-  return {std::move(places), kCell};
+  return {std::move(places), kRadioCell};
 }
 
 }  // namespace

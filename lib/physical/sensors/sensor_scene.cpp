@@ -8,7 +8,7 @@ namespace stig {
 
 namespace {
 
-constexpr double kCell = 0.12;  ///< m: a block touches one to four cells
+constexpr double kObstacleCell = 0.12;  ///< m: a block touches one to four cells
 
 /// The axes x and y of a face's tag.
 struct Face {
@@ -72,8 +72,8 @@ MarkedKind cube_marks(const FaceMarks& marks) {
 
 SensorIndex::SensorIndex(const SensorScene& scene_now)
     : scene(scene_now),
-      obstacles(obstacle_bounds(scene_now), kCell),
-      marked(marked_bounds(scene_now), kCell) {
+      obstacles(obstacle_bounds(scene_now), kObstacleCell),
+      marked(marked_bounds(scene_now), kObstacleCell) {
   axes.reserve(scene.obstacles.size());
   for (const SightObstacle& o : scene.obstacles) axes.push_back(matrix(o.X_WS.q));
 }

@@ -9,9 +9,9 @@
 
 namespace stig {
 
-VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
-                          const RunHooks& hooks) {
-  VerifyReport report;
+TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
+                             const RunHooks& hooks) {
+  TraceComparison report;
   Simulation run(loaded.scene, loaded.placed, false);
   const double step = loaded.placed.config.step;
   // Where scripts or programs ended it, or physics could not go on, the beginning of a step of

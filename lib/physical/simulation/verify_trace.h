@@ -11,12 +11,13 @@
 
 namespace stig {
 
-struct VerifyReport {
+struct TraceComparison {
   bool identical = false;
   std::uint64_t compared = 0;  ///< hashes
   std::string difference;      ///< in words; empty when identical
 };
 
-VerifyReport verify_trace(const PoseTrace& trace, const LoadedScene& loaded, const RunHooks& hooks);
+TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
+                             const RunHooks& hooks);
 
 }  // namespace stig

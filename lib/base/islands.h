@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which bodies hang together: union-find.
+// What hangs together: union-find.
 #pragma once
 
 #include <algorithm>

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+#include "rules/cell_text.h"
+
+#include <fmt/format.h>
+
+namespace stig {
+
+std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
+
+}  // namespace stig
