@@ -17,9 +17,9 @@ namespace {
 namespace fs = std::filesystem;
 
 /// A folder of its own with a file "a", a link, a hard link and a link to a file not there yet.
-struct Folder {
+struct LinkedFolder {
   fs::path path;
-  Folder() {
+  LinkedFolder() {
     std::string name = (fs::temp_directory_path() / "stig-file-guard-XXXXXX").string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
     path = name;
@@ -29,7 +29,7 @@ struct Folder {
     fs::create_directory(path / "sub");
     fs::create_symlink("../later", path / "sub" / "to-later");
   }
-  ~Folder() { fs::remove_all(path); }
+  ~LinkedFolder() { fs::remove_all(path); }
   std::string operator/(const char* name) const { return (path / name).string(); }
 };
 
@@ -62,7 +62,7 @@ constexpr const char* kNamesOfA[] = {"a", "./a", "link", "hard", "sub/../a"};
 }  // namespace
 
 TEST_CASE("a file has one identity, however it is named, and two files have two") {
-  const Folder folder;
+  const LinkedFolder folder;
   for (const char* name : kNamesOfA) {
     CAPTURE(name);
     CHECK(file_identity(folder / name) == file_identity(folder / "a"));
@@ -76,7 +76,7 @@ TEST_CASE("a file has one identity, however it is named, and two files have two"
 }
 
 TEST_CASE("a guarded process writes over nothing that it has read, by no name") {
-  const Folder folder;
+  const LinkedFolder folder;
   for (const char* name : kNamesOfA) {
     CAPTURE(name);
     CHECK(in_guarded_process([&] {
@@ -94,7 +94,7 @@ TEST_CASE("a guarded process writes over nothing that it has read, by no name") 
 }
 
 TEST_CASE("a guarded process writes over nothing that it has written") {
-  const Folder folder;
+  const LinkedFolder folder;
   CHECK(in_guarded_process([&] {
           return written(folder / "sub/to-later").empty() &&
                          written(folder / "later").ends_with("it has just been written")
@@ -104,7 +104,7 @@ TEST_CASE("a guarded process writes over nothing that it has written") {
 }
 
 TEST_CASE("what is read while a file grows is guarded when the file is done") {
-  const Folder folder;
+  const LinkedFolder folder;
   CHECK(in_guarded_process([&] {
           GrowingFile file;
           FileError error;
@@ -115,7 +115,7 @@ TEST_CASE("what is read while a file grows is guarded when the file is done") {
 }
 
 TEST_CASE("a file that may be replaced is, others and unguarded processes are free") {
-  const Folder folder;
+  const LinkedFolder folder;
   CHECK(in_guarded_process([&] {
           if (!reads(folder / "a")) return 1;
           let_replace(folder / "hard");

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/degree.h"
 #include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/simulation.h"
 
@@ -47,7 +48,5 @@ double heading(const Pose& pose);
 double tilt(const Pose& pose);
 /// To the nearest quarter turn, rad, signed.
 double off_square(double angle);
-
-inline constexpr double kDegree = 3.14159265358979323846 / 180;
 
 }  // namespace stig::behaviour

@@ -17,21 +17,21 @@ namespace {
 
 constexpr std::size_t kMostStructures = 300;
 
-int number(int low, int high) { return *rc::gen::inRange(low, high + 1); }
+int drawn(int low, int high) { return *rc::gen::inRange(low, high + 1); }
 
 /// In a small box, solid or periodic, that is full after a few bricks.
 RuleSet random_set_in_box() {
   RuleSet rules = random_rule_set();
-  const bool one_stage = number(0, 2) > 0;
+  const bool one_stage = drawn(0, 2) > 0;
   for (Rule& rule : rules.rules) {
     if (one_stage) rule.stage = 0;
   }
-  rules.conflicts = number(0, 2) == 0 ? Conflicts::first : Conflicts::random;
+  rules.conflicts = drawn(0, 2) == 0 ? Conflicts::first : Conflicts::random;
   rules.start = {{{0, 0, 0}, 1}};
-  BoxSpec box{{number(1, 3), number(1, 3), number(1, 2)}, Cell{0, 0, 0}, number(0, 2) == 0};
+  BoxSpec box{{drawn(1, 3), drawn(1, 3), drawn(1, 2)}, Cell{0, 0, 0}, drawn(0, 2) == 0};
   if (!box.periodic) box.origin = Cell{1 - box.size.x, 1 - box.size.y, 0};
   rules.box = box;
-  if (number(0, 2) == 0) rules.stages[1] = number(1, 4);
+  if (drawn(0, 2) == 0) rules.stages[1] = drawn(1, 4);
   return rules;
 }
 
@@ -132,8 +132,8 @@ TEST_CASE("what is accepted is the only end there is, whatever is claimed") {
     if (!searched) return;
     const auto& [rules, stages] = *searched;
     for (int attempt = 0; attempt < 20; ++attempt) {
-      Certificate certificate = certificate_of(rules, stages, static_cast<Grouping>(number(0, 2)));
-      for (int changes = number(0, 2); changes > 0; --changes) change_somewhere(certificate);
+      Certificate certificate = certificate_of(rules, stages, static_cast<Grouping>(drawn(0, 2)));
+      for (int changes = drawn(0, 2); changes > 0; --changes) change_somewhere(certificate);
       const CheckReport report = check_certificate(rules, certificate);
       RC_ASSERT(report.accepted == report.refusal.empty());
       RC_LOG() << print_certificate(certificate) << "\n";

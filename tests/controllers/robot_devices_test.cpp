@@ -6,19 +6,12 @@
 #include <cmath>
 #include <limits>
 
+#include "controllers/shipped_robot.h"
 #include "robots/robot_reader.h"
 #include "support/golden.h"
 
 namespace stig {
 namespace {
-
-RobotModel shipped(const std::string& name) {
-  Diagnostics diagnostics;
-  const std::string path = "robots/" + name;
-  auto robot = read_robot(std::make_shared<SourceFile>(path, project_file(path)), diagnostics);
-  REQUIRE(robot);
-  return std::move(*robot);
-}
 
 /// A lift that does what it is told: the time until it reports rest, s.
 double travel(LiftState& state, const LiftModel& model, double& position, double dt = 0.005) {
@@ -54,7 +47,7 @@ TEST_CASE("wheels are ramped and never too fast") {
 }
 
 TEST_CASE("the lift of 2017: fast far off, slow near, at rest within 1 mm") {
-  const LiftModel model = *shipped("bebot.yaml").lift;
+  const LiftModel model = *shipped_robot("bebot.yaml").lift;
   LiftState state;
   double position = 0.02;
   command(state, model, {LiftCommand::Kind::position, 0.08});
@@ -77,7 +70,7 @@ TEST_CASE("the lift of 2017: fast far off, slow near, at rest within 1 mm") {
 }
 
 TEST_CASE("switches, calibration, stop") {
-  const LiftModel model = *shipped("bebot.yaml").lift;
+  const LiftModel model = *shipped_robot("bebot.yaml").lift;
   LiftState state;
   double position = 0.05;
   command(state, model, {LiftCommand::Kind::position, 9});
@@ -104,7 +97,7 @@ TEST_CASE("switches, calibration, stop") {
 }
 
 TEST_CASE("the later lift takes its time") {
-  const LiftModel model = *shipped("builderbot.yaml").lift;
+  const LiftModel model = *shipped_robot("builderbot.yaml").lift;
   LiftState state;
   double position = 0.0005;
   command(state, model, {LiftCommand::Kind::position, 0.137});
@@ -113,7 +106,7 @@ TEST_CASE("the later lift takes its time") {
 }
 
 TEST_CASE("the magnets of 2017: 10 a step up to 250, a fortieth a step down") {
-  const MagnetCircuitModel model = *shipped("bebot.yaml").magnets;
+  const MagnetCircuitModel model = *shipped_robot("bebot.yaml").magnets;
   MagnetState state;
   for (int tick = 1; tick <= 24; ++tick) {
     step(state, model, 0.2);
@@ -131,7 +124,7 @@ TEST_CASE("the magnets of 2017: 10 a step up to 250, a fortieth a step down") {
 }
 
 TEST_CASE("the later magnets: dV/dt = 0.38 (22.9 - V) - 1.3 (V - 6.5)") {
-  const MagnetCircuitModel model = *shipped("builderbot.yaml").magnets;
+  const MagnetCircuitModel model = *shipped_robot("builderbot.yaml").magnets;
   MagnetState state, slow;
   step(state, model, 1);
   CHECK(state.charge == doctest::Approx(22.9 * (1 - std::exp(-0.38))));

@@ -5,20 +5,12 @@
 
 #include <set>
 
+#include "controllers/shipped_robot.h"
 #include "support/bad_files.h"
 #include "support/golden.h"
 
 namespace stig {
 namespace {
-
-RobotModel shipped(const std::string& name) {
-  Diagnostics diagnostics;
-  const std::string path = "robots/" + name;
-  auto robot = read_robot(std::make_shared<SourceFile>(path, project_file(path)), diagnostics);
-  REQUIRE_MESSAGE(diagnostics.all().empty(), to_text(diagnostics));
-  REQUIRE(robot);
-  return std::move(*robot);
-}
 
 std::string said_of(const std::string& text) {
   Diagnostics diagnostics;
@@ -69,7 +61,7 @@ TEST_CASE("the printed form of what is wrong with a robot") {
 }
 
 TEST_CASE("the robot of 2017 has fifteen bodies and its published mass") {
-  const RobotModel robot = shipped("bebot.yaml");
+  const RobotModel robot = shipped_robot("bebot.yaml");
   CHECK(robot.bodies.size() == 15);
   CHECK(robot.joints.size() == 14);
   CHECK(robot.mass() == doctest::Approx(2.295).epsilon(1e-12));
@@ -84,7 +76,7 @@ TEST_CASE("the robot of 2017 has fifteen bodies and its published mass") {
 }
 
 TEST_CASE("devices of the robot of 2017 are where the figures have them") {
-  const RobotModel robot = shipped("bebot.yaml");
+  const RobotModel robot = shipped_robot("bebot.yaml");
   const auto in_robot = [&](std::size_t on, const Vec3& p_B) {
     return robot.bodies[on].X_RB * p_B;
   };
@@ -111,7 +103,7 @@ TEST_CASE("devices of the robot of 2017 are where the figures have them") {
 }
 
 TEST_CASE("the later robot has eight bodies and its published mass, and does not tip") {
-  const RobotModel robot = shipped("builderbot.yaml");
+  const RobotModel robot = shipped_robot("builderbot.yaml");
   CHECK(robot.bodies.size() == 8);
   CHECK(robot.mass() == doctest::Approx(2.239).epsilon(1e-12));
   // Between its axle and its ball, with and without a block under its magnets.
@@ -124,7 +116,7 @@ TEST_CASE("the later robot has eight bodies and its published mass, and does not
 }
 
 TEST_CASE("the cart uses every kind of part") {
-  const RobotModel robot = shipped("gripper_cart.yaml");
+  const RobotModel robot = shipped_robot("gripper_cart.yaml");
   std::set<ShapeType> shapes;
   for (const BodyModel& one : robot.bodies) shapes.insert(one.shape);
   CHECK(shapes.size() == 4);

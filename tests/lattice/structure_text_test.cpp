@@ -10,15 +10,15 @@
 namespace stig {
 namespace {
 
-std::optional<Structure> read(const std::string& text, Diagnostics& diagnostics,
-                              const std::vector<Brick>& bricks = {}) {
+std::optional<Structure> read_rows(const std::string& text, Diagnostics& diagnostics,
+                                   const std::vector<Brick>& bricks = {}) {
   return read_structure_text(std::make_shared<SourceFile>("s.txt", text), Lattice::cubic, bricks,
                              diagnostics);
 }
 
-std::string complaint(const std::string& text) {
+std::string rows_complaint(const std::string& text) {
   Diagnostics diagnostics;
-  CHECK_FALSE(read(text, diagnostics).has_value());
+  CHECK_FALSE(read_rows(text, diagnostics).has_value());
   REQUIRE_FALSE(diagnostics.all().empty());
   const Diagnostic& first = diagnostics.all().front();
   const auto at = first.range.file->position(first.range.begin);
@@ -73,20 +73,20 @@ TEST_CASE("law: reading a print gives the structure at the origin") {
 }
 
 TEST_CASE("what is wrong is said where it is") {
-  CHECK(complaint("1 2\n1 x\n") == "F402 2:3 unknown brick 'x'");
-  CHECK(complaint("1 2\n1\n") == "F403 2:1 row has 1 cells, the rows before have 2");
-  CHECK(complaint("1\n1\n---\n1\n---\n1\n1\n") ==
+  CHECK(rows_complaint("1 2\n1 x\n") == "F402 2:3 unknown brick 'x'");
+  CHECK(rows_complaint("1 2\n1\n") == "F403 2:1 row has 1 cells, the rows before have 2");
+  CHECK(rows_complaint("1\n1\n---\n1\n---\n1\n1\n") ==
         "F403 5:1 slice has 1 rows, the slices before have 2");
-  CHECK(complaint("1\n---\n---\n1\n") == "F403 3:1 slice without rows");
-  CHECK(complaint("1\n---\n") == "F403 2:5 slice without rows");
-  CHECK(complaint("// nothing\n").starts_with("F404"));
-  CHECK(complaint("").starts_with("F404"));
-  CHECK(complaint("63") == "F402 1:1 unknown brick '63'");
+  CHECK(rows_complaint("1\n---\n---\n1\n") == "F403 3:1 slice without rows");
+  CHECK(rows_complaint("1\n---\n") == "F403 2:5 slice without rows");
+  CHECK(rows_complaint("// nothing\n").starts_with("F404"));
+  CHECK(rows_complaint("").starts_with("F404"));
+  CHECK(rows_complaint("63") == "F402 1:1 unknown brick '63'");
 }
 
 TEST_CASE("all problems are reported, an unknown symbol once") {
   Diagnostics diagnostics;
-  read("x 1 x\ny\n1 1 1\n", diagnostics);
+  read_rows("x 1 x\ny\n1 1 1\n", diagnostics);
   CHECK(diagnostics.all().size() == 3);
 }
 
@@ -94,13 +94,13 @@ TEST_CASE("a file that is wrong all over stops at a hundred") {
   std::string text = "1 1\n";
   for (int i = 0; i < 100000; ++i) text += "1\n";
   Diagnostics diagnostics;
-  CHECK_FALSE(read(text, diagnostics).has_value());
+  CHECK_FALSE(read_rows(text, diagnostics).has_value());
   CHECK(diagnostics.all().size() <= 100);
 }
 
 TEST_CASE("a near symbol is suggested") {
   Diagnostics diagnostics;
-  read("pnik", diagnostics, bricks_named({"pink", "wax"}));
+  read_rows("pnik", diagnostics, bricks_named({"pink", "wax"}));
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(diagnostics.all()[0].suggestion == "pink");
 }

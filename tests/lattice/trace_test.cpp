@@ -38,7 +38,7 @@ SwarmConfig events(std::uint64_t deposits) {
   return config;
 }
 
-std::optional<Trace> read(const std::string& bytes) {
+std::optional<Trace> read_whole(const std::string& bytes) {
   Diagnostics diagnostics;
   auto trace = read_trace("t.stigt", bytes, diagnostics);
   CHECK(trace.has_value() != diagnostics.has_errors());
@@ -50,7 +50,7 @@ std::optional<Trace> read(const std::string& bytes) {
 TEST_CASE("a trace gives back the run and the rule set") {
   const RuleSet rules = shipped("tiling");
   const Recorded recorded = record(rules, events(5000));
-  const auto trace = read(recorded.bytes);
+  const auto trace = read_whole(recorded.bytes);
   REQUIRE(trace);
   CHECK(trace->events == recorded.log);
   CHECK(trace->hashes.size() == 4);
@@ -73,7 +73,7 @@ TEST_CASE("replay repeats every motion, box and agents included") {
     config.moves = 18;
     config.run = 5;
     config.max_steps = 100000;
-    const auto trace = read(record(rules, config).bytes);
+    const auto trace = read_whole(record(rules, config).bytes);
     REQUIRE(trace);
     const ReplayReport report = replay(*trace, rules);
     INFO(report.difference);
@@ -84,7 +84,7 @@ TEST_CASE("replay repeats every motion, box and agents included") {
 
 TEST_CASE("replay names the first difference") {
   const RuleSet rules = shipped("stepped-pyramid");
-  Trace trace = *read(record(rules, events(14)).bytes);
+  Trace trace = *read_whole(record(rules, events(14)).bytes);
   Trace other = trace;
   other.events[3].step += 1;
   CHECK(replay(other, rules).difference.starts_with("event 4: the trace has brick"));
@@ -106,7 +106,7 @@ TEST_CASE("a given order is held to the rules, event by event") {
   const RuleSet rules = shipped("architecture-4n");
   SwarmConfig config;
   config.motion = Motion::event;
-  Trace trace = *read(record(rules, config, "given").bytes);
+  Trace trace = *read_whole(record(rules, config, "given").bytes);
   CHECK(trace.kind == "given");
   CHECK(replay(trace, rules).identical);
   std::swap(trace.events[1], trace.events[5]);
@@ -119,7 +119,7 @@ TEST_CASE("a given trace must name the rule that fits, and a world that can be")
   const RuleSet rules = shipped("stepped-pyramid");
   SwarmConfig config;
   config.motion = Motion::event;
-  const Trace trace = *read(record(rules, config, "given").bytes);
+  const Trace trace = *read_whole(record(rules, config, "given").bytes);
   Trace other = trace;
   other.events[0].match.rule = (other.events[0].match.rule + 1) % 4;
   CHECK_FALSE(replay(other, rules).identical);
@@ -136,15 +136,16 @@ TEST_CASE("a given trace must name the rule that fits, and a world that can be")
 
 TEST_CASE("damaged traces are refused") {
   const std::string bytes = record(shipped("staircase"), events(5)).bytes;
-  CHECK_FALSE(read(""));
-  CHECK_FALSE(read("stigtrc1"));
-  CHECK_FALSE(read("stigtrc2" + bytes.substr(8)));
-  CHECK_FALSE(read(bytes + "x"));
-  for (std::size_t cut = 0; cut < bytes.size(); ++cut) CHECK_FALSE(read(bytes.substr(0, cut)));
+  CHECK_FALSE(read_whole(""));
+  CHECK_FALSE(read_whole("stigtrc1"));
+  CHECK_FALSE(read_whole("stigtrc2" + bytes.substr(8)));
+  CHECK_FALSE(read_whole(bytes + "x"));
+  for (std::size_t cut = 0; cut < bytes.size(); ++cut)
+    CHECK_FALSE(read_whole(bytes.substr(0, cut)));
   CHECK(rc::check("a changed byte never crashes", [&] {
     std::string changed = bytes;
     const auto at = *rc::gen::inRange<std::size_t>(0, bytes.size());
     changed[at] = *rc::gen::arbitrary<char>();
-    read(changed);
+    read_whole(changed);
   }));
 }

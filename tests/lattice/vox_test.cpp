@@ -50,14 +50,14 @@ std::string placed(int id, int child, const std::string& rotation, const std::st
 
 std::string shape(int id, int number) { return chunk("nSHP", numbers({id, 0, 1, number, 0})); }
 
-std::string complaint(const std::string& bytes) {
+std::string vox_complaint(const std::string& bytes) {
   Diagnostics diagnostics;
   CHECK_FALSE(read_vox("m.vox", bytes, diagnostics).has_value());
   REQUIRE(diagnostics.all().size() == 1);
   return std::string(info(diagnostics.all()[0].code).name) + " " + diagnostics.all()[0].message;
 }
 
-LoadedStructure read(const std::string& bytes) {
+LoadedStructure read_model(const std::string& bytes) {
   Diagnostics diagnostics;
   auto loaded = read_vox("m.vox", bytes, diagnostics);
   REQUIRE(loaded.has_value());
@@ -82,7 +82,7 @@ TEST_CASE("a structure too large for one model becomes several") {
   Structure s;
   for (int x = -300; x < 300; ++x) s.place({x, x / 2, 7}, 3);
   const std::string bytes = print_vox(s, numbered_bricks(3));
-  CHECK(read(bytes).structure == s);
+  CHECK(read_model(bytes).structure == s);
   CHECK(bytes.find("XYZI") != bytes.rfind("XYZI"));
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("the written file, byte for byte") {
 }
 
 TEST_CASE("a file without a scene has its cells where the model has them") {
-  const auto loaded = read(file(model(2, 1, 1, std::string("\1\0\0\1", 4))));
+  const auto loaded = read_model(file(model(2, 1, 1, std::string("\1\0\0\1", 4))));
   CHECK(loaded.structure.at({1, 0, 0}) == 1);
   CHECK(loaded.bricks.size() == 1);
   CHECK(loaded.bricks[0].color == "#ffffff");
@@ -114,7 +114,7 @@ TEST_CASE("a file without a scene has its cells where the model has them") {
 
 TEST_CASE("high palette indices are numbered anew, in order") {
   const auto loaded =
-      read(file(model(2, 1, 1, std::string("\0\0\0\xff", 4) + std::string("\1\0\0\xd8", 4))));
+      read_model(file(model(2, 1, 1, std::string("\0\0\0\xff", 4) + std::string("\1\0\0\xd8", 4))));
   CHECK(loaded.structure.at({0, 0, 0}) == 2);
   CHECK(loaded.structure.at({1, 0, 0}) == 1);
   CHECK(loaded.bricks[0].color == "#ee0000");
@@ -127,7 +127,7 @@ TEST_CASE("models are turned and placed by the scene") {
   // lower corner.
   const std::string chunks = model(3, 1, 1, std::string("\0\0\0\1\1\0\0\1\2\0\0\2", 12)) +
                              placed(0, 1, "17", "10 20 30") + shape(1, 0);
-  const Structure s = read(file(chunks)).structure;
+  const Structure s = read_model(file(chunks)).structure;
   CHECK(s.size() == 3);
   CHECK(s.at({9, 19, 30}) == 1);
   CHECK(s.at({9, 20, 30}) == 1);
@@ -138,7 +138,7 @@ TEST_CASE("transforms inside of transforms act from the inside out") {
   const std::string chunks = model(1, 1, 1, std::string("\0\0\0\1", 4)) +
                              placed(0, 1, "17", "0 0 5") + chunk("nGRP", numbers({1, 0, 1, 2})) +
                              placed(2, 3, "4", "10 0 0") + shape(3, 0);
-  const Structure s = read(file(chunks)).structure;
+  const Structure s = read_model(file(chunks)).structure;
   REQUIRE(s.size() == 1);
   CHECK(s.bricks()[0].at == Cell{-1, 10, 5});
 }
@@ -168,7 +168,7 @@ TEST_CASE("rotations compose as matrices do") {
 TEST_CASE("unknown chunks are passed over") {
   const auto bytes = file(chunk("PACK", numbers({1})) + chunk("MATL", "abc") +
                           model(1, 1, 1, std::string("\0\0\0\1", 4)) + chunk("NOTE", ""));
-  CHECK(read(bytes).structure.size() == 1);
+  CHECK(read_model(bytes).structure.size() == 1);
 }
 
 TEST_CASE("frames and overlaps are warned of") {
@@ -187,20 +187,22 @@ TEST_CASE("frames and overlaps are warned of") {
 
 TEST_CASE("damaged files are refused") {
   const std::string one = model(1, 1, 1, std::string("\0\0\0\1", 4));
-  CHECK(complaint("") == "F407 the file does not start with 'VOX '");
-  CHECK(complaint("VOX " + numbers({99}) + "MAIN") == "F407 version 99 of the format is not known");
-  CHECK(complaint("VOX " + numbers({150})) == "F407 the chunk 'MAIN' is missing");
-  CHECK(complaint(file("")) == "F407 the file has no model");
-  CHECK(complaint(file(chunk("XYZI", numbers({0})))) == "F407 chunk 'XYZI' without 'SIZE'");
-  CHECK(complaint(file(chunk("SIZE", numbers({1, 1, -1})))).ends_with("within 256 cells a side"));
+  CHECK(vox_complaint("") == "F407 the file does not start with 'VOX '");
+  CHECK(vox_complaint("VOX " + numbers({99}) + "MAIN") ==
+        "F407 version 99 of the format is not known");
+  CHECK(vox_complaint("VOX " + numbers({150})) == "F407 the chunk 'MAIN' is missing");
+  CHECK(vox_complaint(file("")) == "F407 the file has no model");
+  CHECK(vox_complaint(file(chunk("XYZI", numbers({0})))) == "F407 chunk 'XYZI' without 'SIZE'");
   CHECK(
-      complaint(file(model(1, 1, 1, std::string("\1\0\0\1", 4)))).ends_with("outside of its size"));
-  CHECK(complaint(file(chunk("SIZE", numbers({1, 1, 1})) + chunk("XYZI", numbers({-1}))))
+      vox_complaint(file(chunk("SIZE", numbers({1, 1, -1})))).ends_with("within 256 cells a side"));
+  CHECK(vox_complaint(file(model(1, 1, 1, std::string("\1\0\0\1", 4))))
+            .ends_with("outside of its size"));
+  CHECK(vox_complaint(file(chunk("SIZE", numbers({1, 1, 1})) + chunk("XYZI", numbers({-1}))))
             .ends_with("fewer cells than it says"));
-  CHECK(complaint(file(one + shape(0, 7))).ends_with("places model 8, but there are 1"));
-  CHECK(complaint(file(one + chunk("nSHP", ""))).find("damaged node") != std::string::npos);
-  CHECK(complaint(file(one + chunk("nGRP", numbers({0, 0, 999999999})))).starts_with("F407"));
-  CHECK(complaint(file(one + chunk("RGBA", "abc"))) == "F407 the palette is too short");
+  CHECK(vox_complaint(file(one + shape(0, 7))).ends_with("places model 8, but there are 1"));
+  CHECK(vox_complaint(file(one + chunk("nSHP", ""))).find("damaged node") != std::string::npos);
+  CHECK(vox_complaint(file(one + chunk("nGRP", numbers({0, 0, 999999999})))).starts_with("F407"));
+  CHECK(vox_complaint(file(one + chunk("RGBA", "abc"))) == "F407 the palette is too short");
 }
 
 TEST_CASE("every cut of a good file is refused or read, never worse") {
@@ -215,15 +217,16 @@ TEST_CASE("every cut of a good file is refused or read, never worse") {
 TEST_CASE("scenes that are no trees are refused") {
   const std::string one = model(1, 1, 1, std::string("\0\0\0\1", 4));
   const std::string message = "F407 the scene is no tree, or reaches too far";
-  CHECK(complaint(file(one + transform(0, 0, numbers({0})))) == message);
-  CHECK(complaint(file(one + chunk("nGRP", numbers({0, 0, 2, 1, 1})) + shape(1, 0))) == message);
-  CHECK(complaint(file(one + transform(0, 5, numbers({0})))) == message);
-  CHECK(complaint(file(one + shape(0, 0) + shape(0, 0))).find("damaged") != std::string::npos);
-  CHECK(complaint(file(one + placed(0, 1, "4", "99999999999 0 0") + shape(1, 0)))
+  CHECK(vox_complaint(file(one + transform(0, 0, numbers({0})))) == message);
+  CHECK(vox_complaint(file(one + chunk("nGRP", numbers({0, 0, 2, 1, 1})) + shape(1, 0))) ==
+        message);
+  CHECK(vox_complaint(file(one + transform(0, 5, numbers({0})))) == message);
+  CHECK(vox_complaint(file(one + shape(0, 0) + shape(0, 0))).find("damaged") != std::string::npos);
+  CHECK(vox_complaint(file(one + placed(0, 1, "4", "99999999999 0 0") + shape(1, 0)))
             .starts_with("F407"));
-  CHECK(complaint(file(one + placed(0, 1, "4", "0 -9223372036854775808 0") + shape(1, 0)))
+  CHECK(vox_complaint(file(one + placed(0, 1, "4", "0 -9223372036854775808 0") + shape(1, 0)))
             .starts_with("F407"));
-  CHECK(complaint(file(one + placed(0, 1, "5", "0 0 0") + shape(1, 0))).starts_with("F407"));
+  CHECK(vox_complaint(file(one + placed(0, 1, "5", "0 0 0") + shape(1, 0))).starts_with("F407"));
 }
 
 TEST_CASE("more colours than a structure can have are refused") {
@@ -231,7 +234,7 @@ TEST_CASE("more colours than a structure can have are refused") {
   for (int i = 1; i <= 63; ++i) {
     for (const int value : {i, 0, 0, i + 100}) put(voxels, static_cast<std::uint8_t>(value));
   }
-  CHECK(complaint(file(model(64, 1, 1, voxels))) ==
+  CHECK(vox_complaint(file(model(64, 1, 1, voxels))) ==
         "F408 the models use 63 colours, the most is 62");
 }
 
@@ -247,13 +250,14 @@ TEST_CASE("cells are counted as often as they are placed, the empty ones too") {
     return file(model(1, 1, 1, std::string(std::size_t{4} * cells, '\0')) +
                 chunk("nGRP", numbers({0, 0, placements}) + some) + scene);
   };
-  CHECK(complaint(bytes(shapes)) == "F406 more than 33554432 cells");
-  CHECK(read(bytes(1)).structure.size() == 0);
+  CHECK(vox_complaint(bytes(shapes)) == "F406 more than 33554432 cells");
+  CHECK(read_model(bytes(1)).structure.size() == 0);
 }
 
 TEST_CASE("cells far out are refused") {
   const std::string one = model(1, 1, 1, std::string("\0\0\0\1", 4));
-  CHECK(complaint(file(one + placed(0, 1, "4", "20000000 0 0") + shape(1, 0))).starts_with("F406"));
+  CHECK(vox_complaint(file(one + placed(0, 1, "4", "20000000 0 0") + shape(1, 0)))
+            .starts_with("F406"));
 }
 
 }  // namespace

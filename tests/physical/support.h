@@ -29,6 +29,13 @@ inline void run(World& world, double seconds) {
   while (world.time() < end - 1e-9) REQUIRE(world.step().ok);
 }
 
+/// Events of the last step.
+inline std::size_t count(const World& world, EventKind kind) {
+  return static_cast<std::size_t>(
+      std::count_if(world.events().begin(), world.events().end(),
+                    [kind](const WorldEvent& event) { return event.kind == kind; }));
+}
+
 /// A world of one body, for laws of motion.
 inline WorldConfig single(const BodyDef& def) {
   WorldConfig config;

@@ -12,8 +12,6 @@ namespace stig {
 
 namespace {
 
-constexpr double kInto = 1e-5;  ///< m, that neighbours overlap at the start, as in scenes.h
-
 /// The friction of the paper, which holds blocks that hang on magnets from sliding down.
 constexpr double kPaperFriction = 0.5;
 

@@ -7,12 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "base/degree.h"
 #include "physical/dynamics/world.h"
 #include "support/scenes.h"
 
 namespace stig {
-
-inline constexpr double kDegree = 3.14159265358979323846 / 180;
 
 BlockModel without_magnets(BlockModel block);
 /// With dipole moments of so many A·m².

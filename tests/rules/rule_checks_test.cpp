@@ -11,14 +11,12 @@
 #include "rules/rule_reader.h"
 #include "rules/rule_table.h"
 #include "rules/view_search.h"
+#include "support/draws.h"
 #include "support/golden.h"
 
 namespace stig {
 
 namespace {
-
-int below(int bound) { return *rc::gen::inRange(0, bound); }
-bool chance() { return *rc::gen::arbitrary<bool>(); }
 
 /// Cells that differ in these tests: on both lattices some above, beside and below,
 /// turned into each other by rotations.

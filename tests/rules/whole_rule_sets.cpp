@@ -7,13 +7,11 @@
 #include <string>
 
 #include "rules/rule_checks.h"
+#include "support/draws.h"
 
 namespace stig {
 
 namespace {
-
-int below(int bound) { return *rc::gen::inRange(0, bound); }
-bool chance() { return *rc::gen::arbitrary<bool>(); }
 
 /// Texts that are hard on a printer.
 std::string random_text() {

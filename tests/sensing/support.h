@@ -5,8 +5,8 @@
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "base/degree.h"
 #include "sensing/tag_pose.h"
 
 namespace stig {
@@ -66,7 +66,5 @@ inline std::array<ImagePoint, 4> corners_of(const CameraIntrinsics& camera, cons
 }
 
 inline double turn_between(const Pose& a, const Pose& b) { return angle_of(conjugate(a.q) * b.q); }
-
-inline constexpr double kDegree = std::numbers::pi / 180;
 
 }  // namespace stig

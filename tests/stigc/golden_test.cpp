@@ -8,11 +8,6 @@
 namespace stig {
 namespace {
 
-void hold(const Workplace& place, const std::string& name, const std::string& line) {
-  CAPTURE(line);
-  check_golden("tests/stigc/golden/" + name + ".txt", transcript(line, place.shell(line)));
-}
-
 TEST_CASE("help of the program and of every command") {
   const Workplace place;
   hold(place, "help", "stigc --help");

@@ -16,6 +16,8 @@
 #include <sstream>
 #include <thread>
 
+#include "support/golden.h"
+
 namespace stig {
 namespace {
 
@@ -135,6 +137,11 @@ std::vector<std::string> Workplace::files() const {
 std::string transcript(const std::string& line, const Outcome& outcome) {
   return "$ " + line + "\n" + outcome.out + "--- standard error\n" + outcome.err + "--- exit " +
          std::to_string(outcome.exit_code) + "\n";
+}
+
+void hold(const Workplace& place, const std::string& name, const std::string& line) {
+  CAPTURE(line);
+  check_golden("tests/stigc/golden/" + name + ".txt", transcript(line, place.shell(line)));
 }
 
 }  // namespace stig

@@ -48,5 +48,7 @@ class Workplace {
 
 /// Command, exit code and both streams, as golden files have it.
 std::string transcript(const std::string& line, const Outcome& outcome);
+/// Holds the transcript of a line for the shell to golden/`name`.txt.
+void hold(const Workplace& place, const std::string& name, const std::string& line);
 
 }  // namespace stig

@@ -17,11 +17,6 @@ constexpr const char* kSteady =
     "s/\"(at|seconds|real_time_factor|bytes[a-z_]*|[a-z]*_mm|[a-z]*_degrees)\": "
     "([0-9.e+-]+|\\[[^]]*\\])/\"\\1\": X/'";
 
-void hold(const Workplace& place, const std::string& name, const std::string& line) {
-  CAPTURE(line);
-  check_golden("tests/stigc/golden/" + name + ".txt", transcript(line, place.shell(line)));
-}
-
 /// The line of a summary that begins with `label`.
 std::string line_of(const std::string& text, const std::string& label) {
   const std::size_t at = text.find("  " + label + " ");

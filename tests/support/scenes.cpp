@@ -7,8 +7,6 @@ namespace stig {
 
 namespace {
 
-constexpr double kInto = 10e-6;  ///< m, that neighbours overlap at the start
-
 /// The block of a lattice cell.
 BodyDef in_cell(const BlockModel& block, double x, double y, double z) {
   const double pitch = block.side - kInto;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Scenes of blocks alone, shared by tests and benchmarks.
 //
-// Blocks of structures are spawned 10 µm into their support and their neighbours, as they
+// Blocks of structures are spawned a little into their support and their neighbours, as they
 // would lie after coming to rest.
 #pragma once
 
@@ -10,6 +10,8 @@
 #include "physical/dynamics/world_config.h"
 
 namespace stig {
+
+inline constexpr double kInto = 10e-6;  ///< m, that neighbours overlap at the start
 
 /// Friction of the materials here: block on block, block on floor. The paper has 0.5
 /// everywhere; with 0.15 between blocks, magnets align one that lands 4 mm and 5 degrees off

@@ -25,14 +25,14 @@ bool is_refused(const RuleSet& rules) {
   return problems.has_errors();
 }
 
-struct Tally {
+struct RepairTally {
   int whole = 0;     ///< repairs that are proved for all stages
   int followed = 0;  ///< of those: orders parted before the last stage
   int partial = 0;
 };
 
 /// Whether the repair, of which orders parted in `stage`, ends as it says.
-void check_claim(const Repair& repair, int stage, Tally& tally) {
+void check_claim(const Repair& repair, int stage, RepairTally& tally) {
   const int last = repair.whole ? repair.repaired.stage_count() : stage;
   const auto ends = all_ends(repair.repaired, kMostStructures, last);
   if (!ends) return;
@@ -43,7 +43,7 @@ void check_claim(const Repair& repair, int stage, Tally& tally) {
   if (repair.whole && stage < last) ++tally.followed;
 }
 
-void try_world(std::uint64_t seed, Tally& tally) {
+void try_world(std::uint64_t seed, RepairTally& tally) {
   const RuleSet rules = staged_small_world(seed);
   if (!runs_in_its_box(rules)) return;
   CAPTURE(seed);
@@ -58,7 +58,7 @@ void try_world(std::uint64_t seed, Tally& tally) {
 }  // namespace
 
 TEST_CASE("a repair of a staged set ends in as many bricks as it says") {
-  Tally tally;
+  RepairTally tally;
   for (std::uint64_t seed = 0; seed < 800; ++seed) try_world(seed, tally);
   MESSAGE(tally.whole << " of all stages (" << tally.followed << " of an earlier one), "
                       << tally.partial << " of some");

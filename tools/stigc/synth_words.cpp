@@ -2,15 +2,11 @@
 #include "synth_words.h"
 
 #include "base/file_io.h"
+#include "outputs.h"
 
 namespace stig {
 
 bool has_file(const SynthOptions& options) { return options.output && *options.output != "-"; }
-
-std::string file_name(const std::string& path) {
-  const std::size_t slash = path.rfind('/');
-  return slash == std::string::npos ? path : path.substr(slash + 1);
-}
 
 std::string set_name(const std::string& path) {
   std::string name = file_name(path);

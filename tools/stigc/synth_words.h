@@ -13,8 +13,6 @@ namespace stig {
 /// Do the rules go into a file? Otherwise to standard output, where there is no JSON.
 bool has_file(const SynthOptions& options);
 
-/// "tower.vox", of "models/tower.vox".
-std::string file_name(const std::string& path);
 /// "tower", of "models/tower.vox": what a rule set may be called.
 std::string set_name(const std::string& path);
 

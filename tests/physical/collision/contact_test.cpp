@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "physical/touch_oracle.h"
+#include "support/draws.h"
+
 using namespace stig;
 
 namespace {
@@ -15,33 +18,6 @@ Placed cube_at(const Vec3& p, const Vec3& turn = {}) {
   return {Shape::box({2, 2, 2}), p, matrix(normalised(rotation(turn)))};
 }
 Placed ball_at(const Vec3& p) { return {Shape::sphere(1), p, {}}; }
-
-double deepest(const Touch& touch) {
-  double least = 1e9;
-  for (int i = 0; i < touch.count; ++i) {
-    least = std::min(least, touch.points[static_cast<std::size_t>(i)].gap);
-  }
-  return least;
-}
-
-double value() { return *rc::gen::inRange(-1000, 1001) * 1e-3; }
-
-/// Distance of two convex boxes along many directions: none may part them farther than the
-/// answer says. Slow and obvious.
-double sampled_separation(const Placed& a, const Placed& b) {
-  double best = -1e9;
-  for (int i = 0; i < 60; ++i) {
-    for (int k = 0; k < 120; ++k) {
-      const double z = (i + 0.5) / 30 - 1, s = std::sqrt(1 - z * z), t = k * 3.14159265 / 60;
-      const Vec3 n{s * std::cos(t), s * std::sin(t), z};
-      const auto reach = [&n](const Placed& box) {
-        return std::abs(dot(n, box.r.x)) + std::abs(dot(n, box.r.y)) + std::abs(dot(n, box.r.z));
-      };
-      best = std::max(best, dot(n, a.p - b.p) - reach(a) - reach(b));
-    }
-  }
-  return best;
-}
 
 }  // namespace
 
@@ -84,8 +60,9 @@ TEST_CASE("edges that cross meet in a point") {
 
 TEST_CASE("a touch says the same from the other side") {
   CHECK(rc::check("boxes swapped", [] {
-    const Placed a = cube_at({value() * 2, value() * 2, value() * 2}, {value(), value(), value()});
-    const Placed b = cube_at({}, {value(), value(), value()});
+    const Placed a = cube_at({unit_value() * 2, unit_value() * 2, unit_value() * 2},
+                             {unit_value(), unit_value(), unit_value()});
+    const Placed b = cube_at({}, {unit_value(), unit_value(), unit_value()});
     const Touch one = touch(a, b, 0.3), other = touch(b, a, 0.3);
     RC_ASSERT((one.count == 0) == (other.count == 0));
     if (one.count == 0) return;
@@ -96,9 +73,9 @@ TEST_CASE("a touch says the same from the other side") {
 
 TEST_CASE("no direction parts two boxes farther than the one found") {
   CHECK(rc::check("against many directions", [] {
-    const Vec3 at{value() * 3, value() * 3, value() * 3};
-    const Placed a = cube_at(at, {value(), value(), value()});
-    const Placed b = cube_at({}, {value(), value(), value()});
+    const Vec3 at{unit_value() * 3, unit_value() * 3, unit_value() * 3};
+    const Placed a = cube_at(at, {unit_value(), unit_value(), unit_value()});
+    const Placed b = cube_at({}, {unit_value(), unit_value(), unit_value()});
     const double separation = sampled_separation(a, b);
     const Touch t = touch(a, b, 0.01);
     // The samples lie up to 3 degrees beside the best direction.
@@ -154,15 +131,16 @@ TEST_CASE("the floor") {
 
 TEST_CASE("a hull touches as the box of its corners does, wherever its origin is") {
   CHECK(rc::check([] {
-    const Vec3 off{5 * value(), 5 * value(), 5 * value()};
+    const Vec3 off{5 * unit_value(), 5 * unit_value(), 5 * unit_value()};
     std::vector<Vec3> corners;
     for (int i = 0; i < 8; ++i) {
       corners.push_back(off + Vec3{i & 1 ? 1.0 : -1.0, i & 2 ? 1.0 : -1.0, i & 4 ? 1.0 : -1.0});
     }
-    const Placed box =
-        cube_at({2.2 * value(), 2.2 * value(), 2.2 * value()}, Vec3{value(), value(), value()});
+    const Placed box = cube_at({2.2 * unit_value(), 2.2 * unit_value(), 2.2 * unit_value()},
+                               Vec3{unit_value(), unit_value(), unit_value()});
     const Placed hull{Shape::hull(corners), box.p - box.r * off, box.r};
-    const Placed can{Shape::cylinder(0.7, 1.5), {}, matrix(rotation({value(), value(), 0}))};
+    const Placed can{
+        Shape::cylinder(0.7, 1.5), {}, matrix(rotation({unit_value(), unit_value(), 0}))};
     for (const double margin : {0.001, 0.5}) {
       const Touch a = touch(box, can, margin), b = touch(hull, can, margin);
       RC_ASSERT((a.count > 0) == (b.count > 0));

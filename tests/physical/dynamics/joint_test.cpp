@@ -5,14 +5,13 @@
 #include "physical/dynamics/joint.h"
 
 #include <cmath>
+#include <numbers>
 
 #include "physical/support.h"
 
 using namespace stig;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979;
 
 /// No floor, and a step for laws of motion.
 WorldConfig in_the_air(double step) {
@@ -59,7 +58,7 @@ double time_of_swings(World& world, int count) {
 double elliptic_k(double k) {
   double a = 1, b = std::sqrt(1 - k * k);
   while (std::abs(a - b) > 1e-14) std::tie(a, b) = std::pair((a + b) / 2, std::sqrt(a * b));
-  return kPi / (2 * a);
+  return std::numbers::pi / (2 * a);
 }
 
 struct Sum {
@@ -90,8 +89,8 @@ TEST_CASE("a pendulum keeps the period that the elliptic integral gives") {
     World world(config);
     // Of a ball at the end of a rod without mass: its own moment counts.
     const double inertia = 0.5 * 0.16 + inertia_of(config.bodies[0]).y;
-    const double slow = 2 * kPi * std::sqrt(inertia / (0.5 * 9.8 * 0.4));
-    const double period = slow * 2 / kPi * elliptic_k(std::sin(angle / 2));
+    const double slow = 2 * std::numbers::pi * std::sqrt(inertia / (0.5 * 9.8 * 0.4));
+    const double period = slow * 2 / std::numbers::pi * elliptic_k(std::sin(angle / 2));
     CHECK(time_of_swings(world, 5) == doctest::Approx(5 * period).epsilon(5e-4));
   }
 }

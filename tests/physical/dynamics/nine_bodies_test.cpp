@@ -12,9 +12,11 @@
 #include "physical/support.h"
 
 using namespace stig;
-using namespace dart::dynamics;
 
 namespace {
+
+using dart::dynamics::BallJoint, dart::dynamics::BodyNode, dart::dynamics::FreeJoint;
+using dart::dynamics::Inertia, dart::dynamics::Skeleton, dart::dynamics::SkeletonPtr;
 
 Eigen::Vector3d eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec3 vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }

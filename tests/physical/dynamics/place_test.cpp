@@ -4,16 +4,7 @@
 
 using namespace stig;
 
-namespace {
-
-std::size_t count(const World& world, EventKind kind) {
-  const auto& events = world.events();
-  return static_cast<std::size_t>(
-      std::count_if(events.begin(), events.end(),
-                    [kind](const WorldEvent& event) { return event.kind == kind; }));
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST_CASE("a block put elsewhere falls as one that begins there") {
   const Pose there{{0.3, -0.2, 0.2}, rotation({0.3, 0, 0.5})};

@@ -4,15 +4,16 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <numbers>
 
 #include "physical/support.h"
+#include "physical/touch_oracle.h"
 #include "physical/trace/pose_trace.h"
+#include "support/draws.h"
 
 using namespace stig;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 std::vector<Vec3> box_corners(const Vec3& half) {
   std::vector<Vec3> out;
@@ -27,43 +28,8 @@ std::vector<Vec3> box_corners(const Vec3& half) {
 /// Without centre of symmetry.
 std::vector<Vec3> tetrahedron() { return {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}}; }
 
-double value() { return *rc::gen::inRange(-1000, 1001) * 1e-3; }
-Vec3 vector() { return {value(), value(), value()}; }
-Quat turn() { return normalised(rotation(vector() * 3.0)); }
+Quat turn() { return normalised(rotation(some_vector() * 3.0)); }
 Placed put(const Shape& shape, const Vec3& p, const Quat& q = {}) { return {shape, p, matrix(q)}; }
-
-double deepest(const Touch& touch) {
-  double least = 1e9;
-  for (int i = 0; i < touch.count; ++i) {
-    least = std::min(least, touch.points[static_cast<std::size_t>(i)].gap);
-  }
-  return least;
-}
-
-/// How far a shape reaches along a direction.
-double reach(const Placed& a, const Vec3& n) {
-  const Vec3 d = a.r.transposed(n), h = a.shape.half;
-  if (a.shape.kind == ShapeKind::box) {
-    return dot(n, a.p) + std::abs(d.x) * h.x + std::abs(d.y) * h.y + std::abs(d.z) * h.z;
-  }
-  if (a.shape.kind == ShapeKind::sphere) return dot(n, a.p) + h.x;
-  double most = -1e9;
-  for (const Vec3& p : a.shape.convex->points) most = std::max(most, dot(d, p));
-  return dot(n, a.p) + most;
-}
-
-/// The most by which one of many directions parts two convex bodies: slow and obvious.
-double sampled_separation(const Placed& a, const Placed& b) {
-  double best = -1e9;
-  for (int i = 0; i < 60; ++i) {
-    for (int k = 0; k < 120; ++k) {
-      const double z = (i + 0.5) / 30 - 1, s = std::sqrt(1 - z * z), t = k * kPi / 60;
-      const Vec3 n{s * std::cos(t), s * std::sin(t), z};
-      best = std::max(best, -reach(a, -n) - reach(b, n));
-    }
-  }
-  return best;
-}
 
 Shape some_shape(int kind) {
   switch (kind) {
@@ -92,7 +58,7 @@ Vec3 rest_place(const WorldConfig& config, double seconds, Quat* turned = nullpt
 TEST_CASE("overlaps and gaps of all pairs are what sampled directions say") {
   CHECK(rc::check("every pair of kinds", [] {
     const int ka = *rc::gen::inRange(0, 5), kb = *rc::gen::inRange(0, 5);
-    const Placed a = put(some_shape(ka), vector() * 2.5, turn());
+    const Placed a = put(some_shape(ka), some_vector() * 2.5, turn());
     const Placed b = put(some_shape(kb), {}, turn());
     // A cylinder is exact against a ball, and here a prism.
     const double rough = (ka == 2 && kb == 1) || (ka == 1 && kb == 2) ? 0.02 : 2e-4;
@@ -111,7 +77,7 @@ TEST_CASE("overlaps and gaps of all pairs are what sampled directions say") {
 
 TEST_CASE("the order of two shapes turns the normal round and no more") {
   CHECK(rc::check("every pair of kinds", [] {
-    const Placed a = put(some_shape(*rc::gen::inRange(0, 5)), vector() * 2, turn());
+    const Placed a = put(some_shape(*rc::gen::inRange(0, 5)), some_vector() * 2, turn());
     const Placed b = put(some_shape(*rc::gen::inRange(0, 5)), {}, turn());
     const Touch one = touch(a, b, 0.1), other = touch(b, a, 0.1);
     if (one.count == 0 || other.count == 0) return;
@@ -126,7 +92,7 @@ TEST_CASE("the order of two shapes turns the normal round and no more") {
 TEST_CASE("a hull that is a box touches as a box does") {
   CHECK(rc::check("against a turned box", [] {
     const Quat q = turn();
-    const Vec3 p = vector() * 2;
+    const Vec3 p = some_vector() * 2;
     const Placed other = put(Shape::box({1, 1.5, 2}), {}, turn());
     const Touch as_box = touch(put(Shape::box({1, 2, 1.2}), p, q), other, 0.2);
     const Touch as_hull = touch(put(Shape::hull(box_corners({0.5, 1, 0.6})), p, q), other, 0.2);
@@ -168,7 +134,7 @@ TEST_CASE("masses of cylinders and hulls are those of the solids") {
 
 TEST_CASE("a hull that is askew finds its centre and its axes") {
   CHECK(rc::check("a box turned and moved", [] {
-    const Pose X{vector(), turn()};
+    const Pose X{some_vector(), turn()};
     std::vector<Vec3> points = box_corners({0.1, 0.2, 0.3});
     for (Vec3& p : points) p = X * p;
     const BodyDef def = hull_body(points, 3, {});
@@ -207,7 +173,7 @@ TEST_CASE("shapes that are none are refused") {
 TEST_CASE("a cylinder stays where it lies, and rolls on without stopping") {
   WorldConfig config = scene_settings({0.5, 0.5});
   BodyDef can = solid_body(Shape::cylinder(0.05, 0.08), 0.5, {0, 0, 0.05});
-  can.X_WB.q = rotation({kPi / 2, 0, 0});
+  can.X_WB.q = rotation({std::numbers::pi / 2, 0, 0});
   config.bodies = {can};
   CHECK(length(rest_place(config, 2) - Vec3{0, 0, 0.05}) < 1e-4);
   config.bodies[0].velocity = {0.5, 0, 0};
@@ -232,7 +198,7 @@ TEST_CASE("a cylinder stands on its end, and an octagon on its face") {
   CHECK(angle_of(q) < 0.01);
   std::vector<Vec3> octagon;
   for (int i = 0; i < 8; ++i) {
-    const double a = (i + 0.5) * kPi / 4;
+    const double a = (i + 0.5) * std::numbers::pi / 4;
     octagon.push_back({0.07 * std::cos(a), 0.07 * std::sin(a), 0.02});
     octagon.push_back({0.07 * std::cos(a), 0.07 * std::sin(a), -0.02});
   }

@@ -3,18 +3,11 @@
 #include <rapidcheck.h>
 
 #include "physical/support.h"
+#include "support/draws.h"
 
 using namespace stig;
 
 namespace {
-
-double value() { return *rc::gen::inRange(-1000, 1001) * 1e-3; }
-Vec3 some_vector() { return {value(), value(), value()}; }
-Vec3 some_direction() {
-  const Vec3 v = some_vector();
-  RC_PRE(squared(v) > 1e-3);
-  return normalised(v);
-}
 
 /// No floor, no weight: magnets alone.
 WorldConfig afloat() {
@@ -55,12 +48,6 @@ Vec3 slope(WorldConfig config, std::uint32_t body, bool turns, double current) {
   return {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})};
 }
 
-std::size_t count(const World& world, EventKind kind) {
-  return static_cast<std::size_t>(
-      std::count_if(world.events().begin(), world.events().end(),
-                    [kind](const WorldEvent& event) { return event.kind == kind; }));
-}
-
 /// A carrier fixed above a block on the floor, with four electromagnets that face the
 /// block's upper spheres at the lift's lowest place: 17.5 mm between centres.
 WorldConfig lifting_scene(double active) {
@@ -89,7 +76,7 @@ void set_currents(World& world, double current) {
 TEST_CASE("off-centre magnets of turned bodies: force and torque are the energy's slopes") {
   CHECK(rc::check("both bodies, with and without current", [] {
     WorldConfig config = afloat();
-    const Vec3 apart = some_direction() * (0.08 + 0.02 * std::abs(value()));
+    const Vec3 apart = some_direction() * (0.08 + 0.02 * std::abs(unit_value()));
     config.bodies = {magnetic_box({{}, normalised(rotation(some_vector() * 3))}),
                      magnetic_box({apart, normalised(rotation(some_vector() * 3))})};
     const double current = *rc::gen::element(0.0, 12.5, -40.0);

@@ -13,12 +13,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-std::size_t count(const World& world, EventKind kind) {
-  return static_cast<std::size_t>(
-      std::count_if(world.events().begin(), world.events().end(),
-                    [kind](const WorldEvent& event) { return event.kind == kind; }));
-}
-
 /// A scene of some of everything: blocks that fall upon each other with magnets.
 WorldConfig lively_scene() { return drop_scene(paper_block(), 12); }
 

@@ -8,20 +8,13 @@
 #include <array>
 
 #include "robots/block.h"
+#include "support/draws.h"
 
 using namespace stig;
 
 namespace {
 
 /// A multiple of 1/1000 from -1 to 1.
-double unit_value() { return *rc::gen::inRange(-1000, 1001) * 1e-3; }
-
-Vec3 some_direction() {
-  const Vec3 v{unit_value(), unit_value(), unit_value()};
-  RC_PRE(squared(v) > 1e-4);
-  return normalised(v);
-}
-
 Vec3 some_moment() { return some_direction() * (0.01 + 0.2 * std::abs(unit_value())); }
 Vec3 some_distance() { return some_direction() * (0.008 + 0.04 * std::abs(unit_value())); }
 
@@ -185,7 +178,7 @@ TEST_CASE("the grid finds the pairs that trying all of them finds") {
     std::vector<MagnetOwner> owners;
     const double radius = 0.03, cutoff = 0.04;
     for (std::uint32_t i = 0; i < count; ++i) {
-      const Vec3 centre = Vec3{unit_value(), unit_value(), unit_value()} * 0.2;
+      const Vec3 centre = some_vector() * 0.2;
       owners.push_back({2 * i, 2 * i + 2, centre, *rc::gen::arbitrary<bool>()});
       for (int k = 0; k < 2; ++k) {
         magnets.push_back({i, true, centre + some_direction() * radius, {0, 0, 1}, 0.2});

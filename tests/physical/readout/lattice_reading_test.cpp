@@ -10,7 +10,7 @@
 namespace stig {
 namespace {
 
-constexpr double kSide = 0.055;
+constexpr double kBlockSide = 0.055;
 
 std::vector<LatticeCell> pyramid() {
   std::vector<LatticeCell> cells;
@@ -24,7 +24,7 @@ std::vector<LatticeCell> pyramid() {
 
 /// Blocks in these cells of a lattice that stands anywhere, each turned in its own way.
 std::vector<PlacedBlock> place(const std::vector<LatticeCell>& cells, const Pose& X_WL,
-                               double pitch = kSide) {
+                               double pitch = kBlockSide) {
   std::vector<PlacedBlock> out;
   const double quarter = std::numbers::pi / 2;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -52,7 +52,7 @@ TEST_CASE("a pyramid is read back, its blocks turned and the whole anywhere") {
   CHECK(cells_of(lattice) == std::set<LatticeCell>(cells.begin(), cells.end()));
   CHECK(lattice.yaw == doctest::Approx(0.5));
   CHECK(lattice.tilt == doctest::Approx(0).epsilon(1e-7));
-  CHECK(lattice.pitch == doctest::Approx(kSide));
+  CHECK(lattice.pitch == doctest::Approx(kBlockSide));
   CHECK(length(lattice.X_WL.p - X_WL.p) < 1e-9);
   CHECK(lattice.worst_offset < 1e-9);
   for (const ReadBlock& block : lattice.blocks) {
@@ -87,8 +87,8 @@ TEST_CASE("a block askew is told in millimetres and radians") {
 
 TEST_CASE("what is too far off, too turned, or alone is loose") {
   auto blocks = place({{0, 0, 0}, {1, 0, 0}, {9, 0, 0}}, {});
-  blocks.push_back({{{0, kSide + 0.013, 0}, {}}, 0});
-  blocks.push_back({{{0, -kSide, 0}, rotation({0, 0, 0.3})}, 0});
+  blocks.push_back({{{0, kBlockSide + 0.013, 0}, {}}, 0});
+  blocks.push_back({{{0, -kBlockSide, 0}, rotation({0, 0, 0.3})}, 0});
   const auto reading = read_lattices(blocks);
   CHECK(reading.lattices.size() == 1);
   CHECK(reading.loose == std::vector<std::size_t>{2, 3, 4});
@@ -111,7 +111,7 @@ TEST_CASE("a row has no turn about itself but its blocks' own") {
 
 TEST_CASE("two blocks in one cell: the better stays") {
   auto blocks = place({{0, 0, 0}, {1, 0, 0}}, {});
-  blocks.push_back({{{kSide + 0.004, 0, 0}, {}}, 0});
+  blocks.push_back({{{kBlockSide + 0.004, 0, 0}, {}}, 0});
   const auto reading = read_lattices(blocks);
   REQUIRE(reading.lattices.size() == 1);
   CHECK(reading.lattices[0].blocks.size() == 2);

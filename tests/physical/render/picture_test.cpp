@@ -14,7 +14,7 @@ std::size_t count(const Image& image, Rgb colour) {
   return static_cast<std::size_t>(std::count(image.pixels.begin(), image.pixels.end(), colour));
 }
 
-PictureBody block_at(const Vec3& p) {
+PictureBody drawn_block(const Vec3& p) {
   PictureBody body;
   body.shape = Shape::box({0.055, 0.055, 0.055});
   body.X_WB.p = p;
@@ -106,7 +106,7 @@ TEST_CASE("faces look outwards and close the shape") {
 TEST_CASE("a fitted view holds every body, from any side") {
   std::vector<PictureBody> bodies;
   for (int i = 0; i < 12; ++i)
-    bodies.push_back(block_at({0.1 * i, 0.05 * (i % 3), 0.03 + 0.06 * (i % 4)}));
+    bodies.push_back(drawn_block({0.1 * i, 0.05 * (i % 3), 0.03 + 0.06 * (i % 4)}));
   for (const double azimuth : {-3.0, -1.05, 0.0, 0.7, 1.6, 3.1}) {
     for (const double elevation : {0.1, 0.42, 1.2}) {
       PictureLook look;
@@ -130,7 +130,7 @@ TEST_CASE("a fitted view holds every body, from any side") {
 }
 
 TEST_CASE("a picture shows its bodies, what has rolled away aside, and is the same every time") {
-  std::vector<PictureBody> bodies = {block_at({0, 0, 0.0275}), block_at({0.1, 0, 0.0275})};
+  std::vector<PictureBody> bodies = {drawn_block({0, 0, 0.0275}), drawn_block({0.1, 0, 0.0275})};
   bodies[0].led = Led::q3;
   PictureLook look;
   look.width = 300;
@@ -144,8 +144,8 @@ TEST_CASE("a picture shows its bodies, what has rolled away aside, and is the sa
   CHECK(png_of(one.image, "test") ==
         png_of(draw_bodies(bodies, fitted_view(bodies, look), true).image, "test"));
   const double distance = length(fitted_view(bodies, look).X_WC.p);
-  for (int i = 0; i < 20; ++i) bodies.push_back(block_at({0.06 * i, 0.2, 0.0275}));
-  bodies.push_back(block_at({50, 0, 0.0275}));
+  for (int i = 0; i < 20; ++i) bodies.push_back(drawn_block({0.06 * i, 0.2, 0.0275}));
+  bodies.push_back(drawn_block({50, 0, 0.0275}));
   CHECK(length(fitted_view(bodies, look).X_WC.p) < 20 * distance);
   CHECK(png_of(draw_bodies({}, fitted_view({}, look), true).image, "").starts_with("\x89PNG"));
 }

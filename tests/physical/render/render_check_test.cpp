@@ -24,8 +24,8 @@ using namespace stig;
 
 namespace {
 
-constexpr double kSide = 0.024;
-constexpr double kSheet = kSide * 10 / 8;  ///< with the white border of one cell
+constexpr double kTagSide = 0.024;
+constexpr double kSheet = kTagSide * 10 / 8;  ///< with the white border of one cell
 
 struct Detection {
   int id = 0;
@@ -83,7 +83,7 @@ class Reader {
   static Detection detection(apriltag_detection_t& d, const CameraIntrinsics& camera) {
     Detection out{d.id, {}, {}};
     for (std::size_t i = 0; i < 4; ++i) out.corners[i] = {d.p[i][0] - 0.5, d.p[i][1] - 0.5};
-    apriltag_detection_info_t info{&d,        kSide,           camera.fx,
+    apriltag_detection_info_t info{&d,        kTagSide,        camera.fx,
                                    camera.fy, camera.cx + 0.5, camera.cy + 0.5};
     apriltag_pose_t pose{};
     estimate_tag_pose(&info, &pose);
@@ -108,7 +108,7 @@ CameraPicture tag_picture(const Reader& reader, const CameraIntrinsics& camera, 
   for (const Vec3& p : tag_corners(kSheet)) around.push_back(*project(camera, X_CT * p));
   const auto cells = reader.cells(id);
   paint(picture, camera, box_about(picture, around), 4, [&](const Vec3& way, const Vec3& ground) {
-    return sheet_colour(cells, kSide, meet_plane(X_CT, way)).value_or(ground);
+    return sheet_colour(cells, kTagSide, meet_plane(X_CT, way)).value_or(ground);
   });
   return picture;
 }
@@ -139,7 +139,7 @@ Tally compare(Reader& reader, CameraView view, double least_tilt, double most_ti
     const Vec3 p{in(-0.3, 0.3) * z, in(-0.14, 0.14) * z, z};
     const Quat q = kFacing * rotation(Vec3{std::cos(axis), std::sin(axis), 0} * tilt) *
                    rotation({0, 0, in(0, 6.28)});
-    SensorScene scene = one_tag({p, q}, kSide, 75 * kDegree);
+    SensorScene scene = one_tag({p, q}, kTagSide, 75 * kDegree);
     scene.kinds[0].tags[0].id = id;
     const CameraSight sight = look(SensorIndex(scene), view, {});
     const CameraReading told = read_camera(scene, sight, view, {}, {});
@@ -155,7 +155,7 @@ Tally compare(Reader& reader, CameraView view, double least_tilt, double most_ti
     tally.worst_corner = std::max(tally.worst_corner, error);
     tally.sum_corner += error;
     // From the same pixels both must find the same pose.
-    const auto ours = estimate_tag_pose(view.intrinsics, found[0].corners, kSide);
+    const auto ours = estimate_tag_pose(view.intrinsics, found[0].corners, kTagSide);
     REQUIRE(ours);
     if (view.distorted) continue;  // which libapriltag knows nothing of
     const double turn = angle_of(conjugate(ours->X_CT.q) * found[0].X_CT.q);

@@ -8,14 +8,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "robots/robot_reader.h"
 
 using namespace stig;
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 RobotModel robot_of(const std::string& name) {
   Diagnostics diagnostics;
@@ -130,14 +129,14 @@ TEST_CASE("robots turn round on the spot as kinematics says") {
     };
     double last = heading();
     const double begin = stage.world->time();
-    while (turned < 2 * kPi) {
+    while (turned < 2 * std::numbers::pi) {
       REQUIRE(stage.world->time() < 30);
       stage.run(stage.config.step);
       const double now = heading();
-      turned += std::remainder(now - last, 2 * kPi);
+      turned += std::remainder(now - last, 2 * std::numbers::pi);
       last = now;
     }
-    const double theory = kPi * stage.robot.drive->track / speed;
+    const double theory = std::numbers::pi * stage.robot.drive->track / speed;
     CHECK(stage.world->time() - begin == doctest::Approx(theory).epsilon(0.02));
   }
 }

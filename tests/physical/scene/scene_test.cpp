@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What scenes become: structures, loose blocks, settings.
 #include "physical/scene/scene.h"
+#include "physical/scene/block_text.h"
 
 #include <doctest/doctest.h>
 
@@ -14,12 +15,7 @@ using namespace stig;
 
 namespace {
 
-std::string block_text() {
-  FileError error;
-  return read_file(STIG_SOURCE_DIR "/blocks/stigmergic.yaml", kMaxSceneBytes, error).value();
-}
-
-Scene read(const std::string& text, std::vector<SceneFile> files = {}) {
+Scene scene_of(const std::string& text, std::vector<SceneFile> files = {}) {
   Diagnostics diagnostics;
   files.push_back({"stigmergic.yaml", block_text()});
   const auto source = std::make_shared<const SourceFile>("s.yaml", "stigc_scene: 1\n" + text);
@@ -48,10 +44,10 @@ bool same_places(const PlacedScene& a, const PlacedScene& b) {
 
 }  // namespace
 
-TEST_CASE("an empty scene is a scene") { CHECK(place(read("")).bodies.empty()); }
+TEST_CASE("an empty scene is a scene") { CHECK(place(scene_of("")).bodies.empty()); }
 
 TEST_CASE("settings come from the file, and otherwise are the world's") {
-  const Scene scene = read(
+  const Scene scene = scene_of(
       "title: x\nseed: 7\nduration: 3\nstep: 0.002\narena: 5\ngravity: 1.6\nfloor: false\n"
       "friction: {default: 0.3, pairs: [{of: [floor, block], is: 0.1}, {of: [wheel, floor], is: "
       "1}]}\n"
@@ -59,7 +55,7 @@ TEST_CASE("settings come from the file, and otherwise are the world's") {
       "stop: {asleep: true}\nsolver: stock\n");
   CHECK(scene.title == "x");
   CHECK(scene.settings.solver == SolverKind::stock);
-  CHECK(read("solver: fast\n").settings.solver == SolverKind::fast);
+  CHECK(scene_of("solver: fast\n").settings.solver == SolverKind::fast);
   CHECK(scene.seed == 7);
   CHECK(scene.duration == 3);
   CHECK(scene.stop_asleep);
@@ -82,9 +78,9 @@ TEST_CASE("settings come from the file, and otherwise are the world's") {
 }
 
 TEST_CASE("a single block: pose, colour, velocity, name") {
-  const PlacedScene placed =
-      place(read("blocks: [{name: seed, at: [1, 2, 0.5], turn: [90, 0, 0], color: Q3, fixed: true},"
-                 "{at: [0, 0, 1], velocity: [1, 0, 0], spin: [0, 0, 180]}]"));
+  const PlacedScene placed = place(
+      scene_of("blocks: [{name: seed, at: [1, 2, 0.5], turn: [90, 0, 0], color: Q3, fixed: true},"
+               "{at: [0, 0, 1], velocity: [1, 0, 0], spin: [0, 0, 180]}]"));
   CHECK(placed.bodies[0].name == "seed");
   CHECK(placed.bodies[1].name == "block 2");
   CHECK(placed.bodies[0].colour == Led::q3);
@@ -103,29 +99,29 @@ TEST_CASE("turns are about z, the new y, the new x") {
 }
 
 TEST_CASE("structures stand on the middle of their area, into each other by 10 µm") {
-  const PlacedScene column = place(read("blocks: [{column: 3, at: [1, 0, 0]}]"));
+  const PlacedScene column = place(scene_of("blocks: [{column: 3, at: [1, 0, 0]}]"));
   REQUIRE(column.bodies.size() == 3);
   CHECK(at(column, 0).z == doctest::Approx(0.02749));
   CHECK(at(column, 2).z - at(column, 1).z == doctest::Approx(0.05499));
-  const PlacedScene wall = place(read("blocks: [{name: w, wall: [4, 2], turn: [90, 0, 0]}]"));
+  const PlacedScene wall = place(scene_of("blocks: [{name: w, wall: [4, 2], turn: [90, 0, 0]}]"));
   REQUIRE(wall.bodies.size() == 8);
   CHECK(wall.bodies[7].name == "w 8");
   CHECK(at(wall, 0).y == doctest::Approx(-1.5 * 0.05499));
   CHECK(at(wall, 3).y == doctest::Approx(1.5 * 0.05499));
   CHECK(std::abs(at(wall, 3).x) < 1e-12);
-  const PlacedScene pyramid = place(read("blocks: [{pyramid: 3}]"));
+  const PlacedScene pyramid = place(scene_of("blocks: [{pyramid: 3}]"));
   REQUIRE(pyramid.bodies.size() == 15);
   CHECK(at(pyramid, 14).z == doctest::Approx(0.02749 + 2 * 0.05499));
-  CHECK(place(read("blocks: [{pyramid: 1}]")).bodies.size() == 1);
+  CHECK(place(scene_of("blocks: [{pyramid: 1}]")).bodies.size() == 1);
 }
 
 TEST_CASE("without magnets") {
-  const PlacedScene placed = place(read("magnets: {enabled: false}\nblocks: [{column: 2}]"));
+  const PlacedScene placed = place(scene_of("magnets: {enabled: false}\nblocks: [{column: 2}]"));
   CHECK(placed.config.bodies[0].magnets.empty());
 }
 
 TEST_CASE("grids and scatters depend on the seed alone") {
-  const Scene scene = read(
+  const Scene scene = scene_of(
       "blocks: [{grid: [3, 2, 2], at: [0, 0, 1], jitter: 0.005, tumble: 20},"
       "{scatter: 60, size: [1, 1, 0]}, {scatter: 40, size: [0.6, 0.6, 0.6], at: [0, 0, 3], turned: "
       "any}]");
@@ -166,8 +162,8 @@ TEST_CASE("what is off is so by the seed, and by no more than is said") {
 
 TEST_CASE("poses from a file, in the entry's frame") {
   const Scene scene =
-      read("blocks: [{poses: p.csv, at: [1, 0, 0]}]",
-           {{"p.csv", "x,y,z,rz,ry,rx\n0,0,0.0275,0,0,0\r\n\n 0.5 ,1, 2,90,0,0\n"}});
+      scene_of("blocks: [{poses: p.csv, at: [1, 0, 0]}]",
+               {{"p.csv", "x,y,z,rz,ry,rx\n0,0,0.0275,0,0,0\r\n\n 0.5 ,1, 2,90,0,0\n"}});
   const PlacedScene placed = place(scene);
   REQUIRE(placed.bodies.size() == 2);
   CHECK(at(placed, 1) == Vec3{1.5, 1, 2});
@@ -181,7 +177,7 @@ TEST_CASE("poses from a file, in the entry's frame") {
 TEST_CASE("files of poses have comments, before the names of columns and among the rows") {
   const char* text =
       "# measured, 3 of 5\n\nx,y,z,rz,ry,rx\n0,0,1,0,0,0\n  # 0,0,2,0,0,0\n\t\n0,0,3,0,0,0\n#";
-  const PlacedScene placed = place(read("blocks: [{poses: p.csv}]", {{"p.csv", text}}));
+  const PlacedScene placed = place(scene_of("blocks: [{poses: p.csv}]", {{"p.csv", text}}));
   REQUIRE(placed.bodies.size() == 2);
   CHECK(at(placed, 1) == Vec3{0, 0, 3});
   for (const char* bad : {"0,0,1,0,0,0 # behind\n", "0,0,1,0,0,0\nx,y,z,rz,ry,rx\n", "# nothing\n",

@@ -7,6 +7,7 @@
 #include "physical/sensors/line_of_sight.h"
 #include "physical/sensors/sensor_support.h"
 #include "sensing/tag_pose.h"
+#include "support/draws.h"
 
 using namespace stig;
 
@@ -22,11 +23,9 @@ SensorScene tag_at(const Vec3& p, double side = kSide) {
 }
 SensorScene led_at(const Vec3& p) { return one_led({p, kFacing}, kWide); }
 
-double unit_value() { return *rc::gen::inRange(-1000, 1001) * 1e-3; }
-
 Pose some_pose(double spread) {
-  const Vec3 p = Vec3{unit_value(), unit_value(), unit_value()} * spread;
-  return {p, rotation(Vec3{unit_value(), unit_value(), unit_value()} * 3)};
+  const Vec3 p = some_vector() * spread;
+  return {p, rotation(some_vector() * 3)};
 }
 
 /// The rule with neither index nor tiles: each line against each body.

@@ -5,15 +5,13 @@
 
 #include <doctest/doctest.h>
 
-#include <numbers>
-
+#include "base/degree.h"
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_view.h"
 
 namespace stig {
 
-inline constexpr double kDegree = std::numbers::pi / 180;
 /// Turns a mark towards a camera that looks along z; x stays to the right.
 inline constexpr Quat kFacing{0, 1, 0, 0};
 inline constexpr Rgb kPink{255, 120, 255};

@@ -6,12 +6,11 @@
 
 #include <array>
 
+#include "support/draws.h"
+
 using namespace stig;
 
 namespace {
-
-double unit_value() { return *rc::gen::inRange(-1000, 1001) * 1e-3; }
-Vec3 some_vector(double size) { return Vec3{unit_value(), unit_value(), unit_value()} * size; }
 
 /// An octahedron, |x| + |y| + |z| <= r.
 SightShape octahedron(double r) {
@@ -44,8 +43,8 @@ const std::array<SightShape, 4> kShapes = {sight_box({0.4, 0.6, 0.8}), sight_sph
 TEST_CASE("a line is inside a shape just where its cut says") {
   CHECK(rc::check("points along the line", [] {
     const SightShape& shape = kShapes[*rc::gen::inRange<std::size_t>(0, 4)];
-    const Vec3 o = some_vector(1);
-    Vec3 d = some_vector(1);
+    const Vec3 o = some_vector();
+    Vec3 d = some_vector();
     if (*rc::gen::inRange(0, 4) == 0) d = Vec3{0, 0, *rc::gen::element(1.0, -1.0)};
     RC_PRE(squared(d) > 1e-4);
     const auto meets = cut(shape, o, d);

@@ -124,7 +124,7 @@ TEST_CASE("a run that its script changed to its last word is run again and compa
     Diagnostics diagnostics;
     const auto trace = read_pose_trace("t.stigp", bytes, diagnostics);
     REQUIRE(trace);
-    const VerifyReport report = verify_trace(*trace, loaded, {});
+    const TraceComparison report = verify_trace(*trace, loaded, {});
     CHECK(report.identical);
     CHECK(report.difference == "");
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physical/simulation/simulation.h"
 
+#include "physical/scene/block_text.h"
 #include "physical/simulation/checkpoint_file.h"
 #include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/verify_trace.h"
@@ -9,11 +10,6 @@
 using namespace stig;
 
 namespace {
-
-std::string block_text() {
-  FileError error;
-  return read_file(STIG_SOURCE_DIR "/blocks/stigmergic.yaml", kMaxSceneBytes, error).value();
-}
 
 constexpr const char* kLively =
     "stigc_scene: 1\nblocks:\n"
@@ -48,7 +44,7 @@ Recorded record(const LoadedScene& loaded, double duration) {
   return out;
 }
 
-PoseTrace read(const std::string& bytes) {
+PoseTrace recorded_trace(const std::string& bytes) {
   Diagnostics diagnostics;
   auto trace = read_pose_trace("t.stigp", bytes, diagnostics);
   REQUIRE(trace);
@@ -63,7 +59,7 @@ TEST_CASE("interrupted anywhere and resumed: the same state, tally and bytes of 
   for (const double at : {0.005, 0.33, 0.5, 1.213}) {
     CAPTURE(at);
     const Recorded part = record(loaded, at);
-    const PoseTrace earlier = read(part.trace);
+    const PoseTrace earlier = recorded_trace(part.trace);
     Simulation run(loaded.scene, loaded.placed);
     REQUIRE(run.resume(part.state));
     std::string bytes;
@@ -80,11 +76,11 @@ TEST_CASE("interrupted anywhere and resumed: the same state, tally and bytes of 
 
 TEST_CASE("a recorded run comes out again, and another does not") {
   const LoadedScene loaded = load(kLively);
-  const PoseTrace trace = read(record(loaded, 2.3).trace);
-  const VerifyReport same = verify_trace(trace, loaded, {});
+  const PoseTrace trace = recorded_trace(record(loaded, 2.3).trace);
+  const TraceComparison same = verify_trace(trace, loaded, {});
   CHECK(same.identical);
   CHECK(same.compared == 3);
-  const VerifyReport other = verify_trace(trace, load(kLively, 2), {});
+  const TraceComparison other = verify_trace(trace, load(kLively, 2), {});
   CHECK_FALSE(other.identical);
   CHECK(other.difference == "the state in tick 200 is another");
   // From the trace's own files alone.
@@ -99,7 +95,7 @@ TEST_CASE("the trace holds what the world did") {
   Simulation run(loaded.scene, loaded.placed);
   CHECK(run.until(0.5, {}) == RunEnd::duration);
   CHECK(run.world().tick() == 100);
-  const PoseTrace trace = read(record(loaded, 0.5).trace);
+  const PoseTrace trace = recorded_trace(record(loaded, 0.5).trace);
   CHECK(trace.end.ticks == 100);
   CHECK(trace.end.hash == run.world().hash());
   const TraceFrame frame = frame_at(trace, 100);
@@ -122,7 +118,7 @@ TEST_CASE("what leaves the arena is counted, and the run goes on") {
       "0.0275]}]\n");
   const Recorded run = record(loaded, 1);
   CHECK(run.tally.left == std::vector<std::uint32_t>{0});
-  const PoseTrace trace = read(run.trace);
+  const PoseTrace trace = recorded_trace(run.trace);
   CHECK(trace.end.ticks == 200);
   CHECK(frame_at(trace, 200).bodies[0].left);
 }
