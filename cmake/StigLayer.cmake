@@ -37,9 +37,7 @@ function(stig_layer layer)
                  BASE_DIRS ${PROJECT_SOURCE_DIR}/lib FILES ${lists})
   set_target_properties(stig_${name} PROPERTIES
     EXPORT_NAME ${name}
-    POSITION_INDEPENDENT_CODE ON
-    VERIFY_INTERFACE_HEADER_SETS ON
-    INTERFACE_HEADER_SETS_TO_VERIFY HEADERS)
+    POSITION_INDEPENDENT_CODE ON)
   target_compile_features(stig_${name} PUBLIC cxx_std_20)
   foreach(used IN LISTS arg_USES)
     string(REPLACE / _ used ${used})

@@ -15,6 +15,11 @@ endif()
 set(STIG_SANITIZE "" CACHE STRING "Sanitizers, for example address,undefined")
 option(STIG_COVERAGE "Instrument for coverage" OFF)
 
+# Most of a source's compile time goes into headers, which sources compiled together share.
+option(STIG_UNITY "Compile the sources of a library several at a time" ON)
+set(CMAKE_UNITY_BUILD ${STIG_UNITY})
+set(CMAKE_UNITY_BUILD_BATCH_SIZE 8)
+
 # Carries warnings and determinism flags to every target of this project, and
 # nothing to its users.
 add_library(stig_settings INTERFACE)
@@ -27,6 +32,8 @@ target_compile_options(stig_settings INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>
   # GCC 12 warns of string concatenation in the standard library itself (bug 105651).
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
+  # In a unity build sources are included, so that their own unnamed namespaces look like a header's.
+  $<$<AND:$<BOOL:${STIG_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   # The same floating-point results whatever the target processor can fuse.
   -ffp-contract=off)
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
 # The quick checks, everything that is not a test: shell syntax, formatting, layering,
-# and that each header compiles alone.
+# and that each source and header compiles alone.
 #
 #   scripts/check.sh [--fix] [--tidy [FILE…]]
 #
@@ -40,18 +40,20 @@ else
     die "run scripts/check.sh --fix"
 fi
 
-say "Includes keep to the layers"
-[[ -f build/dev/build.ninja ]] || cmake --preset dev >/dev/null
-python3 tests/layering/layering.py --graph build/dev/layers.txt --root .
+# Configured only: for the graph of layers, and for the commands that compile one source.
+cmake --preset dev -B build/alone -D STIG_UNITY=OFF >/dev/null
 
-say "Headers compile alone"
-cmake --build build/dev --parallel "$(nproc)" --target all_verify_interface_header_sets
+say "Includes keep to the layers"
+python3 tests/layering/layering.py --graph build/alone/layers.txt --root .
+
+say "Sources and headers compile alone"
+scripts/compile_alone.py build/alone
 
 if [[ -n $tidy ]]; then
   say "clang-tidy"
   [[ ${#tidy_files[@]} -gt 0 ]] || mapfile -t tidy_files < <(files 'lib/*.cpp' 'tools/*.cpp')
   printf '%s\n' "${tidy_files[@]}" |
-    xargs -P "$(nproc)" -n 1 clang-tidy -p build/dev --quiet --warnings-as-errors='*'
+    xargs -P "$(nproc)" -n 1 clang-tidy -p build/alone --quiet --warnings-as-errors='*'
 fi
 
 say "All checks passed"

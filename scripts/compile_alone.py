@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Compiles each source by itself, and each header with which no source begins: builds put
+several sources into one translation unit, where the includes of one serve the next.
+
+    scripts/compile_alone.py BUILD [FILE…]
+
+BUILD is a folder configured with -D STIG_UNITY=OFF (nothing need be built in it). Of FILEs,
+only the sources among them are compiled."""
+
+import json
+import os
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+INCLUDE = re.compile(r'^#include ["<](.*?)[">]', re.MULTILINE)
+
+
+def command_of(entry):
+    """The compiler's command without the cache and without output."""
+    words = shlex.split(entry["command"])
+    if "ccache" in pathlib.Path(words[0]).name:
+        words = words[1:]
+    kept, skip = [], False
+    for word in words:
+        if skip or word in ("-MD", "-c"):
+            skip = False
+        elif word in ("-o", "-MT", "-MF"):
+            skip = True
+        else:
+            kept.append(word)
+    return kept[:-1] + ["-fsyntax-only", "-Werror"]
+
+
+def first_include(source):
+    found = INCLUDE.search(source.read_text())
+    return found and found[1]
+
+
+def jobs_of(build):
+    """Pairs of a file and the command that compiles it."""
+    entries = json.loads((build / "compile_commands.json").read_text())
+    jobs, covered, commands = {}, set(), {}
+    for entry in entries:
+        source = pathlib.Path(entry["file"])
+        if source.suffix != ".cpp" or build in source.parents or source in jobs:
+            continue
+        jobs[source] = command_of(entry) + [str(source)]
+        commands.setdefault(source.parent, command_of(entry))
+        first = first_include(source)
+        covered |= {ROOT / "lib" / first, source.parent / first} if first else set()
+    for folder, command in commands.items():
+        for header in sorted(folder.glob("*.h")):
+            if header not in covered and ROOT / "lib" in header.parents:
+                jobs[header] = command + ["-x", "c++", "-include", str(header), os.devnull]
+    return jobs
+
+
+def compiles(job):
+    path, command = job
+    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    if run.returncode != 0:
+        sys.stderr.write(f"{path.relative_to(ROOT)} does not compile alone:\n{run.stderr}\n")
+    return run.returncode == 0
+
+
+def main(arguments):
+    jobs = jobs_of(pathlib.Path(arguments[0]).resolve())
+    if len(arguments) > 1:
+        wanted = {(pathlib.Path.cwd() / name).resolve() for name in arguments[1:]}
+        jobs = {path: command for path, command in jobs.items() if path in wanted}
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        bad = list(pool.map(compiles, jobs.items())).count(False)
+    print(f"{len(jobs) - bad} of {len(jobs)} files compile alone")
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]) if len(sys.argv) > 1 else __doc__)
