@@ -8,12 +8,15 @@
 local argos = { robot = {}, math = setmetatable({}, { __index = math }) }
 local robot = argos.robot
 
--- Of the BuilderBot that ARGoS has, in place of those that robotics.lua has for ours. The four magnets
--- lie 3.06 mm behind the end effector's middle, the wheels' motors know no ramp, and the field of the
--- magnets vanishes at 10 V.
-argos.figures = {
-   grip = 0.095025, gap = 0.0037375, anchor = { 0.0980875, 0, 0.055 }, zero = 10, acceleration = 10,
-}
+-- Takes our BuilderBot's description for the one that ARGoS has. The four magnets lie 3.06 mm behind the
+-- end effector's middle, the wheels' motors know no ramp, and the field of the magnets vanishes at 10 V.
+function argos.describe(description)
+   description.magnets.ahead, description.magnets.neutral = 0.095025, 10
+   description.drive.acceleration = 10
+   description.camera.anchor = { x = 0.0980875, y = 0, z = 0.055 }
+   description.rangefinders.left.x, description.rangefinders.right.x = 0.0637875, 0.0637875
+   robot.description = description
+end
 
 -- Finders that look where ours of that name does, or nearest to it: ours begin in front and go round
 -- to the left by 30 degrees, ARGoS's begin behind on the left side.

@@ -5,59 +5,14 @@
 #include <cassert>
 #include <cmath>
 
+#include "robots/robot_extent.h"
+
 namespace stig {
 
 namespace {
 
 constexpr double kGravity = 9.8;
 constexpr double kDipoleForce = 6e-7;  ///< N m⁴/(A m²)²: 6 μ0/4π, two aligned dipoles on an axis
-
-/// A body's extent along the robot's axes, every joint at zero.
-struct Extent {
-  Vec3 low, high;
-};
-
-Extent extent_of(const BodyModel& body) {
-  const Mat3 r = matrix(body.X_RB.q);
-  const auto grow = [](Extent& extent, const Vec3& p) {
-    extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y),
-                  std::min(extent.low.z, p.z)};
-    extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y),
-                   std::max(extent.high.z, p.z)};
-  };
-  Extent out{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
-  if (body.shape == ShapeType::hull) {
-    for (const Vec3& p : body.points) grow(out, body.X_RB * p);
-    return out;
-  }
-  // Exact for a box; round shapes count as the box about them.
-  const Vec3 h = body.size * 0.5;
-  for (int i = 0; i < 8; ++i) {
-    const Vec3 corner{(i & 1) ? h.x : -h.x, (i & 2) ? h.y : -h.y, (i & 4) ? h.z : -h.z};
-    grow(out, body.X_RB.p + r * corner);
-  }
-  return out;
-}
-
-/// Which bodies go up with the lift.
-std::vector<bool> lifted_bodies(const RobotModel& robot) {
-  std::vector<bool> out(robot.bodies.size(), false);
-  out[robot.joints[robot.lift->axis.joint].child] = true;
-  for (bool more = true; more;) {
-    more = false;
-    for (const JointModel& joint : robot.joints) {
-      if (!out[joint.parent] || out[joint.child]) continue;
-      out[joint.child] = more = true;
-    }
-  }
-  return out;
-}
-
-Vec3 middle_of_poles(const RobotModel& robot) {
-  Vec3 out;
-  for (const auto& pole : robot.magnets->poles) out += robot.bodies[pole.body].X_RB * pole.p_B;
-  return out * (1 / static_cast<double>(robot.magnets->poles.size()));
-}
 
 /// The force of four aligned pairs at a gap between faces.
 double face_force(const BlockFigures& block, double gap) {
@@ -84,7 +39,7 @@ void measure_bodies(const RobotModel& robot, Abilities& out) {
   out.body_front = out.body_back = out.body_half_width = out.effector_front =
       out.effector_half_width = 0;
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    const Extent extent = extent_of(robot.bodies[i]);
+    const BodyExtent extent = extent_of(robot.bodies[i]);
     const double width = std::max(extent.high.y, -extent.low.y);
     const bool over = lifted[i] && extent.high.x > out.carried_x - half / 2 &&
                       extent.low.x < out.carried_x + half / 2;

@@ -3,7 +3,7 @@
 //
 // After figures 8 and 10 of Allwright et al. 2017: search an unused block, approach it, pick it
 // up, search the structure, wait, stand before a column and look, approach the site, attach,
-// reverse, begin again. Each state is a behaviour of programs/building.lua, which takes the time
+// reverse, begin again. Each state is a behaviour of programs/mission, which takes the time
 // that it takes and ends with an event; the chart is emitted as data, so what is drawn is what
 // runs.
 #pragma once
@@ -19,7 +19,7 @@ struct ChartStep {
 };
 struct ChartState {
   std::string_view name;
-  std::string_view behaviour;  ///< in programs/building.lua
+  std::string_view behaviour;  ///< of programs/mission/builder.lua
   std::vector<ChartStep> steps;
 };
 struct Chart {

@@ -7,26 +7,11 @@
 #include <cassert>
 
 #include "compiler/decision_text.h"
+#include "robots/robot_description.h"
 
 namespace stig {
 
 namespace {
-
-/// A text in quotes of Lua.
-std::string quoted(std::string_view text) {
-  std::string out = "'";
-  for (const char c : text) {
-    if (c == '\'' || c == '\\') {
-      out += '\\';
-      out += c;
-    } else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) {
-      out += fmt::format("\\{:03}", static_cast<int>(static_cast<unsigned char>(c)));
-    } else {
-      out += c;
-    }
-  }
-  return out + "'";
-}
 
 /// For a comment: one line.
 std::string plain(std::string_view text) {
@@ -122,7 +107,7 @@ class Printer {
         return fmt::format("column.top_level == {}", answer);
       case Question::Kind::side:
         return fmt::format("column.side == {}",
-                           quoted(to_string(static_cast<ApproachSide>(answer))));
+                           lua_quoted(to_string(static_cast<ApproachSide>(answer))));
       case Question::Kind::cell:
         break;
     }
@@ -168,13 +153,13 @@ class Printer {
 void print_chart(Printer& out, const Chart& chart) {
   out.line("-- What follows what: state, what is done in it, and where each of its ends leads.");
   out.line("local CHART = {");
-  out.line(fmt::format("   first = {},", quoted(chart.states.front().name)));
+  out.line(fmt::format("   first = {},", lua_quoted(chart.states.front().name)));
   for (const ChartState& state : chart.states) {
     std::string steps;
     for (const ChartStep& step : state.steps) {
-      steps += fmt::format("{}{} = {}", steps.empty() ? "" : ", ", step.event, quoted(step.to));
+      steps += fmt::format("{}{} = {}", steps.empty() ? "" : ", ", step.event, lua_quoted(step.to));
     }
-    out.line(fmt::format("   [{}] = {{ does = '{}',", quoted(state.name), state.behaviour));
+    out.line(fmt::format("   [{}] = {{ does = '{}',", lua_quoted(state.name), state.behaviour));
     out.line(fmt::format("      on = {{ {} }} }},", steps));
   }
   out.line("}");
@@ -195,15 +180,10 @@ void print_task(Printer& out, const ControllerPlan& plan) {
   }
   out.line("   },");
   list.clear();
-  for (const ApproachSide side : plan.sides) list += quoted(to_string(side)) + ", ";
+  for (const ApproachSide side : plan.sides) list += lua_quoted(to_string(side)) + ", ";
   out.line(fmt::format("   sides = {{ {}}}, turns = {},", list, plan.turns));
   out.line(fmt::format("   levels = {}, transport = {}, delay = {:.1f},", plan.levels,
                        plan.transport, plan.longest_wait));
-  const RobotFigures& f = plan.figures;
-  out.line(
-      fmt::format("   profile = {{ grip = {:.6g}, under = {:.6g}, reach = {:.6g}, "
-                  "lift_top = {:.6g}, focal = {:.6g} }},",
-                  f.grip, f.under, f.reach, f.lift_top, f.focal));
   out.line("}");
   out.line();
 }
@@ -230,34 +210,39 @@ ControllerText controller_lua(const RuleSet& rules, std::string_view file,
   print_head(out, rules, file, plan, compiled);
   for (const std::string& one : library) out.module(one);
   out.lines(
-      "function init() building.start(CHART, TASK) end\n"
-      "function reset() building.start(CHART, TASK) end\n"
-      "function step() building.step() end\n");
+      "local builder\n"
+      "local function start() builder = Builder.new(robot, CHART, TASK) end\n"
+      "function init() start() end\n"
+      "function reset() start() end\n"
+      "function step() builder:step() end\n");
   return out.take();
 }
 
 ControllerText controller_argos(const RuleSet& rules, std::string_view file,
                                 const ControllerPlan& plan, const CompiledRules& compiled,
-                                std::string_view adapter, const std::vector<std::string>& library) {
+                                std::string_view description, std::string_view adapter,
+                                const std::vector<std::string>& library) {
   Printer out(rules, file, compiled);
   print_head(out, rules, file, plan, compiled);
   out.module(adapter);
   out.lines(
-      "-- What the library calls robot and math from here on.\n"
-      "local robot, math = argos.robot, argos.math\n"
-      "for name, figure in pairs(argos.figures) do TASK.profile[name] = figure end\n\n");
+      fmt::format("-- What the library calls math from here on.\n"
+                  "local math = argos.math\n"
+                  "argos.describe {}\n\n",
+                  description));
   for (const std::string& one : library) out.module(one);
   out.lines(
+      "local builder\n"
       "local function start()\n"
       "   argos.start()\n"
-      "   building.start(CHART, TASK)\n"
+      "   builder = Builder.new(argos.robot, CHART, TASK)\n"
       "end\n\n"
       "-- ARGoS calls all four.\n"
       "function init() start() end\n"
       "function reset() start() end\n"
       "function step()\n"
       "   argos.sense()\n"
-      "   building.step()\n"
+      "   builder:step()\n"
       "end\n"
       "function destroy() end\n");
   return out.take();

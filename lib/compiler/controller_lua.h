@@ -27,7 +27,7 @@ struct ControllerText {
 };
 
 /// The module of programs/ that a controller calls, as `require` has it; it requires the others.
-inline constexpr std::string_view kRuntimeRoot = "building";
+inline constexpr std::string_view kRuntimeRoot = "mission.builder";
 
 /// `file` is what comments call the rule set's file. `library` are the texts of modules, each after
 /// those that it requires. The last line of a module returns a table, and the others know it by the
@@ -39,9 +39,11 @@ ControllerText controller_lua(const RuleSet& rules, std::string_view file,
 /// What stands between the library and ARGoS, and the program of blocks there.
 inline constexpr std::string_view kArgosAdapter = "argos", kArgosBlock = "argos_block";
 
-/// The same program for ARGoS 3: `adapter` is the text of kArgosAdapter.
+/// The same program for ARGoS 3: `adapter` is the text of kArgosAdapter, `description` the robot's
+/// (robots/robot_description.h), which ARGoS does not have.
 ControllerText controller_argos(const RuleSet& rules, std::string_view file,
                                 const ControllerPlan& plan, const CompiledRules& compiled,
-                                std::string_view adapter, const std::vector<std::string>& library);
+                                std::string_view description, std::string_view adapter,
+                                const std::vector<std::string>& library);
 
 }  // namespace stig

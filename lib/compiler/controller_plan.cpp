@@ -8,8 +8,7 @@ namespace stig {
 
 namespace {
 
-constexpr double kLiftSlack = 0.001;  ///< m, short of the upper limit
-constexpr double kLongestWait = 30;   ///< s; Allwright et al. 2017, section 7.2
+constexpr double kLongestWait = 30;  ///< s; Allwright et al. 2017, section 7.2
 constexpr int kColours = 4;
 
 void gather_asks(const DecisionNode& node, std::set<WindowCell>& out) {
@@ -45,8 +44,6 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   out.levels = compiled.target->levels();
   out.transport = transport_colour(rules);
   out.longest_wait = compiled.robots == 1 ? 0 : kLongestWait;
-  out.figures = {robot.carried_x, robot.lowest + robot.block.side, robot.effector_front,
-                 robot.lift_travel - kLiftSlack, robot.cameras.front().intrinsics.fx};
   return out;
 }
 

@@ -5,7 +5,6 @@
 //     chart      what follows what (chart.h), the same for all rule sets
 //     decision   what to do before a column (decision.h), the rules
 //     looks      from where to look at it
-//     figures    of the robot, in place of those that the library in programs/ has
 #pragma once
 
 #include <string>
@@ -15,15 +14,6 @@
 #include "compiler/looks.h"
 
 namespace stig {
-
-/// Figures that programs/robotics.lua has for each robot and that its file says; m.
-struct RobotFigures {
-  double grip = 0;      ///< the carried block's middle, ahead of the robot's
-  double under = 0;     ///< the effector's lower side over the floor, the lift down
-  double reach = 0;     ///< the effector's front, ahead of the robot's middle
-  double lift_top = 0;  ///< highest place that the lift is sent to
-  double focal = 0;     ///< px
-};
 
 struct ControllerPlan {
   const Chart* chart = nullptr;
@@ -35,7 +25,6 @@ struct ControllerPlan {
   int levels = 0;           ///< of the structure
   int transport = 4;        ///< LED colour of a block on its way; 0: dark
   double longest_wait = 0;  ///< s, before a site is approached
-  RobotFigures figures;
 };
 
 /// The plan for rules that were compiled with success; it is valid for as long as `compiled` is.

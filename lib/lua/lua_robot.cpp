@@ -8,6 +8,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_interface.h"
 #include "lua/lua_libraries.h"
+#include "robots/robot_description.h"
 #include "sensing/led_colour.h"
 
 namespace stig {
@@ -339,6 +340,13 @@ void put_lights_and_show(lua_State* state, const RobotSide& side) {
   put(state, "show");
 }
 
+void put_description(lua_State* state, const RobotModel& model) {
+  const std::string text = "return " + robot_description(model);
+  if (!load_text(state, text, "=description")) lua_error(state);
+  lua_call(state, 0, 1);
+  put(state, "description");
+}
+
 }  // namespace
 
 void open_robot(lua_State* state, RobotSide& side) {
@@ -356,6 +364,7 @@ void open_robot(lua_State* state, RobotSide& side) {
   put(state, "temperature", RobotReadings{}.temperature);
   side.system = keep_table(state);
   put(state, "system");
+  put_description(state, side.model);
   lua_pop(state, 1);
 }
 

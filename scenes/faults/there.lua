@@ -2,15 +2,19 @@
 -- Drives `params.ahead` m straight on from where it begins, round what is in the way, for as long as
 -- it takes.
 
-local handling = require 'handling'
-local travel = require 'travel'
+local Machine = require 'machine'
+local Navigation = require 'motion.navigation'
+
+local machine
 
 function init()
-   handling.start(function()
-      handling.enter('drive')
-      while not travel.straight_to(robot.params.ahead, 0) do handling.enter('drive again') end
-      handling.enter('there')
+   machine = Machine.new(robot)
+   local navigation, process = Navigation.new(machine, {}), machine.process
+   machine:start(function()
+      process:enter('drive')
+      while not navigation:straight_to(robot.params.ahead, 0) do process:enter('drive again') end
+      process:enter('there')
    end)
 end
 
-function step() handling.step() end
+function step() machine:step() end

@@ -45,5 +45,5 @@ TEST_CASE("without the file beside it a program says what is missing") {
   hooks.on_line = [&](const CrewLine& line) { said += line.text; };
   run.until(1, hooks);
   CHECK(run.crew()->failed(0));
-  CHECK(said.find("there is no file 'robotics.lua' beside the program") != said.npos);
+  CHECK(said.find("there is no file 'common/geometry.lua' beside the program") != said.npos);
 }

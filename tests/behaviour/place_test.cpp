@@ -13,7 +13,7 @@ namespace {
 
 struct Place {
   int column;         ///< height of what is there
-  const char* where;  ///< as handling.place has it
+  const char* where;  ///< as Placement:place has it
   int level;          ///< of the block when it is placed
 };
 

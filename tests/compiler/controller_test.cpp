@@ -82,17 +82,16 @@ TEST_CASE("for ARGoS the same program, its library between the adapter and four 
   const ControllerText ours =
       controller_lua(staircase.rules, "s.yaml", staircase.plan, staircase.compiled, {building});
   const ControllerText argos = controller_argos(staircase.rules, "s.yaml", staircase.plan,
-                                                staircase.compiled, adapter, {building});
+                                                staircase.compiled, "{}", adapter, {building});
   CHECK(decisions(argos) == decisions(ours));
   const std::size_t own = ours.text.find("local building = (function()");
   REQUIRE(own != std::string::npos);
   CHECK(ours.text.find("require") == std::string::npos);
   CHECK(argos.text.substr(0, own) == ours.text.substr(0, own));
   std::size_t at = 0;
-  for (const char* next :
-       {"local argos = (function()", "local robot, math = argos.robot, argos.math",
-        "local building = (function()", "function init()", "function reset()", "function step()",
-        "function destroy()"}) {
+  for (const char* next : {"local argos = (function()", "local math = argos.math", "argos.describe",
+                           "local building = (function()", "function init()", "function reset()",
+                           "function step()", "function destroy()"}) {
     CAPTURE(next);
     at = argos.text.find(next, at);
     REQUIRE(at != std::string::npos);

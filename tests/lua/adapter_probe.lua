@@ -5,6 +5,7 @@
 -- luacheck: read globals argos
 
 local robot, math = argos.robot, argos.math
+argos.describe { magnets = {}, drive = {}, camera = {}, rangefinders = { left = {}, right = {} } }
 
 local function near(what, is, wanted, within)
    if math.abs(is - wanted) > (within or 1e-6) then
@@ -14,21 +15,22 @@ end
 
 local function check_ranges()
    local function range(name) return robot.rangefinders[name].proximity end
-   near('ahead', range '1', argos.figures.grip - 0.0275 - 0.0440)
+   near('ahead', range '1', robot.description.magnets.ahead - 0.0275 - 0.0440)
    near('to the left', range '4', 0.030)
    near('behind', range '7', 0.040)
    near('to the right', range '10', 0.05)
-   -- of the block in its hand: how it sits, as handling.grip asks
-   near('left', range 'left', argos.figures.gap)
-   near('right', range 'right', argos.figures.gap)
+   -- of the block in its hand: how it sits, as Gripper:seat asks
+   local gap = robot.description.magnets.ahead - 0.0275 - robot.description.rangefinders.left.x
+   near('left', range 'left', gap)
+   near('right', range 'right', gap)
    near('underneath', range 'underneath', 0)
 end
 
 local function check_tags()
-   local camera, anchor = robot.camera_system, argos.figures.anchor
+   local camera, anchor = robot.camera_system, robot.description.camera.anchor
    assert(camera.transform.anchor == 'end effector' and camera.resolution.x == 320)
    local eye = camera.transform.position +
-               vector3(anchor[1], anchor[2], anchor[3] + robot.lift_system.position)
+               vector3(anchor.x, anchor.y, anchor.z + robot.lift_system.position)
    near('height of the camera', eye.z, 0.130)
    local found
    for _, tag in ipairs(camera.tags) do

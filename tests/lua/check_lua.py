@@ -6,6 +6,7 @@
 
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -15,6 +16,7 @@ RULE_SETS = ["rulesets/staircase.yaml", "rulesets/stepped-pyramid.yaml",
              "tests/compiler/line.yaml", "tests/compiler/column.yaml",
              "tests/compiler/overhang.yaml", "tests/compiler/done.yaml",
              "tests/compiler/plus.yaml"]
+LONGEST = 40  # lines of a function of the robots' library
 SHIPPED = ["programs", "blocks", "scenes", "tests/controllers", "tests/lua"]
 
 
@@ -23,6 +25,12 @@ def run(*command):
     if done.returncode != 0:
         sys.exit(f"{' '.join(map(str, command))}:\n{done.stdout}{done.stderr}")
     return done.stdout
+
+
+def check_lengths(luac, path):
+    """No function is longer than one can see at once."""
+    for first, last in re.findall(r"^function <.*:(\d+),(\d+)>", run(luac, "-p", "-l", path), re.M):
+        assert int(last) - int(first) < LONGEST, f"{path}:{first}: a function of many lines"
 
 
 def check_line_map(program, rules):
@@ -59,6 +67,8 @@ def main():
             emitted.append(program)
         for path in shipped + emitted:
             run(luac, "-p", path)
+            if path.is_relative_to(root / "programs"):
+                check_lengths(luac, path)
         run(luacheck, "--config", root / ".luacheckrc", *shipped, *emitted)
     print(f"{len(shipped)} files of our own and {len(emitted)} controllers")
 

@@ -10,6 +10,7 @@
 #include "compiler/compile.h"
 #include "outputs.h"
 #include "robot_input.h"
+#include "robots/robot_description.h"
 #include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "validate/argos_experiment.h"
@@ -68,10 +69,12 @@ std::optional<std::string> line_map_of(const CompileFileOptions& options) {
 int write_argos(const CompileFileOptions& options, const CompileJob& job, App& app) {
   const auto library = read_runtime(app);
   const auto adapter = read_module(kArgosAdapter, app), block = read_module(kArgosBlock, app);
-  if (!library || !adapter || !block) return kFailed;
+  const auto robot = read_own_robot(kArgosRobot, app);
+  if (!library || !adapter || !block || !robot) return kFailed;
   const ArgosFiles files = *argos_files(options);
-  const ControllerText program = controller_argos(*job.rules, file_name(options.file), job.plan,
-                                                  *job.compiled, *adapter, *library);
+  const ControllerText program =
+      controller_argos(*job.rules, file_name(options.file), job.plan, *job.compiled,
+                       robot_description(*robot), *adapter, *library);
   SetUpRequest request;
   request.robots = robots_of(*job.rules, options.robots);
   request.side = job.robot->block.side;

@@ -25,6 +25,15 @@ SourceRef find_source(const std::string& name, const SceneLoader& load, const Ap
 
 }  // namespace
 
+std::optional<RobotModel> read_own_robot(const char* name, const App& app) {
+  const SourceRef source = find_source(name, own_loader(), app);
+  if (!source) return std::nullopt;
+  Diagnostics diagnostics;
+  auto robot = read_robot(source, diagnostics);
+  app.report(diagnostics);
+  return robot;
+}
+
 std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
                                         const App& app, const char* usual) {
   const SourceRef robot_source = robot_file

@@ -14,6 +14,9 @@ namespace stig {
 inline constexpr const char* kPaperRobot = "bebot.yaml";
 inline constexpr const char* kArgosRobot = "builderbot.yaml";
 
+/// One of our own robots. Errors are reported.
+std::optional<RobotModel> read_own_robot(const char* name, const App& app);
+
 /// Reads a robot's file, by default one of ours, with the paper's block: both are found
 /// where scenes find theirs. Errors, and what keeps it from building at all, are reported.
 std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,

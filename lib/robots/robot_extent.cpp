@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "robots/robot_extent.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace stig {
+
+BodyExtent extent_of(const BodyModel& body) {
+  const Mat3 r = matrix(body.X_RB.q);
+  const auto grow = [](BodyExtent& extent, const Vec3& p) {
+    extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y),
+                  std::min(extent.low.z, p.z)};
+    extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y),
+                   std::max(extent.high.z, p.z)};
+  };
+  BodyExtent out{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+  if (body.shape == ShapeType::hull) {
+    for (const Vec3& p : body.points) grow(out, body.X_RB * p);
+    return out;
+  }
+  const Vec3 h = body.size * 0.5;
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 corner{(i & 1) ? h.x : -h.x, (i & 2) ? h.y : -h.y, (i & 4) ? h.z : -h.z};
+    grow(out, body.X_RB.p + r * corner);
+  }
+  return out;
+}
+
+std::vector<bool> lifted_bodies(const RobotModel& robot) {
+  assert(robot.lift);
+  std::vector<bool> out(robot.bodies.size(), false);
+  out[robot.joints[robot.lift->axis.joint].child] = true;
+  for (bool more = true; more;) {
+    more = false;
+    for (const JointModel& joint : robot.joints) {
+      if (!out[joint.parent] || out[joint.child]) continue;
+      out[joint.child] = more = true;
+    }
+  }
+  return out;
+}
+
+Vec3 middle_of_poles(const RobotModel& robot) {
+  assert(robot.magnets && !robot.magnets->poles.empty());
+  Vec3 out;
+  for (const auto& pole : robot.magnets->poles) out += robot.bodies[pole.body].X_RB * pole.p_B;
+  return out * (1 / static_cast<double>(robot.magnets->poles.size()));
+}
+
+}  // namespace stig

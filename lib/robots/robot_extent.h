@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// How far a robot's parts reach, with every joint at zero: what compiler and programs need to know
+// of its shape.
+#pragma once
+
+#include <vector>
+
+#include "robots/robot_model.h"
+
+namespace stig {
+
+/// A box along the axes of frame R about a body.
+struct BodyExtent {
+  Vec3 low, high;
+};
+/// Of a box and a hull exactly; of round shapes that of the box about them.
+BodyExtent extent_of(const BodyModel& body);
+
+/// For each body, whether it goes up with the lift. Of a robot that has one.
+std::vector<bool> lifted_bodies(const RobotModel& robot);
+
+/// The middle of the electromagnets' poles, frame R. Of a robot that has some.
+Vec3 middle_of_poles(const RobotModel& robot);
+
+}  // namespace stig

@@ -1,0 +1,279 @@
+-- SPDX-License-Identifier: MIT
+-- Drives until the gripping point is over a target: a block's middle, or a place `ahead` and `left`
+-- of it as seen on the way in. From the stand-off on the way is straight; it is watched as long as the
+-- camera sees the block, and blind from there.
+--
+-- It is a state machine. Each state is a method that takes the time that it takes and returns what came
+-- of it, and TRANSITIONS says which state, or which end, that leads to.
+--
+-- A target is {block, heading, ahead, left, lowest, short, stop, free, alone}, all but block and lowest
+-- optional: heading, from which to come, of the four that face the block squarely the nearest, if none
+-- is said; lowest, the least height of the lift (it is higher where the block is seen only from there);
+-- short, by how much to stop before the target; stop(), asked on the last way, ends it before a column;
+-- free(line, seen) and alone(line), whether the place is free, and nobody else at work there.
+
+local geometry = require 'common.geometry'
+local structures = require 'perception.structures'
+
+local SIDE = geometry.SIDE
+local ATTEMPTS = 4
+local STAND_OFF = 0.30         -- m, from a block, where its approach begins
+local FARTHER = 0.02           -- m, by which it begins farther off after each attempt
+local NEAREST_TURN = 0.22      -- m, from a block, out of its reach for a robot that turns
+local FACES_IT, ON_LINE = 0.2, 0.02  -- rad, m, of a robot that faces the block already
+local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
+local THERE = 0.05             -- m, from the stand-off, near enough
+local SPEED = 0.08             -- m/s, while it watches the block
+local SLOW = 0.05              -- m/s, close to blocks
+local LAST_STRAIGHT = 0.025    -- m, in which the line is joined on the last, blind 50 to 85 mm
+local NEAREST_LOOK = 0.170     -- m, from a target, for the last look
+local FIRST_SIGHTINGS, LAST_SIGHTINGS = 4, 6
+local SETTLE_TIME = 0.6        -- s, before the first look
+local LONGEST_LOOK = 4         -- s
+local OFF, ASKEW = 0.005, 0.12 -- m and rad off the line, beyond which it tries again
+local OVER_FOOT = 0.095        -- height of the lift over a block's foot to see it beside the way
+local BESIDE = 0.01            -- m, from the block's line, of a place beside it
+local ASIDE_ANGLE = 0.17       -- rad, within which such a block is surely in the picture
+local ASIDE_RIM = 0.03         -- m/s
+local COLUMN_AHEAD = 0.020     -- m, before the effector
+local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it, at least
+local HELD_OFF = 0.010         -- of a carried block's face from a column's, which would draw it off
+local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
+local CREEP_SPEED = 0.02       -- m/s
+local UNDER_TOP = 0.0005       -- m, of the lift
+
+local Approach = {}
+Approach.__index = Approach
+
+-- What follows what: state, what came of it, the next state or an end.
+Approach.TRANSITIONS = {
+   travel = { arrived = 'acquire', obstructed = 'give way' },
+   acquire = { seen = 'align', unseen = 'retreat', absent = 'absent' },
+   align = { seen = 'verify', unseen = 'retreat', obstructed = 'give way' },
+   verify = { aligned = 'dock', askew = 'retreat', taken = 'give way' },
+   dock = { there = 'docked', obstructed = 'back out' },
+   retreat = { again = 'travel', exhausted = 'exhausted' },
+   ['give way'] = { done = 'busy' },
+   ['back out'] = { done = 'busy' },
+}
+-- How it ends: nothing where it is docked, otherwise why not.
+Approach.ENDS = {
+   docked = false, absent = 'it is not there', busy = 'busy', exhausted = 'no approach succeeded',
+}
+
+-- parts: description, odometry, process, ranges, camera, tracker, clearance, path, magnets, lift.
+function Approach.new(parts)
+   local self = setmetatable({}, Approach)
+   for name, part in pairs(parts) do self[name] = part end
+   return self
+end
+
+-- Parts of it ----------------------------------------------------------------------------------
+
+-- Stands and looks until a block was seen `often` more times; the block as it is now, or nil.
+function Approach:look_at(block, often)
+   local known = self.tracker:again(block)
+   if not known then return nil end
+   local before = known.seen
+   local function seen()
+      known = self.tracker:again(block)
+      return not known or known.seen >= before + often
+   end
+   if not self.process:wait_until(seen, LONGEST_LOOK) then return nil end
+   return known
+end
+
+-- With the lift so that the block stays in the picture's middle.
+function Approach:watch(block, lowest)
+   local mark, before = self.tracker:mark_of(block)
+   self.lift:keep_in_sight(self.camera, block, mark, before, lowest)
+end
+
+-- Whether a column is just before the effector, which is longer than the block.
+function Approach:column_ahead()
+   local ahead = self.ranges:range('front')
+   return ahead ~= nil and ahead < COLUMN_AHEAD
+end
+
+-- Straight on, slowly, as far as that leaves the effector before what is ahead of it, and the block's
+-- face `off` it: the effector is longer by a little.
+function Approach:creep(way, off, each)
+   local ahead = self.ranges:range('front')
+   local longer = self.description.effector.front - self.description.magnets.ahead - SIDE / 2
+   if ahead then way = math.min(way, ahead - math.max(EFFECTOR_GAP, (off or 0) - longer)) end
+   if math.abs(way) > 0.0002 then self.path:go_by(way, CREEP_SPEED, each) end
+end
+
+-- The heading, of the four that face a block squarely, that is nearest to the way there.
+function Approach:heading_to(block)
+   local pose = self.odometry.pose
+   local there = math.atan(block.y - pose.y, block.x - pose.x)
+   return there + geometry.wrap_quarter(block.yaw - there)
+end
+
+-- The line to a run's target, squarely to the block's face; it ends there.
+function Approach:line_to(block, run)
+   local yaw = structures.square_of(block, self.tracker:blocks())
+   local square = run.heading + geometry.wrap_quarter(yaw - run.heading)
+   local line = { x = block.x, y = block.y, yaw = square }
+   line.x, line.y = geometry.out_of(line, run.target.ahead or 0, run.target.left or 0)
+   return line
+end
+
+-- Likewise to the block as it is seen by now; nil when it is lost.
+function Approach:line_now(run)
+   local known = self.tracker:again(run.block)
+   if not known then return nil end
+   run.block = known
+   self:watch(known, run.lowest)
+   return self:line_to(known, run)
+end
+
+-- The line of the last, blind way.
+function Approach.aim(_, run)
+   return run.line
+end
+
+-- Height of the lift for the last look, and the distance of the block for it.
+function Approach:last_look(run)
+   local mark, before = self.tracker:mark_of(run.block)
+   if math.abs(run.target.left or 0) <= BESIDE then
+      return run.lowest, self.camera:nearest_in_sight(run.lowest, mark, before)
+   end
+   -- a block to the side leaves the picture sooner
+   local height = geometry.clamp(SIDE * (run.block.level or 0) + OVER_FOOT, run.lowest,
+                                 self.lift.highest - UNDER_TOP)
+   return height, self.camera:centred_at(height, mark, before)
+end
+
+-- Looks often, turned to the block no more than it takes: odometry takes a small turn for less than it
+-- is.
+function Approach:look_aside(block)
+   local ahead, left = geometry.into(self.odometry.pose, block.x, block.y)
+   local angle = math.atan(left, ahead)
+   local turn = angle - geometry.clamp(angle, -ASIDE_ANGLE, ASIDE_ANGLE)
+   if turn ~= 0 then self.path:turn_by(turn, ASIDE_RIM) end
+   local seen = self:look_at(block, LAST_SIGHTINGS)
+   if turn ~= 0 then self.path:turn_by(-turn, ASIDE_RIM) end
+   return seen
+end
+
+-- To where the straight way begins. Whether nobody is in the way.
+function Approach:go_to_stand_off(run)
+   local clearance, odometry = self.clearance, self.odometry
+   local function meets() return clearance:meets() end
+   -- out of reach of the block before turning
+   if odometry:distance_to(run.block) < NEAREST_TURN then self.path:back_off(0.12) end
+   local x, y = geometry.out_of(run.line, -(STAND_OFF + FARTHER * (run.attempt - 1)), 0)
+   for _ = 1, 3 do
+      self.path:go_to(x, y, nil, meets)
+      if not meets() then break end
+      self.process:wait(PATIENCE * math.random())
+   end
+   return not meets() or (x - odometry.pose.x) ^ 2 + (y - odometry.pose.y) ^ 2 <= THERE ^ 2
+end
+
+-- States ---------------------------------------------------------------------------------------
+
+local states = {}
+Approach.states = states
+
+function states.travel(self, run)
+   self.process:enter('approach')
+   run.heading = run.target.heading or self:heading_to(run.block)
+   run.line = self:line_to(run.block, run)
+   local along, aside, angle = self.odometry:on_line(run.line)
+   local first = run.attempt == 1
+   if first and along > -NEAREST_TURN and math.abs(aside) < ON_LINE and math.abs(angle) < FACES_IT then
+      -- it faces it already, and a turn sweeps more than going back
+      self.path:follow_back(run.line, -STAND_OFF, 0.1)
+      along, aside = self.odometry:on_line(run.line)
+   end
+   if first and along <= -NEAREST_TURN and math.abs(aside) <= ON_LINE then return 'arrived' end
+   return self:go_to_stand_off(run) and 'arrived' or 'obstructed'
+end
+
+function states.acquire(self, run)
+   self.path:turn_to(run.line.yaw)
+   self:watch(run.block, run.lowest)
+   self.process:wait(SETTLE_TIME)
+   if self:look_at(run.block, FIRST_SIGHTINGS) then return 'seen' end
+   if run.attempt > 1 then return 'unseen' end
+   self.tracker:forget(run.block)
+   return 'absent'
+end
+
+function states.align(self, run)
+   local height, distance = self:last_look(run)
+   local to = -math.max(distance + (run.target.ahead or 0), NEAREST_LOOK)
+   local function line() return self:line_now(run) end
+   local function between() return self.clearance:between(self.odometry:distance_to(run.block)) end
+   local there = self.path:follow(line, to, SPEED, between)
+   if between() then return 'obstructed' end
+   if there and run.target.alone then
+      if not run.target.alone(line() or run.line) then return 'obstructed' end
+      there = self.path:follow(line, to, SPEED, between)
+   end
+   if not there then return 'unseen' end
+   self.lift:to(height)
+   run.seen = self:look_aside(run.block)
+   return run.seen and 'seen' or 'unseen'
+end
+
+function states.verify(self, run)
+   run.line = self:line_to(run.seen, run)
+   local _, off, angle = self.odometry:on_line(run.line)
+   if run.target.free and not run.target.free(run.line, run.seen) then return 'taken' end
+   if math.abs(off) < OFF and math.abs(angle) < ASKEW then return 'aligned' end
+   run.block = run.seen
+   return 'askew'
+end
+
+function states.dock(self, run)
+   self.process:enter('reach')
+   local line, stop = self:aim(run), run.target.stop
+   local to = -self.description.magnets.ahead + (run.target.short or 0)
+   self.path:follow(line, to, SLOW, stop, LAST_STRAIGHT)
+   if not stop or not stop() then return 'there' end
+   -- the column draws the block, which is held until it has been let down
+   self.magnets:hold_fast(true)
+   self:creep(to - self.odometry:on_line(line), HELD_OFF)
+   -- so far before its place stands no column, but another robot
+   return to - self.odometry:on_line(line) > SHORT and 'obstructed' or 'there'
+end
+
+function states.retreat(self, run)
+   self.process:enter('back off')
+   self.path:back_off(0.10)
+   run.block = self.tracker:again(run.block) or run.block
+   run.attempt = run.attempt + 1
+   return run.attempt <= ATTEMPTS and 'again' or 'exhausted'
+end
+
+states['give way'] = function(self)
+   self.path:back_off(0.10)
+   return 'done'
+end
+
+states['back out'] = function(self)
+   self.path:back_off(0.15)
+   self.magnets:hold_fast(false)
+   return 'done'
+end
+
+-- True and the block as it was last seen, or false and why not.
+function Approach:to(target)
+   local lowest = math.max(target.lowest, SIDE * (target.block.level or 0) + self.lift.OVER_BLOCK)
+   local run = {
+      target = target, block = target.block, attempt = 1,
+      lowest = math.min(lowest, self.lift.highest - UNDER_TOP),
+   }
+   local state = 'travel'
+   while states[state] do
+      state = Approach.TRANSITIONS[state][states[state](self, run)]
+   end
+   local problem = Approach.ENDS[state]
+   return not problem, problem or run.seen
+end
+
+return Approach

@@ -1,0 +1,80 @@
+-- SPDX-License-Identifier: MIT
+-- Takes the block below the end effector, colours it, and lets go of it.
+
+local geometry = require 'common.geometry'
+
+local PULSE, LOWER = 0.006, 0.003  -- heights of the lift over a block on the floor
+local CARRY = 0.058
+local CARRY_FAR = 0.080        -- passes over a block without being drawn to it
+local LET_GO = 0.030           -- up from a block that was put down
+local PULSE_TIME, LOWER_TIME, SETTLE_TIME = 0.5, 1, 0.4  -- s
+local READY, EMPTY = 1.12, 1.06    -- of the charge at which the field vanishes
+local CHARGE_TIME, EMPTY_TIME = 8, 6  -- s, at most
+local BEHIND_BLOCK = 0.025     -- m, of the rangefinders behind a block that see it
+local FINDERS_APART = 0.040    -- m
+local FIRST_CHARACTER = 48     -- '0', of colours as the radio sends them
+
+-- neutral: the charge at which a current takes the magnets' field away. gap: from the rangefinders
+-- behind a block to its face, m, when it hangs right below the magnets.
+local Gripper = {}
+Gripper.__index = Gripper
+
+function Gripper.new(robot, description, ranges, process, magnets, lift)
+   return setmetatable({
+      robot = robot, ranges = ranges, process = process, magnets = magnets, lift = lift,
+      neutral = description.magnets.neutral,
+      gap = description.magnets.ahead - geometry.HALF - description.rangefinders.left.x,
+   }, Gripper)
+end
+
+-- How a carried block sits: how far its middle is ahead of where it should be, and its yaw, as the
+-- two rangefinders at its back say.
+function Gripper:seat()
+   local left, right = self.ranges:range('left'), self.ranges:range('right')
+   if not left or not right or math.max(left, right) > BEHIND_BLOCK then return 0, 0 end
+   return (left + right) / 2 - self.gap, math.atan((right - left) / FINDERS_APART)
+end
+
+-- Whether the carried block was drawn ahead by more than `most`, or those finders see nothing.
+function Gripper:drawn_off(most)
+   local left, right = self.ranges:range('left'), self.ranges:range('right')
+   return not left or not right or (left + right) / 2 - self.gap > most
+end
+
+-- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark.
+function Gripper:colour(colour)
+   self.robot.simple_radios.nfc.send { FIRST_CHARACTER + colour }
+   coroutine.yield()
+end
+
+-- Takes the block that lies below the magnets. Whether it came along.
+function Gripper:pull()
+   local magnets, lift = self.magnets, self.lift
+   self.process:enter('pull')
+   lift:to(PULSE)
+   magnets:discharge('constructive')
+   self.process:wait(PULSE_TIME)
+   lift:to(LOWER)
+   self.process:wait(LOWER_TIME)
+   magnets.carrying = true
+   lift:to(CARRY)
+   magnets:discharge('disable')
+   self.process:wait(SETTLE_TIME)
+   if magnets:has_lifted() then lift:to(CARRY_FAR) end
+   return magnets.carrying
+end
+
+-- Lets the current flow against the magnets' own field until the two cancel, and goes up before it
+-- turns over: a block's free magnets would follow. Whether the block stayed behind.
+function Gripper:let_go()
+   local magnets, neutral = self.magnets, self.neutral
+   self.process:wait_until(function() return magnets:charge() >= READY * neutral end, CHARGE_TIME)
+   magnets:discharge('destructive')
+   self.process:wait_until(function() return magnets:charge() <= EMPTY * neutral end, EMPTY_TIME)
+   magnets.carrying = false
+   self.lift:to(math.min(self.lift:height() + LET_GO, self.lift.highest))
+   magnets:discharge('disable')
+   return not magnets:feels_block()
+end
+
+return Gripper

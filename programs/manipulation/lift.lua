@@ -1,0 +1,87 @@
+-- SPDX-License-Identifier: MIT
+-- The lift: where it is sent, and how high the camera on it has to be to see something.
+--
+-- It rests within its tolerance of where it is sent, on the side that it came from; so it is sent that
+-- much further. What it carries would come off in the jolt of starting or stopping: the magnets hold
+-- harder meanwhile.
+
+local geometry = require 'common.geometry'
+
+local SLACK = 0.8              -- part of the tolerance that it is sent further
+local LONGEST = 20             -- s
+local STILL = 3                -- steps without motion: something holds it up
+local LOWEST_CARRYING = 0.070  -- height at which a carried block passes over another
+local NEAR_TOP = 0.0015        -- m, below the top, for a height that it surely reaches
+local WORTH = 0.003            -- m: less is not worth a motion
+
+-- highest: where it is sent at most.
+local Lift = {}
+Lift.__index = Lift
+Lift.OVER_BLOCK = 0.015        -- over a block's top: clear of it, and its magnets are not drawn
+
+function Lift.new(robot, description, odometry, process, magnets)
+   return setmetatable({
+      robot = robot, odometry = odometry, process = process, magnets = magnets,
+      tolerance = description.lift.tolerance,
+      highest = description.lift.top - description.lift.tolerance,
+   }, Lift)
+end
+
+function Lift:height()
+   return self.robot.lift_system.position
+end
+
+function Lift:top()
+   return self.highest - NEAR_TOP
+end
+
+-- Until it is at `sent`, or held up by something.
+function Lift:await(sent)
+   local before, still = self:height(), 0
+   return function()
+      local now = self:height()
+      still = math.abs(now - before) < 1e-4 and still + 1 or 0
+      before = now
+      return still >= STILL or math.abs(now - sent) <= 1.05 * self.tolerance
+   end
+end
+
+function Lift:to(height)
+   local slack = SLACK * self.tolerance
+   local position = self:height()
+   if math.abs(height - position) < slack then return true end
+   local sent = height + (height > position and slack or -slack)
+   sent = geometry.clamp(sent, 0, self.highest)
+   local there = self:await(sent)
+   if self.magnets.carrying then
+      self.magnets:hold_fast(true)
+      coroutine.yield()
+   end
+   self.robot.lift_system.set_position(sent)
+   coroutine.yield()
+   local reached = self.process:wait_until(there, LONGEST)
+   if self.magnets.carrying then
+      coroutine.yield()
+      self.magnets:hold_fast(false)
+   end
+   return reached
+end
+
+-- So that a block on the floor, so far ahead, is in the picture's middle, as near as it can; what is
+-- carried passes over blocks.
+function Lift:look_to(camera, ahead)
+   local lowest = self.magnets.carrying and LOWEST_CARRYING or Lift.OVER_BLOCK
+   self:to(geometry.clamp(camera:lift_for(ahead, geometry.SIDE), lowest, self:top()))
+end
+
+-- Likewise for a block whose mark is at a height, `before` its middle, in the midst of a drive:
+-- the motion is begun, and not waited for.
+function Lift:keep_in_sight(camera, block, mark, before, lowest)
+   local ahead = geometry.into(self.odometry.pose, block.x, block.y)
+   local height = geometry.clamp(camera:lift_for(ahead - before, mark), lowest, self.highest)
+   if math.abs(height - self:height()) > WORTH then
+      self.robot.lift_system.set_position(height)
+   end
+end
+
+return Lift

@@ -1,0 +1,146 @@
+-- SPDX-License-Identifier: MIT
+-- Puts the carried block down next to another: where = 'raise', on top of it; 'extend', in front of it,
+-- on the robot's side; 'beside', to the left of it by `left`.
+
+local geometry = require 'common.geometry'
+
+local SIDE = geometry.SIDE
+local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
+local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
+local ASIDE = 0.002            -- from a neighbour beside, which draws the block when it is there
+local DRAWN_OFF = 0.005        -- ahead in the gripper: neighbours have drawn the block into its place
+local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
+local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
+local TAKEN = 0.6 * SIDE       -- from a site's middle, where a block is that fills it
+local SEEN_LATELY = 2          -- s
+local SEEN_NOW = 0.7           -- s, in which a tag in sight was seen
+local SETTLE_TIME = 0.4        -- s
+local RELEASES = 3             -- attempts to let go
+local TURNED = 0.004           -- rad, by which a block hangs askew that is worth a turn
+local UNDER_TOP = 0.0005       -- m, of the lift
+
+local Placement = {}
+Placement.__index = Placement
+
+-- parts: odometry, process, tracker, path, magnets, lift, gripper, approach. transport:
+-- the colour of a block in a robot's hand.
+function Placement.new(parts)
+   local self = setmetatable({ transport = 4 }, Placement)
+   for name, part in pairs(parts) do self[name] = part end
+   return self
+end
+
+-- Puts the carried block down on `level`, over the gripping point; `colour` is set before.
+function Placement:release(level, colour)
+   self.process:enter('release')
+   -- first the colour: near its place magnets draw the block away from the radio
+   if colour then self.gripper:colour(colour) end
+   self.lift:to(SIDE * level + REST)
+   self.process:wait(SETTLE_TIME)
+   for _ = 1, RELEASES do
+      if self.gripper:let_go() then
+         self.process:enter('reverse')
+         self.path:go_by(-0.15, 0.08)
+         return true
+      end
+      self.lift:to(SIDE * level + REST)
+   end
+   return false, 'it does not let go'
+end
+
+-- From DRAW before a place, where the magnets of its neighbours begin to draw the carried block, down to
+-- the level and on to it, or as far as the effector goes.
+function Placement:slide_in(level)
+   self.process:enter('slide in')
+   local function drawn_off() return self.gripper:drawn_off(DRAWN_OFF) end
+   local watched = not drawn_off()
+   local line = self.odometry:line_ahead()
+   self.lift:to(SIDE * level + REST)
+   -- what goes on would push a block that is in its place already
+   if watched and drawn_off() then return end
+   self.magnets:hold_fast(true)
+   -- the neighbours draw the robot too
+   self.approach:creep(DRAW - SHY - self.odometry:on_line(line), nil, watched and drawn_off or nil)
+   self.magnets:hold_fast(false)
+end
+
+-- Whether another robot is seen to hold a block over a place, `within` m of it beside.
+function Placement:held_near(x, y, within)
+   for _, known in ipairs(self.tracker.tracks) do
+      local dx, dy = known.x - x, known.y - y
+      if known.colour == self.transport and known.z > SIDE and
+         self.odometry.time - known.time < SEEN_LATELY and dx * dx + dy * dy < within * within
+      then return true end
+   end
+   return false
+end
+
+-- Whether a place that is to be filled is free as far as the camera has seen.
+function Placement:is_free(x, y, level)
+   if self:held_near(x, y, CARRIED) then return false end
+   for _, known in ipairs(self.tracker.tracks) do
+      local dx, dy, dz = known.x - x, known.y - y, known.z - SIDE * (level + 0.5)
+      if known.missed == 0 and dx * dx + dy * dy + dz * dz < TAKEN ^ 2 then return false end
+   end
+   return true
+end
+
+-- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper.
+function Placement:target(block, where, level, back, options)
+   local raise = where == 'raise'
+   return {
+      block = block, heading = options.heading,
+      lowest = math.min(SIDE * level + CLEAR, self.lift.highest - UNDER_TOP),
+      short = (raise and 0 or -DRAW) - back, ahead = where == 'extend' and -SIDE or 0,
+      left = (options.left or 0) + ASIDE * (options.aside or 0),
+      stop = raise and function() return self.approach:column_ahead() end or nil,
+      -- a block that another robot is putting there hides the top
+      free = function(line, top)
+         return self:is_free(line.x, line.y, level) and
+                (not raise or self.odometry.time - top.top_time < SEEN_NOW)
+      end,
+      alone = options.alone,
+   }
+end
+
+-- Brings the carried block before its place next to `block`. True, or false and why not. options:
+-- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
+-- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
+-- way in, whether nobody else is at work there.
+function Placement:approach_site(block, where, options)
+   options = options or {}
+   if not self.magnets:holds() then return false, 'the block was lost' end
+   local level = options.level or (where == 'raise' and (block.level or 0) + 1 or 0)
+   local back, yaw = self.gripper:seat()
+   local near, seen = self.approach:to(self:target(block, where, level, back, options))
+   if not near then return false, seen end
+   if not self.magnets:holds() then
+      -- a turn would sweep the structure
+      self.magnets:hold_fast(false)
+      self.path:back_off(0.15)
+      return false, 'the block was lost'
+   end
+   if math.abs(yaw) > TURNED then self.path:turn_by(-yaw, 0.01) end
+   self.site_level = level
+   return true, seen
+end
+
+-- Puts the carried block down where approach_site has brought it.
+function Placement:attach(where, colour)
+   if where ~= 'raise' then
+      if colour then self.gripper:colour(colour) end
+      self:slide_in(self.site_level)
+      colour = nil
+   end
+   return self:release(self.site_level, colour)
+end
+
+-- Both. options: those of approach_site, and colour.
+function Placement:place(block, where, options)
+   options = options or {}
+   local near, problem = self:approach_site(block, where, options)
+   if not near then return false, problem end
+   return self:attach(where, options.colour)
+end
+
+return Placement

@@ -1,0 +1,125 @@
+-- SPDX-License-Identifier: MIT
+-- Where blocks come from: finds one that nobody uses, and fetches it. Each behaviour returns the event
+-- that it ends with.
+
+local geometry = require 'common.geometry'
+
+local OFTEN = 3                -- sightings that count
+local LOOK_TIME = 1.0          -- s, for each look
+local FIRST_LOOK = 2.5         -- s, for one at blocks not seen before
+local FRESH = 1                -- s, in which a block in sight was seen
+local STILL = 15               -- sightings after which a block in transport is one that was dropped
+local LEGS = 12                -- of a search, before it begins again where something is known; then more
+local LINKED = 1.25 * geometry.SIDE
+local LOOKS = 3                -- at the cache, with waits between
+
+-- block: the one to be fetched. last_cache: that of the side before, until a block was seen at this
+-- side's. in_vain: searches one after the other.
+local BlockSupply = {}
+BlockSupply.__index = BlockSupply
+
+function BlockSupply.new(machine, map, navigation, sides, record, task)
+   return setmetatable({
+      machine = machine, tracker = machine.tracker, process = machine.process, map = map,
+      navigation = navigation, sides = sides, record = record, task = task, in_vain = 0,
+   }, BlockSupply)
+end
+
+-- Dark, or dropped by a robot; on the floor, and with nothing beside it.
+function BlockSupply:is_unused(known)
+   local transport = self.task.transport
+   local dropped = transport > 0 and known.colour == transport and known.seen >= STILL
+   if known.colour ~= 0 and not dropped or known.level ~= 0 or known.seen < 2 * OFTEN then
+      return false
+   end
+   for _, other in ipairs(self.tracker:blocks()) do
+      if other ~= known and geometry.apart(other, known) < LINKED and math.abs(other.z - known.z) < LINKED
+      then return false end
+   end
+   return true
+end
+
+-- Driven to where a search goes on.
+function BlockSupply:wander()
+   return function(x, y) return self.navigation:wander(x, y) end
+end
+
+-- A block at the cache, as a look there tells.
+function BlockSupply:at_cache(time)
+   local function is_unused(known) return self:is_unused(known) end
+   local function seen()
+      for _, known in ipairs(self.tracker:blocks()) do
+         if is_unused(known) and self.process:time() - known.time < FRESH then return true end
+      end
+   end
+   return self.navigation:look_again(self.map.cache, seen, time) and self.tracker:recall(is_unused)
+end
+
+-- Where the last block came from; an empty cache is filled after a while.
+function BlockSupply:look_at_caches()
+   local map = self.map
+   local function is_unused(known) return self:is_unused(known) end
+   for again = 1, map.cache and LOOKS or 0 do
+      if again > 1 then self.process:wait(5 + 10 * math.random()) end
+      local block = self:at_cache(self.last_cache and FIRST_LOOK or LOOK_TIME)
+      if not block and self.last_cache then
+         map.cache = self.last_cache
+         block = self:at_cache()
+      end
+      self.last_cache = nil
+      block = block or self.machine.search:look_about(is_unused)
+      if block then return block end
+   end
+end
+
+-- Where the last one came from, then all about.
+function BlockSupply:search_block()
+   local map, search = self.map, self.machine.search
+   local function is_unused(known) return self:is_unused(known) end
+   self.block = self:look_at_caches()
+   if self.block then return 'found' end
+   -- elsewhere it would be in others' way
+   if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
+      self.block = not map.cache and search:look_about(is_unused) or nil
+      if not self.block then self.process:wait(5 + 10 * math.random()) end
+      return self.block and 'found' or 'none'
+   end
+   self.in_vain = self.in_vain + 1
+   self.block = search:find(is_unused, LEGS * self.in_vain, self:wander())
+   if self.block then return 'found' end
+   local home = map.cache or map.known or { x = 0, y = 0 }
+   self.navigation:straight_to(home.x, home.y)
+   return 'none'
+end
+
+function BlockSupply:approach_block()
+   local near, seen = self.machine.pickup:approach_block(self.block)
+   if near then self.block = seen return 'near' end
+   self.record:tally('aborted')
+   return 'lost'
+end
+
+function BlockSupply:pick_up()
+   local block = self.block
+   local place, fresh = { x = block.x, y = block.y }, block.colour == 0
+   if self.machine.pickup:grip_block(block, self.task.transport) then
+      self.map.side, self.in_vain = nil, 0
+      if fresh then self.map.cache = place end
+      self.machine.path:back_off(0.10)
+      return 'holds'
+   end
+   self.record:tally('aborted')
+   self.machine.path:back_off(0.12)
+   return 'failed'
+end
+
+-- Lost: where blocks come from tells the directions.
+function BlockSupply:find_cache()
+   local function comes_from_there(known) return known.colour == 0 and self:is_unused(known) end
+   local known = self.machine.search:find(comes_from_there, LEGS, self:wander())
+   if not known then return 'none' end
+   self.map.cache = { x = known.x, y = known.y }
+   return 'found'
+end
+
+return BlockSupply

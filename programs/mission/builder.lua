@@ -1,0 +1,127 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot that builds does: fetches blocks that nobody uses, looks at the structure from
+-- one of its sides, asks what to do there, and does it.
+--
+-- `stigc compile` writes the two things that are not here: a chart, which says what follows what,
+-- and a task, which says what the rules want:
+--
+--     task.decide(column)  what to do before a column: {what, colour, level, left, rule}, or nil
+--     task.asks            cells that it asks for: {du, dv, level} about the column
+--     task.looks           where to look from: {distance from camera to column, height of the lift}
+--     task.sides           sides to work from, '+x' ...; task.turns: the rules hold in every turn
+--     task.transport       colour of a block on its way (0: dark)
+--     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
+--
+-- A scene may bind a robot to some of the sides: see mission/side_allocation.lua.
+
+local Machine = require 'machine'
+local Navigation = require 'motion.navigation'
+local BlockSupply = require 'mission.block_supply'
+local Record = require 'mission.record'
+local SideAllocation = require 'mission.side_allocation'
+local SiteWork = require 'mission.site_work'
+local StructureMap = require 'mission.structure_map'
+
+local LOOK_TIME = 1.0          -- s
+local LEGS = 12                -- of a search for the structure
+
+local Builder = {}
+Builder.__index = Builder
+
+-- What the chart's states do: a method of the builder or of one of its parts.
+Builder.BEHAVIOURS = {
+   wait = 'builder', search_structure = 'builder', next_side = 'builder', let_go = 'builder',
+   search_block = 'supply', approach_block = 'supply', pick_up = 'supply', find_cache = 'supply',
+   choose_row = 'work', stand_before = 'work', look = 'work', approach_site = 'work', attach = 'work',
+}
+
+function Builder.new(robot, chart, task)
+   local machine = Machine.new(robot)
+   task = setmetatable({ sides = SideAllocation.own(robot.params, task) }, { __index = task })
+   local map = StructureMap.new(robot, machine.odometry, machine.tracker, task)
+   local navigation = Navigation.new(machine, map)
+   local sides = SideAllocation.new(machine, map, navigation, task)
+   local record = Record.new(robot)
+   local self = setmetatable({
+      machine = machine, process = machine.process, map = map, navigation = navigation, sides = sides,
+      record = record, chart = chart, task = task,
+      supply = BlockSupply.new(machine, map, navigation, sides, record, task),
+      work = SiteWork.new(machine, map, navigation, sides, record, task),
+   }, Builder)
+   self.builder = self
+   machine.placement.transport = task.transport
+   machine:start(function() self:follow_chart() end)
+   return self
+end
+
+function Builder:step()
+   self.machine:step()
+end
+
+-- For ever: each of the chart's states is something done, which ends with an event, and the chart says
+-- which state that leads to.
+function Builder:follow_chart()
+   local chart, state = self.chart, self.chart.first
+   while true do
+      self.process:enter(state)
+      local does = chart[state].does
+      local part = self[Builder.BEHAVIOURS[does]]
+      local event = part[does](part)
+      state = chart[state].on[event] or
+              error("the chart says nothing of '" .. event .. "' in '" .. state .. "'")
+      coroutine.yield()
+   end
+end
+
+function Builder:wait()
+   self.process:wait(math.random() * self.task.delay)
+   return 'done'
+end
+
+-- The structure in memory, or after a look where it is known, or a search.
+function Builder:find_structure()
+   local map = self.map
+   local function in_memory() return map:in_memory() end
+   local found = in_memory()
+   if not found and map.known then
+      self.navigation:look_again(map.known, in_memory)
+      found = in_memory()
+   end
+   if found then return found end
+   local function is_brick(block) return map:is_brick(block) end
+   local function wander(x, y) return self.navigation:wander(x, y) end
+   if not self.machine.search:find(is_brick, LEGS, wander) then
+      self.navigation:straight_to(0, 0)
+      return nil
+   end
+   self.process:wait(LOOK_TIME)
+   return map:in_memory(true)
+end
+
+function Builder:search_structure()
+   if not self.machine.magnets:holds() then return 'dropped' end
+   local found = self:find_structure()
+   if not found then return 'none' end
+   if not self.map:remember(found) then return 'lost' end
+   if self.map:settle() then self.work:begin_side() end
+   return 'found'
+end
+
+function Builder:next_side()
+   if self.work:stays() then return 'there' end
+   local map = self.map
+   local cache = map.cache
+   if self.sides:change() then self.supply.last_cache = cache end
+   -- what was seen before the turns on the way does not fit what is seen now
+   self.machine.tracker:forget_all()
+   if self.navigation:look_again(map.known, function() return map:in_memory() end) then return 'there' end
+   return 'lost'
+end
+
+function Builder:let_go()
+   self.machine.gripper:let_go()
+   self.machine.path:back_off(0.15)
+   return 'done'
+end
+
+return Builder

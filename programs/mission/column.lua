@@ -1,0 +1,109 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot sees of the column that it stands before. Cells are named by du towards the robot and dv
+-- to its left of the column, and their level, as rules are compiled.
+
+local geometry = require 'common.geometry'
+
+local SIDE = geometry.SIDE
+local OFTEN = 3                -- sightings that count
+
+-- bricks and empty by "du dv level": the block there; how often it would have been seen.
+local Column = {}
+Column.__index = Column
+
+function Column.new(odometry, tracker, sight, map, task, row)
+   return setmetatable({
+      odometry = odometry, tracker = tracker, sight = sight, map = map, task = task, row = row,
+      bricks = {}, empty = {},
+   }, Column)
+end
+
+function Column:count_empty(key)
+   self.empty[key] = (self.empty[key] or 0) + 1
+end
+
+-- A block that is in the picture just now.
+function Column:note(known)
+   local row = self.row
+   local along, left = geometry.into(row.frame, known.x, known.y)
+   local du = -geometry.round(along / SIDE) - row.front
+   local dv = geometry.round(left / SIDE) - row.v
+   local level = geometry.level_of(known.z)
+   self.bricks[du .. ' ' .. dv .. ' ' .. level] = known
+   if known.top_time == self.odometry.time then self:count_empty(du .. ' ' .. dv .. ' ' .. level + 1) end
+end
+
+-- Once in each step, for as long as the robot stands: bricks by colour, cells that are empty since a
+-- brick there would be seen.
+function Column:watch()
+   local rows = self.map:rows()
+   self.row = rows and rows[self.row.v] or self.row
+   for _, known in ipairs(self.tracker.tracks) do
+      if known.time == self.odometry.time and known.seen >= OFTEN then self:note(known) end
+   end
+   for _, ask in ipairs(self.task.asks) do
+      local key = table.concat(ask, ' ')
+      local x, y = self.map.place_of(self.row, ask[1], ask[2])
+      if not self.bricks[key] and self.sight:would_see(x, y, ask[3], self.row.frame.yaw) then
+         self:count_empty(key)
+      end
+   end
+end
+
+-- A colour, 'empty', or nil where it is not known.
+function Column:cell(du, dv, level)
+   local key = du .. ' ' .. dv .. ' ' .. level
+   local known = self.bricks[key]
+   if known then return self.map:is_brick(known) and known.colour or nil end
+   return (self.empty[key] or 0) >= OFTEN and 'empty' or nil
+end
+
+-- The highest brick of the column in front.
+function Column:top()
+   local top
+   for level = 0, self.task.levels do
+      local is = self:cell(0, 0, level)
+      if is == 'empty' or (not is and level == self.task.levels) then return top end
+      if not is then return nil end
+      top = { level = level, colour = is, known = self.bricks['0 0 ' .. level] }
+   end
+   return top
+end
+
+-- The highest of its bricks, whatever is below.
+function Column:highest()
+   for level = self.task.levels, 0, -1 do
+      local known = self.bricks['0 0 ' .. level]
+      if known then return known end
+   end
+end
+
+-- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to its left,
+-- so that the block goes in a little off and does not catch on it.
+function Column:room_beside(wish)
+   local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
+   -- on an overhang there is no brick from the floor up
+   local level = wish.level or geometry.level_of(wish.top.z) + 1
+   local function stands(at)
+      return type(self:cell(du, at, level)) == 'number' or
+             du == 0 and at == 0 and self.bricks['0 0 ' .. level] ~= nil
+   end
+   return (stands(dv - 1) and 1 or 0) - (stands(dv + 1) and 1 or 0)
+end
+
+-- What the rules want here, for the task's decision: {what, colour, level, left, rule} with top, foot
+-- and aside, or nil. The second result says whether the column's top was seen.
+function Column:decide()
+   local top = self:top()
+   local wish = self.task.decide {
+      top_colour = top and top.colour, top_level = top and top.level, side = self.map:side_name(),
+      cell = function(du, dv, level) return self:cell(du, dv, level) end,
+   }
+   if not wish then return nil, top ~= nil end
+   wish.top = self:highest()
+   wish.foot = self.bricks['0 0 ' .. (wish.level or 0)]
+   wish.aside = self:room_beside(wish)
+   return wish, top ~= nil
+end
+
+return Column

@@ -1,0 +1,23 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot that builds counts, and shows to those who watch: bricks placed, attempts aborted, and
+-- those of them for which another robot was in the way (busy).
+
+local Record = {}
+Record.__index = Record
+
+function Record.new(robot)
+   local self = setmetatable({ robot = robot, placed = 0, aborted = 0, busy = 0 }, Record)
+   self:show('placed')
+   return self
+end
+
+function Record:show(name)
+   if self.robot.show then self.robot.show.number(name, self[name]) end
+end
+
+function Record:tally(name)
+   self[name] = self[name] + 1
+   self:show(name)
+end
+
+return Record

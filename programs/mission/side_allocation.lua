@@ -1,0 +1,129 @@
+-- SPDX-License-Identifier: MIT
+-- Which side of the structure a robot works from, and how it goes to another.
+--
+-- `params.sides`, '+x +y', binds a robot to some of the task's sides, which it then has for itself.
+-- One that is alone has all of them. Any other robot shares them: it goes to the next side only where it
+-- finds that nobody works there.
+
+local geometry = require 'common.geometry'
+local Navigation = require 'motion.navigation'
+local UnexplainedReturns = require 'perception.unexplained_returns'
+local StructureMap = require 'mission.structure_map'
+
+local EDGE = 0.40              -- m, from a side's middle, where one is in nobody's way
+local INNER_EDGE = 0.30        -- m, likewise, from where one sees robots up to the middle
+local EDGE_LOOK = 0.3          -- rad, between looks from there
+local AT_ROW = 12              -- s, that others are out of sight at the far rows
+local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
+
+-- way_round: to the next side, 1 to the left, -1 to the right.
+local SideAllocation = {}
+SideAllocation.__index = SideAllocation
+
+function SideAllocation.new(machine, map, navigation, task)
+   return setmetatable({
+      robot = machine.robot, odometry = machine.odometry, process = machine.process,
+      ranges = machine.ranges, returns = machine.returns, clearance = machine.clearance,
+      path = machine.path, map = map, navigation = navigation, task = task, way_round = 1,
+   }, SideAllocation)
+end
+
+-- Those of a task's sides that a robot with these parameters is bound to, or all.
+function SideAllocation.own(params, task)
+   local SIDES = StructureMap.SIDES
+   local out, first = {}, task.turns and SIDES[params.side or task.sides[1]] or 0
+   for name in string.gmatch(params.sides or '', '%S+') do
+      -- where the rules hold in every turn, a robot's first side is its +x
+      for other, index in pairs(SIDES) do
+         if index == ((SIDES[name] or 0) - first) % 4 then table.insert(out, other) end
+      end
+   end
+   return #out > 0 and out or task.sides
+end
+
+-- Whether others may work on the robot's sides.
+function SideAllocation:are_shared()
+   return self.task.delay > 0 and not self.robot.params.sides
+end
+
+-- As far from the structure's middle as the cache leaves room.
+function SideAllocation:room_before_cache()
+   return (self.map.cache_way or math.huge) - Navigation.BEFORE_CACHE
+end
+
+-- Out of the others' way, as far as the cache leaves room.
+function SideAllocation:withdraw()
+   local known = self.map.known
+   local away = math.min(known.reach + WITHDRAWN, self:room_before_cache())
+   local more = away - geometry.apart(known, self.odometry.pose)
+   if more > 0 then self.path:back_off(more) end
+end
+
+-- A place so far from the structure's middle, on the side that robots face with `heading`.
+function SideAllocation:place_on(heading, away)
+   local known = self.map.known
+   return geometry.out_of({ x = known.x, y = known.y, yaw = heading }, -away, 0)
+end
+
+-- Whether someone works on the side that robots face with `heading`: who does so is somewhere
+-- between the structure and the cache, and is seen or met by one that comes in across, from the
+-- left edge (1) or the right one (-1).
+function SideAllocation:is_worked(heading, edge)
+   local path = self.path
+   local across = { yaw = geometry.wrap(heading - edge * math.pi / 2) }
+   across.x, across.y = self:place_on(heading, (self.map.known.reach + self.map.cache_way) / 2)
+   local start, met = self.odometry.time, false
+   local function meets()
+      met = met or self.ranges:range('front') or self.clearance:meets(1)
+      return met
+   end
+   if not self.navigation:to(geometry.out_of(across, -EDGE, 0)) then return true end
+   path:turn_to(across.yaw)
+   path:follow(across, -INNER_EDGE, 0.06, meets)
+   for step = -2, 2 do
+      if not meets() then path:turn_to(across.yaw + step * EDGE_LOOK, UnexplainedReturns.LOOK_RIM) end
+   end
+   if not meets() then path:turn_to(across.yaw) end
+   return self.process:wait_until(meets, AT_ROW) or
+          #self.returns:near(across.x, across.y, INNER_EDGE, start) > 0
+end
+
+-- The next of the robot's sides on the way round.
+function SideAllocation:next_side()
+   local all, here = {}, 1
+   for _, name in ipairs(self.task.sides) do table.insert(all, StructureMap.SIDES[name]) end
+   table.sort(all)
+   for i, side in ipairs(all) do
+      if side == self.map.side then here = i end
+   end
+   return all[(here - 1 + self.way_round) % #all + 1]
+end
+
+-- The side is the robot's from now on, and its cache is expected to be as far away as the last one.
+function SideAllocation:take(side)
+   local map = self.map
+   map.side = side
+   if map.cache_way then
+      local x, y = self:place_on(map:heading_of(side), map.cache_way)
+      map.cache = { x = x, y = y }
+   end
+end
+
+-- To the next side. Where somebody works there, back to where it was, and the other way round the next
+-- time. Says whether the side has changed.
+function SideAllocation:change()
+   local map, side = self.map, self:next_side()
+   local free = not (self:are_shared() and map.cache_way and
+                     self:is_worked(map:heading_of(side), self.way_round))
+   if free then
+      self:take(side)
+   else
+      self.way_round = -self.way_round
+      self.path:back_off(EDGE - INNER_EDGE)
+   end
+   local away = math.min(map.known.reach + Navigation.CLEAR_OF, self:room_before_cache())
+   self.navigation:to(self:place_on(map:heading_of(map.side), away))
+   return free
+end
+
+return SideAllocation

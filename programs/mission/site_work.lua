@@ -1,0 +1,249 @@
+-- SPDX-License-Identifier: MIT
+-- Work at the structure: chooses a row, looks at its column, asks the rules what to do there, and does
+-- it. Each behaviour returns the event that it ends with.
+
+local geometry = require 'common.geometry'
+local Column = require 'mission.column'
+local Navigation = require 'motion.navigation'
+local UnexplainedReturns = require 'perception.unexplained_returns'
+
+local SIDE, apart = geometry.SIDE, geometry.apart
+local LOOK_TIME = 1.0          -- s, for each look
+local PEEK_FROM, PEEK = 0.17, 0.8  -- m from a site, rad to each side
+local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
+local PEEK_TIME = 0.6          -- s
+local AT_SITE = 0.22           -- m, from a site, where others are in the way
+local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
+local BUSY = 10                -- s, the longest wait where another robot is at a row
+local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
+local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
+local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
+local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
+local ASIDE, ASKEW = 0.015, 0.5  -- m and rad off a row's line, beyond which it is driven to anew
+local TOO_FAR = 0.20           -- m, likewise, from where it looks
+
+-- tried: rows of this side that asked for nothing. rounds: how often all rows of this side were tried,
+-- and nothing placed. patience: how often it tries them before it goes elsewhere: once, and twice as
+-- often each time. obstructed: how often somebody was in the way, or nothing to be done, since the last
+-- brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front, frame,
+-- juts}, the one it stands before. wish: what is to be done there (Column:decide).
+local SiteWork = {}
+SiteWork.__index = SiteWork
+
+function SiteWork.new(machine, map, navigation, sides, record, task)
+   return setmetatable({
+      machine = machine, odometry = machine.odometry, process = machine.process, path = machine.path,
+      lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
+      placement = machine.placement, map = map, navigation = navigation, sides = sides,
+      record = record, task = task,
+      tried = {}, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {},
+   }, SiteWork)
+end
+
+-- Another robot was in the way.
+function SiteWork:give_up()
+   self.obstructed = self.obstructed + 1
+   self.record:tally('aborted')
+   self.record:tally('busy')
+end
+
+-- From a side that the robot has come to, all rows may be tried.
+function SiteWork:begin_side()
+   self.tried = {}
+end
+
+-- The row, of those not tried yet, that juts out furthest; of several the one straight ahead, which
+-- keeps robots apart that work from several sides.
+function SiteWork:choose_row()
+   if not self.magnets:holds() then return 'dropped' end
+   if self.obstructed > OBSTRUCTED and #self.task.sides > 1 then return 'none' end
+   local rows = self.map:rows()
+   if not rows then return 'lost' end
+   self.row = nil
+   local least
+   for _, of in pairs(rows) do
+      if not self.tried[of.v] and self.map.room_before(rows, of) then
+         local _, aside = self.odometry:on_line(self.map.line_before(of))
+         local order = math.abs(aside) - of.front
+         if not self.row or order < least then self.row, least = of, order end
+      end
+   end
+   return self.row and 'chosen' or 'none'
+end
+
+-- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
+-- while, since others' work may open a row.
+function SiteWork:stays()
+   self.tried, self.rounds = {}, self.rounds + 1
+   self.sides:withdraw()
+   if #self.task.sides == 1 or self.sides:are_shared() and self.obstructed <= OBSTRUCTED and
+      self.rounds < self.patience then
+      self.process:wait(2 + 4 * math.random())
+      return true
+   end
+   self.obstructed, self.rounds, self.patience = 0, 0, 2 * self.patience
+   return false
+end
+
+-- Says whether another robot stands before the row, on the way in along a line.
+function SiteWork:in_between(line)
+   return function() return self.clearance:between(-self.odometry:on_line(line)) end
+end
+
+-- Along the row's line up to a place `away` from its column. Whether nobody is in the way.
+function SiteWork:come_up(line, away, speed)
+   local in_between = self:in_between(line)
+   self.path:follow(line, -away, speed, in_between)
+   return not in_between()
+end
+
+-- Distance of the robot's middle from a column, for a look.
+function SiteWork:distance_for(look)
+   return self.machine.camera:place_when_down() + look.distance + SIDE / 2
+end
+
+-- Whether the robot is too far off a row's line to come up along it.
+function SiteWork:is_off(line, away)
+   local along, aside, angle = self.odometry:on_line(line)
+   return math.abs(aside) > ASIDE or along > -away + 0.01 or along < -away - TOO_FAR or
+          math.abs(angle) > ASKEW
+end
+
+-- To where a row's line is come up along. Whether it is reached.
+function SiteWork:go_before(line, away)
+   self.lift:to(math.max(self.lift:height(), TURN_HEIGHT))
+   local x, y = geometry.out_of(line, -away - 0.03, 0)
+   -- where there is room to turn before the cache
+   local cache = self.map.cache
+   if cache and apart(cache, { x = x, y = y }) < Navigation.BEFORE_CACHE then
+      x, y = geometry.out_of(line, -away, 0)
+   end
+   return self.navigation:to(x, y)
+end
+
+function SiteWork:stand_before()
+   local line = self.map.line_before(self.row)
+   -- where what juts out beside is not swept in a turn
+   local away = self:distance_for(self.task.looks[1]) + self.row.juts
+   if self:is_off(line, away) and not self:go_before(line, away) then
+      self:give_up()
+      return 'blocked'
+   end
+   self.path:turn_to(line.yaw)
+   if self:come_up(line, away, 0.10) then return 'there' end
+   -- another robot is at the row: out of its way, and another try after a while
+   self.path:back_off(0.10)
+   self.process:wait(BUSY * math.random())
+   self:give_up()
+   return 'blocked'
+end
+
+-- Sees the column from one place. Whether nobody is in the way.
+function SiteWork:look_from(column, look)
+   if not self:come_up(self.map.line_before(column.row), self:distance_for(look), 0.08) then return false end
+   self.lift:to(look.lift)
+   local start = self.odometry.time
+   while self.odometry.time - start < LOOK_TIME do
+      coroutine.yield()
+      column:watch()
+   end
+   return true
+end
+
+function SiteWork:look()
+   local machine = self.machine
+   local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
+   for _, look in ipairs(self.task.looks) do
+      if not self:look_from(column, look) then
+         self.path:back_off(0.10)
+         self.tried[self.row.v] = true
+         self:give_up()
+         return 'unseen'
+      end
+   end
+   self.row = column.row
+   if not self.magnets:holds() then return 'dropped' end
+   local wish, top_seen = column:decide()
+   self.wish = wish
+   if wish then return 'decided' end
+   self.tried[self.row.v] = true
+   if self.row.juts > 0 then self.path:back_off(self.row.juts) end
+   if top_seen then return 'nothing' end
+   self.record:tally('aborted')
+   return 'unseen'
+end
+
+-- Whether a point is no part of what stands there for good: robots leave after a while.
+function SiteWork:comes_and_goes(point)
+   for _, known in ipairs(self.standing) do
+      if apart(known, point) < OF_ONE then return self.odometry.time - known.since < GOES end
+   end
+   table.insert(self.standing, { x = point.x, y = point.y, since = self.odometry.time })
+   return true
+end
+
+-- Whether somebody holds a block near the structure, as a look over the column and to both sides tells.
+function SiteWork:sees_others_work(line)
+   local known, returns = self.map.known, self.machine.returns
+   local function held()
+      return self.placement:held_near(known.x, known.y, known.reach + AT_WORK)
+   end
+   self.lift:to(geometry.clamp(self.lift:height() + PEEK_OVER, 0, self.lift:top()))
+   local busy = self.process:wait_until(held, PEEK_TIME)
+   for _, angle in ipairs { -PEEK, PEEK, 0 } do
+      local turn = geometry.wrap(line.yaw + angle - self.odometry.pose.yaw)
+      if not busy and not returns:sweeps(turn) then
+         self.path:turn_to(line.yaw + angle, UnexplainedReturns.LOOK_RIM)
+      end
+      busy = busy or held()
+   end
+   self.path:turn_to(line.yaw)
+   return busy
+end
+
+-- Whether no other robot is at work about the end of a line, as a look to both sides tells.
+-- Who passes here stays nearer than PEEK_FROM until it has put its block down, where the others
+-- see it from the places from which they look in their turn: of two robots at work on adjoining
+-- sides, the one that looks last sees the other. On the far side one hides behind the column: what
+-- it holds is seen over that.
+function SiteWork:is_alone(line)
+   self.path:follow_back(line, -PEEK_FROM, 0.08)
+   local start = self.odometry.time
+   local busy = self:sees_others_work(line)
+   for _, point in ipairs(self.machine.returns:near(line.x, line.y, AT_SITE, start)) do
+      busy = busy or self:comes_and_goes(point)
+   end
+   return not busy
+end
+
+function SiteWork:approach_site()
+   local wish = self.wish
+   local target = wish.top
+   if wish.what ~= 'raise' then target = wish.foot or wish.top end
+   local near, problem = self.placement:approach_site(target, wish.what, {
+      heading = self.row.frame.yaw, level = wish.level, left = wish.left and wish.left * SIDE,
+      aside = wish.aside,
+      alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
+   })
+   if near then return 'near' end
+   if problem == 'busy' then
+      self.sides:withdraw()
+      self:give_up()
+      return 'busy'
+   end
+   self.record:tally('aborted')
+   return problem == 'the block was lost' and 'dropped' or 'lost'
+end
+
+function SiteWork:attach()
+   if not self.placement:attach(self.wish.what, self.wish.colour) then
+      self.record:tally('aborted')
+      return 'failed'
+   end
+   if self.row.juts > 0 then self.path:back_off(self.row.juts) end
+   self.tried, self.wish, self.obstructed, self.rounds, self.patience = {}, nil, 0, 0, 1
+   self.record:tally('placed')
+   return 'placed'
+end
+
+return SiteWork

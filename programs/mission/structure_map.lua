@@ -1,0 +1,216 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot knows of the structure that it builds: where it is, how its lattice lies, which
+-- sides it has, and what rows of columns are seen from them.
+--
+-- A side's name tells nothing to a robot that has no compass. `params.side` is the side on which it
+-- begins, as it makes out when it first sees the structure; from then on it knows the lattice's directions
+-- by its own turns, put right by a few degrees whenever it sees the structure again. Where the
+-- structure is far from where it was, the robot is lost. Then the way from the structure to the
+-- cache tells the directions, once it has seen a block there again.
+
+local geometry = require 'common.geometry'
+local structures = require 'perception.structures'
+
+local SIDE = geometry.SIDE
+local apart, wrap, wrap_quarter = geometry.apart, geometry.wrap, geometry.wrap_quarter
+local FAR_LINKED = 2.3 * SIDE
+local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
+local TURNED = 0.35            -- rad, likewise
+
+-- known: {x, y, reach, yaw, origin}: middle and radius of the structure as last seen, the heading
+-- that faces it from params.side, and the middle of one cell; nil when it is not known.
+-- cache: {x, y}, where the last block came from; cache_way: its distance from the structure's
+-- middle. side: index of the side that the robot works from. bearing: of the cache from the structure's
+-- middle, against known.yaw; kept when lost. lost: it was known once.
+local StructureMap = {}
+StructureMap.__index = StructureMap
+StructureMap.SIDES = { ['+x'] = 0, ['+y'] = 1, ['-x'] = 2, ['-y'] = 3 }
+
+local SIDES = StructureMap.SIDES
+
+-- Knows nothing yet; of the task, `transport`, `sides` and `turns` count here.
+function StructureMap.new(robot, odometry, tracker, task)
+   return setmetatable({
+      robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false,
+   }, StructureMap)
+end
+
+function StructureMap:is_brick(block)
+   return block.colour > 0 and block.colour ~= self.task.transport
+end
+
+local function middle_of(structure)
+   local x, y, n = 0, 0, #structure.blocks
+   for _, known in ipairs(structure.blocks) do x, y = x + known.x / n, y + known.y / n end
+   return { x = x, y = y }
+end
+
+-- The largest structure of bricks, of what is in memory; of two alike the one nearer to where the
+-- structure is known, or the robot began. Some of its bricks may be out of sight, and those in memory
+-- not be linked. Where the structure is known, a brick far from there is one that somebody lost,
+-- unless `anywhere` is true.
+function StructureMap:in_memory(anywhere)
+   local home = self.known or { x = 0, y = 0 }
+   local best, least
+   local function is_brick(block) return self:is_brick(block) end
+   for _, structure in ipairs(structures.of(self.tracker:blocks(), is_brick, FAR_LINKED)) do
+      local away = apart(home, middle_of(structure))
+      local far = self.known and not anywhere and away > STRAYED
+      if not far and (not best or #structure.blocks > #best.blocks or
+                      #structure.blocks == #best.blocks and away < least) then
+         best, least = structure, away
+      end
+   end
+   return best
+end
+
+local function angle_to(from, to)
+   return math.atan(to.y - from.y, to.x - from.x)
+end
+
+-- Of the four headings that a lattice's yaw may mean, the one nearest to an angle.
+local function nearest_to(angle, yaw)
+   return angle + wrap_quarter(yaw - angle)
+end
+
+-- The heading that faces a structure, seen for the first time, from the side on which the robot
+-- began: what two of three say. It began there, most likely with its back to the structure, and
+-- it will not have gone far; each alone may be wrong after a search, or in a crowd.
+function StructureMap:facing_at_first(middle, yaw)
+   local here = nearest_to(angle_to(self.odometry.pose, middle), yaw)
+   local there = nearest_to(angle_to({ x = 0, y = 0 }, middle), yaw)
+   local behind = nearest_to(math.pi, yaw)
+   return math.abs(wrap(there - behind)) < 0.1 and there or here
+end
+
+-- The heading that faces the structure from params.side; nil where the robot cannot know.
+function StructureMap:orientation(structure, middle)
+   local yaw = structure.frame.yaw
+   if self.known then return nearest_to(self.known.yaw, yaw) end
+   if self.lost and not self.task.turns then
+      return self.cache and self.bearing and nearest_to(angle_to(middle, self.cache) - self.bearing, yaw)
+   end
+   return self:facing_at_first(middle, yaw)
+end
+
+function StructureMap:lose()
+   self.known, self.side, self.lost, self.cache = nil, nil, true, nil
+end
+
+-- Whether it is too far from where it was, or turned too much, for odometry's errors.
+function StructureMap:has_strayed(structure, middle)
+   local before = self.known
+   return before and not self.task.turns and
+          (apart(before, middle) > STRAYED or
+           math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > TURNED)
+end
+
+local function reach_of(structure, middle)
+   local reach = 0
+   for _, known in ipairs(structure.blocks) do reach = math.max(reach, apart(known, middle)) end
+   return reach + SIDE / 2
+end
+
+-- The middle of one cell, which stays the same for as long as the robot is less than half a cell
+-- wrong.
+function StructureMap:origin_in(frame)
+   local origin = self.known and self.known.origin or frame
+   local u, v = geometry.into(frame, origin.x, origin.y)
+   local x, y = geometry.out_of(frame, SIDE * geometry.round(u / SIDE), SIDE * geometry.round(v / SIDE))
+   return { x = x, y = y }
+end
+
+-- Learns where the structure is, and how the lattice lies. False where the latter is not known.
+function StructureMap:remember(structure)
+   local middle = middle_of(structure)
+   if self:has_strayed(structure, middle) then self:lose() end
+   local yaw = self:orientation(structure, middle)
+   if not yaw then return false end
+   local frame = { x = structure.frame.x, y = structure.frame.y, yaw = yaw }
+   self.known = { x = middle.x, y = middle.y, yaw = wrap(yaw), reach = reach_of(structure, middle),
+                  origin = self:origin_in(frame) }
+   return true
+end
+
+-- The heading of a robot on the side of this index.
+function StructureMap:heading_of(index)
+   local first = self.task.turns and 0 or SIDES[self.robot.params.side or self.task.sides[1]]
+   return wrap(self.known.yaw + (index - first) * math.pi / 2)
+end
+
+-- '+x' ..., of the side that the robot works from.
+function StructureMap:side_name()
+   for name, index in pairs(SIDES) do
+      if index == self.side then return name end
+   end
+end
+
+-- The side among those allowed that the robot is nearest to.
+function StructureMap:nearest_side()
+   local there = angle_to(self.odometry.pose, self.known)
+   local best, least
+   for _, name in ipairs(self.task.sides) do
+      local off = math.abs(wrap(self:heading_of(SIDES[name]) - there))
+      if not least or off < least - 1e-6 then best, least = SIDES[name], off end
+   end
+   return best
+end
+
+-- By how much, m, columns beside a row stand before it where the effector would sweep them.
+local function juts_beside(rows, of)
+   local most = of.front
+   for dv = -2, 2 do most = math.max(most, rows[of.v + dv] and rows[of.v + dv].front or most) end
+   return SIDE * (most - of.front)
+end
+
+-- Rows of the structure as seen from this side: by v (to the left), the foremost u (towards the
+-- robot).
+function StructureMap:rows()
+   local structure = self:in_memory()
+   if not structure or not self:remember(structure) then return nil end
+   local origin = self.known.origin
+   local frame = { x = origin.x, y = origin.y, yaw = self:heading_of(self.side) }
+   local rows = {}
+   for _, known in ipairs(structure.blocks) do
+      local along, left = geometry.into(frame, known.x, known.y)
+      local u, v = -geometry.round(along / SIDE), geometry.round(left / SIDE)
+      rows[v] = rows[v] or { v = v, front = u, frame = frame }
+      rows[v].front = math.max(rows[v].front, u)
+   end
+   for _, of in pairs(rows) do of.juts = juts_beside(rows, of) end
+   return rows
+end
+
+-- Place of a cell, du and dv from the foremost of a row.
+function StructureMap.place_of(of, du, dv)
+   return geometry.out_of(of.frame, -SIDE * (of.front + du), SIDE * (of.v + dv))
+end
+
+-- The line on which the robot faces a row; its end is the middle of the foremost column.
+function StructureMap.line_before(of)
+   local x, y = StructureMap.place_of(of, 0, 0)
+   return { x = x, y = y, yaw = of.frame.yaw }
+end
+
+-- Whether the body has room before a row: what juts out beside it by two cells is in the way.
+function StructureMap.room_before(rows, of)
+   for _, v in ipairs { of.v - 1, of.v + 1 } do
+      if rows[v] and rows[v].front >= of.front + 2 then return false end
+   end
+   return true
+end
+
+-- Found and known: which side is the nearest, and where the cache is from here. Whether the side is a
+-- new one.
+function StructureMap:settle()
+   self.lost = false
+   if self.cache then
+      self.bearing = wrap(angle_to(self.known, self.cache) - self.known.yaw)
+      self.cache_way = apart(self.known, self.cache)
+   end
+   if self.side then return false end
+   self.side = self:nearest_side()
+   return true
+end
+
+return StructureMap

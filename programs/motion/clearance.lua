@@ -1,0 +1,85 @@
+-- SPDX-License-Identifier: MIT
+-- Whether there is room to move: what the rangefinders say of the next few centimetres. Most likely
+-- it is another robot that stands in the way.
+--
+-- The later robot's rangefinders see less far than another robot's arm reaches: of what is behind, beside
+-- or between it and a column they say nothing.
+
+local geometry = require 'common.geometry'
+
+local SIDE = geometry.SIDE
+local STOP = 0.045             -- m, before the chassis
+local AT_EFFECTOR = 0.05       -- m, before the effector
+local BEHIND = 0.07            -- m, behind the chassis, which the body sticks out by 0.03, to stop from 0.1 m/s
+local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
+local FACING = 0.18            -- m, before the effector, where another's may come towards it
+local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
+local EFFECTOR = 0.095         -- m, the effector before the chassis, and some more
+local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
+local FREE = 1                 -- m, more than any rangefinder sees
+local SEES_FAR = 0.1           -- m, of rangefinders that see another robot before its arm touches
+local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
+
+-- ahead, behind, beside: names of the chassis' rangefinders that look there, beside with those behind;
+-- front: where the foremost of them are, m ahead.
+local Clearance = {}
+Clearance.__index = Clearance
+
+-- `magnets` tells whether a block is carried, which hides what is before the chassis.
+function Clearance.new(robot, description, process, ranges, magnets)
+   local self = setmetatable({
+      robot = robot, process = process, ranges = ranges, magnets = magnets,
+      short_sighted = ranges:reach() < SEES_FAR, front = 0, ahead = {}, behind = {}, beside = {},
+   }, Clearance)
+   for _, ray in ipairs(ranges:chassis_rays()) do
+      table.insert(ray.to.x > STEEP and self.ahead or self.beside, ray.name)
+      if ray.to.x > STEEP then self.front = math.max(self.front, description.rangefinders[ray.name].x) end
+      if ray.to.x < -STEEP then table.insert(self.behind, ray.name) end
+   end
+   return self
+end
+
+-- How far away something stands before the chassis, as far as a carried block does not hide it.
+function Clearance:before_chassis()
+   if self.magnets.carrying and self.robot.lift_system.position < SIDE then return FREE end
+   return self.ranges:nearest(self.ahead)
+end
+
+-- Whether something stands within `distance` of the wheels' front, or right before the effector.
+function Clearance:blocked(distance)
+   return self:before_chassis() < (distance or STOP) or self.ranges:nearest { 'front' } < AT_EFFECTOR
+end
+
+-- Whether something stands behind, which would be pushed.
+function Clearance:backed()
+   return not self.short_sighted and self.ranges:nearest(self.behind) < BEHIND
+end
+
+-- Whether something stands between the robot and a column, `away` from its middle, that it faces;
+-- one beside it may jut out by a block.
+function Clearance:between(away)
+   if self.short_sighted then return false end
+   local face = away - self.front - SIDE / 2
+   return self:before_chassis() < face - SIDE - 0.02
+end
+
+-- What stands ahead within the effector's reach, at the speed of travel. With `left` m to go what is
+-- beyond does not count.
+function Clearance:meets(left)
+   return self:blocked(math.min(MEETING, (left or 1) + EFFECTOR)) or
+          self.ranges:nearest { 'front' } < math.min(FACING, left or 0)
+end
+
+-- Waits a while for those to go whom the effector would sweep in a turn on the spot.
+function Clearance:await_room()
+   if self.short_sighted then return end
+   local function room() return self.ranges:nearest(self.beside) > SWEPT end
+   if not room() then self.process:wait_until(room, PATIENCE * math.random()) end
+end
+
+-- For a random while, until nothing is met with `left()` m to go. Whether it has gone.
+function Clearance:await_way(left)
+   return self.process:wait_until(function() return not self:meets(left()) end, PATIENCE * math.random())
+end
+
+return Clearance

@@ -1,0 +1,130 @@
+-- SPDX-License-Identifier: MIT
+-- Drives: along lines {x, y, yaw} of the odometry frame, to places, and on the spot.
+
+local geometry = require 'common.geometry'
+local profile = require 'motion.profile'
+
+local STRAIGHT = 0.04          -- m, in which a line is joined
+local TURN_RIM = 0.06          -- m/s, of the rims in a turn on the spot
+local BACK_SPEED = 0.1         -- m/s
+local STOP_TIME = 0.5          -- s, two steps and some more
+local LONGEST_TURN, LONGEST_DRIVE = 20, 60  -- s
+local AT_REST = 1e-3           -- m/s
+
+local PathFollower = {}
+PathFollower.__index = PathFollower
+
+-- cruise: speed of travel, m/s, at which it can stop for what the rangefinders see.
+function PathFollower.new(robot, description, odometry, process, ranges, clearance)
+   return setmetatable({
+      robot = robot, description = description, odometry = odometry, process = process,
+      clearance = clearance,
+      cruise = math.min(description.drive.speed / 2, ranges:reach() / STOP_TIME),
+   }, PathFollower)
+end
+
+function PathFollower:drive_rims(left, right)
+   -- the right motor is the mirror image of the left one
+   self.robot.differential_drive.set_target_velocity(left, -right)
+end
+
+-- v in m/s, turn in rad/s.
+function PathFollower:drive(v, turn)
+   local aside = turn * self.description.drive.track / 2
+   self:drive_rims(v - aside, v + aside)
+end
+
+function PathFollower:stop()
+   self:drive(0, 0)
+   self.process:wait_until(function()
+      return math.abs(self.odometry.left) < 1e-4 and math.abs(self.odometry.right) < 1e-4
+   end, 1)
+end
+
+-- The speed for the next step of what now moves at `now`.
+function PathFollower:speed_for(left, now, most)
+   return profile.speed(left, now, most, self.odometry.period, self.description.drive.acceleration)
+end
+
+-- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims. Whether it faces
+-- there.
+function PathFollower:turn_to(yaw, rim)
+   local odometry, radius = self.odometry, self.description.drive.track / 2
+   local start = odometry.time
+   while odometry.time - start < LONGEST_TURN do
+      local left = geometry.wrap(yaw - odometry.pose.yaw) * radius
+      local now = (odometry.right - odometry.left) / 2
+      if math.abs(left) < 1e-5 and math.abs(now) < AT_REST then break end
+      local speed = self:speed_for(left, now, rim or TURN_RIM)
+      self:drive_rims(-speed, speed)
+      coroutine.yield()
+   end
+   self:stop()
+   return math.abs(geometry.wrap(yaw - odometry.pose.yaw)) < 0.01
+end
+
+function PathFollower:turn_by(angle, rim)
+   return self:turn_to(self.odometry.pose.yaw + angle, rim)
+end
+
+-- One step along a line, towards its point `to`: critically damped over the way,
+-- e'' = -2 e'/L - e/L², where L is `straight`.
+function PathFollower:steer(along, aside, angle, to, speed, straight)
+   local left, now = to - along, (self.odometry.left + self.odometry.right) / 2
+   local v = self:speed_for(left, now, speed)
+   local back = left < 0 and -1 or 1
+   local bend = -back * aside / straight ^ 2 - 2 * angle / straight
+   self:drive(v, math.abs(v) * geometry.clamp(bend, -15, 15))
+end
+
+-- Along a line to its point `to` (0: where the line begins), forward or backward, as the way there
+-- asks; joins it within some 4 `straight` (default: STRAIGHT). `line` may be a function that says it
+-- anew in each step; nil ends the drive. `each` is called in every step and may end it by returning
+-- true.
+function PathFollower:follow(line, to, speed, each, straight)
+   local odometry = self.odometry
+   local start = odometry.time
+   while odometry.time - start < LONGEST_DRIVE do
+      local now_line = line
+      if type(line) == 'function' then now_line = line() end
+      if not now_line then
+         self:stop()
+         return false, 'target lost'
+      end
+      local along, aside, angle = odometry:on_line(now_line)
+      local now = (odometry.left + odometry.right) / 2
+      if (math.abs(to - along) < 1e-4 and math.abs(now) < AT_REST) or (each and each()) then break end
+      self:steer(along, aside, angle, to, speed, straight or STRAIGHT)
+      coroutine.yield()
+   end
+   self:stop()
+   return true
+end
+
+-- Straight on by so much; back when negative; `each` as with follow.
+function PathFollower:go_by(way, speed, each)
+   return self:follow(self.odometry:line_ahead(), way, speed or self.cruise, each)
+end
+
+-- To a place of the odometry frame: turns to it, and drives; `each` as with follow.
+function PathFollower:go_to(x, y, speed, each)
+   local pose = self.odometry.pose
+   local dx, dy = x - pose.x, y - pose.y
+   if dx * dx + dy * dy < 1e-4 then return true end
+   local yaw = math.atan(dy, dx)
+   if math.abs(geometry.wrap(yaw - pose.yaw)) > 0.3 then self.clearance:await_room() end
+   self:turn_to(yaw)
+   return self:follow({ x = x, y = y, yaw = yaw }, 0, speed or self.cruise, each)
+end
+
+-- As with follow, but ends where something stands behind.
+function PathFollower:follow_back(line, to, speed)
+   return self:follow(line, to, speed, function() return self.clearance:backed() end)
+end
+
+-- Back by so much, or as far as there is room.
+function PathFollower:back_off(way)
+   return self:follow_back(self.odometry:line_ahead(), -way, BACK_SPEED)
+end
+
+return PathFollower

@@ -1,0 +1,132 @@
+-- SPDX-License-Identifier: MIT
+-- Blocks in the picture, from the tags on their faces and the LEDs about these. Blocks stand upright
+-- on the floor or on each other: that tells the height of a tag, and more than its size does.
+--
+-- A detection is {x, y, z, yaw, level, colour, top, variance, turned, tags}: yaw modulo a quarter
+-- turn; level nil where it stands on none; colour 0 (dark) to 4; top: its upper tag was seen;
+-- variance (m²) of its place and `turned` (rad²), of its yaw.
+
+local geometry = require 'common.geometry'
+
+local SIDE, HALF = geometry.SIDE, geometry.HALF
+local TAG = 0.024              -- m, a tag's side
+local TAG_TO_MIDDLE = 0.0285   -- from a tag to its block's middle
+local TAG_HEIGHT = 0.001       -- of a tag over its face
+local LED_OFFSET = 0.020
+local LEDS = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } }
+local MERGE = HALF             -- detections nearer than this are one block
+local PLAIN = 4                -- px, of depth that a tag shows, to be sure which way it tilts
+local OFF_LEVEL = 0.015        -- m, by which a tag may be off the height that a level gives
+local OVER = 0.02              -- m, of the eye over a tag, for its height to tell how far away it is
+local PLACE_ERROR = 0.0004     -- m, of a block 0.1 m away; grows with the distance's square
+
+local BlockDetector = {}
+BlockDetector.__index = BlockDetector
+
+function BlockDetector.new(robot, camera)
+   return setmetatable({ robot = robot, camera = camera }, BlockDetector)
+end
+
+-- The colour that most of the four LEDs about a tag show.
+function BlockDetector:colour_about(tag)
+   local votes = {}
+   for _, place in ipairs(LEDS) do
+      local led = vector3(place[1] * LED_OFFSET, place[2] * LED_OFFSET, -TAG_HEIGHT)
+      local colour = self.robot.camera_system.detect_led(tag.position + led:rotate(tag.orientation))
+      votes[colour] = (votes[colour] or 0) + 1
+   end
+   local best, most = 0, 1
+   for colour = 1, 4 do
+      if (votes[colour] or 0) > most then best, most = colour, votes[colour] end
+   end
+   return best
+end
+
+-- How a block stands of which a tag at `place` has this normal, and this direction to its right;
+-- nil when it would not stand upright. The second result says whether it stands on a level.
+local function standing_with(place, eye, normal, right)
+   local top = normal.z > 0.7
+   if not top and math.abs(normal.z) > 0.5 then return nil end
+   local level = geometry.level_of(place.z - (top and TAG_TO_MIDDLE or 0))
+   local height = SIDE * level + (top and SIDE + TAG_HEIGHT or HALF)
+   local stands = level >= 0 and math.abs(height - place.z) < OFF_LEVEL
+   return { axis = top and right or normal, normal = normal, top = top, height = height,
+            level = stands and eye.z - height > OVER and level or nil }, stands
+end
+
+-- What a tag says of its block, turned as in the robot's frame. A tag that tilts away from the
+-- camera looks nearly as one that tilts towards it: when few pixels tell the two apart, the height
+-- does, where either may stand on a level.
+function BlockDetector:standing_of(tag, place, eye, turn)
+   local orientation = turn * tag.orientation
+   local normal, right = vector3(0, 0, 1):rotate(orientation), vector3(1, 0, 0):rotate(orientation)
+   local ray = place - eye
+   local distance = ray:length()
+   ray = vector3(ray.x / distance, ray.y / distance, ray.z / distance)  -- ARGoS has no /
+   local slant = vector3(normal):cross(ray):length()
+   local first, stands = standing_with(place, eye, normal, right)
+   if stands or self.camera:focal() * slant * (TAG / distance) ^ 2 >= PLAIN then return first end
+   normal, right = ray * (2 * normal:dot(ray)) - normal, right - ray * (2 * right:dot(ray))
+   local mirrored, stands_so = standing_with(place, eye, normal, right)
+   return stands_so and mirrored or first or mirrored
+end
+
+-- A block from one of its tags, in the robot's frame: where the height of the tag is known, the line
+-- through its middle says the rest far better than the tag's size.
+function BlockDetector:block_of(tag, eye, turn)
+   local place = vector3(tag.position):rotate(turn) + eye
+   local standing = self:standing_of(tag, place, eye, turn)
+   if not standing then return nil end
+   local level, axis = standing.level, standing.axis
+   local free = place.z - standing.normal.z * TAG_TO_MIDDLE
+   if level then place = eye + (place - eye) * ((standing.height - eye.z) / (place.z - eye.z)) end
+   local size = math.sqrt(axis.x ^ 2 + axis.y ^ 2)
+   local back = standing.top and 0 or TAG_TO_MIDDLE / size
+   local distance = (place - eye):length()
+   return {
+      x = place.x - axis.x * back, y = place.y - axis.y * back,
+      z = level and SIDE * level + HALF or free, level = level,
+      yaw = math.atan(axis.y, axis.x), colour = self:colour_about(tag), top = standing.top,
+      variance = (PLACE_ERROR * (distance / 0.1) ^ 2) ^ 2, tags = 1,
+      -- of the yaw: a tag on top shows it plainly, one in front by how it tilts
+      turned = (distance / (self.camera:focal() * TAG) * (standing.top and 1 or distance / TAG)) ^ 2,
+   }
+end
+
+-- Two tags of one block.
+local function merge(into, other)
+   local gain = into.variance / (into.variance + other.variance)
+   into.x = into.x + gain * (other.x - into.x)
+   into.y = into.y + gain * (other.y - into.y)
+   local turn = into.turned / (into.turned + other.turned)
+   into.yaw = into.yaw + turn * geometry.wrap_quarter(other.yaw - into.yaw)
+   into.turned = into.turned * (1 - turn)
+   if into.colour == 0 then into.colour = other.colour end
+   into.top = into.top or other.top
+   into.variance = into.variance * (1 - gain)
+   into.tags = into.tags + 1
+end
+
+local function add(found, block)
+   for _, other in ipairs(found) do
+      if geometry.near(block, other, MERGE) then return merge(other, block) end
+   end
+   table.insert(found, block)
+end
+
+-- Blocks in the picture, in the frame that the robot's pose is given in.
+function BlockDetector:detect(pose)
+   local eye, turn = self.camera:pose()
+   local found = {}
+   for _, tag in ipairs(self.robot.camera_system.tags) do
+      local block = self:block_of(tag, eye, turn)
+      if block then add(found, block) end
+   end
+   for _, block in ipairs(found) do
+      block.x, block.y = geometry.out_of(pose, block.x, block.y)
+      block.yaw = block.yaw + pose.yaw
+   end
+   return found
+end
+
+return BlockDetector

@@ -1,0 +1,65 @@
+-- SPDX-License-Identifier: MIT
+-- The robot's camera: where it is, what of the surroundings is in its picture, and from where a
+-- block is seen.
+
+local LOWEST_OF_VIEW = 0.92    -- of the half height of the picture
+local TAG_EDGE = 0.016         -- m, from the middle of the tag on top to its nearer edge, and some more
+local TAG_FOOT = 0.014         -- m, of the tag in front, likewise down to its lower edge
+
+local Camera = {}
+Camera.__index = Camera
+
+function Camera.new(robot, description)
+   return setmetatable({ robot = robot, description = description }, Camera)
+end
+
+-- The eye's place and the turn from the camera's frame to the robot's.
+function Camera:pose()
+   local transform, anchor = self.robot.camera_system.transform, self.description.camera.anchor
+   local lift = self.robot.lift_system.position
+   return transform.position + vector3(anchor.x, anchor.y, anchor.z + lift),
+          transform.orientation
+end
+
+-- px.
+function Camera:focal()
+   return self.description.camera.focal
+end
+
+-- Whether a point of the camera's frame is in the picture, `margin` px from its edge at least.
+function Camera:frames(p, margin)
+   local size, focal = self.robot.camera_system.resolution, self.description.camera.focal
+   return math.abs(focal * p.x / p.z) < size.x / 2 - margin and
+          math.abs(focal * p.y / p.z) < size.y / 2 - margin
+end
+
+-- Where the eye is with the lift down: m ahead of the robot, and over the floor.
+function Camera:place_when_down()
+   local anchor, at = self.description.camera.anchor, self.robot.camera_system.transform.position
+   return at.x + anchor.x, at.z + anchor.z
+end
+
+-- The lift's height at which a mark, `ahead` of the robot at a height, is in the picture's middle:
+-- the camera looks ahead and down by 45 degrees.
+function Camera:lift_for(ahead, height)
+   local x, z = self:place_when_down()
+   return ahead - x + height - z
+end
+
+-- The least distance ahead of a block at which the tag that it shows is wholly in the picture, at a
+-- height of the lift. `mark`, `before`: as BlockTracker:mark_of has them.
+function Camera:nearest_in_sight(lift, mark, before)
+   local x, z = self:place_when_down()
+   local half = LOWEST_OF_VIEW * self.robot.camera_system.resolution.y / 2 / self.description.camera.focal
+   local in_front = before > 0
+   local above = z + lift - mark + (in_front and TAG_FOOT or 0)
+   return x + above * (1 - half) / (1 + half) + (in_front and 0 or TAG_EDGE) + before
+end
+
+-- How far ahead a block is whose mark is in the picture's middle, at a height of the lift.
+function Camera:centred_at(lift, mark, before)
+   local anchor, at = self.description.camera.anchor, self.robot.camera_system.transform.position
+   return at.x + anchor.x + at.z + anchor.z + lift - mark + before
+end
+
+return Camera

@@ -1,0 +1,102 @@
+-- SPDX-License-Identifier: MIT
+-- Whether a block would be seen: one of its tags wholly in the picture and no known block before it.
+-- What would be seen, and is not, is not there.
+
+local geometry = require 'common.geometry'
+
+local SIDE, HALF = geometry.SIDE, geometry.HALF
+local TAG_TO_MIDDLE = 0.0285
+local HALF_TAG = 0.012
+local STEEPEST = math.cos(math.rad(70))  -- of a face, against the direction from which it is seen
+local NEAREST, FARTHEST = 0.05, 0.48     -- m, between which a tag is detected
+local MARGIN = 4                         -- px
+local FACES = { { -1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 }, { 0, -1, 0 } }
+local CORNERS = { { 1, 1 }, { 1, -1 }, { -1, 1 }, { -1, -1 } }
+
+local LineOfSight = {}
+LineOfSight.__index = LineOfSight
+
+function LineOfSight.new(odometry, camera, tracker)
+   return setmetatable({ odometry = odometry, camera = camera, tracker = tracker }, LineOfSight)
+end
+
+-- Whether the line from `eye` to `p` goes through a block; all in the robot's frame.
+local function crosses(eye, p, block)
+   local enter, leave = 0, 1
+   local c, s = math.cos(block.yaw), math.sin(block.yaw)
+   local function turned(x, y) return c * x + s * y, -s * x + c * y end
+   local fx, fy = turned(eye.x - block.x, eye.y - block.y)
+   local wx, wy = turned(p.x - eye.x, p.y - eye.y)
+   for _, axis in ipairs { { fx, wx }, { fy, wy }, { eye.z - block.z, p.z - eye.z } } do
+      local from, way = axis[1], axis[2]
+      if math.abs(way) < 1e-9 then
+         if math.abs(from) >= HALF then return false end
+      else
+         local a, b = (-HALF - from) / way, (HALF - from) / way
+         enter, leave = math.max(enter, math.min(a, b)), math.min(leave, math.max(a, b))
+      end
+   end
+   return leave - enter > 1e-9
+end
+
+-- A place of the odometry frame in the robot's.
+function LineOfSight:in_robot_frame(place, yaw, z)
+   local pose = self.odometry.pose
+   local out = { yaw = yaw - pose.yaw, z = z }
+   out.x, out.y = geometry.into(pose, place.x, place.y)
+   return out
+end
+
+-- Known blocks that are not the block itself.
+function LineOfSight:others(own)
+   local out = {}
+   for _, known in ipairs(self.tracker.tracks) do
+      local other = self:in_robot_frame(known, known.yaw, known.z)
+      local dx, dy = other.x - own.x, other.y - own.y
+      if dx * dx + dy * dy + (other.z - own.z) ^ 2 > HALF * HALF then table.insert(out, other) end
+   end
+   return out
+end
+
+-- Middle and axes of a face's tag, in the robot's frame: normal, right, up.
+local function tag_of(block, face)
+   local c, s = math.cos(block.yaw), math.sin(block.yaw)
+   local function turned(a, b, d) return vector3(c * a - s * b, s * a + c * b, d) end
+   local normal = turned(face[1], face[2], face[3])
+   local right = face[3] == 1 and turned(0, 1, 0) or turned(-face[2], face[1], 0)
+   local up = vector3(normal):cross(right)  -- ARGoS changes the first
+   return vector3(block.x, block.y, block.z) + normal * TAG_TO_MIDDLE, normal, right, up
+end
+
+-- Whether a block in the robot's frame shows one of its tags.
+function LineOfSight:shows_tag(own, others)
+   local eye, turn = self.camera:pose()
+   local back = turn:inverse()
+   local function visible(p)
+      local q = (p - eye):rotate(back)
+      if q.z < NEAREST or q.z > FARTHEST or not self.camera:frames(q, MARGIN) then return false end
+      for _, other in ipairs(others) do
+         if crosses(eye, p, other) then return false end
+      end
+      return true
+   end
+   for _, face in ipairs(FACES) do
+      local centre, normal, right, up = tag_of(own, face)
+      local way = eye - centre
+      local all = way:dot(normal) >= way:length() * STEEPEST
+      for _, corner in ipairs(CORNERS) do
+         all = all and visible(centre + right * (HALF_TAG * corner[1]) + up * (HALF_TAG * corner[2]))
+      end
+      if all then return true end
+   end
+   return false
+end
+
+-- Whether a block with its middle at x, y of the odometry frame, on this level and squarely to
+-- `heading`, would be seen now.
+function LineOfSight:would_see(x, y, level, heading)
+   local own = self:in_robot_frame({ x = x, y = y }, heading, SIDE * level + HALF)
+   return self:shows_tag(own, self:others(own))
+end
+
+return LineOfSight

@@ -1,0 +1,83 @@
+-- SPDX-License-Identifier: MIT
+-- What stands about a robot and is no known block: most likely another robot.
+--
+-- The chassis' rangefinders see along straight lines. What they saw is kept for a while as points on
+-- a grid, in the odometry frame, until one looks through it again. A point on a known block is the
+-- block's; any other is unexplained.
+
+local geometry = require 'common.geometry'
+
+local GRID = 0.02              -- m, between two points that are kept apart
+local KEPT = 10                -- s
+local SEES = 0.15              -- m, as far as a rangefinder surely sees through
+local TURNING = 0.145          -- m, from the robot's middle to its effector's corners, and some more
+local HALF_EFFECTOR = 0.25     -- rad, of the effector about the robot's middle
+local OF_BLOCK = 0.050         -- m, from a block's middle to points on it
+
+local UnexplainedReturns = {}
+UnexplainedReturns.__index = UnexplainedReturns
+UnexplainedReturns.LOOK_RIM = 0.03  -- m/s, in a turn to look: a rangefinder measures every 10 degrees
+
+function UnexplainedReturns.new(odometry, ranges, tracker)
+   return setmetatable({
+      odometry = odometry, ranges = ranges, tracker = tracker,
+      points = {},                   -- by place on the grid: {x, y, time}
+      rays = ranges:chassis_rays(),
+   }, UnexplainedReturns)
+end
+
+local function key_of(x, y)
+   return math.floor(x / GRID + 0.5) * 65536 + math.floor(y / GRID + 0.5)
+end
+
+function UnexplainedReturns:trace(ray)
+   local pose, distance = self.odometry.pose, self.ranges:range(ray.name)
+   local function at(way)
+      return geometry.out_of(pose, ray.from.x + way * ray.to.x, ray.from.y + way * ray.to.y)
+   end
+   for way = 0, (distance or SEES) - 1.5 * GRID, GRID / 2 do self.points[key_of(at(way))] = nil end
+   if distance then
+      local x, y = at(distance)
+      self.points[key_of(x, y)] = { x = x, y = y, time = self.odometry.time }
+   end
+end
+
+-- Once in each step, after the tracker: what is seen, and what is seen through.
+function UnexplainedReturns:sense()
+   for key, point in pairs(self.points) do
+      if self.odometry.time - point.time > KEPT then self.points[key] = nil end
+   end
+   for _, ray in ipairs(self.rays) do self:trace(ray) end
+end
+
+function UnexplainedReturns:is_of_block(point)
+   for _, known in ipairs(self.tracker.tracks) do
+      if (known.x - point.x) ^ 2 + (known.y - point.y) ^ 2 < OF_BLOCK ^ 2 and known.z < geometry.SIDE
+      then return true end
+   end
+   return false
+end
+
+-- Points {x, y, time} within so far of a place, seen since a time.
+function UnexplainedReturns:near(x, y, within, since)
+   local out = {}
+   for _, point in pairs(self.points) do
+      if point.time >= since and (point.x - x) ^ 2 + (point.y - y) ^ 2 < within ^ 2 and
+         not self:is_of_block(point) then table.insert(out, point) end
+   end
+   return out
+end
+
+-- Whether a turn on the spot by `angle` (left when positive) would hit something.
+function UnexplainedReturns:sweeps(angle)
+   local sign = angle < 0 and -1 or 1
+   for _, point in pairs(self.points) do
+      local x, y = geometry.into(self.odometry.pose, point.x, point.y)
+      local ahead = sign * math.atan(y, x)
+      if x * x + y * y < TURNING ^ 2 and ahead > HALF_EFFECTOR and
+         ahead < math.abs(angle) + HALF_EFFECTOR then return true end
+   end
+   return false
+end
+
+return UnexplainedReturns

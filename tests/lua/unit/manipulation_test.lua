@@ -1,0 +1,197 @@
+-- SPDX-License-Identifier: MIT
+-- How a robot handles blocks, with a fake one whose magnets work.
+
+local FakeRobot = require 'fake_robot'
+local Machine = require 'machine'
+local Approach = require 'manipulation.approach'
+local geometry = require 'common.geometry'
+local unit = require 'unit'
+local case, near, same = unit.case, unit.near, unit.same
+
+local function machine_with(blocks)
+   local fake = FakeRobot.new(blocks)
+   local machine = Machine.new(fake.robot)
+   local function run(does, each)
+      local out
+      machine:start(function() out = table.pack(does()) end)
+      for _ = 1, 5000 do
+         if not machine:step() then return table.unpack(out) end
+         fake:step()
+         if each then each() end
+      end
+      error('it does not end')
+   end
+   return machine, fake, run
+end
+
+local function dark(block) return block.colour == 0 end
+local function lit(block) return block.colour == 3 end
+
+case('each outcome of a state leads to a state or an end, and each is come to', function()
+   local reached = { travel = true }
+   for state, outcomes in pairs(Approach.TRANSITIONS) do
+      assert(Approach.states[state], state)
+      for outcome, to in pairs(outcomes) do
+         assert(Approach.TRANSITIONS[to] or Approach.ENDS[to] ~= nil, state .. ' ' .. outcome)
+         reached[to] = true
+      end
+   end
+   for state in pairs(Approach.states) do assert(reached[state] and Approach.TRANSITIONS[state], state) end
+   for name in pairs(Approach.ENDS) do assert(reached[name], name) end
+end)
+
+-- Goes through an approach of which each state says what it is told; the states that it came to.
+local function scripted(outcomes)
+   local machine = machine_with()
+   local came, real = {}, {}
+   for name, state in pairs(Approach.states) do
+      real[name] = state
+      Approach.states[name] = function(_, run)
+         table.insert(came, name)
+         run.seen = 'seen'
+         return table.remove(outcomes, 1)
+      end
+   end
+   local good, result = machine.approach:to { block = { x = 0.3, y = 0 }, lowest = 0 }
+   for name, state in pairs(real) do Approach.states[name] = state end
+   return table.concat(came, ' '), good, result
+end
+
+case('the transitions are followed', function()
+   local function check(outcomes, states, good, result)
+      local came, is_good, is = scripted(outcomes)
+      same('states', came, states)
+      same('good', is_good, good)
+      same('result', is, result)
+   end
+   check({ 'arrived', 'seen', 'seen', 'aligned', 'there' },
+         'travel acquire align verify dock', true, 'seen')
+   check({ 'arrived', 'seen', 'unseen', 'again', 'obstructed', 'done' },
+         'travel acquire align retreat travel give way', false, 'busy')
+   check({ 'arrived', 'seen', 'seen', 'askew', 'exhausted' },
+         'travel acquire align verify retreat', false, 'no approach succeeded')
+   check({ 'arrived', 'seen', 'seen', 'aligned', 'obstructed', 'done' },
+         'travel acquire align verify dock back out', false, 'busy')
+end)
+
+case('an approach ends over the block, squarely', function()
+   local machine, fake, run = machine_with { { x = 0.45, y = 0.1, yaw = 0.3 } }
+   local block = run(function() return machine.search:find(dark) end)
+   same('docked', run(function() return machine.approach:to { block = block, lowest = 0.015 } end), true)
+   local x, y = geometry.into(fake.pose, 0.45, 0.1)
+   near('ahead', x, 0.094, 1e-3)
+   near('aside', y, 0, 2e-3)
+   near('squarely', geometry.wrap_quarter(fake.pose.yaw - 0.3), 0, 0.03)
+end)
+
+case('a block that is gone is forgotten', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0 } }
+   local block = run(function() return machine.search:find(dark) end)
+   fake.blocks = {}
+   local good, why = run(function() return machine.pickup:pick_up(block) end)
+   same('good', good, false)
+   same('why', why, 'it is not there')
+   same('forgotten', machine.tracker:again(block), nil)
+end)
+
+case('where the line is not met it backs off and tries again, four times', function()
+   local machine, _, run = machine_with { { x = 0.40, y = 0 } }
+   local block = run(function() return machine.search:find(dark) end)
+   local tries = 0
+   machine.approach.look_aside = function(_, known)
+      return setmetatable({ y = known.y + 0.02 }, { __index = known })
+   end
+   local enter = machine.process.enter
+   machine.process.enter = function(self, state)
+      if state == 'approach' then tries = tries + 1 end
+      enter(self, state)
+   end
+   local good, why = run(function() return machine.approach:to { block = block, lowest = 0.015 } end)
+   same('good', good, false)
+   same('why', why, 'no approach succeeded')
+   same('tries', tries, 4)
+end)
+
+case('a robot in the way is busy, and made way for', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0 } }
+   local block = run(function() return machine.search:find(dark) end)
+   local good, why = run(function() return machine.approach:to { block = block, lowest = 0.015 } end,
+                         function() fake.robot.rangefinders['1'].proximity = 0.06 end)
+   same('good', good, false)
+   same('why', why, 'busy')
+end)
+
+case('a block is picked up, coloured, and put on another', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0.05, yaw = 0.2 },
+                                             { x = 0.5, y = -0.3, colour = 3 } }
+   local block = run(function() return machine.search:find(dark) end)
+   same('picked up', run(function() return machine.pickup:pick_up(block) end), true)
+   same('carried', machine.magnets:holds() and fake.held == fake.blocks[1], true)
+   same('in transport', fake.blocks[1].colour, 4)
+   same('current', fake.sent.discharge, 'disable')
+   run(function() return machine.path:back_off(0.1) end)
+   local base = run(function() return machine.search:find(lit) end)
+   same('placed', run(function() return machine.placement:place(base, 'raise', { colour = 2 }) end), true)
+   same('level', fake.blocks[1].level, 1)
+   same('colour', fake.blocks[1].colour, 2)
+   near('x', fake.blocks[1].x, 0.5, 1.5e-3)
+   near('y', fake.blocks[1].y, -0.3, 1.5e-3)
+   same('let go', machine.magnets.carrying, false)
+end)
+
+case('in front of another a block goes down before its face, and then in', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
+   local block = run(function() return machine.search:find(dark) end)
+   run(function() return machine.pickup:pick_up(block) end)
+   local base = run(function() return machine.search:find(lit) end)
+   local heading = math.pi / 2
+   same('placed', run(function()
+      return machine.placement:place(base, 'extend', { colour = 1, heading = heading })
+   end), true)
+   same('level', fake.blocks[1].level, 0)
+   near('x', fake.blocks[1].x, 0.5, 1.5e-3)
+   -- 1 mm is left to the magnets
+   near('y', fake.blocks[1].y, 0.35 - 0.055 - 0.001, 1.5e-3)
+end)
+
+case('a block that was lost on the way is not put down', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
+   local block = run(function() return machine.search:find(dark) end)
+   run(function() return machine.pickup:pick_up(block) end)
+   fake.held.x, fake.held = 2, nil
+   local good, why = run(function()
+      coroutine.yield()
+      return machine.placement:place(block, 'raise')
+   end)
+   same('good', good, false)
+   same('why', why, 'the block was lost')
+end)
+
+case('a site over which another holds a block is not free', function()
+   local machine = machine_with()
+   local placement = machine.placement
+   same('free', placement:is_free(0.3, 0, 0), true)
+   machine.tracker.tracks = { { x = 0.38, y = 0, z = 0.1, colour = 4, time = 0, missed = 0 } }
+   same('held near', placement:is_free(0.3, 0, 0), false)
+   machine.tracker.tracks = { { x = 0.38, y = 0, z = 0.0275, colour = 1, time = 0, missed = 0 } }
+   same('a brick beside', placement:is_free(0.3, 0, 0), true)
+   same('where it stands', placement:is_free(0.38, 0.01, 0), false)
+   same('on top of it', placement:is_free(0.38, 0.01, 1), true)
+end)
+
+case('the lift is sent beyond its rest, and holds fast what it carries', function()
+   local machine, fake, run = machine_with()
+   same('there', run(function() return machine.lift:to(0.05) end), true)
+   near('from below', fake.sent.lift, 0.0508)
+   run(function() return machine.lift:to(0.03) end)
+   near('from above', fake.sent.lift, 0.0292)
+   run(function() return machine.lift:to(1) end)
+   near('the highest', fake.sent.lift, 0.136)
+   local fast = false
+   machine.magnets.carrying = true
+   run(function() return machine.lift:to(0.08) end, function()
+      fast = fast or fake.sent.discharge == 'constructive'
+   end)
+   same('held fast', fast, true)
+   same('no more', fake.sent.discharge, 'disable')
+end)

@@ -1,0 +1,179 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot that builds knows and decides, and a small structure that a fake one builds.
+
+local FakeRobot = require 'fake_robot'
+local Machine = require 'machine'
+local Builder = require 'mission.builder'
+local Column = require 'mission.column'
+local SideAllocation = require 'mission.side_allocation'
+local StructureMap = require 'mission.structure_map'
+local geometry = require 'common.geometry'
+local unit = require 'unit'
+local case, near, same = unit.case, unit.near, unit.same
+
+local ALL = { '+x', '+y', '-x', '-y' }
+local SIDE = geometry.SIDE
+
+-- A map of a structure of these cells {along, across, level}, whose first is at a frame's origin, as a
+-- robot remembers it.
+local function map_of(cells, frame, task, params)
+   local fake = FakeRobot.new()
+   fake.robot.params = params or {}
+   local machine = Machine.new(fake.robot)
+   local map = StructureMap.new(fake.robot, machine.odometry, machine.tracker, task)
+   for i, cell in ipairs(cells) do
+      local x, y = geometry.out_of(frame, SIDE * cell[1], SIDE * cell[2])
+      machine.tracker.tracks[i] = {
+         id = i, x = x, y = y, z = SIDE * (cell[3] + 0.5), level = cell[3], yaw = frame.yaw, turned = 1e-4,
+         colour = cell.colour or 1, seen = 9, missed = 0, time = 0, top_time = 0,
+      }
+   end
+   return map, machine
+end
+
+case('the structure is faced from the side that the robot begins on', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   -- behind the robot, as it stands at first
+   local map = map_of({ { 0, 0, 0 } }, { x = -0.3, y = 0, yaw = 0.1 }, task, { side = '+y' })
+   same('remembered', map:remember(map:in_memory()), true)
+   near('faces it', map.known.yaw, geometry.wrap(math.pi + 0.1), 1e-9)
+   near('reach', map.known.reach, SIDE / 2)
+   same('new side', map:settle(), true)
+   same('its own', map:side_name(), '+y')
+   same('still', map:settle(), false)
+   near('the next side', geometry.wrap(map:heading_of(StructureMap.SIDES['-x']) - map.known.yaw), math.pi / 2)
+end)
+
+case('rows are counted from the robot, and what juts out beside one', function()
+   local task = { transport = 4, sides = ALL, turns = true }
+   local map = map_of({ { 0, 0, 0 }, { 0, 1, 0 }, { -1, 1, 0 }, { -2, 1, 0 } }, { x = 0.5, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local rows = map:rows()
+   local front = {}
+   for v, row in pairs(rows) do table.insert(front, { v, row.front, row.juts }) end
+   same('rows', #front, 2)
+   table.sort(front, function(a, b) return a[2] < b[2] end)
+   same('how far', front[2][2] - front[1][2], 2)
+   near('juts', front[1][3], 2 * SIDE)
+   near('juts not', front[2][3], 0)
+   same('no room', map.room_before(rows, rows[front[1][1]]), false)
+   same('room', map.room_before(rows, rows[front[2][1]]), true)
+   local line = map.line_before(rows[front[2][1]])
+   near('x', line.x, 0.5 - 2 * SIDE, 1e-9)
+   near('y', line.y, SIDE, 1e-9)
+end)
+
+case('a brick far from the structure is one that was lost, and a structure far away another place', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task, { side = '+x' })
+   map.cache = { x = 0.2, y = 0 }
+   map:remember(map:in_memory())
+   map:settle()
+   machine.tracker.tracks[1].x = 0.5
+   same('not that', map:in_memory(), nil)
+   local elsewhere = map:in_memory(true)
+   same('lost', map:remember(elsewhere), false)
+   same('unknown', map.known, nil)
+   -- the way to where blocks come from tells the directions
+   map.cache = { x = 0.5, y = 0.5 }
+   same('known again', map:remember(elsewhere), true)
+   near('turned', geometry.wrap(map.known.yaw), -math.pi / 2, 1e-9)
+   -- what is on its way is no brick
+   machine.tracker.tracks[1].colour = 4
+   same('in transport', map:in_memory(true), nil)
+end)
+
+case('sides that a robot is bound to', function()
+   local task = { sides = ALL, turns = false }
+   same('all', SideAllocation.own({}, task), ALL)
+   same('bound', table.concat(SideAllocation.own({ sides = '+y -x' }, task), ' '), '+y -x')
+   same('none of these', SideAllocation.own({ sides = '' }, task), ALL)
+   task.turns = true
+   same('counted from its first', SideAllocation.own({ sides = '+y', side = '+y' }, task)[1], '+x')
+end)
+
+case('what a column shows', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 2, asks = { { 1, 0, 0 } } }
+   local map, machine = map_of({ { 0, 0, 0 }, { 0, 0, 1, colour = 2 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local _, row = next(map:rows())
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, row)
+   machine.sight.would_see = function() return true end
+   for _ = 1, 2 do column:watch() end
+   same('below', column:cell(0, 0, 0), 1)
+   same('not often enough', column:cell(1, 0, 0), nil)
+   column:watch()
+   same('empty', column:cell(1, 0, 0), 'empty')
+   same('above', column:cell(0, 0, 2), 'empty')
+   local top = column:top()
+   same('level', top.level, 1)
+   same('colour', top.colour, 2)
+   task.decide = function(seen)
+      return seen.top_colour == 2 and { what = 'extend', colour = 3, level = 0 } or nil
+   end
+   local wish, seen = column:decide()
+   same('wish', wish.what, 'extend')
+   same('foot', wish.foot.level, 0)
+   same('nobody beside', wish.aside, 0)
+   same('seen', seen, true)
+   -- one to the left of the site: a little off to the right
+   column.bricks['1 1 0'] = { colour = 1 }
+   same('aside', select(1, column:decide()).aside, -1)
+end)
+
+local CHART = {
+   first = 'search block',
+   ['search block'] = { does = 'search_block', on = { found = 'approach block', none = 'search block' } },
+   ['approach block'] = { does = 'approach_block', on = { near = 'pick up', lost = 'search block' } },
+   ['pick up'] = { does = 'pick_up', on = { holds = 'search structure', failed = 'search block' } },
+   ['search structure'] = { does = 'search_structure',
+      on = { found = 'choose row', none = 'search structure', lost = 'search structure', dropped = 'search block' } },
+   ['choose row'] = { does = 'choose_row',
+      on = { chosen = 'stand before', none = 'next side', lost = 'search structure', dropped = 'search block' } },
+   ['next side'] = { does = 'next_side', on = { there = 'choose row', lost = 'search structure' } },
+   ['stand before'] = { does = 'stand_before', on = { there = 'look', blocked = 'choose row' } },
+   ['look'] = { does = 'look',
+      on = { decided = 'approach site', nothing = 'choose row', unseen = 'choose row', dropped = 'search block' } },
+   ['approach site'] = { does = 'approach_site',
+      on = { near = 'attach', busy = 'choose row', lost = 'search structure', dropped = 'search block' } },
+   ['attach'] = { does = 'attach', on = { placed = 'search block', failed = 'search block' } },
+}
+
+case('each state of the chart is something that a part does', function()
+   local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 })
+   for does, part in pairs(Builder.BEHAVIOURS) do
+      same(does, type(builder[part][does]), 'function')
+   end
+end)
+
+case('a column of two with one in front is built', function()
+   local function decide(column)
+      if column.top_level == 0 and column.top_colour == 3 then return { what = 'raise', colour = 2 } end
+      if column.top_level == 1 then return { what = 'extend', colour = 1, level = 0 } end
+   end
+   local task = {
+      decide = decide, asks = {}, sides = { '+x' }, turns = false, levels = 2, transport = 4, delay = 0,
+      looks = { { distance = 0.200, lift = 0.0822 }, { distance = 0.140, lift = 0.1360 } },
+   }
+   local fake = FakeRobot.new { { x = -0.20, y = 0, colour = 3 }, { x = 0.35, y = 0.02, yaw = 0.4 } }
+   local builder = Builder.new(fake.robot, CHART, task)
+   for _ = 1, 5000 do
+      builder:step()
+      fake:step()
+      -- the cache is filled again
+      if fake.held and #fake.blocks == 2 then table.insert(fake.blocks, { x = 0.36, y = -0.01 }) end
+      if builder.record.placed == 2 then break end
+   end
+   same('placed', builder.record.placed, 2)
+   same('aborted', builder.record.aborted, 0)
+   local second, third = fake.blocks[2], fake.blocks[3]
+   same('level', second.level, 1)
+   same('colour', second.colour, 2)
+   near('x', second.x, -0.20, 2e-3)
+   same('in front', third.level, 0)
+   same('its colour', third.colour, 1)
+   near('its x', third.x, -0.20 + 0.056, 2e-3)
+   near('its y', third.y, 0, 2e-3)
+end)

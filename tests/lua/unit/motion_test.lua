@@ -1,0 +1,165 @@
+-- SPDX-License-Identifier: MIT
+-- How a robot moves, with a fake one that does as it is told.
+
+local FakeRobot = require 'fake_robot'
+local Machine = require 'machine'
+local Navigation = require 'motion.navigation'
+local geometry = require 'common.geometry'
+local unit = require 'unit'
+local case, near, same = unit.case, unit.near, unit.same
+
+-- A machine on a fake robot; run(does) lets it do something to its end.
+local function machine_with(blocks)
+   local fake = FakeRobot.new(blocks)
+   local machine = Machine.new(fake.robot)
+   local function run(does, each)
+      local out
+      machine:start(function() out = table.pack(does()) end)
+      for _ = 1, 5000 do
+         if not machine:step() then return table.unpack(out) end
+         fake:step()
+         if each then each() end
+      end
+      error('it does not end')
+   end
+   return machine, fake, run
+end
+
+case('a turn ends at its heading, a drive on its line', function()
+   local machine, fake, run = machine_with()
+   same('turned', run(function() return machine.path:turn_to(2) end), true)
+   near('yaw', fake.pose.yaw, 2, 1e-4)
+   local line = { x = 0.5, y = 0.1, yaw = 0.2 }
+   fake.pose.yaw, machine.odometry.pose.yaw = 0, 0
+   same('arrived', run(function() return machine.path:follow(line, 0, 0.1) end), true)
+   local along, aside, angle = machine.odometry:on_line(line)
+   near('along', along, 0, 2e-4)
+   near('aside', aside, 0, 2e-3)
+   near('angle', angle, 0, 0.02)
+   near('as it is', fake.pose.x, machine.odometry.pose.x, 1e-6)
+   run(function() return machine.path:go_by(-0.2) end)
+   near('back', machine.odometry:on_line(line), -0.2, 2e-3)
+   run(function() return machine.path:go_to(0, 0) end)
+   near('x', fake.pose.x, 0, 1e-3)
+   near('y', fake.pose.y, 0, 1e-3)
+end)
+
+case('a line that is lost ends the drive', function()
+   local machine, fake, run = machine_with()
+   local good, why = run(function()
+      return machine.path:follow(function()
+         return fake.pose.x < 0.1 and { x = 0.5, y = 0, yaw = 0 } or nil
+      end, 0, 0.1)
+   end)
+   same('good', good, false)
+   same('why', why, 'target lost')
+   near('it stands', machine.odometry.left, 0, 1e-4)
+end)
+
+case('it travels as fast as what its rangefinders see allows', function()
+   same('far', machine_with().path.cruise, 0.16)
+   local fake = FakeRobot.new()
+   fake.robot.description.rangefinders['5'].range = 0.05
+   local machine = Machine.new(fake.robot)
+   near('near', machine.path.cruise, 0.1)
+   same('short-sighted', machine.clearance:backed(), false)
+   fake.robot.rangefinders['7'].proximity = 0.01
+   same('even then', machine.clearance:backed(), false)
+   fake.robot.description.lift = nil
+   same('without a lift', pcall(Machine.new, fake.robot), false)
+end)
+
+case('what the rangefinders see is in the way', function()
+   local machine, fake, run = machine_with()
+   local clearance, finders = machine.clearance, fake.robot.rangefinders
+   same('nothing', clearance:blocked() or clearance:backed() or clearance:meets(), false)
+   finders['12'].proximity = 0.04
+   same('blocked', clearance:blocked(), true)
+   same('not as near', clearance:blocked(0.03), false)
+   same('between', clearance:between(0.3), true)
+   machine.magnets.carrying = true
+   same('hidden by what is carried', clearance:blocked(), false)
+   machine.magnets.carrying = false
+   finders['12'].proximity, finders.front.proximity = 0.2, 0.1
+   same('an arm', clearance:meets(0.5), true)
+   same('beyond the end', clearance:meets(0.05), false)
+   finders.front.proximity, finders['7'].proximity = 0.2, 0.06
+   run(function() return machine.path:back_off(0.1) end)
+   near('no room behind', fake.pose.x, 0, 1e-9)
+end)
+
+case('a robot with others beside it waits before it turns, but not for ever', function()
+   local machine, fake, run = machine_with()
+   fake.robot.rangefinders['4'].proximity = 0.05
+   local start = machine.odometry.time
+   run(function() return machine.clearance:await_room() end)
+   local waited = machine.odometry.time - start
+   assert(waited > 0 and waited <= 8.4)
+end)
+
+case('a look round finds what is behind, and ends there', function()
+   local machine, fake, run = machine_with { { x = -0.30, y = 0.02 }, { x = 0, y = 0.4, colour = 2 } }
+   local found = run(function()
+      return machine.search:find(function(block) return block.colour == 0 end)
+   end)
+   near('x', found.x, -0.30, 2e-3)
+   near('y', found.y, 0.02, 2e-3)
+   assert(fake.robot.lift_system.position > 0.05)
+   assert(machine.odometry.time < 60)
+end)
+
+case('a search in vain goes on along a spiral', function()
+   local machine, _, run = machine_with()
+   local places = {}
+   same('found', run(function()
+      return machine.search:find(function() return true end, 3, function(x, y)
+         table.insert(places, { x, y })
+      end)
+   end), nil)
+   same('legs', #places, 3)
+   near('first leg', geometry.apart({ x = places[1][1], y = places[1][2] }, { x = 0, y = 0 }), 0.33, 1e-6)
+   near('a quarter turn', places[2][1] * places[1][1] + places[2][2] * places[1][2], 0, 1e-2)
+end)
+
+case('the way to the far side leads round the structure', function()
+   local machine, fake, run = machine_with()
+   local map = { known = { x = 0.6, y = 0, reach = 0.08, yaw = 0 } }
+   local navigation = Navigation.new(machine, map)
+   local nearest = math.huge
+   same('there', run(function() return navigation:to(1.2, 0.05) end, function()
+      nearest = math.min(nearest, geometry.apart(fake.pose, map.known))
+   end), true)
+   near('x', fake.pose.x, 1.2, 0.02)
+   assert(nearest > 0.08 + 0.165 - 0.01, nearest)
+end)
+
+case('a way past the cache leaves it aside', function()
+   local machine, fake, run = machine_with()
+   local cache = { x = 0.4, y = 0.02 }
+   local navigation = Navigation.new(machine, { cache = cache })
+   local nearest = math.huge
+   run(function() return navigation:to(0.8, 0) end, function()
+      nearest = math.min(nearest, geometry.apart(fake.pose, cache))
+   end)
+   near('x', fake.pose.x, 0.8, 0.02)
+   assert(nearest > 0.15, nearest)
+end)
+
+case('a remembered place is looked at from a distance that shows it', function()
+   local machine, fake, run = machine_with { { x = 0.8, y = 0.1 } }
+   local navigation = Navigation.new(machine, {})
+   local function seen() return #machine.tracker:blocks() > 0 end
+   same('seen', run(function() return navigation:look_again({ x = 0.8, y = 0.1 }, seen, 2) end), true)
+   near('away', geometry.apart(fake.pose, { x = 0.8, y = 0.1 }), 0.36, 0.02)
+end)
+
+case('something in the way is waited for, and then given way to', function()
+   local machine, fake, run = machine_with()
+   local navigation = Navigation.new(machine, {})
+   local far = 0
+   fake.robot.rangefinders['1'].proximity = 0.05
+   same('there', run(function() return navigation:straight_to(0.5, 0) end, function()
+      far = math.max(far, fake.pose.x)
+   end), false)
+   assert(far < 0.3)
+end)

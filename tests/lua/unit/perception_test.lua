@@ -1,0 +1,209 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot perceives, against what is there.
+
+local FakeRobot = require 'fake_robot'
+local geometry = require 'common.geometry'
+local profile = require 'motion.profile'
+local structures = require 'perception.structures'
+local BlockDetector = require 'perception.block_detector'
+local BlockTracker = require 'perception.block_tracker'
+local Camera = require 'perception.camera'
+local LineOfSight = require 'perception.line_of_sight'
+local Odometry = require 'perception.odometry'
+local RangeSensors = require 'perception.range_sensors'
+local UnexplainedReturns = require 'perception.unexplained_returns'
+local unit = require 'unit'
+local case, near, same = unit.case, unit.near, unit.same
+
+-- A robot with what perceives, and a step of all.
+local function perceiver(blocks)
+   local fake = FakeRobot.new(blocks)
+   local robot, description = fake.robot, fake.robot.description
+   local odometry, camera = Odometry.new(robot, description), Camera.new(robot, description)
+   local tracker = BlockTracker.new(odometry, camera, BlockDetector.new(robot, camera))
+   local ranges = RangeSensors.new(robot, description)
+   local self = {
+      fake = fake, robot = robot, odometry = odometry, camera = camera, tracker = tracker,
+      ranges = ranges, sight = LineOfSight.new(odometry, camera, tracker),
+      returns = UnexplainedReturns.new(odometry, ranges, tracker),
+   }
+   function self.step(times)
+      for _ = 1, times or 1 do
+         fake:step()
+         tracker:add_process_noise(odometry:sense())
+         tracker:sense()
+         self.returns:sense()
+      end
+   end
+   return self
+end
+
+case('a frame and back', function()
+   local frame = { x = 1, y = -2, yaw = 0.7 }
+   local x, y = geometry.into(frame, geometry.out_of(frame, 0.3, -0.4))
+   near('x', x, 0.3)
+   near('y', y, -0.4)
+   near('quarter turns', geometry.wrap_quarter(math.pi / 2 + 0.1), 0.1)
+   near('three quarters back', geometry.wrap(1.5 * math.pi), -math.pi / 2)
+   same('level', geometry.level_of(2.5 * geometry.SIDE), 2)
+end)
+
+case('a rim stops where the profile says, and within its acceleration', function()
+   local left, speed = 0.5, 0
+   for _ = 1, 200 do
+      local after = profile.speed(left, speed, 0.1, 0.2, 1)
+      assert(after >= 0 and after <= 0.1 + 1e-9 and math.abs(after - speed) <= 0.2 + 1e-9)
+      left, speed = left - profile.distance(speed, after, 0.2, 1), after
+   end
+   near('left', left, 0, 1e-5)
+   near('backwards', profile.speed(-0.3, 0, 0.1, 0.2, 1), -profile.speed(0.3, 0, 0.1, 0.2, 1))
+end)
+
+case('odometry follows a curve', function()
+   local p = perceiver()
+   p.robot.differential_drive.set_target_velocity(0.05, -0.06)
+   p.step(20)
+   near('x', p.odometry.pose.x, p.fake.pose.x, 1e-6)
+   near('y', p.odometry.pose.y, p.fake.pose.y, 1e-6)
+   near('yaw', p.odometry.pose.yaw, p.fake.pose.yaw, 1e-9)
+   near('travelled', p.odometry.travelled, 0.055 * 4 - 0.055 ^ 2 / 2, 2e-4)
+   near('time', p.odometry.time, 4)
+   local along, aside = p.odometry:on_line { x = 0, y = 0, yaw = math.pi / 2 }
+   near('along', along, p.fake.pose.y, 1e-6)
+   near('aside', aside, -p.fake.pose.x, 1e-6)
+end)
+
+case('blocks of a column are found where they stand, in their colours', function()
+   local p = perceiver { { x = 0.30, y = 0.02, level = 0, yaw = 0.3, colour = 3 },
+                                    { x = 0.30, y = 0.02, level = 1, yaw = 0.3, colour = 2 } }
+   p.robot.lift_system.set_position(0.09)
+   p.step(5)
+   local found = p.tracker:blocks()
+   same('blocks', #found, 2)
+   table.sort(found, function(a, b) return a.z < b.z end)
+   for i, block in ipairs(found) do
+      near('x', block.x, 0.30, 1e-3)
+      near('y', block.y, 0.02, 1e-3)
+      near('yaw', geometry.wrap_quarter(block.yaw - 0.3), 0, 1e-3)
+      same('level', block.level, i - 1)
+      same('colour', block.colour, 4 - i)
+   end
+end)
+
+case('three sightings make a block, three misses end it, one out of sight is remembered', function()
+   local p = perceiver { { x = 0.25, y = 0, colour = 1 } }
+   p.robot.lift_system.set_position(0.077)
+   p.step(2)
+   same('seen twice', #p.tracker:blocks(), 0)
+   p.step(2)
+   same('seen often', #p.tracker:blocks(), 1)
+   local block = p.tracker:blocks()[1]
+   p.fake.blocks = {}
+   p.step(2)
+   same('missed twice', #p.tracker.tracks, 1)
+   same('again', p.tracker:again(block), block)
+   p.step()
+   same('missed thrice', #p.tracker.tracks, 0)
+   p.fake.blocks = { { x = 0.25, y = 0 } }
+   p.step(4)
+   p.fake.pose.yaw, p.odometry.pose.yaw = math.pi, math.pi
+   p.step(60 * 5 - 10)
+   same('behind', #p.tracker.tracks, 1)
+   p.step(20)
+   same('after a minute', #p.tracker.tracks, 0)
+end)
+
+case('what is remembered gets less certain on the way', function()
+   local p = perceiver { { x = 0.25, y = 0 } }
+   p.robot.lift_system.set_position(0.077)
+   p.step(4)
+   local block = p.tracker.tracks[1]
+   local before = block.variance
+   p.tracker:add_process_noise(0.1, 0)
+   near('variance', block.variance - before, 1e-6, 1e-12)
+end)
+
+case('a block that is pushed keeps its track, the nearest of two recalls', function()
+   local p = perceiver { { x = 0.25, y = 0.02 }, { x = 0.26, y = -0.04 } }
+   p.robot.lift_system.set_position(0.077)
+   p.step(4)
+   local id = p.tracker:recall(function() return true end).id
+   p.fake.blocks[1].x = 0.27
+   p.step()
+   local moved = p.tracker:again { id = id }
+   near('x', moved.x, 0.27, 1e-3)
+   same('the other', p.tracker:recall(function(block) return block.id ~= id end).y < -0.03, true)
+   p.tracker:forget(moved)
+   same('forgotten', #p.tracker.tracks, 1)
+end)
+
+case('a brick that would be seen and is not, is not there', function()
+   local p = perceiver { { x = 0.25, y = 0, colour = 1 } }
+   p.robot.lift_system.set_position(0.09)
+   p.step(4)
+   same('on top', p.sight:would_see(0.25, 0, 1, 0), true)
+   same('behind', p.sight:would_see(0.25 + 0.055, 0, 0, 0), true)
+   same('far to the side', p.sight:would_see(0.25, 0.4, 0, 0), false)
+   same('behind the robot', p.sight:would_see(-0.25, 0, 0, 0), false)
+   p.fake.blocks = { { x = 0.20, y = 0 }, { x = 0.20, y = 0, level = 1 } }
+   p.tracker:forget_all()
+   p.robot.lift_system.set_position(0.06)
+   p.step(4)
+   same('hidden', p.sight:would_see(0.30, 0, 0, 0), false)
+end)
+
+case('a lattice fits blocks that stand next to each other', function()
+   local blocks = {}
+   for i, cell in ipairs { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 8, 0 } } do
+      local x, y = geometry.out_of({ x = 0.3, y = 0.1, yaw = 0.4 }, 0.055 * cell[1], 0.055 * cell[2])
+      blocks[i] = { id = i, x = x, y = y, z = 0.0275, yaw = 0.4 + i * math.pi / 2, turned = 1e-4, colour = i }
+   end
+   local all = structures.of(blocks)
+   same('structures', #all, 2)
+   same('blocks', #all[1].blocks, 3)
+   near('yaw', geometry.wrap_quarter(all[1].frame.yaw - 0.4), 0)
+   same('of one colour', #structures.of(blocks, function(block) return block.colour == 4 end), 1)
+   near('square', geometry.wrap_quarter(structures.square_of(blocks[2], blocks) - 0.4), 0)
+end)
+
+case('readings become metres as the calibration says', function()
+   local fake = FakeRobot.new()
+   local robot, description = fake.robot, fake.robot.description
+   local ranges = RangeSensors.new(robot, description)
+   robot.rangefinders.front.proximity = 0.07
+   near('metres', ranges:range('front'), 0.07)
+   robot.rangefinders.front.proximity = 0.2
+   same('nothing', ranges:range('front'), nil)
+   description.rangefinders.front = { calibration = 'power', coefficients = { 5000, 90 } }
+   robot.rangefinders.front.proximity = 5000 * math.exp(-90 * 0.03)
+   near('power', ranges:range('front'), 0.03)
+   description.rangefinders.front = { calibration = 'quadratic', coefficients = { 1250, -5500, 7200 } }
+   local v = math.exp(-0.04)
+   robot.rangefinders.front.proximity = 1250 - 5500 * v + 7200 * v ^ 2
+   near('quadratic', ranges:range('front'), 0.04)
+   robot.rangefinders.front.proximity = 0
+   same('no counts', ranges:range('front'), nil)
+   near('the nearest', ranges:nearest { '1', 'front' }, 1)
+   near('reach', ranges:reach(), 0.2)
+end)
+
+case('a return is unexplained where no block is known, and gone when it is seen through', function()
+   local p = perceiver()
+   p.step()
+   same('nothing', #p.returns:near(0.10, 0, 0.1, 0), 0)
+   p.robot.rangefinders['1'].proximity = 0.03
+   p.step()
+   local points = p.returns:near(0.075, 0, 0.01, 0)
+   same('one', #points, 1)
+   near('x', points[1].x, 0.075, 1e-9)
+   same('in a turn to the left', p.returns:sweeps(0.5), false)
+   p.robot.rangefinders['3'].proximity = 0.03
+   p.step()
+   same('with something to the left', p.returns:sweeps(1), true)
+   same('to the right', p.returns:sweeps(-1), false)
+   p.robot.rangefinders['1'].proximity = 0.2
+   p.step()
+   same('gone', #p.returns:near(0.075, 0, 0.01, 0), 0)
+   p.tracker.tracks = { { x = 0.06, y = 0.08, z = 0.0275 } }
+   same('a block', #p.returns:near(0.05, 0.07, 0.05, 0), 0)
+end)
