@@ -12,52 +12,22 @@
 // All robots sense before any acts, so their order does not matter. A program learns about
 // the world only through its readings; what it commands acts only through motors, magnets and
 // radio. One that fails is not called again, and its robot is made safe.
+//
+// The crew keeps the order and calls the programs; what they perceive is in crew_senses.h, what
+// they tell each other, by radio and LEDs, in crew_signals.h.
 #pragma once
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "physical/dynamics/world.h"
-#include "physical/robots/led.h"
+#include "physical/robots/crew_config.h"
+#include "physical/robots/crew_senses.h"
+#include "physical/robots/crew_signals.h"
 #include "physical/robots/reading_history.h"
-#include "physical/robots/robot_body.h"
-#include "physical/sensors/sensor_noise.h"
-#include "physical/sensors/sensor_scene.h"
-#include "robots/block.h"
-#include "robots/controller.h"
-#include "sensing/camera_view.h"
 
 namespace stig {
-
-struct CrewRobot {
-  std::string name;
-  const RobotModel* model = nullptr;  ///< must outlive the crew
-  RobotBody body;
-  std::unique_ptr<RobotController> controller;
-  CameraNoise camera_noise;
-  RangeNoise range_noise;
-};
-
-struct CrewBlock {
-  std::string name;
-  BodyId body{};
-  std::size_t model = 0;                        ///< in CrewConfig::models
-  Led led = Led::off;                           ///< of all its LEDs at the start
-  std::unique_ptr<BlockController> controller;  ///< none: its LEDs stay as they are
-};
-
-struct CrewConfig {
-  std::uint64_t seed = 1;
-  double block_period = 0.2;  ///< s between steps of blocks' programs
-  bool lights = true;         ///< false: no LED shines
-  bool resumable = true;      ///< keep what programs read, so that the crew can be brought back
-  std::vector<BlockModel> models;  ///< of the blocks
-  std::vector<CrewRobot> robots;
-  std::vector<CrewBlock> blocks;
-};
 
 /// Something that a program said, or that ended it.
 struct CrewLine {
@@ -79,7 +49,7 @@ class Crew {
   bool resumable() const { return config_.resumable; }
   std::size_t robots() const { return robots_.size(); }
   std::size_t blocks() const { return blocks_.size(); }
-  const std::string& robot_name(std::size_t robot) const { return robots_[robot].config.name; }
+  const std::string& robot_name(std::size_t robot) const { return config_.robots[robot].name; }
   Pose robot_pose(const World& world, std::size_t robot) const;
   bool failed(std::size_t robot) const { return robots_[robot].failed; }
   /// Failed because somebody halted it.
@@ -89,17 +59,21 @@ class Crew {
   /// What a robot read and commanded in its last step.
   const RobotReadings& readings(std::size_t robot) const { return robots_[robot].readings; }
   const RobotCommands& commands(std::size_t robot) const { return robots_[robot].commands; }
-  const std::array<Led, kBlockLeds>& leds(std::size_t block) const { return blocks_[block].leds; }
-  const RobotModel& model(std::size_t robot) const { return *robots_[robot].config.model; }
+  const std::array<Led, kBlockLeds>& leds(std::size_t block) const { return signals_.leds(block); }
+  const RobotModel& model(std::size_t robot) const { return *config_.robots[robot].model; }
   /// What sensors can perceive now, and from where a camera looks.
-  SensorScene sensor_scene(const World& world) const;
-  Pose camera_pose(const World& world, std::size_t robot, std::size_t camera) const;
+  SensorScene sensor_scene(const World& world) const {
+    return senses_.scene(config_, world, signals_);
+  }
+  Pose camera_pose(const World& world, std::size_t robot, std::size_t camera) const {
+    return stig::camera_pose(world, config_.robots[robot], camera);
+  }
   /// The body that a robot's file takes for its root, and its pose in the robot's frame.
   BodyId root_body(std::size_t robot) const;
   Pose root_pose(std::size_t robot) const;
-  BodyId block_body(std::size_t block) const { return blocks_[block].config.body; }
+  BodyId block_body(std::size_t block) const { return config_.blocks[block].body; }
   /// The colour that most of its LEDs show.
-  Led colour(std::size_t block) const;
+  Led colour(std::size_t block) const { return signals_.colour(block); }
   /// Names of blocks whose programs have failed.
   std::vector<std::string> failed_blocks() const;
   /// The block of a body, or none: blocks().
@@ -111,12 +85,12 @@ class Crew {
   /// As if its program had failed in this tick: it is not called again, its motors stand.
   void halt(std::size_t robot, std::uint64_t tick);
   /// All LEDs of a block, until its program sets them.
-  void set_colour(std::size_t block, Led colour);
+  void set_colour(std::size_t block, Led colour) { signals_.set_colour(block, colour); }
 
   /// Lines since the last call.
   std::vector<CrewLine> take_log();
   /// Blocks whose LEDs have changed since the last call, rising.
-  std::vector<std::size_t> take_changed();
+  std::vector<std::size_t> take_changed() { return signals_.take_changed(); }
   /// Robots whose programs have stepped since the last call, rising.
   std::vector<std::size_t> take_stepped();
 
@@ -133,74 +107,45 @@ class Crew {
 
  private:
   struct Robot {
-    CrewRobot config;
     std::uint64_t period = 1;  ///< world ticks
     bool begun = false, failed = false, halted = false;
     RobotDevices devices;
     RobotReadings readings;
     RobotCommands commands;
-    std::vector<CameraView> views;
-    std::vector<bool> enabled;  ///< cameras
-    std::vector<Late<CameraReading>> late_cameras;
-    std::vector<Late<std::vector<RangeReading>>> late_ranges;
-    std::vector<std::vector<Message>> inbox, outbox;  ///< a radio each
     ReadingHistory history;
   };
   struct Block {
-    CrewBlock config;
     bool begun = false, failed = false;
-    std::array<Led, kBlockLeds> leds{};
-    std::vector<std::vector<Message>> inbox, outbox;
-    bool quiet = true;       ///< nothing in inbox or outbox
     std::uint64_t last = 0;  ///< tick of the world in which it stepped last
     ReadingHistory history;
   };
 
-  void add_block(CrewBlock block, bool changed);
   void control(World& world, std::uint64_t tick);
-  void carry_messages(const World& world);
-  void place(SensorScene& scene, const World& world) const;
   void sense(const World& world, const SensorIndex& index, std::size_t robot);
-  CameraReading see(const World& world, const SensorIndex& index, std::size_t robot,
-                    std::size_t camera);
-  std::vector<RangeReading> feel(const World& world, const SensorIndex& index, std::size_t robot);
   void step_robot(World& world, std::size_t robot);
-  static void stop(Robot& robot);
   void step_block(std::uint64_t tick, std::size_t block);
-  ControllerStatus call(Robot& robot, RobotCommands& commands) const;
-  ControllerStatus call(Block& block, std::uint64_t tick, BlockCommands& commands) const;
-  bool bring_back(Robot& robot) const;
-  bool bring_back(Block& block) const;
-  template <class Each>
-  static void robot_members(Each& each, auto& robot);
-  template <class Each>
-  static void block_members(Each& each, auto& block);
-  template <class Each>
-  static void crew_members(Each& each, auto& crew);
-  template <class Each>
-  static void histories(Each& each, auto& crew);
-  bool fits(const Robot& robot) const;
-  void apply(const BlockCommands& commands, std::size_t block);
+  static void stop(Robot& robot);
+  ControllerStatus call_robot(std::size_t robot, RobotCommands& commands);
+  ControllerStatus call_block(std::size_t block, const BlockReadings& readings,
+                              BlockCommands& commands);
+  BlockReadings block_readings(std::uint64_t tick, std::vector<std::vector<Message>> heard) const;
   void say(const CrewLine& about, const std::vector<std::string>& lines,
            const ControllerStatus& status);
-  std::uint32_t shape_of(const Shape& shape);
-  /// Owner of a robot's obstacles; blocks' are their numbers, and loose bodies have none.
-  static std::uint32_t crew_owner(std::size_t robot) {
-    return kNobody - 1 - static_cast<std::uint32_t>(robot);
-  }
-  static constexpr std::uint32_t kNobody = 0xffffffff;
+  bool fits() const;
+  bool bring_back_robot(std::size_t robot);
+  bool bring_back_block(std::size_t block);
+  static void crew_members(auto& each, auto& crew);
+  static void histories(auto& each, auto& crew);
 
   CrewConfig config_;
   double step_ = 0;
   std::uint64_t block_period_ = 1;
-  std::vector<Robot> robots_;
+  CrewSenses senses_;
+  CrewSignals signals_;
+  std::vector<Robot> robots_;  ///< as those of the configuration
   std::vector<Block> blocks_;
-  SensorScene scene_;
-  std::vector<std::uint32_t> obstacle_bodies_;  ///< of each obstacle
   std::vector<CrewLine> log_;
-  std::vector<bool> changed_;
   std::vector<std::size_t> stepped_;
-  bool sends_ = false;  ///< somebody has sent since messages were carried
 };
 
 }  // namespace stig

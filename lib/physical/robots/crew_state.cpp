@@ -2,6 +2,7 @@
 // A crew as bytes, and back.
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "physical/robots/crew.h"
 #include "physical/robots/crew_bytes.h"
@@ -40,33 +41,26 @@ void take_inbox(ByteReader& in, std::vector<std::vector<Message>>& inbox, std::u
   if (inbox.size() != radios) in.fail();
 }
 
-template <class Each>
-void Crew::robot_members(Each& each, auto& robot) {
-  each(robot.begun), each(robot.failed), each(robot.halted), each_member(each, robot.devices);
-  each.list(robot.enabled);
-  for (auto& late : robot.late_cameras) each.list(late.on_the_way);
-  for (auto& late : robot.late_ranges) each.list(late.on_the_way);
-  each.list(robot.inbox), each.list(robot.outbox);
-}
-
-template <class Each>
-void Crew::block_members(Each& each, auto& block) {
-  each(block.begun), each(block.failed), each(block.quiet), each(block.last);
-  for (auto& led : block.leds) each.choice(led, Led::q4);
-  each.list(block.inbox), each.list(block.outbox);
-}
-
-template <class Each>
-void Crew::crew_members(Each& each, auto& crew) {
-  each(crew.sends_);
+void Crew::crew_members(auto& each, auto& crew) {
+  CrewSignals::common_members(each, crew.signals_);
   each.known(crew.robots_.size());
-  for (auto& robot : crew.robots_) robot_members(each, robot);
+  for (std::size_t i = 0; i < crew.robots_.size(); ++i) {
+    auto& robot = crew.robots_[i];
+    each(robot.begun), each(robot.failed), each(robot.halted), each_member(each, robot.devices);
+    CrewSenses::robot_members(each, crew.senses_, i);
+    CrewSignals::robot_members(each, crew.signals_, i);
+  }
   each.known(crew.blocks_.size());
-  for (auto& block : crew.blocks_) block_members(each, block);
+  for (std::size_t i = 0; i < crew.blocks_.size(); ++i) {
+    auto& block = crew.blocks_[i];
+    auto& signals = CrewSignals::block(crew.signals_, i);
+    each(block.begun), each(block.failed), each(signals.quiet), each(block.last);
+    for (auto& led : signals.leds) each.choice(led, Led::q4);
+    each_member(each, signals.mail);
+  }
 }
 
-template <class Each>
-void Crew::histories(Each& each, auto& crew) {
+void Crew::histories(auto& each, auto& crew) {
   for (auto& robot : crew.robots_) each_member(each, robot.history);
   for (auto& block : crew.blocks_) each_member(each, block.history);
 }
@@ -85,37 +79,31 @@ std::string Crew::checkpoint() const {
   return out.take();
 }
 
-/// Lists as long as the robot's devices are many.
-bool Crew::fits(const Robot& robot) const {
-  const RobotModel& model = *robot.config.model;
-  const auto late = [](const auto& queues, int latency) {
-    return std::all_of(queues.begin(), queues.end(), [latency](const auto& queue) {
-      return queue.on_the_way.size() <= static_cast<std::size_t>(latency);
-    });
-  };
-  return (robot.devices.joints.empty() || robot.devices.joints.size() == model.actuators.size()) &&
-         robot.enabled.size() == model.cameras.size() &&
-         robot.inbox.size() == model.radios.size() && robot.outbox.size() == model.radios.size() &&
-         late(robot.late_cameras, robot.config.camera_noise.latency) &&
-         late(robot.late_ranges, robot.config.range_noise.latency);
+/// Whether lists are as long as there are devices.
+bool Crew::fits() const {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const auto& targets = robots_[i].devices.joints;
+    if (!targets.empty() && targets.size() != model(i).actuators.size()) return false;
+  }
+  return senses_.fits(config_) && signals_.fits(config_);
 }
 
 /// Feeds its program what it has read.
-bool Crew::bring_back(Robot& robot) const {
-  const RobotModel& model = *robot.config.model;
-  const bool begun = robot.begun;
-  robot.begun = false;
+bool Crew::bring_back_robot(std::size_t number) {
+  Robot& robot = robots_[number];
+  const RobotModel& devices = model(number);
+  const bool begun = std::exchange(robot.begun, false);
   const bool good = robot.history.each([&](ByteReader& in) {
     robot.readings = take_readings(in);
-    if (!in.good() || !robot.config.controller) return false;
+    if (!in.good() || !config_.robots[number].controller) return false;
     const RobotReadings& r = robot.readings;
-    if (r.cameras.size() != model.cameras.size() || r.radios.size() != model.radios.size() ||
-        r.rangefinders.size() != model.rangefinders.size() ||
-        r.joints.size() != model.actuators.size()) {
+    if (r.cameras.size() != devices.cameras.size() || r.radios.size() != devices.radios.size() ||
+        r.rangefinders.size() != devices.rangefinders.size() ||
+        r.joints.size() != devices.actuators.size()) {
       return false;
     }
     robot.commands = {};
-    call(robot, robot.commands);
+    call_robot(number, robot.commands);
     return true;
   });
   if (robot.failed) robot.commands = {};
@@ -123,24 +111,20 @@ bool Crew::bring_back(Robot& robot) const {
   return good && robot.begun == begun;
 }
 
-bool Crew::bring_back(Block& block) const {
-  const bool begun = block.begun, quiet = block.quiet;
-  auto inbox = block.inbox, outbox = block.outbox;
-  block.begun = false;
+bool Crew::bring_back_block(std::size_t number) {
+  Block& block = blocks_[number];
+  const bool begun = std::exchange(block.begun, false);
   std::uint64_t tick = 0;
   const bool good = block.history.each([&](ByteReader& in) {
     std::uint64_t since = 0;
-    block.inbox.assign(kBlockRadios, {});
-    take_inbox(in, block.inbox, since);
-    if (!in.good() || !block.config.controller) return false;
+    std::vector<std::vector<Message>> heard(kBlockRadios);
+    take_inbox(in, heard, since);
+    if (!in.good() || !config_.blocks[number].controller) return false;
     tick += since;
     BlockCommands ignored;
-    call(block, tick, ignored);
+    call_block(number, block_readings(tick, std::move(heard)), ignored);
     return true;
   });
-  block.inbox = std::move(inbox);
-  block.outbox = std::move(outbox);
-  block.quiet = quiet;
   return good && block.begun == begun && block.last == tick;
 }
 
@@ -149,18 +133,17 @@ bool Crew::resume(std::string_view checkpoint) {
   ByteReader in(whole.block());
   BytesIn each(in);
   crew_members(each, *this);
-  if (!in.good() || in.left() > 0) return false;
-  if (!std::all_of(robots_.begin(), robots_.end(), [this](const Robot& r) { return fits(r); }) ||
-      !std::all_of(blocks_.begin(), blocks_.end(), [](const Block& block) {
-        return block.inbox.size() == kBlockRadios && block.outbox.size() == kBlockRadios;
-      })) {
-    return false;
-  }
+  if (!in.good() || in.left() > 0 || !fits()) return false;
   BytesIn rest(whole);
   histories(rest, *this);
   if (!whole.good() || whole.left() > 0) return false;
-  return std::all_of(robots_.begin(), robots_.end(), [this](Robot& r) { return bring_back(r); }) &&
-         std::all_of(blocks_.begin(), blocks_.end(), [this](Block& b) { return bring_back(b); });
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!bring_back_robot(i)) return false;
+  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (!bring_back_block(i)) return false;
+  }
+  return true;
 }
 
 }  // namespace stig

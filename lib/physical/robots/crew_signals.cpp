@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: MIT
+#include "physical/robots/crew_signals.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "physical/sensors/radio_medium.h"
+
+namespace stig {
+
+namespace {
+
+/// Middles of a cube's faces, as its radios are numbered: see cube_marks.
+constexpr std::array<Vec3, kBlockRadios> kFaceNormals = {
+    Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}};
+
+Mailbox mailbox(std::size_t radios) {
+  Mailbox out;
+  out.inbox.resize(radios);
+  out.outbox.resize(radios);
+  return out;
+}
+
+bool has_radios(const Mailbox& mail, std::size_t radios) {
+  return mail.inbox.size() == radios && mail.outbox.size() == radios;
+}
+
+/// The radios of robots, then those of blocks.
+std::vector<Radio> radios_of(const CrewConfig& config, const World& world) {
+  std::vector<Radio> out;
+  for (const CrewRobot& robot : config.robots) {
+    for (const RadioDevice& device : robot.model->radios) {
+      out.push_back({pose_of(world, robot.body, device.body) * device.p_B, device.range});
+    }
+  }
+  for (const CrewBlock& block : config.blocks) {
+    const Pose X_WB = world.state(block.body).X_WB;
+    const BlockModel& model = config.models[block.model];
+    const double reach = model.side / 2 - model.radios.depth;
+    for (const Vec3& normal : kFaceNormals) {
+      out.push_back({X_WB * (normal * reach), model.radios.range});
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+CrewSignals::CrewSignals(const CrewConfig& config) {
+  for (const CrewRobot& robot : config.robots) {
+    robots_.push_back(mailbox(robot.model->radios.size()));
+  }
+  for (const CrewBlock& block : config.blocks) add_block(block, false);
+}
+
+void CrewSignals::add_block(const CrewBlock& block, bool changed) {
+  BlockSignals& one = blocks_.emplace_back();
+  one.leds.fill(block.led);
+  one.mail = mailbox(kBlockRadios);
+  changed_.push_back(changed);
+}
+
+Led CrewSignals::colour(std::size_t block) const {
+  std::array<int, 5> shown{};
+  for (const Led led : blocks_[block].leds) ++shown[static_cast<std::size_t>(led)];
+  return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+}
+
+void CrewSignals::set_colour(std::size_t number, Led colour) {
+  BlockCommands commands;
+  commands.all_leds = static_cast<std::uint8_t>(colour);
+  apply(number, commands);
+}
+
+std::vector<std::size_t> CrewSignals::take_changed() {
+  std::vector<std::size_t> out;
+  for (std::size_t i = 0; i < changed_.size(); ++i) {
+    if (changed_[i]) out.push_back(i);
+  }
+  changed_.assign(blocks_.size(), false);
+  return out;
+}
+
+bool CrewSignals::carry(const CrewConfig& config, const World& world) {
+  if (!sends_) return false;
+  std::vector<std::vector<Message>> sends;
+  const auto send_all = [&sends](Mailbox& mail) {
+    for (auto& messages : mail.outbox) sends.push_back(std::exchange(messages, {}));
+  };
+  for (Mailbox& robot : robots_) send_all(robot);
+  for (BlockSignals& block : blocks_) send_all(block.mail);
+  const auto heard = stig::carry(radios_of(config, world), sends);
+  auto next = heard.begin();
+  const auto take_all = [&next](Mailbox& mail) {
+    bool any = false;
+    for (auto& messages : mail.inbox) {
+      any = any || !next->empty();
+      messages.insert(messages.end(), next->begin(), next->end());
+      ++next;
+    }
+    return any;
+  };
+  for (Mailbox& robot : robots_) take_all(robot);
+  for (BlockSignals& block : blocks_) {
+    if (take_all(block.mail)) block.quiet = false;
+  }
+  sends_ = false;
+  return true;
+}
+
+std::vector<std::vector<Message>> CrewSignals::take_heard(std::size_t robot) {
+  auto& inbox = robots_[robot].inbox;
+  return std::exchange(inbox, std::vector<std::vector<Message>>(inbox.size()));
+}
+
+std::vector<std::vector<Message>> CrewSignals::take_heard_by_block(std::size_t number) {
+  BlockSignals& block = blocks_[number];
+  if (block.quiet) return block.mail.inbox;
+  block.quiet = true;
+  return std::exchange(block.mail, mailbox(kBlockRadios)).inbox;
+}
+
+void CrewSignals::forget_heard(std::size_t robot) {
+  for (auto& messages : robots_[robot].inbox) messages.clear();
+}
+
+void CrewSignals::send(std::size_t robot, const std::vector<std::vector<Message>>& messages) {
+  Mailbox& mail = robots_[robot];
+  mail.outbox = messages;
+  mail.outbox.resize(mail.inbox.size());
+  for (const auto& some : mail.outbox) sends_ = sends_ || !some.empty();
+}
+
+void CrewSignals::apply(std::size_t number, const BlockCommands& commands) {
+  BlockSignals& block = blocks_[number];
+  const auto before = block.leds;
+  if (commands.all_leds && *commands.all_leds < kLedNames.size()) {
+    block.leds.fill(static_cast<Led>(*commands.all_leds));
+  }
+  for (const auto& [led, colour] : commands.leds) {
+    if (led < block.leds.size() && colour < kLedNames.size()) {
+      block.leds[led] = static_cast<Led>(colour);
+    }
+  }
+  if (block.leds != before) changed_[number] = true;
+  for (std::size_t i = 0; i < std::min(commands.sends.size(), kBlockRadios); ++i) {
+    if (commands.sends[i].empty()) continue;
+    block.mail.outbox[i] = commands.sends[i];
+    block.quiet = false;
+    sends_ = true;
+  }
+}
+
+bool CrewSignals::fits(const CrewConfig& config) const {
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!has_radios(robots_[i], config.robots[i].model->radios.size())) return false;
+  }
+  return std::all_of(blocks_.begin(), blocks_.end(), [](const BlockSignals& block) {
+    return has_radios(block.mail, kBlockRadios);
+  });
+}
+
+}  // namespace stig
