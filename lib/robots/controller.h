@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A robot's controller, whatever it is written in: Lua (lua_controller.h), C++ in tests.
+// A robot's controller, whatever it is written in: Lua (lua_controller.h), or C++, which a
+// ControllerFactory brings into a run (physical/scene/controller_factory.h).
 //
 // The loop calls init once, then step at every control tick, with readings taken just before;
 // commands act from then on until others replace them. A controller that fails is not called

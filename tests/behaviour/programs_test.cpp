@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "behaviour/support.h"
-#include "physical/scene/scene_crew.h"
 
 using namespace stig;
 using namespace stig::behaviour;
@@ -19,7 +18,7 @@ std::string scene_text(const std::string& name) {
 }
 
 /// Drives ahead until something is nearer than 0.1 m; the same contract as a Lua program's.
-class Approach : public RobotController {
+class Approach final : public RobotController {
  public:
   explicit Approach(const RobotModel& model) {
     for (std::size_t i = 0; i < model.rangefinders.size(); ++i) {
@@ -88,18 +87,16 @@ TEST_CASE("a cart with a gripper, which is no builder's robot, moves a block") {
 }
 
 TEST_CASE("a controller in C++ has the same contract") {
-  const LoadedScene loaded =
-      scene_of("stigc_scene: 1\nrobots: [{file: bebot.yaml}]\nblocks: [{at: [0.4, 0, 0.0275]}]\n");
-  CrewConfig config = crew_of(loaded.scene, loaded.placed);
-  config.robots[0].controller = std::make_unique<Approach>(*config.robots[0].model);
-  World world(loaded.placed.config);
-  Crew crew(std::move(config), loaded.placed.config);
-  while (world.time() < 10) {
-    crew.before_step(world);
-    REQUIRE(world.step().ok);
-  }
-  CHECK_FALSE(crew.failed(0));
-  const double left = 0.3725 - 0.044755 - crew.robot_pose(world, 0).p.x;
+  ControllerFactory factory;
+  factory.robot = [](const Scene& scene, const PlacedScene&, std::size_t robot) {
+    return std::make_unique<Approach>(scene.robot_models[scene.robots[robot].model]);
+  };
+  Trial trial("stigc_scene: 1\nrobots: [{file: bebot.yaml}]\nblocks: [{at: [0.4, 0, 0.0275]}]\n", 1,
+              factory);
+  trial.until(10);
+  INFO(trial.log());
+  CHECK_FALSE(trial.failed());
+  const double left = 0.3725 - 0.044755 - trial.robot().p.x;
   CHECK(left < 0.11);
   CHECK(left > 0.08);
 }

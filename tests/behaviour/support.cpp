@@ -22,8 +22,8 @@ LoadedScene scene_of(const std::string& text, std::uint64_t seed) {
   return {std::move(*scene), std::move(*placed)};
 }
 
-Trial::Trial(const std::string& text, std::uint64_t seed)
-    : loaded_(scene_of(text, seed)), run_(loaded_.scene, loaded_.placed) {}
+Trial::Trial(const std::string& text, std::uint64_t seed, const ControllerFactory& controllers)
+    : loaded_(scene_of(text, seed)), run_(loaded_.scene, loaded_.placed, true, controllers) {}
 
 bool Trial::until(double seconds, const std::string& words) {
   std::atomic<bool> stop{false};

@@ -19,13 +19,15 @@ LoadedScene scene_of(const std::string& text, std::uint64_t seed = 1);
 /// A scene that runs, with what its programs have said.
 class Trial {
  public:
-  explicit Trial(const std::string& text, std::uint64_t seed = 1);
+  explicit Trial(const std::string& text, std::uint64_t seed = 1,
+                 const ControllerFactory& controllers = lua_controllers());
   /// Until `seconds` have passed, or a program has said a line that holds `words`.
   bool until(double seconds, const std::string& words = "");
   bool said(const std::string& words) const;
   /// Everything said, for messages.
   std::string log() const;
   Pose robot(std::size_t number = 0) const;
+  bool failed(std::size_t number = 0) const { return run_.crew()->failed(number); }
   Pose block(const std::string& name) const;
   Led led(const std::string& name) const;
   /// By number, with those that caches have dropped.

@@ -100,9 +100,9 @@ class Crew {
   /// With what the programs have read, from which they can be brought back. Asserts that the
   /// crew is resumable.
   std::string checkpoint() const;
-  /// Of a crew as it was made, with blocks that came later added again: feeds its programs what
-  /// they have read, without carrying out what they command. False when the bytes are no
-  /// checkpoint of this crew; it is then of no use any more.
+  /// Takes up a checkpoint in a crew as it was made, with blocks that came later added again: feeds
+  /// its programs what they have read, without carrying out what they command. False when the
+  /// bytes are no checkpoint of this crew; it is then of no use any more.
   bool resume(std::string_view checkpoint);
 
  private:

@@ -359,6 +359,12 @@ class Placer {
 
 }  // namespace
 
+std::size_t block_model(const Scene& scene, const PlacedScene& placed, std::size_t body) {
+  // What comes while the scene runs has no entry of its own.
+  return body < placed.config.bodies.size() ? scene.blocks[placed.bodies[body].entry].model
+                                            : scene.stock_model;
+}
+
 Pose jittered(const Pose& pose, double jitter, double turn, std::uint64_t seed, std::uint32_t entry,
               std::uint64_t number) {
   if (jitter == 0 && turn == 0) return pose;

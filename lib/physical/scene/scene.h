@@ -129,6 +129,9 @@ struct PlacedScene {
   std::uint64_t seed = 1;
 };
 
+/// The model of the block that is that body, by its number in Scene::models.
+std::size_t block_model(const Scene& scene, const PlacedScene& placed, std::size_t body);
+
 /// Finds the text of a file by the name that a scene has for it.
 using SceneLoader = std::function<std::optional<std::string>(const std::string& name,
                                                              std::size_t most, FileError& error)>;

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: MIT
-// The robots and blocks of a scene with their programs.
+// The robots and blocks of a scene with their controllers.
 #pragma once
 
 #include "physical/robots/crew.h"
-#include "physical/scene/scene.h"
+#include "physical/scene/controller_factory.h"
 
 namespace stig {
 
 /// The scene must outlive the crew that is made of it.
-CrewConfig crew_of(const Scene& scene, const PlacedScene& placed);
+CrewConfig crew_of(const Scene& scene, const PlacedScene& placed,
+                   const ControllerFactory& controllers);
 /// A block of the scene, by its body.
-CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t body);
+CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t body,
+                     const ControllerFactory& controllers);
 
 }  // namespace stig

@@ -10,9 +10,16 @@ namespace stig {
 
 namespace {
 
-bool has_programs(const Scene& scene) {
+/// Whether a block of the scene has a controller, or one that may come will have.
+bool blocks_act(const Scene& scene, const PlacedScene& placed, const CrewConfig& crew,
+                const ControllerFactory& controllers) {
+  const std::size_t first = placed.config.bodies.size();
   return std::any_of(scene.block_programs.begin(), scene.block_programs.end(),
-                     [](std::size_t program) { return program != RobotSpawn::kNoProgram; });
+                     [](std::size_t program) { return program != RobotSpawn::kNoProgram; }) ||
+         std::any_of(crew.blocks.begin(), crew.blocks.end(),
+                     [](const CrewBlock& block) { return block.controller != nullptr; }) ||
+         (first < placed.bodies.size() &&
+          crew_block(scene, placed, first, controllers).controller != nullptr);
 }
 
 /// The number of a body's block; nothing when it is none, or there is no crew.
@@ -24,11 +31,12 @@ std::optional<std::size_t> block_at(const Crew* crew, std::size_t body) {
 
 }  // namespace
 
-RunAgents::RunAgents(const Scene& scene, const PlacedScene& placed, bool resumable) {
+RunAgents::RunAgents(const Scene& scene, const PlacedScene& placed, bool resumable,
+                     const ControllerFactory& controllers) {
   // A script may colour blocks.
   const bool script = scene.script != RobotSpawn::kNoProgram;
-  if (!script && scene.robots.empty() && !has_programs(scene)) return;
-  CrewConfig crew = crew_of(scene, placed);
+  CrewConfig crew = crew_of(scene, placed, controllers);
+  if (!script && scene.robots.empty() && !blocks_act(scene, placed, crew, controllers)) return;
   crew.resumable = resumable;
   crew_.emplace(std::move(crew), placed.config);
 }
@@ -36,7 +44,8 @@ RunAgents::RunAgents(const Scene& scene, const PlacedScene& placed, bool resumab
 void RunAgents::add(const RunState& run, std::size_t body) {
   if (!crew_) return;
   const BlockModel& model = run.scene->models[run.scene->stock_model];
-  crew_->add(crew_block(*run.scene, run.placed, body), block_body(model, {}).shape);
+  crew_->add(crew_block(*run.scene, run.placed, body, run.controllers),
+             block_body(model, {}).shape);
 }
 
 void RunAgents::before_step(RunState& run, const RunHooks& hooks) {

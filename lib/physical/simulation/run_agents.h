@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robots and blocks of a run, with their programs.
+// The robots and blocks of a run, with their controllers.
 #pragma once
 
 #include <array>
@@ -9,14 +9,16 @@
 
 namespace stig {
 
+struct ControllerFactory;
 struct PlacedScene;
 struct Scene;
 
 class RunAgents final : public RunPart {
  public:
-  RunAgents(const Scene& scene, const PlacedScene& placed, bool resumable);
+  RunAgents(const Scene& scene, const PlacedScene& placed, bool resumable,
+            const ControllerFactory& controllers);
 
-  /// Null in a scene without programs and script.
+  /// Null in a scene without controllers and script.
   const Crew* crew() const { return crew_ ? &*crew_ : nullptr; }
   Crew* crew() { return crew_ ? &*crew_ : nullptr; }
   /// A block that has come into the world.

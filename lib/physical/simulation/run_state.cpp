@@ -12,12 +12,14 @@ constexpr double kLookSeconds = 0.2;
 
 }  // namespace
 
-RunState::RunState(const Scene& its_scene, const PlacedScene& its_placed, bool is_resumable)
+RunState::RunState(const Scene& its_scene, const PlacedScene& its_placed, bool is_resumable,
+                   const ControllerFactory& its_controllers)
     : scene(&its_scene),
       placed(its_placed),
       resumable(is_resumable),
+      controllers(its_controllers),
       world(placed.config),
-      agents(its_scene, its_placed, is_resumable),
+      agents(its_scene, its_placed, is_resumable, its_controllers),
       supply(its_scene),
       odometer(its_scene),
       script(its_scene, its_placed) {}

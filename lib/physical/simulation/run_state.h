@@ -5,7 +5,7 @@
 #include <string>
 
 #include "physical/dynamics/world.h"
-#include "physical/scene/scene.h"
+#include "physical/scene/controller_factory.h"
 #include "physical/simulation/block_supply.h"
 #include "physical/simulation/event_tally.h"
 #include "physical/simulation/force_pushes.h"
@@ -18,11 +18,13 @@ namespace stig {
 
 struct RunState {
   /// The scene must outlive it.
-  RunState(const Scene& scene, const PlacedScene& placed, bool resumable);
+  RunState(const Scene& scene, const PlacedScene& placed, bool resumable,
+           const ControllerFactory& controllers);
 
   const Scene* scene;
   PlacedScene placed;
   bool resumable;
+  ControllerFactory controllers;
   World world;
   RunAgents agents;
   BlockSupply supply;

@@ -77,7 +77,7 @@ std::string Simulation::state() const {
 }
 
 bool Simulation::resume(std::string_view state) {
-  RunState next(*run_.scene, run_.placed, run_.resumable);
+  RunState next(*run_.scene, run_.placed, run_.resumable, run_.controllers);
   if (!load(next, state)) return false;
   next.recorder.take_over(run_.recorder);
   run_ = std::move(next);

@@ -24,8 +24,9 @@ class Simulation {
  public:
   /// The scene must outlive the run. One that is not resumable keeps no account of what its
   /// programs read, which saves memory.
-  Simulation(const Scene& scene, const PlacedScene& placed, bool resumable = true)
-      : run_(scene, placed, resumable) {}
+  Simulation(const Scene& scene, const PlacedScene& placed, bool resumable = true,
+             const ControllerFactory& controllers = lua_controllers())
+      : run_(scene, placed, resumable, controllers) {}
 
   /// From now on; the writer is given the state as it is, unless the run was resumed and the
   /// writer has the records up to here already. It must outlive the run.
@@ -41,7 +42,7 @@ class Simulation {
   const Scene& scene() const { return *run_.scene; }
   const PlacedScene& placed() const { return run_.placed; }
   const World& world() const { return run_.world; }
-  /// Null in a scene without programs and script.
+  /// Null in a scene without controllers and script.
   const Crew* crew() const { return run_.agents.crew(); }
   /// What a block's LEDs show now; most of them.
   Led led(std::size_t body) const { return led_of(run_, body); }

@@ -10,9 +10,9 @@
 namespace stig {
 
 TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
-                             const RunHooks& hooks) {
+                             const RunHooks& hooks, const ControllerFactory& controllers) {
   TraceComparison report;
-  Simulation run(loaded.scene, loaded.placed, false);
+  Simulation run(loaded.scene, loaded.placed, false, controllers);
   const double step = loaded.placed.config.step;
   // Where scripts or programs ended it, or physics could not go on, the beginning of a step of
   // which no end came has left its marks; and a script has had its last words.

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string>
 
+#include "physical/scene/controller_factory.h"
 #include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/run_part.h"
 #include "physical/trace/pose_trace.h"
@@ -17,7 +18,9 @@ struct TraceComparison {
   std::string difference;      ///< in words; empty when identical
 };
 
+/// The controllers must be those with which the trace was made.
 TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
-                             const RunHooks& hooks);
+                             const RunHooks& hooks,
+                             const ControllerFactory& controllers = lua_controllers());
 
 }  // namespace stig

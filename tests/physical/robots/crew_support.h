@@ -33,6 +33,15 @@ inline LoadedScene crew_scene(const std::string& text,
   return std::move(*loaded);
 }
 
+/// A trace that must be good.
+inline PoseTrace trace_of(const std::string& bytes) {
+  Diagnostics diagnostics;
+  auto trace = read_pose_trace("t.stigp", bytes, diagnostics);
+  INFO(to_text(diagnostics));
+  REQUIRE(trace);
+  return std::move(*trace);
+}
+
 /// What a run said, wrote and came to.
 struct CrewRun {
   std::vector<CrewLine> lines;
@@ -64,12 +73,7 @@ inline CrewRun recorded(Simulation& run, const LoadedScene& loaded, double durat
   CrewRun out;
   PoseTraceWriter writer(trace_header(loaded.scene, loaded.placed),
                          [&](std::string_view bytes) { out.trace += bytes; });
-  if (!earlier.empty()) {
-    Diagnostics diagnostics;
-    const auto trace = read_pose_trace("t.stigp", earlier, diagnostics);
-    REQUIRE(trace);
-    copy_records(*trace, run.world().tick(), writer);
-  }
+  if (!earlier.empty()) copy_records(trace_of(earlier), run.world().tick(), writer);
   run.record(writer);
   RunHooks hooks;
   hooks.on_line = [&](const CrewLine& line) { out.lines.push_back(line); };
@@ -112,12 +116,10 @@ struct Scripted {
 
 /// The values of a channel of a trace, with their ticks.
 inline std::vector<TraceValue> values_of(const std::string& bytes, std::string_view channel) {
-  Diagnostics diagnostics;
-  const auto trace = read_pose_trace("t.stigp", bytes, diagnostics);
-  REQUIRE(trace);
+  const PoseTrace trace = trace_of(bytes);
   std::vector<TraceValue> out;
-  for (const TraceValue& value : trace->values) {
-    if (trace->header.channels[value.channel] == channel) out.push_back(value);
+  for (const TraceValue& value : trace.values) {
+    if (trace.header.channels[value.channel] == channel) out.push_back(value);
   }
   return out;
 }
