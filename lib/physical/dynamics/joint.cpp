@@ -9,12 +9,12 @@
 #include "physical/dynamics/mechanism.h"
 #include "physical/dynamics/number_checks.h"
 #include "physical/dynamics/world_config.h"
+#include "physical/solver/solver.h"
 
 namespace stig {
 
 namespace {
 
-constexpr std::size_t kMostDofs = 64;     ///< of a mechanism: its inverse is dense
 constexpr std::size_t kMostJoined = 256;  ///< bodies of a mechanism
 
 bool is_pose(const Pose& pose) { return is_finite(pose.p) && is_unit(pose.q); }
@@ -98,9 +98,9 @@ void check_trees(const WorldConfig& config, std::vector<std::string>& out) {
     const std::uint32_t root = root_of(config, above, joint.child);
     if (root == kWorldBody) {
       out.push_back(fmt::format("joint {} is part of a circle: a mechanism is a tree", i));
-    } else if ((dofs[root] += joint.dofs.size()) > kMostDofs) {
+    } else if ((dofs[root] += joint.dofs.size()) > kMostMechanismDofs) {
       out.push_back(fmt::format("the mechanism of body {} has more than {} degrees of freedom",
-                                root, kMostDofs));
+                                root, kMostMechanismDofs));
     } else if (++bodies[root] > kMostJoined) {
       out.push_back(
           fmt::format("the mechanism of body {} has more than {} bodies", root, kMostJoined));

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "physical/solver/robot_rows.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
+#include <optional>
 
-#include "physical/solver/row_numbers.h"
+#include "physical/solver/mechanism_rows.h"
+#include "physical/solver/row_runs.h"
 
 namespace stig {
 
@@ -36,20 +35,6 @@ void keep(double* v, const RobotMotion& motion) {
   v[10] = motion.lift;
 }
 
-/// A free body's velocity and spin, along each axis.
-struct LooseMotion {
-  Two x, y, z;
-};
-
-LooseMotion loose_at(const double* v) {
-  return {Two{v[0], v[3]}, Two{v[1], v[4]}, Two{v[2], v[5]}};
-}
-void keep(double* v, const LooseMotion& motion) {
-  put(v, Two{motion.x[0], motion.y[0]});
-  put(v + 2, Two{motion.z[0], motion.x[1]});
-  put(v + 4, Two{motion.y[1], motion.z[1]});
-}
-
 /// J times velocities. The sums of product(); nothing is added to zero first, since along() does.
 template <RowKind kKind>
 double product(const double* j, const RobotMotion& v) {
@@ -59,12 +44,6 @@ double product(const double* j, const RobotMotion& v) {
   if constexpr (kKind == RowKind::first_wheels) sum += row_two(j + 6) * v.first_wheels;
   if constexpr (kKind == RowKind::last_wheels) sum += row_two(j + 6) * v.last_wheels;
   return sum[0] + sum[1] + j[kKind == RowKind::first_wheels ? 10 : 8] * v.lift;
-}
-double product(const std::array<double, 6>& j, const LooseMotion& v) {
-  Two sum = row_two(&j[0]) * v.x;
-  sum += row_two(&j[2]) * v.y;
-  sum += row_two(&j[4]) * v.z;
-  return sum[0] + sum[1];
 }
 
 /// Adds W times an impulse.
@@ -76,13 +55,6 @@ void add(const double* w, double impulse, RobotMotion& v) {
   v.first_wheels += row_two(w + 6) * push;
   v.last_wheels += row_two(w + 8) * push;
   v.lift += w[10] * impulse;
-}
-void add(const LooseSide& side, std::size_t direction, double impulse, LooseMotion& v) {
-  const double* w = side.w[direction].data();
-  const Two push{impulse * side.inverse_mass, impulse};
-  v.x += row_two(w) * push;
-  v.y += row_two(w + 2) * push;
-  v.z += row_two(w + 4) * push;
 }
 
 /// The velocities that a run is about, while it is gone through.
@@ -118,95 +90,56 @@ class RunMotion {
   LooseMotion loose_;
 };
 
-template <class Motion>
-double relax_points(std::span<RowPoint> run, const double* numbers, double inverse_dt) {
-  Motion motion(run[0], numbers);
-  double most = 0;
-  for (RowPoint& point : run) {
-    const double change = next_push(point, motion.along(point, kNormal), inverse_dt);
-    if (change != 0) motion.push(point, kNormal, change);
-    most = std::max(most, asked(change, point.mass[kNormal]));
-    if (carries_nothing(point)) continue;
-    const double mass = slide_mass(point);
-    const std::array slide =
-        next_slide(point, mass, motion.along(point, kFirst), motion.along(point, kSecond));
-    if (slide[0] != 0 || slide[1] != 0) {
-      motion.push(point, kFirst, slide[0]);
-      motion.push(point, kSecond, slide[1]);
-    }
-    most = std::max(most, asked(slide, mass));
-  }
-  motion.finish(run[0]);
-  return most;
-}
-
-template <class Motion>
-void apply_last_points(std::span<const RowPoint> run, const double* numbers) {
-  Motion motion(run[0], numbers);
-  for (const RowPoint& point : run) {
-    if (carries_nothing(point)) continue;
-    motion.push(point, kNormal, point.push);
-    motion.push(point, kFirst, point.slide[0]);
-    motion.push(point, kSecond, point.slide[1]);
-  }
-  motion.finish(run[0]);
-}
-
-template <class Motion>
-void follow_point_gaps(std::span<RowPoint> run, const double* numbers, double dt) {
-  const Motion motion(run[0], numbers);
-  for (RowPoint& point : run) point.gap += motion.along(point, kNormal) * dt;
-}
-
-/// Calls with the kind of motion.
-template <class Motion>
-struct MotionKind {
-  using type = Motion;
-};
-template <class Call>
-auto with_motion(RowKind kind, const Call& call) {
-  switch (kind) {
-    case RowKind::robot_on_loose:
-      return call(MotionKind<RunMotion<RowKind::robot_on_loose>>{});
-    case RowKind::first_wheels:
-      return call(MotionKind<RunMotion<RowKind::first_wheels>>{});
-    case RowKind::last_wheels:
-      return call(MotionKind<RunMotion<RowKind::last_wheels>>{});
+/// The code for a run that is not of any kind.
+RunCode code_of(const RowPoint& first) {
+  switch (first.kind) {
     case RowKind::robot:
+      return run_code<RunMotion<RowKind::robot>>();
+    case RowKind::robot_on_loose:
+      return run_code<RunMotion<RowKind::robot_on_loose>>();
+    case RowKind::first_wheels:
+      return run_code<RunMotion<RowKind::first_wheels>>();
+    case RowKind::last_wheels:
+      return run_code<RunMotion<RowKind::last_wheels>>();
+    case RowKind::mechanism:
+    case RowKind::mechanism_on_loose:
     case RowKind::any:
       break;
   }
-  return call(MotionKind<RunMotion<RowKind::robot>>{});
+  return mechanism_code(first.holds[0].dofs, first.kind == RowKind::mechanism_on_loose);
+}
+
+/// Whether the point is one of a robot's, and of which kind.
+std::optional<RowKind> robot_kind(const RowPoint& point) {
+  const Hold& hold = point.holds[0];
+  if (hold.dofs != kRobotDofs) return std::nullopt;
+  if (same(hold.reach, kBody)) {
+    return point.looses == 0 ? RowKind::robot : RowKind::robot_on_loose;
+  }
+  if (point.looses > 0) return std::nullopt;
+  if (same(hold.reach, kFirstWheels)) return RowKind::first_wheels;
+  if (same(hold.reach, kLastWheels)) return RowKind::last_wheels;
+  return std::nullopt;
 }
 
 }  // namespace
 
 RowKind kind_of(const RowPoint& point) {
-  const Hold& hold = point.holds[0];
-  if (point.held != 1 || hold.dofs != kRobotDofs || point.looses > 1) return RowKind::any;
-  if (same(hold.reach, kBody)) {
-    return point.looses == 0 ? RowKind::robot : RowKind::robot_on_loose;
-  }
-  if (point.looses > 0) return RowKind::any;
-  if (same(hold.reach, kFirstWheels)) return RowKind::first_wheels;
-  return same(hold.reach, kLastWheels) ? RowKind::last_wheels : RowKind::any;
+  if (point.held != 1 || point.looses > 1) return RowKind::any;
+  if (const auto robot = robot_kind(point)) return *robot;
+  return point.looses == 0 ? RowKind::mechanism : RowKind::mechanism_on_loose;
 }
 
 void apply_last_run(std::span<const RowPoint> run, const double* numbers) {
-  with_motion(run[0].kind,
-              [&](auto kind) { apply_last_points<typename decltype(kind)::type>(run, numbers); });
+  code_of(run[0]).apply_last(run, numbers);
 }
 
 double relax_run(std::span<RowPoint> run, const double* numbers, double inverse_dt) {
-  return with_motion(run[0].kind, [&](auto kind) {
-    return relax_points<typename decltype(kind)::type>(run, numbers, inverse_dt);
-  });
+  return code_of(run[0]).relax(run, numbers, inverse_dt);
 }
 
 void follow_run_gaps(std::span<RowPoint> run, const double* numbers, double dt) {
-  with_motion(run[0].kind, [&](auto kind) {
-    follow_point_gaps<typename decltype(kind)::type>(run, numbers, dt);
-  });
+  code_of(run[0]).follow_gaps(run, numbers, dt);
 }
 
 }  // namespace stig

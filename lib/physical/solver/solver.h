@@ -72,6 +72,9 @@ struct SolverBody {
   std::int32_t link = -1;  ///< of a mechanism: its place in `links`
 };
 
+/// The most degrees of freedom of a mechanism: its inverse is dense.
+inline constexpr std::size_t kMostMechanismDofs = 64;
+
 /// The motion of a mechanism. Pointers are to as many numbers as it has degrees of freedom.
 struct SolverMechanism {
   std::size_t dofs = 0;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The part of the solver that knows mechanisms: contacts of their bodies, contacts of wheels
 // whose friction is an ellipse, motors and stops. Used by solver.cpp alone; made in
-// solver_rows_make.cpp, swept in solver_rows.cpp, those of robots in robot_rows.cpp.
+// solver_rows_make.cpp, swept in solver_rows.cpp, runs of them in robot_rows.cpp and
+// mechanism_rows.cpp.
 //
 // A direction at a point is a row J of generalised velocities; an impulse along it changes
 // them by W = M⁻¹Jᵀ. Sides that are free bodies keep their six numbers.
@@ -49,13 +50,16 @@ struct Hold {
   std::size_t height() const { return dofs + dofs % 2; }
 };
 
-/// What a point acts on, as far as there is code for it in robot_rows.h.
+/// What a point acts on: where it is one mechanism, with a free body or without, points that follow
+/// each other are gone through with the velocities at hand (robot_rows.h, mechanism_rows.h).
 enum class RowKind : std::uint8_t {
   any,
   robot,           ///< a robot with four wheels and a lift: chassis or lift, against what stands
   robot_on_loose,  ///< the same against one free body
   first_wheels,    ///< its first two wheels, or its last, against what stands
   last_wheels,
+  mechanism,  ///< any mechanism against what stands
+  mechanism_on_loose,
 };
 
 struct RowPoint {
