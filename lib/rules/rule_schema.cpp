@@ -356,20 +356,37 @@ Json object_json(const ObjectSchema& schema) {
   return out;
 }
 
+/// Symbols as editors offer them: 3 without quotes, as rule sets have it.
+Json offered(const std::vector<std::string>& symbols) {
+  Json out = Json::array();
+  for (const std::string& symbol : symbols) {
+    const bool digits = symbol.find_first_not_of("0123456789") == std::string::npos;
+    const bool number = digits && !symbol.starts_with('0') && symbol.size() < 16;
+    out.push_back(number ? Json(std::stoll(symbol)) : Json(symbol));
+  }
+  return out;
+}
+
 }  // namespace
 
-std::string json_schema() {
+std::string json_schema() { return json_schema({"1", "2", "3", "4"}); }
+
+std::string json_schema(const std::vector<std::string>& symbols) {
   Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"},
               {"title", "stigc rule set, version 1"},
               {"description", "Rules of collective construction on a 3-D lattice."}};
   out.update(object_json(object_schema(ObjectKind::rule_set)));
+  std::vector<std::string> states = symbols;
+  states.insert(states.end(), {".", "?", "#", "="});
   Json& definitions = out["definitions"];
   definitions["symbol"] = {{"description", "A symbol of the drawings."},
                            {"type", any_scalar()},
-                           {"pattern", kSymbolPattern}};
+                           {"pattern", kSymbolPattern},
+                           {"examples", offered(symbols)}};
   definitions["state"] = {{"description", "A brick's symbol, or one of . ? # ="},
                           {"type", any_scalar()},
-                          {"pattern", "^[^\\u0000-\\u0020\\u007f]{1,16}$"}};
+                          {"pattern", "^[^\\u0000-\\u0020\\u007f]{1,16}$"},
+                          {"examples", offered(states)}};
   definitions["name"] = {{"type", any_scalar()}, {"pattern", "^[^\\u0000-\\u001f\\u007f]+$"}};
   for (int kind = 1; kind <= static_cast<int>(ObjectKind::expect); ++kind) {
     const ObjectSchema& schema = object_schema(static_cast<ObjectKind>(kind));

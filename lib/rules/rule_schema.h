@@ -64,7 +64,7 @@ struct KeySchema {
 
 struct ObjectSchema {
   ObjectKind kind;
-  std::string_view title;  ///< "rule", as in "unknown key 'plaec' in a rule"
+  std::string_view title;    ///< "rule", as in "unknown key 'plaec' in a rule"
   std::string_view example;  ///< the least that such a mapping may be
   std::vector<KeySchema> keys;
 };
@@ -81,6 +81,9 @@ bool is_reserved_symbol(std::string_view symbol);
 
 /// JSON Schema draft 7 of the file format, with a newline at the end.
 std::string json_schema();
+/// The same, which offers these symbols of bricks where one is wanted. It refuses no others, since
+/// a palette grows while its file is written.
+std::string json_schema(const std::vector<std::string>& symbols);
 
 /// Reports every R1xx of a file.
 BadNodes check_shape(const YamlDocument& document, Diagnostics& diagnostics);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc schema and stigc completions: what the program knows of itself.
+#include "base/load.h"
+#include "base/yaml.h"
 #include "commands.h"
 #include "help.h"
 #include "physical/scene/scene.h"
@@ -24,9 +26,37 @@ std::string schema_of(FileForm form) {
   return json_schema();
 }
 
+/// The symbols of a file's bricks; the rest of it need not be good.
+std::vector<std::string> symbols_of(const YamlDocument& document) {
+  std::vector<std::string> symbols;
+  const YamlNode* bricks = document.root.find("bricks");
+  if (bricks == nullptr) return symbols;
+  for (const YamlPair& brick : bricks->pairs) {
+    if (!is_reserved_symbol(brick.key.text)) symbols.push_back(brick.key.text);
+  }
+  return symbols;
+}
+
+int schema_with_symbols(const SchemaOptions& options, App& app) {
+  if (options.form != FileForm::rules) {
+    app.complain("--symbols-of goes with the schema of rule sets");
+    return kUsage;
+  }
+  Diagnostics diagnostics;
+  std::optional<YamlDocument> document;
+  if (SourceRef source = load_source(*options.symbols_of, YamlLimits().bytes, diagnostics)) {
+    document = parse_yaml(std::move(source), {}, diagnostics);
+  }
+  app.report(diagnostics);
+  if (!document) return kFailed;
+  app.print(json_schema(symbols_of(*document)));
+  return kOk;
+}
+
 }  // namespace
 
 int run(const SchemaOptions& options, App& app) {
+  if (options.symbols_of) return schema_with_symbols(options, app);
   app.print(schema_of(options.form));
   return kOk;
 }

@@ -450,6 +450,7 @@ void add_files_out(CLI::App& app, Storage& s) {
   CLI::App* schema =
       command(app, "schema", "print the JSON Schema of rule set, scene, robot or block files",
               "  stigc schema > stigc.schema.json\n"
+              "  stigc schema --symbols-of rulesets/staircase.yaml > staircase.schema.json\n"
               "  stigc schema scene > scene.schema.json\n");
   choice(schema, "FORM", s.schema.form,
          {{"rules", FileForm::rules},
@@ -457,6 +458,8 @@ void add_files_out(CLI::App& app, Storage& s) {
           {"robot", FileForm::robot},
           {"block", FileForm::block}},
          "what kind of file (default: rules)");
+  path(schema, "--symbols-of", s.schema.symbols_of,
+       "a rule set, finished or not, whose symbols editors shall offer where one is wanted");
   CLI::App* measure = command(
       app, "measure", "measure a structure file",
       "  stigc explore rulesets/staircase.yaml -o staircase.vox && stigc measure staircase.vox\n"

@@ -168,6 +168,7 @@ struct DescribeOptions {
 enum class FileForm : std::uint8_t { rules, scene, robot, block };
 struct SchemaOptions {
   FileForm form = FileForm::rules;
+  std::optional<std::string> symbols_of;  ///< a rule set whose symbols are offered
 };
 
 struct MeasureOptions {

@@ -52,6 +52,7 @@ struct Finder {
   void operator()(CertifyOptions& o) const { find(o.file); }
   void operator()(GraphOptions& o) const { find(o.file); }
   void operator()(DoctorOptions& o) const { find(o.files); }
+  void operator()(SchemaOptions& o) const { find(o.symbols_of); }
   void operator()(SimulateOptions& o) const { find(o.scene); }
   void operator()(DescribeOptions& o) const { find(o.robot); }
   void operator()(CompileFileOptions& o) const {
