@@ -53,6 +53,7 @@ struct Finder {
   void operator()(GraphOptions& o) const { find(o.file); }
   void operator()(DoctorOptions& o) const { find(o.files); }
   void operator()(SchemaOptions& o) const { find(o.symbols_of); }
+  void operator()(SynthOptions& o) const { find(o.robot); }
   void operator()(SimulateOptions& o) const { find(o.scene); }
   void operator()(DescribeOptions& o) const { find(o.robot); }
   void operator()(CompileFileOptions& o) const {
