@@ -32,7 +32,7 @@ namespace stig {
 class SymbolTable {
  public:
   struct Entry {
-    StateSet states;  ///< none: a legend entry that could not be read
+    StateSet states;    ///< none: a legend entry that could not be read
     Colour colour = 0;  ///< 0: a legend entry
     bool used = false;
   };
