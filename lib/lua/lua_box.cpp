@@ -273,7 +273,27 @@ std::string LuaBox::failure(int status) {
   }
   lua_settop(state_, 0);
   traceback_ = mapped(traceback_.substr(0, kMostMessage));
-  return printable(mapped(text.substr(0, kMostMessage)) + " (" + settings_.id + ")");
+  text = mapped(text.substr(0, kMostMessage));
+  last_failure_ = placed(text);
+  return printable(text + " (" + settings_.id + ")");
+}
+
+/// A message's "file:line: " taken off, where the file is one that was loaded.
+LuaFailure LuaBox::placed(std::string_view text) const {
+  for (const std::string& file : files_) {
+    if (!text.starts_with(file + ":")) continue;
+    std::string_view rest = text.substr(file.size() + 1);
+    LuaFailure out{file, 0, {}};
+    const std::size_t colon = std::min(rest.find_first_not_of("0123456789"), std::size_t{9});
+    if (colon > 0 && colon < rest.size() && rest[colon] == ':') {
+      out.line = std::stoul(std::string(rest.substr(0, colon)));
+      rest.remove_prefix(colon + 1);
+    }
+    if (rest.starts_with(' ')) rest.remove_prefix(1);
+    out.what = printable(rest);
+    return out;
+  }
+  return {{}, 0, printable(text)};
 }
 
 /// Each "file:line:" of a text, through the line map.

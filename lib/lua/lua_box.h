@@ -40,6 +40,7 @@ class LuaBox {
   /// robot, and its traceback is `traceback()`.
   ControllerStatus run(Body body, void* argument);
   const std::string& traceback() const { return traceback_; }
+  const LuaFailure& last_failure() const { return last_failure_; }
 
   /// Work of a library function, in instructions; raises an error when the budget is spent.
   void charge(lua_State* state, std::uint64_t instructions);
@@ -77,6 +78,7 @@ class LuaBox {
   void collect();
   std::string failure(int status);
   std::string mapped(std::string text) const;
+  LuaFailure placed(std::string_view text) const;
   void new_random();
 
   LuaProgram program_;
@@ -89,6 +91,7 @@ class LuaBox {
   bool starved_ = false;  ///< the last attempt to grow failed
   Stop stop_ = Stop::none;
   std::string stop_message_, traceback_;
+  LuaFailure last_failure_;
   std::uint64_t last_number_ = 0;
   std::vector<std::string> files_;
   std::uint64_t key_;

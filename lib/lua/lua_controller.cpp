@@ -6,24 +6,13 @@
 #include <lua.hpp>
 
 #include "lua/lua_box.h"
+#include "lua/lua_callbacks.h"
 #include "lua/lua_interface.h"
 #include "lua/lua_libraries.h"
 
 namespace stig {
 
 namespace {
-
-/// Calls a global function of the program, if there is one.
-void call_back(lua_State* state, const char* name) {
-  lua_pushglobaltable(state);
-  lua_pushstring(state, name);
-  const int type = lua_rawget(state, -2);
-  if (type == LUA_TNIL) return;
-  if (type != LUA_TFUNCTION) {
-    luaL_error(state, "'%s' must be a function, and is a %s", name, lua_typename(state, type));
-  }
-  lua_call(state, 0, 0);
-}
 
 void run_program(lua_State* state) {
   LuaBox& box = LuaBox::of(state);
@@ -63,7 +52,11 @@ template <class Call>
 int step_any(lua_State* state) {
   const Call& call = call_of<Call>(state);
   put_readings(state, *call.side, *call.readings);
-  call_back(state, "step");
+  call_needed(state, "step");
+  return 0;
+}
+int need_step(lua_State* state) {
+  need_one_of(state, {"step"});
   return 0;
 }
 int reset_robot(lua_State* state) {
@@ -144,6 +137,12 @@ void LuaController::destroy() {
   RobotCommands commands;
   if (state_->begun) state_->run(destroy_robot, nullptr, commands);
 }
+ControllerStatus LuaController::ready() {
+  assert(state_->begun);
+  RobotCommands commands;
+  return state_->run(need_step, nullptr, commands);
+}
+const LuaFailure& LuaController::failure() const { return state_->box.last_failure(); }
 std::size_t LuaController::memory() const { return state_->box.memory(); }
 
 LuaBlockController::LuaBlockController(LuaProgram program, LuaSettings settings)
@@ -158,6 +157,12 @@ ControllerStatus LuaBlockController::step(const BlockReadings& readings, BlockCo
   assert(state_->begun);
   return state_->run(step_any<BlockCall>, &readings, commands);
 }
+ControllerStatus LuaBlockController::ready() {
+  assert(state_->begun);
+  BlockCommands commands;
+  return state_->run(need_step, nullptr, commands);
+}
+const LuaFailure& LuaBlockController::failure() const { return state_->box.last_failure(); }
 std::size_t LuaBlockController::memory() const { return state_->box.memory(); }
 
 }  // namespace stig

@@ -21,6 +21,10 @@ class LuaController final : public RobotController {
   /// Loads and runs the program, then its init().
   ControllerStatus init(RobotCommands& commands) override;
   ControllerStatus step(const RobotReadings& readings, RobotCommands& commands) override;
+  /// After init: is there a step() to call? Asked before a run; steps ask for themselves.
+  ControllerStatus ready();
+  /// Of the call that failed.
+  const LuaFailure& failure() const;
   /// The program's reset(), when the experiment begins anew.
   ControllerStatus reset(RobotCommands& commands);
   /// The program's destroy(); what it commands is not carried out.
@@ -41,6 +45,8 @@ class LuaBlockController final : public BlockController {
 
   ControllerStatus init(BlockCommands& commands) override;
   ControllerStatus step(const BlockReadings& readings, BlockCommands& commands) override;
+  ControllerStatus ready();
+  const LuaFailure& failure() const;
 
   std::size_t memory() const;
 

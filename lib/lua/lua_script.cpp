@@ -4,6 +4,7 @@
 #include <lua.hpp>
 
 #include "lua/lua_box.h"
+#include "lua/lua_callbacks.h"
 #include "lua/lua_interface.h"
 #include "lua/lua_libraries.h"
 
@@ -185,6 +186,11 @@ int measure(lua_State* state) {
   return 0;
 }
 
+struct ScriptJob {
+  const char* function = nullptr;  ///< to call
+  bool loaded = false;             ///< the text has run to its end
+};
+
 int open_and_run(lua_State* state) {
   push_robot(state);  // for log and print; a script is no robot
   lua_pop(state, 1);
@@ -211,19 +217,13 @@ int open_and_run(lua_State* state) {
   const std::string chunk = LuaBox::of(state).chunk_name(box.program().path);
   if (!load_text(state, without_head(box.program().text), chunk.c_str())) lua_error(state);
   lua_call(state, 0, 0);
+  static_cast<ScriptJob*>(lua_touserdata(state, 1))->loaded = true;
+  need_one_of(state, {"on_start", "on_step", "on_end"});
   return 0;
 }
 
 int call_function(lua_State* state) {
-  const char* function = *static_cast<const char**>(lua_touserdata(state, 1));
-  lua_pushglobaltable(state);
-  lua_pushstring(state, function);
-  const int type = lua_rawget(state, -2);
-  if (type == LUA_TNIL) return 0;
-  if (type != LUA_TFUNCTION) {
-    return luaL_error(state, "'%s' must be a function, and is a %s", function,
-                      lua_typename(state, type));
-  }
+  if (!push_callback(state, static_cast<ScriptJob*>(lua_touserdata(state, 1))->function)) return 0;
   lua_getfield(state, LUA_REGISTRYINDEX, "stig.world");
   lua_call(state, 1, 0);
   return 0;
@@ -247,6 +247,18 @@ LuaScript::~LuaScript() = default;
 LuaScript::LuaScript(LuaScript&&) noexcept = default;
 LuaScript& LuaScript::operator=(LuaScript&&) noexcept = default;
 
+LuaScript::Loaded LuaScript::load() {
+  std::vector<std::string> log;
+  State& own = *state_;
+  own.side.log = &log;
+  ScriptJob job;
+  own.status = own.box.run(open_and_run, &job);
+  own.begun = true;
+  own.side.log = nullptr;
+  return own.status.ok ? Loaded::good : job.loaded ? Loaded::without_callback : Loaded::failed;
+}
+const LuaFailure& LuaScript::failure() const { return state_->box.last_failure(); }
+
 ControllerStatus LuaScript::call(ScriptCall which, ScriptWorld& world,
                                  std::vector<std::string>& log) {
   static constexpr const char* kNames[] = {"on_start", "on_step", "on_end"};
@@ -255,10 +267,10 @@ ControllerStatus LuaScript::call(ScriptCall which, ScriptWorld& world,
   own.side.world = &world;
   own.side.log = &log;
   own.side.logged = 0;
-  const char* name = kNames[static_cast<std::size_t>(which)];
-  if (!own.begun) own.status = own.box.run(open_and_run, nullptr);
+  ScriptJob job{kNames[static_cast<std::size_t>(which)]};
+  if (!own.begun) own.status = own.box.run(open_and_run, &job);
   own.begun = true;
-  if (own.status.ok) own.status = own.box.run(call_function, &name);
+  if (own.status.ok) own.status = own.box.run(call_function, &job);
   own.side.world = nullptr;
   own.side.log = nullptr;
   return own.status;

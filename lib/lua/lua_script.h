@@ -76,6 +76,11 @@ class LuaScript {
   LuaScript(LuaScript&&) noexcept;
   LuaScript& operator=(LuaScript&&) noexcept;
 
+  /// Runs its text alone, before any call and for whoever would know whether it is sound.
+  enum class Loaded : std::uint8_t { good, failed, without_callback };
+  Loaded load();
+  /// Of the call that failed, or of loading.
+  const LuaFailure& failure() const;
   /// Appends what it says to `log`. Once failed, it stays so.
   ControllerStatus call(ScriptCall which, ScriptWorld& world, std::vector<std::string>& log);
 

@@ -45,6 +45,13 @@ std::string module_file(std::string_view name);
 inline constexpr std::size_t kMostLuaSource = std::size_t{256} << 10;
 std::optional<LuaProgram> read_lua_program(const std::string& path, FileError& error);
 
+/// What ended a program, and where as far as that is known.
+struct LuaFailure {
+  std::string file;      ///< as messages say it: a path, or the end of a long one; empty: unknown
+  std::size_t line = 0;  ///< from 1; 0: unknown
+  std::string what;      ///< without the place
+};
+
 using LuaValue = std::variant<bool, double, std::string>;
 
 /// Where a line of a generated program came from: file and line.

@@ -254,14 +254,35 @@ TEST_CASE("readings come whatever a program did to the tables") {
   CHECK(joined(robot.commands.log) == "3.0\t0");
 }
 
-TEST_CASE("reset and destroy are called; callbacks may be absent but must be functions") {
+TEST_CASE("a function that is near to step is named, wherever tables have it") {
+  const auto meant = [](const std::string& program) {
+    const std::string error = Running(program).step().error;
+    const std::size_t at = error.find(": is '");
+    return at == std::string::npos ? "" : error.substr(at + 6, error.find('\'', at + 6) - at - 6);
+  };
+  CHECK(meant("function on_step() end") == "on_step");
+  CHECK(meant("function Step() end") == "Step");
+  CHECK(meant("function controlStep() end function Step() end") == "Step");
+  CHECK(meant("function stpe() end function on_step() end") == "on_step");
+  CHECK(meant("function setp() end") == "setp");
+  CHECK(meant("function drive() end").empty());
+  CHECK(meant("steps = 3 _ = drive function e() end").empty());
+  CHECK(Running("\n\nfunction on_step() end").step().error.starts_with("test.lua:3: "));
+}
+
+TEST_CASE("reset and destroy are called; all callbacks but step may be absent") {
   Running robot(
       "function reset() print('again') end function destroy() print(1) robot.x.y = 1 end");
   RobotCommands commands;
   CHECK(robot.controller.reset(commands).ok);
   CHECK(joined(commands.log) == "again");
   robot.controller.destroy();
-  CHECK(Running("").step().ok);
+  CHECK(Running("function step() end").step().ok);
+  CHECK(Running("").step().error ==
+        "test.lua: there is no function 'step', which each step calls (r1)");
+  Running once("function step() step = nil end");
+  CHECK(once.step().ok);
+  CHECK_FALSE(once.step().ok);
   CHECK(Running("step = 5").step().error.starts_with("'step' must be a function, and is a number"));
 }
 

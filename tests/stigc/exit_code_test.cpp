@@ -32,6 +32,34 @@ TEST_CASE("exit codes by class") {
   CHECK(code(place, "stigc test --states 0 --samples 1 sets/corner.yaml") == 3);
 }
 
+TEST_CASE("a run in which every program failed exits with 1, and one that cannot begin") {
+  const Workplace place;
+  const auto with = [&](const std::string& program) {
+    place.write("b.lua", program);
+    place.write("s.yaml",
+                "stigc_scene: 1\nduration: 0.5\nblocks: [{name: a, at: [0, 0, 0.0275]}, "
+                "{name: b, at: [1, 0, 0.0275]}]\nblock_program: b.lua\n");
+  };
+  with("function step() end\n");
+  CHECK(code(place, "stigc check s.yaml && stigc simulate s.yaml") == 0);
+  with("function step() if robot.id == 'b' then error('no') end end\n");
+  CHECK(code(place, "stigc check s.yaml && stigc simulate s.yaml") == 0);
+  with("function step() error('no') end\n");
+  CHECK(code(place, "stigc check s.yaml") == 0);
+  const Outcome all = place.shell("stigc simulate s.yaml");
+  CHECK(all.exit_code == 1);
+  CHECK(all.err.find("every program failed") != std::string::npos);
+  CHECK(code(place, "stigc simulate s.yaml --runs 2") == 1);
+  CHECK(place.shell("stigc simulate s.yaml --runs 2").err.find("seed 2: every program failed") !=
+        std::string::npos);
+  for (const char* program : {"function on_step() end\n", "function step( end\n"}) {
+    with(program);
+    CHECK(code(place, "stigc check s.yaml") == 1);
+    CHECK(code(place, "stigc simulate s.yaml --trace t.stigp") == 1);
+    CHECK_FALSE(place.has("t.stigp"));
+  }
+}
+
 TEST_CASE("a rule set comes from standard input as well") {
   const Workplace place;
   CHECK(code(place, "cat sets/line.yaml | stigc check -") == 0);

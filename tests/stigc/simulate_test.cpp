@@ -38,6 +38,17 @@ TEST_CASE("simulate prints a summary, one object, or a table of runs") {
         place.stigc({"simulate", "sets/fall.yaml", "--runs", "3", "--threads", "2"}).out);
 }
 
+TEST_CASE("programs that cannot run are reported with their lines and the scene's") {
+  const Workplace place;
+  place.write("slip.lua", "local lit = 1\n\nfunction on_step()\n  lit = 2\nend\n");
+  place.write("torn.lua", "function step()\n  local lit = = 1\nend\n");
+  const std::string scene =
+      "title: Programs\nstigc_scene: 1\nblocks: [{at: [0, 0, 0.0275]}]\nblock_program: ";
+  place.write("slip.yaml", scene + "slip.lua\n");
+  place.write("torn.yaml", scene + "torn.lua\n");
+  hold(place, "check-programs", "stigc check slip.yaml torn.yaml; stigc simulate slip.yaml");
+}
+
 TEST_CASE("replay shows a recorded run, any moment of it, and verifies it") {
   const Workplace place;
   hold(place, "simulate-replay",

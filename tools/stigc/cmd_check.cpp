@@ -5,6 +5,7 @@
 #include "base/load.h"
 #include "commands.h"
 #include "lattice/never_fires.h"
+#include "physical/scene/scene_programs.h"
 #include "robots/robot_reader.h"
 #include "rules/rule_reader.h"
 #include "scene_input.h"
@@ -19,7 +20,8 @@ void check_file(const std::string& path, Diagnostics& diagnostics) {
   switch (content_of(source->text())) {
     case FileContent::scene:
       if (const auto scene = read_scene(source, scene_loader(path), diagnostics)) {
-        place_scene(*scene, scene->seed, diagnostics);
+        const auto placed = place_scene(*scene, scene->seed, diagnostics);
+        if (placed) check_programs(*scene, *placed, diagnostics);
       }
       break;
     case FileContent::robot:

@@ -131,14 +131,17 @@ class OneRun {
     run_.end_script(hooks(progress));
     run_.finish(end);
     const int written = write_files();
-    print(report_of(loaded_.scene, run_, end, seconds));
+    const SimulationReport report = report_of(loaded_.scene, run_, end, seconds);
+    print(report);
     if (end == RunEnd::diverged || run_.script_failed()) app_.complain(printable(run_.message()));
     if (end == RunEnd::interrupted) {
       app_.complain(fmt::format("interrupted after {:.3f} s", run_.world().time()));
     }
-    return run_.script_failed() || end == RunEnd::diverged || end == RunEnd::interrupted
-               ? kRunFailed
-               : written;
+    if (run_.script_failed() || end == RunEnd::diverged || end == RunEnd::interrupted) {
+      return kRunFailed;
+    }
+    if (written == kOk && report.programs_failed) app_.complain(std::string(kProgramsFailed));
+    return written == kOk && report.programs_failed ? kFailed : written;
   }
 
  private:

@@ -17,6 +17,7 @@
 #include "compiler/decision_text.h"
 #include "given_scene.h"
 #include "outputs.h"
+#include "physical/scene/scene_programs.h"
 #include "report.h"
 #include "robot_input.h"
 #include "rules/worked_from.h"
@@ -148,6 +149,7 @@ class Validation {
     const auto site =
         placed ? find_site(*rules_, compiled_.target->floor_level(), *scene_, *placed, diagnostics)
                : std::nullopt;
+    if (site) check_programs(*scene_, *placed, diagnostics);
     app_.report(diagnostics);
     if (!site || app_.invalid(diagnostics)) return kFailed;
     target_.site = *site;

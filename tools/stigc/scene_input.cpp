@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/load.h"
+#include "physical/scene/scene_programs.h"
 #include "shipped_files.h"
 
 namespace stig {
@@ -57,6 +58,7 @@ std::optional<LoadedScene> read_loaded_scene(const std::string& path,
   if (SourceRef source = load_source(path, kMaxSceneBytes, diagnostics)) {
     if (auto scene = read_scene(std::move(source), scene_loader(path), diagnostics)) {
       if (auto placed = place_scene(*scene, seed.value_or(scene->seed), diagnostics)) {
+        check_programs(*scene, *placed, diagnostics);
         loaded = LoadedScene{std::move(*scene), std::move(*placed)};
       }
     }

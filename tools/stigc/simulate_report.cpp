@@ -182,7 +182,10 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
     r.robots.push_back({run.crew()->robot_name(i), run.crew()->robot_pose(world, i),
                         run.crew()->failed(i), run.crew()->halted(i), run.driven(i)});
   }
-  if (run.crew() != nullptr) r.failed_blocks = run.crew()->failed_blocks();
+  if (run.crew() != nullptr) {
+    r.failed_blocks = run.crew()->failed_blocks();
+    r.programs_failed = run.crew()->programs_failed();
+  }
   return r;
 }
 

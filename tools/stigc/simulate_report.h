@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "physical/readout/lattice_reading.h"
@@ -32,11 +33,15 @@ struct SimulationReport {
   std::vector<ScriptRobot> robots;
   std::map<std::string, double> measures;
   bool script_failed = false;
+  bool programs_failed = false;            ///< every one: nothing was controlled in the end
   std::vector<std::string> failed_blocks;  ///< whose programs failed
   std::vector<std::string> names;          ///< of blocks that are there
 };
 
 inline constexpr double kMovedFrom = 1e-3;  ///< m
+
+/// What is said of a run whose `programs_failed`.
+inline constexpr std::string_view kProgramsFailed = "every program failed";
 
 SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end, double seconds);
 

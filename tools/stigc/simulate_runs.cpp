@@ -80,14 +80,18 @@ int simulate_runs(const SimulateOptions& options, const Scene& scene, App& app) 
   stop_on_signals();
   const Results results = run_all_seeds(options, scene, app);
   std::vector<SimulationReport> finished;
-  bool good = true, placed = true;
+  bool good = true, placed = true, programs_failed = false;
   for (std::size_t i = 0; i < results.reports.size(); ++i) {
     if (results.diagnostics[i].has_errors()) app.report(results.diagnostics[i]);
     placed = placed && !results.diagnostics[i].has_errors();
     const auto& report = results.reports[i];
     good = good && report && report->end != RunEnd::diverged &&
            report->end != RunEnd::interrupted && !report->script_failed;
-    if (report && report->end != RunEnd::interrupted) finished.push_back(*report);
+    if (!report || report->end == RunEnd::interrupted) continue;
+    finished.push_back(*report);
+    if (!report->programs_failed) continue;
+    programs_failed = true;
+    app.complain(fmt::format("seed {}: {}", report->seed, kProgramsFailed));
   }
   if (options.json) {
     Json json = {{"runs", Json::array()}};
@@ -97,7 +101,8 @@ int simulate_runs(const SimulateOptions& options, const Scene& scene, App& app) 
     app.print(table_of(finished) + means_of(finished));
   }
   if (!placed) return kFailed;
-  return good ? kOk : kRunFailed;
+  if (!good) return kRunFailed;
+  return programs_failed ? kFailed : kOk;
 }
 
 }  // namespace stig

@@ -53,6 +53,22 @@ bool Crew::all_failed() const {
          std::all_of(robots_.begin(), robots_.end(), [](const Robot& one) { return one.failed; });
 }
 
+bool Crew::programs_failed() const {
+  std::size_t robots = 0, blocks = 0;
+  bool robots_failed = true, blocks_failed = true;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    if (!config_.robots[i].controller) continue;
+    ++robots;
+    robots_failed = robots_failed && robots_[i].failed && !robots_[i].halted;
+  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    if (!config_.blocks[i].controller) continue;
+    ++blocks;
+    blocks_failed = blocks_failed && blocks_[i].failed;
+  }
+  return robots > 0 ? robots_failed : blocks > 0 && blocks_failed;
+}
+
 BodyId Crew::root_body(std::size_t robot) const {
   return config_.robots[robot].body.bodies[model(robot).root()];
 }

@@ -56,6 +56,9 @@ class Crew {
   bool halted(std::size_t robot) const { return robots_[robot].halted; }
   /// Every robot; false when there is none.
   bool all_failed() const;
+  /// Every robot's program, of those that have one and none halted; where no robot has one, every
+  /// block's. False when there is no program.
+  bool programs_failed() const;
   /// What a robot read and commanded in its last step.
   const RobotReadings& readings(std::size_t robot) const { return robots_[robot].readings; }
   const RobotCommands& commands(std::size_t robot) const { return robots_[robot].commands; }

@@ -101,6 +101,7 @@ struct Scene {
   std::vector<RobotSpawn> robots;
   std::vector<CacheSpawn> caches;
   std::vector<LuaProgram> programs;
+  std::vector<SourceRange> program_keys;        ///< of each, what names it first
   std::vector<std::size_t> block_programs;      ///< in `programs`, one for each of `models`
   std::size_t script = RobotSpawn::kNoProgram;  ///< in `programs`, of the experiment
   std::size_t stock = 0;                        ///< blocks that the script may drop

@@ -395,6 +395,7 @@ class Reader {
     LuaProgram program{name, source->text(), {}, true};
     add_modules(program, program.text);
     scene_.programs.push_back(std::move(program));
+    scene_.program_keys.push_back(document_.head(node));
     return scene_.programs.size() - 1;
   }
 

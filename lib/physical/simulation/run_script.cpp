@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "physical/simulation/run_script.h"
 
+#include "physical/scene/lua_programs.h"
 #include "physical/simulation/run_state.h"
 #include "physical/simulation/scene_script.h"
 #include "physical/simulation/script_record.h"
 
 namespace stig {
 
-namespace {
-
-constexpr std::uint32_t kScriptAgent = 0xffffff;  ///< beyond all robots and blocks
-
-}  // namespace
-
-RunScript::RunScript(const Scene& scene, const PlacedScene& placed) {
-  if (scene.script == RobotSpawn::kNoProgram) return;
-  LuaSettings settings;
-  settings.id = "script";
-  settings.limits.instructions *= 10;
-  settings.seed = placed.seed;
-  settings.agent = kScriptAgent;
-  script_.emplace(scene.programs[scene.script], settings);
-}
+RunScript::RunScript(const Scene& scene, const PlacedScene& placed)
+    : script_(script_of(scene, placed)) {}
 
 void RunScript::before_step(RunState& run, const RunHooks& hooks) {
   if (!script_ || !looks_now(run)) return;

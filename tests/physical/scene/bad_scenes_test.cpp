@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "physical/scene/scene.h"
+#include "physical/scene/scene_programs.h"
 #include "physical/support.h"
 
 using namespace stig;
@@ -40,7 +40,8 @@ Diagnostics read_bad(const std::string& name) {
   const auto scene = read_scene(
       source, disk_loader(kFolder, {STIG_SOURCE_DIR "/blocks", STIG_SOURCE_DIR "/robots"}),
       diagnostics);
-  if (scene) CHECK_FALSE(place_scene(*scene, 1, diagnostics));
+  const auto placed = scene ? place_scene(*scene, 1, diagnostics) : std::nullopt;
+  if (placed) check_programs(*scene, *placed, diagnostics);
   return diagnostics;
 }
 
@@ -97,6 +98,53 @@ TEST_CASE("what overlaps is named, with both lines") {
   CHECK(text.find("'first' and 'second' overlap") != std::string::npos);
   CHECK(text.find("S601-overlap.yaml:4:") != std::string::npos);
   CHECK(text.find("S601-overlap.yaml:3:") != std::string::npos);
+}
+
+TEST_CASE("a program is reported once, with the key that names it first and what may be meant") {
+  const std::string text = to_text(read_bad("S611-misnamed-step.yaml"));
+  CHECK(text.find("misnamed.lua:2:1: error[S611]: there is no function 'step', which each step "
+                  "calls: is 'on_step' meant to be 'step'?") != std::string::npos);
+  CHECK(text.find("S611-misnamed-step.yaml:4:16: note: ") != std::string::npos);
+}
+
+TEST_CASE("programs are tried with what they require, in their sandbox, and as they will run") {
+  const auto codes = [](const std::string& scene, const std::vector<SceneFile>& more) {
+    std::vector<SceneFile> files = more;
+    files.push_back({"stigmergic.yaml", text_of(STIG_SOURCE_DIR "/blocks/stigmergic.yaml")});
+    files.push_back({"bebot.yaml", text_of(STIG_SOURCE_DIR "/robots/bebot.yaml")});
+    Diagnostics out;
+    const auto read = read_scene(
+        std::make_shared<const SourceFile>(
+            "s.yaml", "stigc_scene: 1\nblocks: [{at: [2, 0, 0.0275], color: off}]\n" + scene),
+        memory_loader(std::move(files)), out);
+    const auto placed = read ? place_scene(*read, 1, out) : std::nullopt;
+    REQUIRE_MESSAGE(placed, to_text(out));
+    check_programs(*read, *placed, out);
+    std::string all;
+    for (const Diagnostic& one : out.all()) {
+      all += fmt::format("{} {}:{} ", info(one.code).name, one.range.file->path(),
+                         one.range.file->position(one.range.begin).line);
+    }
+    return all;
+  };
+  const std::string blocks = "block_program: b.lua\n";
+  CHECK(codes(blocks, {{"b.lua", "function step() end"}}).empty());
+  CHECK(codes(blocks, {{"b.lua", "function init() step = print end"}}).empty());
+  CHECK(codes(blocks, {{"b.lua", "\nlocal function step() end"}}) == "S611 b.lua:1 ");
+  CHECK(codes(blocks, {{"b.lua", "while true do end"}}) == "S610 b.lua:1 ");
+  CHECK(codes(blocks, {{"b.lua", "step = require 'm'"}, {"m.lua", "\nreturn ="}}) ==
+        "S610 m.lua:2 ");
+  CHECK(codes(blocks, {{"b.lua", "error(nil)"}}) == "S610 b.lua:1 ");
+  const std::string robots =
+      "robots: [{file: bebot.yaml, at: [0, 0], program: r.lua, params: {fast: true}}, "
+      "{file: bebot.yaml, at: [1, 0], program: r.lua}]\nblock_program: b.lua\n";
+  const SceneFile good{"b.lua", "function step() end"};
+  CHECK(codes(robots, {good, {"r.lua", "function step() robot.lift_system.stop() end"}}).empty());
+  CHECK(codes(robots, {good, {"r.lua", "\nstep = robot.params.fast and print"}}) ==
+        "S611 r.lua:1 ");
+  CHECK(codes("script: e.lua\n", {{"e.lua", "function on_end(world) world.stop('') end"}}).empty());
+  CHECK(codes("script: e.lua\n", {{"e.lua", "\nfunction step() end"}}) == "S611 e.lua:2 ");
+  CHECK(codes("script: e.lua\n", {{"e.lua", "\n)"}}) == "S610 e.lua:2 ");
 }
 
 TEST_CASE("huge scenes and deep ones get an answer") {

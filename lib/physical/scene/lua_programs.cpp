@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "physical/scene/lua_programs.h"
+
+namespace stig {
+
+namespace {
+
+constexpr std::uint32_t kScriptAgent = 0xffffff;  ///< beyond all robots and blocks
+
+}  // namespace
+
+std::unique_ptr<LuaController> robot_program(const Scene& scene, const PlacedScene& placed,
+                                             std::size_t robot) {
+  const RobotSpawn& spawn = scene.robots[robot];
+  if (spawn.program == RobotSpawn::kNoProgram) return nullptr;
+  LuaSettings settings;
+  settings.id = spawn.name;
+  settings.params = spawn.params;
+  settings.seed = placed.seed;
+  settings.agent = static_cast<std::uint32_t>(robot);
+  return std::make_unique<LuaController>(scene.programs[spawn.program],
+                                         scene.robot_models[spawn.model], settings);
+}
+
+std::unique_ptr<LuaBlockController> block_program(const Scene& scene, const PlacedScene& placed,
+                                                  std::size_t body) {
+  const std::size_t program = scene.block_programs[block_model(scene, placed, body)];
+  if (program == RobotSpawn::kNoProgram) return nullptr;
+  LuaSettings settings;
+  settings.id = placed.bodies[body].name;
+  settings.limits = block_limits();
+  settings.seed = placed.seed;
+  // Robots' streams begin at 0.
+  settings.agent = static_cast<std::uint32_t>(scene.robots.size() + body);
+  return std::make_unique<LuaBlockController>(scene.programs[program], settings);
+}
+
+std::optional<LuaScript> script_of(const Scene& scene, const PlacedScene& placed) {
+  if (scene.script == RobotSpawn::kNoProgram) return std::nullopt;
+  LuaSettings settings;
+  settings.id = "script";
+  settings.limits.instructions *= 10;
+  settings.seed = placed.seed;
+  settings.agent = kScriptAgent;
+  return LuaScript(scene.programs[scene.script], settings);
+}
+
+}  // namespace stig

@@ -1,0 +1,2 @@
+-- The second line is no Lua.
+local speed = = 3

@@ -1,0 +1,5 @@
+function step() end
+
+function init()
+  robot.no_such_device.start()
+end
