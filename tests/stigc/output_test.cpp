@@ -169,6 +169,17 @@ TEST_CASE("with runs, {run} in a name numbers the files") {
   const Workplace place;
   REQUIRE(place.shell("stigc explore sets/line.yaml --runs 2 -o 's{run}.txt'").exit_code == 0);
   CHECK(place.files() == std::vector<std::string>{"s0.txt", "s1.txt"});
+  // One run has the number 0; the table of runs has none, and every one that is named is written.
+  REQUIRE(place.shell("stigc explore sets/line.yaml -o 'd{run}.csv' --trace 't{run}.stigt'")
+              .exit_code == 0);
+  CHECK(place.has("d0.csv"));
+  CHECK(place.has("t0.stigt"));
+  REQUIRE(place.shell("stigc explore sets/line.yaml --runs 2 -o a.csv -o b.csv").exit_code == 0);
+  CHECK(place.file("a.csv") == place.file("b.csv"));
+  const Outcome numbered = place.shell("stigc explore sets/line.yaml --runs 2 -o 'x{run}.csv'");
+  CHECK(numbered.exit_code == 2);
+  CHECK(numbered.err ==
+        "stigc: 'x{run}.csv': with --runs .csv is one table of all runs: leave {run} out\n");
 }
 
 TEST_CASE("the box stands where --origin says, and JSON calls it so") {

@@ -98,11 +98,12 @@ void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
 }
 
 int write_runs_table(const Ensemble& ensemble, const std::vector<Output>& outputs, const App& app) {
+  int code = kOk;
   for (const Output& output : outputs) {
     if (output.kind != OutputKind::deposits) continue;
-    return write_output(output.path, runs_csv(ensemble), app);
+    code = std::max(code, write_output(output.path, runs_csv(ensemble), app));
   }
-  return kOk;
+  return code;
 }
 
 int explore_many(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,

@@ -221,7 +221,7 @@ void add_explore(CLI::App& app, ExploreOptions& o) {
   repeated(sub, "-o,--output", o.outputs, "FILE",
            "write the structure, in the format of the ending: .vox .stl .ply .glb .png .svg .json "
            ".txt; .csv the log of deposits, or with --runs the table of runs; .stigt a trace. May "
-           "be repeated; with --runs, {run} in the name is the number of the run");
+           "be repeated; with --runs, {run} in a structure's name is the number of the run");
   path(sub, "--trace", o.trace, "write a trace of the run, for replay");
 }
 

@@ -27,15 +27,17 @@ std::string csv_field(const std::string& text) {
 /// The kind of one path, and what is wrong with it in words.
 std::string classify(const std::string& path, bool ensemble, Output& output) {
   output.path = path;
+  const bool numbered = path.find(kRun) != std::string::npos;
   if (path.ends_with(".csv")) {
     output.kind = OutputKind::deposits;
-    return {};
+    if (!ensemble || !numbered) return {};
+    return fmt::format("'{}': with --runs .csv is one table of all runs: leave {{run}} out", path);
   }
   if (path.ends_with(".stigt")) output.kind = OutputKind::trace;
   if (ensemble && output.kind == OutputKind::trace) {
     return fmt::format("'{}': a trace is of one run, not of --runs", path);
   }
-  if (ensemble && path.find(kRun) == std::string::npos) {
+  if (ensemble && !numbered) {
     return fmt::format("'{}': with --runs the name needs {{run}}, or the ending .csv", path);
   }
   std::string error;
