@@ -2,20 +2,36 @@
 // Every printed form, byte by byte. STIG_UPDATE_GOLDEN=1 writes the files anew.
 #include <doctest/doctest.h>
 
+#include <set>
+#include <sstream>
+
 #include "program.h"
 #include "support/golden.h"
 
 namespace stig {
 namespace {
 
+/// First words of the lines under "Commands:".
+std::set<std::string> commands_of(const std::string& help) {
+  std::set<std::string> out;
+  std::istringstream lines(help.substr(help.find("Commands:\n") + 10));
+  for (std::string line; std::getline(lines, line) && !line.empty();) {
+    if (line.size() > 2 && line[2] != ' ') out.insert(line.substr(2, line.find(' ', 2) - 2));
+  }
+  return out;
+}
+
 TEST_CASE("help of the program and of every command") {
   const Workplace place;
   hold(place, "help", "stigc --help");
+  std::set<std::string> commands;
   for (const char* command : {"check", "fmt", "explore", "explain", "test", "verify", "certify",
                               "graph", "replay", "schema", "measure", "draw", "synth", "simulate",
-                              "describe", "compile", "completions", "doctor"}) {
+                              "describe", "compile", "validate", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
+    commands.insert(command);
   }
+  CHECK(commands == commands_of(place.stigc({"--help"}).out));
 }
 
 TEST_CASE("check prints problems for people and as JSON") {
