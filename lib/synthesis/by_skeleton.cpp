@@ -54,17 +54,32 @@ class SkeletonSolver {
 
   std::optional<Solution> solve(const std::vector<Cell>& starts) {
     for (const int needs : {kFewNeeds, kManyNeeds}) {
-      const std::vector<Fill> fills = safe_fills(grid_, needs, allowance_);
-      for (const Cell start : starts) {
-        if (allowance_.passed() || good_enough()) break;
-        look_at(start, fills);
-      }
+      look_from(starts, safe_fills(grid_, needs, allowance_));
     }
+    if (!best_) look_from(starts, upright(safe_fills(grid_, 1, allowance_)));
     if (!best_) return std::nullopt;
     return solution();
   }
 
  private:
+  void look_from(const std::vector<Cell>& starts, const std::vector<Fill>& fills) {
+    for (const Cell start : starts) {
+      if (allowance_.passed() || good_enough()) return;
+      look_at(start, fills);
+    }
+  }
+
+  /// Fills above or below one brick. They leave slopes to rays, and from rays others can branch.
+  std::vector<Fill> upright(std::vector<Fill> fills) const {
+    const Neighbourhood& n = grid_.neighbours();
+    const auto leans = [&](const Fill& fill) {
+      return fill.needs != 1U << n.index_of({0, 0, 1}) &&
+             fill.needs != 1U << n.index_of({0, 0, -1});
+    };
+    fills.erase(std::remove_if(fills.begin(), fills.end(), leans), fills.end());
+    return fills;
+  }
+
   struct Found {
     Cell start;
     std::size_t rays;

@@ -137,13 +137,14 @@ class RemedyFinder {
     add(fmt::format("colour {}", changes), *solution);
   }
 
-  /// A row beside the cells that have to count, as long as the run.
+  /// Cells beside those that have to count, or on them: three times as many at most.
   void scaffold() {
     SynthesisOptions options = options_;
     options.most_colours = kMaxColours;
     const auto plain = tried(target_, options);
-    if (!plain) return;
-    const std::vector<Cell> run = counting_cells(*plain, static_cast<int>(target_.bricks.size()));
+    const std::vector<Cell> run =
+        plain ? counting_cells(*plain, static_cast<int>(target_.bricks.size()))
+              : longest_run(target_);
     const auto found = find_scaffold(target_, run, 3 * run.size(), options_.most_colours + 1,
                                      options_, each_, hooks_);
     if (!found) return;

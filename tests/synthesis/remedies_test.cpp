@@ -5,9 +5,11 @@
 
 #include <algorithm>
 
+#include "synthesis/emit.h"
 #include "synthesis/recolour.h"
 #include "synthesis/scaffold.h"
 #include "synthesis/shapes.h"
+#include "verify/verify.h"
 
 namespace stig {
 namespace {
@@ -73,6 +75,27 @@ TEST_CASE("a run of 20 needs 11 colours at best, and a few with a second row") {
   REQUIRE(found);
   CHECK(found->cells.size() == 20);
   CHECK(found->result.best->colour_count <= 4);
+}
+
+TEST_CASE("a line too long for all colours there are: slopes that end by their heights") {
+  const Target line = box({130, 1, 1});
+  SynthesisOptions options;
+  for (const bool floor : {false, true}) {
+    options.floor = floor;
+    const auto found =
+        find_scaffold(line, longest_run(line), 390, kMaxColours + 1, options, 0.02, {});
+    REQUIRE(found);
+    const Solution& s = *found->result.best;
+    CHECK(found->cells.size() <= 390);
+    const VerifyResult proof =
+        verify(make_rule_set(*s.frame, s.colours, s.colour_count, {}, s.rules, {}), {});
+    CHECK(proof.verdict == ProofVerdict::proved);
+    REQUIRE(proof.structure);
+    CHECK(proof.structure->size() == 130 + found->cells.size());
+  }
+  // On cells of one level rules with heights have nothing to ask for.
+  options.heights = false;
+  CHECK_FALSE(find_scaffold(line, longest_run(line), 100, kMaxColours + 1, options, 0.02, {}));
 }
 
 }  // namespace
