@@ -42,6 +42,10 @@ class SkeletonDrafts {
     for (std::size_t f = 0; f < skeleton_.fills.size(); ++f) add_fill(f);
     std::vector<Draft> apart;
     for (const Draft& draft : drafts_) add_apart(draft, apart);
+    apart.erase(
+        std::remove_if(apart.begin(), apart.end(),
+                       [this](const Draft& draft) { return asks_for_bricks_in_floor(draft); }),
+        apart.end());
     return apart;
   }
 
@@ -144,6 +148,17 @@ class SkeletonDrafts {
     if (rises) on.high = last;
     if (!rises && !(floor_ && last == 0)) on.low = last;
     drafts_.push_back(on);
+  }
+
+  /// Is this a part for the lowest level alone, where all that is below is floor, that has
+  /// something else below? It never matches.
+  bool asks_for_bricks_in_floor(const Draft& draft) const {
+    if (!floor_ || draft.high > 0) return false;
+    for (std::size_t i = 0; i < grid_.step.size(); ++i) {
+      const bool below = grid_.neighbours().offsets[i].z < 0;
+      if (below && (draft.rule.pattern.allowed[i] & StateSet::floor()).none()) return true;
+    }
+    return false;
   }
 
   bool meet(const Draft& a, const Draft& b) const {
