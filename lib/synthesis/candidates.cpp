@@ -131,16 +131,18 @@ void Candidates::look_at(std::size_t frame, const Maker& make, const Allowance& 
   gave_up_ = gave_up_ || allowance.passed();
   if (allowance.passed()) return;
   BadOrder bad;
+  ScheduleLimits limits = schedule_limits(options_);
+  limits.allowance = allowance;
   const std::optional<Schedule> schedule =
-      make_schedule(*frames_[frame], make(*frames_[frame]), bad, schedule_limits(options_));
+      make_schedule(*frames_[frame], make(*frames_[frame]), bad, limits);
   allowance.spend(schedule ? cost_of(*schedule) : bad.cost);
   if (!schedule) {
-    gave_up_ = gave_up_ || bad.kind == BadOrder::Kind::too_many;
+    gave_up_ = gave_up_ || bad.kind != BadOrder::Kind::nothing_before;
     return;
   }
   if (!seen_.insert(combine(frame, hash_of(*schedule))).second) return;
   ++tried_;
-  const ColouringSearch search(*schedule, static_cast<int>(target_.bricks.size()));
+  const ColouringSearch search(*schedule, static_cast<int>(target_.bricks.size()), allowance);
   allowance.spend(search.cost());
   tell_(fmt::format("{} orders looked at", tried_));
   if (clashes_as_given(*schedule, frame)) return;
@@ -150,14 +152,17 @@ void Candidates::look_at(std::size_t frame, const Maker& make, const Allowance& 
   list.push_back({frame, make, search.at_least(), 0});
 }
 
-Schedule Candidates::schedule_of(const Candidate& candidate, const Allowance& allowance) const {
+std::optional<Schedule> Candidates::schedule_of(const Candidate& candidate,
+                                                const Allowance& allowance) const {
   const Frame& frame = *frames_[candidate.frame];
+  if (allowance.out_of_time()) return std::nullopt;
   BadOrder bad;
-  std::optional<Schedule> schedule =
-      make_schedule(frame, candidate.make(frame), bad, schedule_limits(options_));
-  assert(schedule);
-  allowance.spend(cost_of(*schedule));
-  return std::move(*schedule);
+  ScheduleLimits limits = schedule_limits(options_);
+  limits.allowance = allowance;
+  std::optional<Schedule> schedule = make_schedule(frame, candidate.make(frame), bad, limits);
+  assert(schedule || allowance.out_of_time());
+  if (schedule) allowance.spend(cost_of(*schedule));
+  return schedule;
 }
 
 }  // namespace stig

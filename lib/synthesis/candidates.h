@@ -44,7 +44,8 @@ class Candidates {
   /// where the options rule orders out, or when the allowance did not suffice.
   bool look_at_every_order(const Allowance& allowance);
 
-  Schedule schedule_of(const Candidate& candidate, const Allowance& allowance) const;
+  /// Nothing when the time is over.
+  std::optional<Schedule> schedule_of(const Candidate& candidate, const Allowance& allowance) const;
   const std::vector<std::shared_ptr<const Frame>>& frames() const { return frames_; }
   std::size_t tried() const { return tried_; }
   /// Is every colour given, so that an order is right or wrong without a solver?

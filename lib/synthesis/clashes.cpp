@@ -14,6 +14,8 @@ std::uint64_t term(std::size_t neighbour, Colour colour) {
   return mix(0x9e3779b97f4a7c15ULL * (neighbour * 64 + colour + 1));
 }
 constexpr std::uint64_t kOnFloor = 0x632be59bd9b4e019ULL;
+/// After so many sites the clock is looked at.
+constexpr std::size_t kSitesBetweenLooks = 1024;
 
 struct Image {
   std::uint64_t hash;
@@ -148,10 +150,12 @@ std::uint32_t turned(std::uint32_t mask, const Orientation& orientation) {
 }
 
 std::vector<Clash> find_clashes(const Schedule& schedule, const Colouring& colours,
-                                std::size_t most_of_state, std::size_t most) {
+                                std::size_t most_of_state, std::size_t most,
+                                const Allowance& allowance) {
   std::vector<Clash> out;
   const ClashFinder finder(schedule, colours, most_of_state);
   for (std::size_t s = 0; s < schedule.frame->sites.size() && out.size() < most; ++s) {
+    if (s % kSitesBetweenLooks == 0 && allowance.out_of_time()) break;
     finder.look_at(s, out);
   }
   return out;

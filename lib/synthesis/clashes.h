@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "synthesis/effort.h"
 #include "synthesis/local_states.h"
 
 namespace stig {
@@ -30,9 +31,11 @@ struct Clash {
 using Colouring = std::vector<Colour>;
 
 /// Clashes under a colouring: none when there are none, otherwise some for every state that
-/// has one: at most `most_of_state` a state and `most` in all.
+/// has one: at most `most_of_state` a state and `most` in all. Ends early, with those met until
+/// then, when the time of the allowance is over.
 std::vector<Clash> find_clashes(const Schedule& schedule, const Colouring& colours,
-                                std::size_t most_of_state, std::size_t most);
+                                std::size_t most_of_state, std::size_t most,
+                                const Allowance& allowance = {});
 
 /// Pairs of orbits of which one must differ in colour so that the key does not look like
 /// the state; empty when they look alike whatever the colours are. Sorted, each once.

@@ -23,6 +23,9 @@ constexpr std::size_t kSingleBrickClauses = 300'000;
 /// Steps that a conflict and a decision are taken for, with so many literals in the clauses.
 constexpr std::uint64_t kStepsOfConflict = 15'000, kLiteralsToAStepOfConflict = 20,
                         kStepsOfDecision = 300;
+/// After so many clauses, orbits or clashes the clock is looked at.
+constexpr std::size_t kClausesBetweenLooks = 4096, kOrbitsBetweenLooks = 256,
+                      kClashesBetweenLooks = 1024;
 constexpr std::uint64_t kStepsOfLiteral = 60, kStepsOfState = 30, kStepsOfClash = 1'000;
 
 /// A solver that does as much as is allowed, counted by conflicts and decisions, and
@@ -41,16 +44,21 @@ class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
   Meter(const Meter&) = delete;
   Meter& operator=(const Meter&) = delete;
 
+  /// When the time is over nothing more is added, for then nothing is solved either.
   void add(std::span<const int> literals) {
+    if (++clauses_ % kClausesBetweenLooks == 0) ended_ = ended_ || allowance_.out_of_time();
+    if (ended_) return;
     for (const int literal : literals) solver_.add(literal);
     literals_ += literals.size() + 1;
   }
-  void end_clause() { solver_.add(0); }
+  void end_clause() {
+    if (!ended_) solver_.add(0);
+  }
 
   int solve() {
     allowance_.spend((literals_ - charged_) * kStepsOfLiteral);
     charged_ = literals_;
-    if (allowance_.passed()) return 0;
+    if (ended_ || allowance_.passed()) return 0;
     const std::uint64_t each = kStepsOfConflict + literals_ / kLiteralsToAStepOfConflict;
     solver_.limit("conflicts", within_int(allowance_.left() / each));
     solver_.limit("decisions", within_int(allowance_.left() / kStepsOfDecision));
@@ -75,7 +83,8 @@ class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
 
   CaDiCaL::Solver& solver_;
   Allowance allowance_;
-  std::uint64_t literals_ = 0, charged_ = 0, learnt_ = 0;
+  std::uint64_t literals_ = 0, charged_ = 0, learnt_ = 0, clauses_ = 0;
+  bool ended_ = false;
 };
 
 /// The solver with the clauses of one number of colours.
@@ -86,6 +95,7 @@ class Solver {
       : encoding_(differences, named, k),
         differences_(differences),
         k_(k),
+        allowance_(allowance),
         meter_(solver_, allowance) {
     solver_.set("quiet", 1);
     // Both would drop the colours that decisions are to lean towards.
@@ -103,6 +113,7 @@ class Solver {
   /// Decisions lean towards these colours; those above k towards any.
   void lean_towards(const Colouring& colours) {
     for (std::size_t i = 0; i < colours.size(); ++i) {
+      if (i % kOrbitsBetweenLooks == 0 && allowance_.out_of_time()) return;
       for (int c = 1; c <= k_; ++c) {
         const int v = encoding_.has(static_cast<int>(i), c);
         solver_.phase(colours[i] == c ? v : -v);
@@ -131,6 +142,7 @@ class Solver {
   Encoding encoding_;
   const Differences& differences_;
   int k_;
+  Allowance allowance_;
   CaDiCaL::Solver solver_;
   Meter meter_;
   std::size_t added_ = 0;
@@ -138,10 +150,10 @@ class Solver {
 
 }  // namespace
 
-ColouringSearch::ColouringSearch(const Schedule& schedule, int named)
+ColouringSearch::ColouringSearch(const Schedule& schedule, int named, const Allowance& allowance)
     : differences_(schedule), named_(named) {
-  differences_.add_single_bricks(kSingleBrickClauses);
-  update_naming();
+  differences_.add_single_bricks(kSingleBrickClauses, allowance);
+  if (!allowance.out_of_time()) update_naming();
 }
 
 void ColouringSearch::update_naming() {
@@ -177,10 +189,16 @@ Answered ColouringSearch::colour(int k, const ColouringLimits& limits, Colouring
     if (result != kSatisfiable) return Answered::given_up;
     colours = solver->colours();
     ++rounds_;
-    const std::vector<Clash> clashes =
-        find_clashes(differences_.schedule(), colours, kClashesOfState, kClashesOfRound);
+    const std::vector<Clash> clashes = find_clashes(
+        differences_.schedule(), colours, kClashesOfState, kClashesOfRound, limits.allowance);
+    if (limits.allowance.out_of_time()) return Answered::given_up;
     if (clashes.empty()) return Answered::yes;
-    for (const Clash& clash : clashes) differences_.add(clash);
+    for (std::size_t i = 0; i < clashes.size(); ++i) {
+      differences_.add(clashes[i]);
+      if (i % kClashesBetweenLooks == 0 && limits.allowance.out_of_time()) {
+        return Answered::given_up;
+      }
+    }
     limits.allowance.spend(differences_.schedule().states.masks.size() * kStepsOfState +
                            clashes.size() * kStepsOfClash);
     if (differences_.clauses().size() > 2 * named_at_) {

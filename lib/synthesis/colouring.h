@@ -31,7 +31,8 @@ class ColouringSearch {
  public:
   /// Colours 1..named are those of the target; further ones are interchangeable. The
   /// schedule must outlive the search.
-  ColouringSearch(const Schedule& schedule, int named);
+  /// When the time of the allowance is over less is known from the outset, and none of it wrong.
+  ColouringSearch(const Schedule& schedule, int named, const Allowance& allowance = {});
 
   /// Is there a colouring with colours 1..k? One near to what `colours` holds, if it
   /// holds anything, is looked for first.

@@ -88,7 +88,7 @@ bool Differences::add(const Clash& clash) {
   return true;
 }
 
-void Differences::add_single_bricks(std::size_t most) {
+void Differences::add_single_bricks(std::size_t most, const Allowance& allowance) {
   const Frame& frame = *schedule_->frame;
   struct Seen {
     std::int32_t site;
@@ -105,6 +105,7 @@ void Differences::add_single_bricks(std::size_t most) {
   for (std::size_t k = 0; k < schedule_->keys.size(); ++k) {
     const Key& key = schedule_->keys[k];
     if (!std::has_single_bit(key.mask)) continue;
+    if (allowance.out_of_time()) return;
     const bool on_floor = frame.sites[static_cast<std::size_t>(key.site)].on_floor;
     for (std::size_t g = 0; g < frame.group.size(); ++g) {
       const std::uint32_t mask = turned(key.mask, frame.group[g]);

@@ -29,8 +29,9 @@ class Differences {
   /// colours prevent makes an empty clause (see hopeless()).
   bool add(const Clash& clash);
   /// Adds the demands of all keys and states of one brick, as far as `most` clauses go:
-  /// those of straight runs, from which most pairs that must differ follow.
-  void add_single_bricks(std::size_t most);
+  /// those of straight runs, from which most pairs that must differ follow. Fewer when the
+  /// time of the allowance is over.
+  void add_single_bricks(std::size_t most, const Allowance& allowance = {});
 
   const Schedule& schedule() const { return *schedule_; }
   const std::vector<DifferenceClause>& clauses() const { return clauses_; }

@@ -11,6 +11,9 @@ namespace {
 /// Steps of placing a cell in an order, and of working out and looking up a state or a key.
 constexpr std::uint64_t kStepsOfCell = 2'500, kStepsOfLocalState = 50, kStepsOfKey = 100;
 
+/// After so many sites the clock is looked at.
+constexpr std::size_t kSitesBetweenLooks = 1024;
+
 using Masks = std::array<std::uint32_t, kMaxNeighbours>;
 
 /// For each neighbour of a site: which others are neighbours of it.
@@ -151,6 +154,10 @@ std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder&
     const bool is_start =
         site.orbit >= 0 && frame.orbits[static_cast<std::size_t>(site.orbit)].start;
     problem = {BadOrder::Kind::too_many, site.at, cost_of(schedule)};
+    if (schedule.states.first.size() % kSitesBetweenLooks == 0 && limits.allowance.out_of_time()) {
+      problem.kind = BadOrder::Kind::no_time;
+      return std::nullopt;
+    }
     if (!is_start && !enumerator.add(site, limits.states, schedule.states.masks)) {
       return std::nullopt;
     }

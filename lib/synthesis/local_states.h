@@ -18,6 +18,7 @@
 #include <span>
 #include <vector>
 
+#include "synthesis/effort.h"
 #include "synthesis/order.h"
 
 namespace stig {
@@ -59,11 +60,12 @@ std::uint64_t cost_of(const Schedule& schedule);
 struct ScheduleLimits {
   std::size_t keys_of_site = 4096;
   std::size_t states = std::size_t{1} << 25;
+  Allowance allowance = {};  ///< its time alone: when it is over no schedule is made
 };
 
 /// Why an order cannot be used at all.
 struct BadOrder {
-  enum class Kind : std::uint8_t { nothing_before, too_many } kind = Kind::nothing_before;
+  enum class Kind : std::uint8_t { nothing_before, too_many, no_time } kind = Kind::nothing_before;
   Cell at;
   std::uint64_t cost = 0;  ///< steps it took to find out
 };

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <cassert>
-
 #include "synthesis/proof_files.h"
 #include "synthesis/synthesise.h"
 
@@ -11,9 +9,10 @@ std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
   const int k = solution.colour_count - 1;
   if (k < 1) return std::nullopt;
   BadOrder bad;
-  const std::optional<Schedule> schedule = make_schedule(*solution.frame, solution.order, bad);
-  assert(schedule);
-  ColouringSearch search(*schedule, named);
+  const std::optional<Schedule> schedule =
+      make_schedule(*solution.frame, solution.order, bad, {.allowance = allowance});
+  if (!schedule) return std::nullopt;  // the time is over
+  ColouringSearch search(*schedule, named, allowance);
   allowance.spend(search.cost());
   Colouring colours;
   if (search.colour(k, {allowance, {}}, colours) != Answered::no) return std::nullopt;

@@ -121,8 +121,9 @@ class Synthesiser {
       const int most = best_ == 0 ? options_.most_colours : best_ - 1;
       if (candidate.least() > most) continue;
       const std::uint64_t before = effort_.spent();
-      const Schedule schedule = candidates_.schedule_of(candidate, whole_);
-      ColouringSearch search(schedule, named_);
+      const std::optional<Schedule> schedule = candidates_.schedule_of(candidate, whole_);
+      if (!schedule) return;
+      ColouringSearch search(*schedule, named_, whole_);
       effort_.spend(search.cost());
       const std::uint64_t making = effort_.spent() - before;
       halve(search, candidate, most, std::max(steps(slice), kSliceOfMaking * making), allowance);
@@ -162,8 +163,9 @@ class Synthesiser {
     for (Candidate& candidate : candidates_.list) {
       if (best_ == 0 || solutions_.size() >= kMostSolutions || allowance.passed()) return;
       if (candidate.least() > best_ + more) continue;
-      const Schedule schedule = candidates_.schedule_of(candidate, whole_);
-      ColouringSearch search(schedule, named_);
+      const std::optional<Schedule> schedule = candidates_.schedule_of(candidate, whole_);
+      if (!schedule) return;
+      ColouringSearch search(*schedule, named_, whole_);
       effort_.spend(search.cost());
       for (int k = std::max(best_ + (large() ? 2 : 0), candidate.least());
            k <= std::min(best_ + more, options_.most_colours); k += large() ? 2 : 1) {
@@ -241,9 +243,12 @@ class Synthesiser {
     } else {
       const auto easiest = std::min_element(list.begin(), list.end(),
                                             [](auto& a, auto& b) { return a.least() < b.least(); });
-      result_.obstacle = describe_few_colours(
-          candidates_.schedule_of(*easiest, whole_), named_, options_.most_colours,
-          easiest->least(), Allowance{&effort_, effort_.spent() + steps(kExplaining)});
+      const std::optional<Schedule> schedule = candidates_.schedule_of(*easiest, whole_);
+      result_.unanswered = !schedule;
+      if (!schedule) return;
+      result_.obstacle =
+          describe_few_colours(*schedule, named_, options_.most_colours, easiest->least(),
+                               Allowance{&effort_, effort_.spent() + steps(kExplaining)});
     }
     if (result_.obstacle) result_.obstacle->proved = every_order_ && heights_do_not_help();
   }

@@ -102,6 +102,46 @@ TEST_CASE("when the time is over nothing is done for each of the rules that stay
   CHECK(effort.spent() < exact.size() * exact.size());
 }
 
+TEST_CASE("when the time is over no stage of the search goes on") {
+  const Target target = hollow_box(9);
+  const Frame frame = make_frame(target, {{target.cells.front()}});
+  BadOrder bad;
+  const Order order = order_plans().front().make(frame);
+  const auto schedule = make_schedule(frame, order, bad);
+  REQUIRE(schedule);
+  const ColouringSearch search(*schedule, 0);
+  std::atomic<bool> stop = true;
+  Effort effort({std::chrono::steady_clock::time_point::max(), &stop});
+  const Allowance over{&effort};
+  CHECK_FALSE(make_schedule(frame, order, bad, {.allowance = over}));
+  CHECK(bad.kind == BadOrder::Kind::no_time);
+  const Colouring same(frame.orbits.size(), 1);
+  CHECK_FALSE(find_clashes(*schedule, same, 4, 1000).empty());
+  CHECK(find_clashes(*schedule, same, 4, 1000, over).empty());
+  CHECK(search.differences().clauses().size() > 0);
+  ColouringSearch cut(*schedule, 0, over);
+  CHECK(cut.differences().clauses().empty());
+  Colouring colours = same;
+  CHECK(cut.colour(62, {over, {}}, colours) == Answered::given_up);
+  CHECK(cut.rounds() == 0);
+}
+
+TEST_CASE("a stop in the midst of a question to the solver gives it up") {
+  const Target target = hollow_box(9);
+  const Frame frame = make_frame(target, {{target.cells.front()}});
+  BadOrder bad;
+  const auto schedule = make_schedule(frame, order_plans().front().make(frame), bad);
+  REQUIRE(schedule);
+  ColouringSearch search(*schedule, 0);
+  std::atomic<bool> stop = false;
+  Effort effort({std::chrono::steady_clock::time_point::max(), &stop});
+  // Set before the first round: neither the clauses nor the clashes are gone through.
+  const ColouringLimits limits{{&effort}, [&](int, int) { stop = true; }};
+  Colouring colours;
+  CHECK(search.colour(kMaxColours, limits, colours) == Answered::given_up);
+  CHECK(search.rounds() == 0);
+}
+
 TEST_CASE("impossible is said of every order alone") {
   SynthesisOptions options;
   options.start = {{0, 0, 0}};
