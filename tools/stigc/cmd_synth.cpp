@@ -21,6 +21,7 @@
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
 #include "structure_input.h"
+#include "synth_report.h"
 #include "synth_robot.h"
 #include "synth_words.h"
 #include "synthesis/emit.h"
@@ -39,22 +40,6 @@ constexpr std::size_t kMostWalkedTo = 20'000;
 constexpr double kSecondsAfterwards = 1;
 /// What --proof writes into its folder.
 constexpr std::array<const char*, 3> kProofFiles = {"fewer.json", "fewer.cnf", "fewer.drat"};
-
-std::string_view words(Obstacle::Kind kind) {
-  switch (kind) {
-    case Obstacle::Kind::bad_start:
-      return "bad-start";
-    case Obstacle::Kind::not_connected:
-      return "not-connected";
-    case Obstacle::Kind::asymmetric:
-      return "asymmetric";
-    case Obstacle::Kind::look_alike:
-      return "look-alike";
-    case Obstacle::Kind::colours:
-      break;
-  }
-  return "colours";
-}
 
 /// The options that made a difference, as they are written.
 std::string options_in_words(const SynthOptions& o) {
@@ -78,119 +63,6 @@ Wording wording(const SynthOptions& options, const Solution& solution, bool cut_
                       cut_short ? fmt::format("; {}", ended_early()) : std::string())};
 }
 
-Json point_json(const Solution& s) {
-  return {{"colours", s.colour_count}, {"fewer_refuted", s.fewer_refuted},
-          {"rules", s.rules.size()},   {"exact_rules", s.exact_rules},
-          {"heights", s.heights},      {"order", s.order.name}};
-}
-
-/// What came of it, besides the synthesis itself.
-struct Outcome {
-  std::vector<Cell> scaffold;
-  Findings findings;  ///< whether bricks can be walled in
-  VerifyResult proof;
-  /// That one colour fewer does not do, as far as the checker derives every clause of it.
-  std::optional<MinimalityProof> fewest;
-  std::vector<std::string> written;
-};
-
-Json to_json(const SynthOptions& options, const Synthesis& result, const Outcome& outcome) {
-  Json json{{"target", options.target}};
-  if (result.best) {
-    const Solution& s = *result.best;
-    json["verdict"] = "compiled";
-    json["proof"] = to_string(outcome.proof.verdict);
-    json["method"] = to_string(outcome.proof.method);
-    json["local_states"] = outcome.proof.local_states;
-    json["bricks"] = s.frame->cells.size();
-    json.update(point_json(s));
-    if (!outcome.scaffold.empty()) {
-      json["scaffold"] = Json::array();
-      for (const Cell c : outcome.scaffold) json["scaffold"].push_back(to_json(c));
-    }
-    json["walled_in"] = Json::array();
-    for (const WalledIn& walled : outcome.findings.walled_in) {
-      json["walled_in"].push_back(to_json(walled.site));
-    }
-    json["start"] = Json::array();
-    for (const Orbit& orbit : s.frame->orbits) {
-      if (orbit.start) json["start"].push_back(to_json(orbit.at));
-    }
-    json["others"] = Json::array();
-    for (const Solution& other : result.others) json["others"].push_back(point_json(other));
-  } else if (result.obstacle) {
-    json["verdict"] = result.obstacle->proved ? "impossible" : "not-found";
-    json["reason"] = words(result.obstacle->kind);
-    json["what"] = result.obstacle->what;
-    if (!result.obstacle->drawing.empty()) json["drawing"] = result.obstacle->drawing;
-    json["remedies"] = result.obstacle->remedies;
-  } else {
-    json["verdict"] = result.cut_short ? "out-of-time" : "not-found";
-  }
-  json["impossible"] = result.obstacle && result.obstacle->proved;
-  json["cut_short"] = result.cut_short;
-  json["orders_tried"] = result.orders_tried;
-  json["seconds"] = result.seconds;
-  if (!outcome.written.empty()) json["written"] = outcome.written;
-  return json;
-}
-
-std::string summary(const Synthesis& result, const Outcome& outcome) {
-  const Solution& s = *result.best;
-  const VerifyResult& proof = outcome.proof;
-  std::string out = line(
-      "bricks", fmt::format("{}{}", s.frame->cells.size(),
-                            outcome.scaffold.empty()
-                                ? ""
-                                : fmt::format(", {} of them a scaffold", outcome.scaffold.size())));
-  out +=
-      line("colours", fmt::format("{}{}", s.colour_count,
-                                  s.colour_count == 1 ? ""
-                                  : s.fewer_refuted   ? ", the fewest for this order"
-                                                      : ", perhaps not the fewest for this order"));
-  out += line("rules", s.heights ? fmt::format("{}, with heights", s.rules.size())
-                                 : fmt::format("{}, merged from {} exact ones", s.rules.size(),
-                                               s.exact_rules));
-  out += line("order", result.orders_tried == 0
-                           ? s.order.name
-                           : fmt::format("{} (of {} tried)", s.order.name, result.orders_tried));
-  out += line("proof", proof.verdict == ProofVerdict::proved
-                           ? fmt::format("every order of events builds it ({} local states)",
-                                         proof.local_states)
-                           : fmt::format("stigc verify says {}", to_string(proof.verdict)));
-  for (const WalledIn& walled : outcome.findings.walled_in) {
-    out += line("walled in", cell_text(walled.site) +
-                                 " can be cut off before it is placed; stigc verify shows how");
-  }
-  for (const Solution& other : result.others) {
-    out += line("or", fmt::format("{} colours and {} rules: {}", other.colour_count,
-                                  other.rules.size(), other.order.name));
-  }
-  if (result.cut_short) out += line("note", std::string(ended_early()));
-  return out;
-}
-
-std::string orders_in_words(std::size_t tried) {
-  return tried == 1 ? "the one order tried does not work"
-                    : fmt::format("none of the {} orders tried works", tried);
-}
-
-std::string reason(const Synthesis& result, bool color) {
-  const Obstacle& obstacle = *result.obstacle;
-  std::string out;
-  if (obstacle.proved) {
-    out = fmt::format("{}: {}\n", red("impossible", color), obstacle.what);
-  } else if (result.orders_tried == 0) {
-    out = fmt::format("{}: {}\n", red("not found", color), obstacle.what);
-  } else {
-    out = fmt::format("{}: {}\n  in the most telling one {}\n", red("not found", color),
-                      orders_in_words(result.orders_tried), obstacle.what);
-  }
-  out += obstacle.drawing;
-  for (const std::string& remedy : obstacle.remedies) out += "  remedy: " + remedy + "\n";
-  return out;
-}
-
 /// Writes a file into a folder that may have to be made.
 bool write_into(const std::string& folder, const std::string& name, const std::string& bytes,
                 std::string& error) {
@@ -207,7 +79,7 @@ bool write_into(const std::string& folder, const std::string& name, const std::s
 /// Holds "the fewest for this order" to the checker: states that only seem possible, seen
 /// from one site, make clauses that it does not derive.
 void confirm_fewest(const SynthOptions& options, const Target& target, const Deadline& deadline,
-                    Solution& solution, Outcome& outcome) {
+                    Solution& solution, SynthOutcome& outcome) {
   if (!solution.fewer_refuted || solution.colour_count == 1) return;
   Effort effort(deadline);
   outcome.fewest =
@@ -249,7 +121,7 @@ int write_proof(const SynthOptions& options, const Solution& solution,
 
 /// Proves the rules once more, and looks for bricks that can be walled in. When the time
 /// is over a moment is left for the proof.
-void prove(const RuleSet& rules, const Deadline& deadline, Outcome& outcome) {
+void prove(const RuleSet& rules, const Deadline& deadline, SynthOutcome& outcome) {
   VerifyOptions verifying;
   if (deadline.passed()) {
     verifying.seconds = kSecondsAfterwards;
@@ -268,7 +140,7 @@ void prove(const RuleSet& rules, const Deadline& deadline, Outcome& outcome) {
 
 /// Rules, certificate and proof, proved once more by the verifier; returns an exit code.
 int write_results(const SynthOptions& options, const Target& target, const Deadline& deadline,
-                  Synthesis& result, App& app, Outcome& outcome) {
+                  Synthesis& result, App& app, SynthOutcome& outcome) {
   confirm_fewest(options, target, deadline, *result.best, outcome);
   const Solution& s = *result.best;
   const RuleSet rules = make_rule_set(*s.frame, s.colours, s.colour_count, target.bricks, s.rules,
@@ -282,9 +154,8 @@ int write_results(const SynthOptions& options, const Target& target, const Deadl
   const std::string text = print_rule_set(rules);
   if (text.size() > kMaxRuleFileBytes) {
     app.complain(
-        fmt::format("the rule set takes {} bytes, more than rule files may have; --fewest "
-                    "rules or a symmetry makes it smaller",
-                    text.size()));
+        fmt::format("the rule set takes {} bytes, more than the {} that a rule file may have",
+                    text.size(), kMaxRuleFileBytes));
     return kRunFailed;
   }
   int code = kOk;
@@ -335,13 +206,13 @@ std::vector<std::string> output_names(const SynthOptions& options) {
 
 /// Tries to do with fewer colours by means of a scaffold.
 void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result,
-                  const SynthesisHooks& hooks, Outcome& outcome) {
+                  const SynthesisHooks& hooks, SynthOutcome& outcome) {
   SynthesisOptions searching = synthesis_options(options);
   Synthesis plain;
-  if (!result.best) {
+  if (!result.best && options.colours) {
     searching.most_colours = kMaxColours;
     plain = synthesise(target, searching, hooks);
-    searching.most_colours = options.colours.value_or(kMaxColours);
+    searching.most_colours = *options.colours;
   }
   const Synthesis& known = result.best ? result : plain;
   if (known.best && known.best->colour_count == 1) return;
@@ -385,7 +256,7 @@ int run(const SynthOptions& options, App& app) {
   hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
   const SynthesisOptions searching = synthesis_options(options);
   Synthesis result = synthesise(target, searching, hooks);
-  Outcome outcome;
+  SynthOutcome outcome;
   if (options.scaffold > 0) {
     add_scaffold(options, target, result, hooks, outcome);
     result.cut_short = result.cut_short || hooks.deadline.passed();
@@ -398,11 +269,11 @@ int run(const SynthOptions& options, App& app) {
   int code = kRunFailed;
   if (result.best) {
     code = write_results(options, target, hooks.deadline, result, app, outcome);
-    if (has_file(options) && !options.json) app.print(summary(result, outcome));
-    if (!has_file(options) && !options.json) app.say(summary(result, outcome));
+    if (has_file(options) && !options.json) app.print(synth_summary(result, outcome));
+    if (!has_file(options) && !options.json) app.say(synth_summary(result, outcome));
   } else if (result.obstacle) {
     code = result.obstacle->proved ? kFailed : kRunFailed;
-    if (!options.json) app.print(reason(result, app.color_out()));
+    if (!options.json) app.print(synth_reason(result, app.color_out()));
     if (result.cut_short) app.say(ended_early());
   } else if (!options.json) {
     app.complain(result.cut_short
@@ -410,7 +281,7 @@ int run(const SynthOptions& options, App& app) {
                      : fmt::format("not found: {} with this effort; --effort allows more",
                                    orders_in_words(result.orders_tried)));
   }
-  if (options.json) app.print(dump(to_json(options, result, outcome)));
+  if (options.json) app.print(dump(synth_json(options, result, outcome)));
   return code;
 }
 
