@@ -14,8 +14,6 @@ std::uint64_t term(std::size_t neighbour, Colour colour) {
   return mix(0x9e3779b97f4a7c15ULL * (neighbour * 64 + colour + 1));
 }
 constexpr std::uint64_t kOnFloor = 0x632be59bd9b4e019ULL;
-/// After so many sites the clock is looked at.
-constexpr std::size_t kSitesBetweenLooks = 1024;
 
 struct Image {
   std::uint64_t hash;

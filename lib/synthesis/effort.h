@@ -15,6 +15,8 @@ namespace stig {
 
 /// Steps of one unit of effort, that of `stigc synth --effort 1`.
 inline constexpr double kStepsOfEffort = 20e9;
+/// The clock is looked at once in so many sites.
+inline constexpr std::size_t kSitesBetweenLooks = 1024;
 
 class Effort {
  public:

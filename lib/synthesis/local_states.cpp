@@ -11,9 +11,6 @@ namespace {
 /// Steps of placing a cell in an order, and of working out and looking up a state or a key.
 constexpr std::uint64_t kStepsOfCell = 2'500, kStepsOfLocalState = 50, kStepsOfKey = 100;
 
-/// After so many sites the clock is looked at.
-constexpr std::size_t kSitesBetweenLooks = 1024;
-
 using Masks = std::array<std::uint32_t, kMaxNeighbours>;
 
 /// For each neighbour of a site: which others are neighbours of it.

@@ -10,9 +10,6 @@
 namespace stig {
 namespace {
 
-/// The clock is looked at once in so many sites.
-constexpr std::size_t kSitesBetweenLooks = 1024;
-
 bool less(const View& a, const View& b) {
   return std::memcmp(a.at.data(), b.at.data(), a.at.size()) < 0;
 }

@@ -17,7 +17,6 @@
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
-#include "rules/cell_text.h"
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
 #include "structure_input.h"
