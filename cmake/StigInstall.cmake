@@ -32,13 +32,13 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/rulesets ${PROJECT_SOURCE_DIR}/blocks
                   ${PROJECT_SOURCE_DIR}/programs DESTINATION ${STIG_INSTALL_DATADIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
-# The schema is what the program itself says it is.
+# The schema is what the program itself says it is. It is written when installing, so that
+# nothing but the program need be built for that.
 set(STIG_SCHEMA ${PROJECT_BINARY_DIR}/schema/ruleset-1.json)
-file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/schema)
-add_custom_command(OUTPUT ${STIG_SCHEMA}
-                   COMMAND stigc schema > ${STIG_SCHEMA}
-                   DEPENDS stigc VERBATIM COMMENT "Writing the JSON Schema of rule sets")
-add_custom_target(stig_schema ALL DEPENDS ${STIG_SCHEMA})
+install(CODE "
+  file(MAKE_DIRECTORY \"${PROJECT_BINARY_DIR}/schema\")
+  execute_process(COMMAND \"$<TARGET_FILE:stigc>\" schema OUTPUT_FILE \"${STIG_SCHEMA}\"
+                  COMMAND_ERROR_IS_FATAL ANY)")
 install(FILES ${STIG_SCHEMA} DESTINATION ${STIG_INSTALL_DATADIR}/schema)
 
 set(CPACK_PACKAGE_VENDOR "The stigc authors")
