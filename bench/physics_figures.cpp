@@ -38,21 +38,12 @@ Rows axial_force(const BlockModel& block) {
            in_percent(worst), "", within(worst, 0.01)}};
 }
 
-std::string click_time(const BlockModel& block, double friction) {
+std::string stock_click_time(const BlockModel& block, double friction) {
   WorldConfig config = pair_scene(block, 0.010, friction);
   config.solver = SolverKind::stock;
   config.frictions.push_back({kFloorMaterial, kFloorMaterial, friction});
   const Click out = click(config, block.side);
   return out.time < 0 ? "never" : fmt::format("{:.3f} s", out.time);
-}
-
-std::string stock_click_time([[maybe_unused]] const BlockModel& block,
-                             [[maybe_unused]] double friction) {
-#if STIG_WITH_DART
-  return click_time(block, friction);
-#else
-  return "";
-#endif
 }
 
 Rows clicks(const BlockModel& block) {
@@ -117,13 +108,11 @@ Rows sliding(const BlockModel& block) {
     worst = std::max(worst, std::abs(way / theory - 1));
   }
   std::string other;
-#if STIG_WITH_DART
   for (int degrees = 0; degrees < 90; degrees += 15) {
     const double way = sliding_stop(block, 0.3, degrees * kDegree, SolverKind::stock);
     stock = std::max(stock, std::abs(way / theory - 1));
   }
   other = in_percent(stock);
-#endif
   return {{"stop of a slide against v²/2μg, 24 directions", "4 %", in_percent(worst), other,
            worst < 0.04}};
 }

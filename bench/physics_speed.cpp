@@ -29,9 +29,7 @@ Pace pace(World& world, int steps, double most_seconds) {
 }
 
 /// Milliseconds a step of DART on the scene's first steps, and the ratio to `own`.
-std::string stock_pace([[maybe_unused]] WorldConfig config, [[maybe_unused]] int steps,
-                       [[maybe_unused]] double own) {
-#if STIG_WITH_DART
+std::string stock_pace(WorldConfig config, int steps, double own) {
   config.solver = SolverKind::stock;
   World world(config);
   const Pace stock = pace(world, steps, kStockSeconds);
@@ -39,9 +37,6 @@ std::string stock_pace([[maybe_unused]] WorldConfig config, [[maybe_unused]] int
     return fmt::format("{:.0f} ms, gave up after {} steps", stock.ms, stock.steps);
   }
   return fmt::format("{:.3g} ms, {:.0f} times", stock.ms, stock.ms / own);
-#else
-  return "";
-#endif
 }
 
 /// A structure that may not sleep.

@@ -13,20 +13,8 @@ pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
 # Lua compiled as C++: its errors are exceptions, which run destructors.
 pkg_check_modules(LUA REQUIRED IMPORTED_TARGET lua5.4-c++)
 
-# The reference path of the physical world; everything else builds without it.
-set(STIG_PHYSICS AUTO CACHE STRING "Build the reference path of physics on DART: AUTO, ON, OFF")
-set_property(CACHE STIG_PHYSICS PROPERTY STRINGS AUTO ON OFF)
-set(STIG_WITH_DART OFF)
-if(NOT STIG_PHYSICS STREQUAL "OFF")
-  find_package(DART 6.12 CONFIG QUIET)
-  if(TARGET dart)
-    set(STIG_WITH_DART ON)
-  elseif(STIG_PHYSICS STREQUAL "ON")
-    message(FATAL_ERROR "STIG_PHYSICS is ON, but DART 6.12 is not found (libdart-dev)")
-  else()
-    message(STATUS "DART 6.12 is not found (libdart-dev): physics without its reference path")
-  endif()
-endif()
+# The kinematics of joints, and a step of physics by others to compare with.
+find_package(DART 6.12 REQUIRED CONFIG)
 
 # Headers alone, and no CMake package of their own.
 find_path(RANDOM123_INCLUDE_DIR Random123/philox.h REQUIRED)

@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: MIT
-# stig_layer(layer [USES layer…] [VENDOR target…] [VENDOR_HEADERS target…]
-#            [OPTIONAL target… FOR source…])
+# stig_layer(layer [USES layer…] [VENDOR target…] [VENDOR_HEADERS target…])
 #
 # One library of the layer graph. A layer is named as its folder below lib/ is, physical/solver
 # for example, and the library stig_physical_solver (installed: stig::physical_solver) after it.
 # It has every source beside this CMakeLists, its headers
 # as a file set rooted at lib/, public links to the layers it may include, private
 # links to vendor libraries. VENDOR_HEADERS are those that leave nothing to link: users
-# of the installed library need not have them. OPTIONAL are those that may be missing
-# (no such target); the sources named are then left out.
+# of the installed library need not have them.
 #
 # What these calls say is the layer graph: stig_write_layers hands it to
 # tests/layering, which holds every #include to it.
 function(stig_layer layer)
-  cmake_parse_arguments(arg "" "" "USES;VENDOR;VENDOR_HEADERS;OPTIONAL;FOR" ${ARGN})
+  cmake_parse_arguments(arg "" "" "USES;VENDOR;VENDOR_HEADERS" ${ARGN})
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "stig_layer(${layer}): what is '${arg_UNPARSED_ARGUMENTS}'?")
   endif()
@@ -21,13 +19,6 @@ function(stig_layer layer)
   file(GLOB sources CONFIGURE_DEPENDS *.cpp)
   file(GLOB headers CONFIGURE_DEPENDS *.h)
   file(GLOB lists CONFIGURE_DEPENDS *.def)
-  foreach(target IN LISTS arg_OPTIONAL)
-    if(NOT TARGET ${target})
-      list(TRANSFORM arg_FOR PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
-      list(REMOVE_ITEM sources ${arg_FOR})
-      set(arg_FOR "")
-    endif()
-  endforeach()
   add_library(stig_${name} STATIC ${sources})
   add_library(stig::${name} ALIAS stig_${name})
   target_sources(stig_${name} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR}/lib
@@ -47,14 +38,9 @@ function(stig_layer layer)
   foreach(target IN LISTS arg_VENDOR_HEADERS ITEMS stig_settings)
     target_link_libraries(stig_${name} PRIVATE $<BUILD_INTERFACE:${target}>)
   endforeach()
-  foreach(target IN LISTS arg_OPTIONAL)
-    if(TARGET ${target})
-      target_link_libraries(stig_${name} PRIVATE ${target})
-    endif()
-  endforeach()
   set_property(GLOBAL APPEND PROPERTY STIG_LAYERS ${layer})
   set_property(GLOBAL PROPERTY STIG_LAYER_USES_${layer} "${arg_USES}")
-  set_property(GLOBAL PROPERTY STIG_LAYER_VENDOR_${layer} "${arg_VENDOR};${arg_VENDOR_HEADERS};${arg_OPTIONAL}")
+  set_property(GLOBAL PROPERTY STIG_LAYER_VENDOR_${layer} "${arg_VENDOR};${arg_VENDOR_HEADERS}")
 endfunction()
 
 # Writes the graph, a line for each layer: "name | layers it uses | vendor targets".

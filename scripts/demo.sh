@@ -20,7 +20,7 @@ shown=(
 
 stigc=${STIGC:-}
 if [[ -z $stigc ]]; then
-  scripts/install.sh build physics
+  scripts/install.sh build
   say "Building the program"
   configure_and_build quick stigc
   stigc=build/quick/stigc

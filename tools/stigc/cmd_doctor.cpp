@@ -54,13 +54,7 @@ Finding libraries() {
           {}};
 }
 
-/// Robots and the solver for comparison need DART; blocks alone do not.
-Finding physics() {
-  const std::string version = dart_version();
-  if (!version.empty()) return {Health::ok, "physics", "blocks and robots, DART " + version, {}};
-  return {Health::warn, "physics", "blocks alone: built without DART",
-          "install libdart-dev and build again for robots and `solver: stock`"};
-}
+Finding physics() { return {Health::ok, "physics", "DART " + dart_version(), {}}; }
 
 Finding processor() {
   const unsigned cores = std::thread::hardware_concurrency();

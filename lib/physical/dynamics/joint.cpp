@@ -4,9 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 
-#include "physical/dynamics/mechanism.h"
+#include "base/islands.h"
 #include "physical/dynamics/number_checks.h"
 #include "physical/dynamics/world_config.h"
 #include "physical/solver/solver.h"
@@ -139,27 +138,18 @@ void place_links(WorldConfig& config) {
 }
 
 std::vector<std::uint32_t> mechanisms_of(const WorldConfig& config) {
-  std::vector<std::uint32_t> out(config.bodies.size());
-  std::iota(out.begin(), out.end(), 0U);
-  const auto root = [&out](std::uint32_t i) {
-    while (out[i] != i) i = out[i] = out[out[i]];
-    return i;
-  };
+  Islands islands(config.bodies.size());
   for (const JointDef& joint : config.joints) {
-    if (joint.parent == kWorldBody) continue;
-    const std::uint32_t a = root(joint.parent), b = root(joint.child);
-    out[std::max(a, b)] = std::min(a, b);
+    if (joint.parent != kWorldBody) islands.join(joint.parent, joint.child);
   }
-  for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = root(i);
+  std::vector<std::uint32_t> out(config.bodies.size());
+  for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = islands.root(i);
   return out;
 }
 
 std::vector<std::string> problems_of_joints(const WorldConfig& config) {
   std::vector<std::string> out;
   if (config.joints.empty()) return out;
-  if (!mechanisms_available()) {
-    return {"joints need DART, which this program was built without"};
-  }
   for (std::size_t i = 0; i < config.joints.size(); ++i) {
     const std::string problem = problem_of(config.joints[i], config);
     if (!problem.empty()) out.push_back(fmt::format("joint {} {}", i, problem));

@@ -3,7 +3,7 @@
 // forces, contacts, motors, time) is plain code in articulation.cpp. DART's own Coriolis forces
 // took a third of the time of a robot's step.
 //
-// An interface, so that one file alone knows DART and the library builds without it.
+// An interface, so that one file alone knows DART.
 #pragma once
 
 #include <cstddef>
@@ -46,12 +46,8 @@ class Mechanism {
   virtual void integrate(double* q, const double* v, double dt) = 0;
 };
 
-/// Whether this build can make any.
-bool mechanisms_available();
-/// Null where it cannot. DART is not safe to make and unmake in several threads: both take
+/// DART is not safe to make and unmake in several threads: both take
 /// a lock that is the process's.
 std::shared_ptr<Mechanism> make_mechanism(const std::vector<Part>& parts);
-/// Only in builds with DART.
-std::shared_ptr<Mechanism> make_dart_mechanism(const std::vector<Part>& parts);
 
 }  // namespace stig

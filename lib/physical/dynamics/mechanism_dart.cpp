@@ -160,7 +160,7 @@ void DartMechanism::integrate(double* q, const double* v, double dt) {
 
 }  // namespace
 
-std::shared_ptr<Mechanism> make_dart_mechanism(const std::vector<Part>& parts) {
+std::shared_ptr<Mechanism> make_mechanism(const std::vector<Part>& parts) {
   const std::lock_guard lock(dart_lock());
   return {new DartMechanism(parts), [](const DartMechanism* mechanism) {
             const std::lock_guard unmake(dart_lock());

@@ -22,9 +22,7 @@ namespace stig {
 struct WorldConfig;
 struct WorldState;
 
-/// Whether the library was built with DART (CMake's STIG_PHYSICS).
-bool stock_available();
-/// DART's version; empty where the library was built without it.
+/// DART's own.
 std::string dart_version();
 /// Why DART's step cannot be had for this configuration; empty: it can.
 std::string problem_of_stock(const WorldConfig& config);

@@ -68,7 +68,6 @@ TEST_CASE("checkpoints hold what was added, also where more was added since") {
   }
 }
 
-#if STIG_WITH_DART
 TEST_CASE("a mechanism comes in whole") {
   WorldConfig config = scene_settings();
   World world(config);
@@ -96,4 +95,3 @@ TEST_CASE("a mechanism comes in whole") {
   run(again, 0.3);
   CHECK(again.hash() == world.hash());
 }
-#endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // A robot on four wheels with a lift: driving, turning, resting, lifting.
-#if STIG_WITH_DART
 
 #include "physical/dynamics/car.h"
 
@@ -190,5 +189,3 @@ TEST_CASE("a car pushes a block, and a wall stops it without ado") {
   CHECK(length(state(world, block).velocity) < 0.01);
   CHECK(std::abs(matrix(state(world, car.chassis).X_WB.q).z.z - 1) < 1e-3);
 }
-
-#endif  // STIG_WITH_DART

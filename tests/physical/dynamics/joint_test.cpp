@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Mechanisms against closed forms, and what is refused.
-#if STIG_WITH_DART
 
 #include "physical/dynamics/joint.h"
 
@@ -352,5 +351,3 @@ TEST_CASE("joints that make no mechanism are refused, by number") {
   CHECK(complaint([](Joints& j, auto&) { j[0] = {}, j[0].child = 1; }) ==
         "joint 0 has no degree of freedom and hangs in the world: say that its body is fixed");
 }
-
-#endif  // STIG_WITH_DART

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Integrated magnets against what they stand for: blocks of nine bodies, spheres on ball
 // joints, on DART's dynamics.
-#if STIG_WITH_DART
 
 #include <dart/dynamics/BallJoint.hpp>
 #include <dart/dynamics/BodyNode.hpp>
@@ -132,5 +131,3 @@ TEST_CASE("integrated magnets move blocks as spheres on ball joints do") {
     CHECK(length(now - nine.direction(8 + k)) < 0.05);
   }
 }
-
-#endif  // STIG_WITH_DART

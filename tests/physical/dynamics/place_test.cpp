@@ -96,8 +96,6 @@ TEST_CASE("a world brought back goes on as the one in which a body was put elsew
   CHECK(world.hash() == back.hash());
 }
 
-#if STIG_WITH_DART
-
 TEST_CASE("a mechanism goes as one piece and is at rest; one that hangs in the world does not") {
   WorldConfig config;
   config.bodies = {solid_body(Shape::box({0.2, 0.1, 0.04}), 1, {0, 0, 0.02}),
@@ -139,5 +137,3 @@ TEST_CASE("a mechanism goes as one piece and is at rest; one that hangs in the w
     CHECK(world.place(BodyId{1}, {{1, 2, 0.3}, {}}).problem == "it is fixed in the world");
   }
 }
-
-#endif  // STIG_WITH_DART

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // World against DART's own step, where that one is sound: few blocks, sliding along an axis.
-#if STIG_WITH_DART
 
 #include <cmath>
 
@@ -118,5 +117,3 @@ TEST_CASE("DART's path refuses joints") {
   REQUIRE(problems_of(config).size() == 1);
   CHECK(problems_of(config)[0] == "solver 'stock' knows no joints");
 }
-
-#endif  // STIG_WITH_DART

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Robots that carry a block, brought back; robots that talk to each other.
-#if STIG_WITH_DART
 
 #include <doctest/doctest.h>
 
@@ -107,5 +106,3 @@ end)"}}),
   CHECK(out.said("b") == std::vector<std::string>{"4 one", "4 two"});
   CHECK(out.said("c").empty());
 }
-
-#endif  // STIG_WITH_DART

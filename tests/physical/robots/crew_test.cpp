@@ -80,8 +80,6 @@ TEST_CASE("half duplex: who sends does not hear") {
   CHECK(heard[1].empty());
 }
 
-#if STIG_WITH_DART
-
 namespace {
 
 constexpr const char* kLift = R"(
@@ -423,5 +421,3 @@ TEST_CASE("states of other runs and damaged ones are refused or harmless, never 
     hurt.resume(bad);
   }
 }
-
-#endif  // STIG_WITH_DART

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The shipped robots in the world: they weigh what they should, drive, turn, rest, lift, and
 // carry a block.
-#if STIG_WITH_DART
 
 #include "physical/robots/robot_body.h"
 
@@ -205,5 +204,3 @@ TEST_CASE("a cart's arm and fingers follow their commands") {
   // Pressed against its stop.
   CHECK(readings.joints[3].position == doctest::Approx(0.03).epsilon(0.02));
 }
-
-#endif  // STIG_WITH_DART

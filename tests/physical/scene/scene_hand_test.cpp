@@ -115,8 +115,6 @@ TEST_CASE("nonsense by hand ends the run and says where") {
   CHECK(message("world.set_color('low', 5)").find("color") != std::string::npos);
 }
 
-#if STIG_WITH_DART
-
 namespace {
 
 const std::string kDrives = R"(
@@ -168,5 +166,3 @@ end)",
   CHECK(out.said == std::vector<std::string>{"halted"});
   CHECK(out.run.measures().at("halted") == 1);
 }
-
-#endif  // STIG_WITH_DART

@@ -102,8 +102,6 @@ TEST_CASE("a cache alone may drop blocks with controllers in C++") {
   CHECK(without.crew() == nullptr);
 }
 
-#if STIG_WITH_DART
-
 TEST_CASE("a robot's controller in C++ is resumed at any step, and its trace compared") {
   const LoadedScene loaded = crew_scene(
       "stigc_scene: 1\nstop: {failed: true}\n"
@@ -144,5 +142,3 @@ TEST_CASE("a controller in C++ may stand beside programs in Lua") {
   CHECK(out.said("lua") == std::vector<std::string>{"lua", "lua"});
   CHECK(out.said("cpp") == std::vector<std::string>{"begun", "1 0", "2 0"});
 }
-
-#endif  // STIG_WITH_DART

@@ -6,8 +6,6 @@
 
 using namespace stig;
 
-#if STIG_WITH_DART
-
 namespace {
 
 /// A cache of two blocks that the script takes away, a push, a drop, a robot that drives, is
@@ -71,5 +69,3 @@ TEST_CASE("every part of a run goes on from where it was saved") {
     CHECK(second.world().size() == straight.world().size());
   }
 }
-
-#endif  // STIG_WITH_DART

@@ -167,8 +167,6 @@ TEST_CASE("blocks that talk build a line and a triangle") {
   CHECK(run.measures().at("second") == 4);
 }
 
-#if STIG_WITH_DART
-
 TEST_CASE("robots in rows; a run ends when all programs have failed; ways are measured") {
   const std::string scene =
       "stigc_scene: 1\nstop: {failed: true}\nscript: e.lua\n"
@@ -194,5 +192,3 @@ end)"}});
   CHECK(run.measures().at("robots") == 2);
   CHECK(run.measures().at("x") > -0.4);
 }
-
-#endif  // STIG_WITH_DART
