@@ -126,7 +126,11 @@ TEST_CASE("the later robot builds it too: what differs is data") {
 TEST_CASE("a robot that does nothing leaves the structure incomplete, and the report says so") {
   const Workplace place;
   const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
-  place.write("idle.lua", "function step() robot.show.text('state', 'idle') end\n");
+  place.shell("mkdir part");
+  place.write("part/words.lua", "return { state = 'idle' }\n");
+  place.write("idle.lua",
+              "local words = require 'part.words'\n"
+              "function step() robot.show.text('state', words.state) end\n");
   place.write("idle.yaml",
               "stigc_scene: 1\nduration: 3\n"
               "robots: [{file: bebot.yaml, at: [0, 0], program: idle.lua}]\n"
@@ -139,7 +143,7 @@ TEST_CASE("a robot that does nothing leaves the structure incomplete, and the re
   CHECK(idle.out.find("no loose block") != std::string::npos);
   for (const char* name :
        {"out/report.html", "out/report.json", "out/progress.svg", "out/progress.csv",
-        "out/scene.yaml", "out/run-1.stigp", "out/run-2.stigp"}) {
+        "out/scene.yaml", "out/part/words.lua", "out/run-1.stigp", "out/run-2.stigp"}) {
     CHECK_MESSAGE(place.has(name), name);
   }
   CHECK(place.stigc({"replay", "out/run-2.stigp", "--verify"}).exit_code == 0);

@@ -172,12 +172,16 @@ class Validation {
     return count == 1 || (several && count > 0);
   }
 
-  /// The scene's files that are written: those that it names with a folder stay where they are.
+  /// The scene's files that are written, those in folders below its own among them; others stay
+  /// where they are.
   std::vector<const SceneFile*> written_scene_files() const {
     std::vector<const SceneFile*> files;
     for (const SceneFile& file : scene_->files) {
       const bool scene = &file == &scene_->files.front();
-      if (scene || file.name.find('/') == std::string::npos) files.push_back(&file);
+      const fs::path path(file.name);
+      const bool outside =
+          path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
+      if (scene || !outside) files.push_back(&file);
     }
     return files;
   }
@@ -260,8 +264,11 @@ class Validation {
   }
 
   bool write_one(const std::string& name, const std::string& text) const {
+    const fs::path path = fs::path(*options_.output) / name;
+    std::error_code ignored;  // what it means, the next line says
+    fs::create_directories(path.parent_path(), ignored);
     FileError error;
-    if (write_file(*options_.output + "/" + name, text, error)) return true;
+    if (write_file(path.string(), text, error)) return true;
     app_.complain(error.message);
     return false;
   }

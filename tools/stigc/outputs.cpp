@@ -26,8 +26,14 @@ std::string folder_of(const std::string& path) {
   return folder.empty() ? "." : folder;
 }
 
+/// Whether a folder is another or lies below it.
+bool is_within(const fs::path& folder, const fs::path& other) {
+  return std::mismatch(other.begin(), other.end(), folder.begin(), folder.end()).first ==
+         other.end();
+}
+
 /// What is wrong with where a file is to be, in words; empty: nothing. `made` is a folder that will
-/// be there.
+/// be there, with those below it.
 std::string writing_problem(const std::string& path, const std::string& made) {
   const std::string target = behind_links(path);
   struct stat status {};
@@ -37,8 +43,8 @@ std::string writing_problem(const std::string& path, const std::string& made) {
   }
   std::string folder = folder_of(target);
   std::error_code ignored;
-  if (!made.empty() && fs::path(folder) == fs::path(made) && !fs::exists(made, ignored)) {
-    folder = folder_of(made);
+  while (!made.empty() && is_within(folder, made) && !fs::exists(folder, ignored)) {
+    folder = folder_of(folder);
   }
   // With the dot, what is no folder is refused as such.
   if (access((folder + "/.").c_str(), W_OK | X_OK) == 0) return {};
