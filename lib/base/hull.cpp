@@ -2,6 +2,7 @@
 #include "base/hull.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -96,7 +97,8 @@ HullMass hull_mass(const std::vector<Vec3>& points) {
   // the sum of its corners' squares and the square of their sum.
   HullMass out;
   Vec3 first, second, mixed;
-  const Vec3 origin = points.at(0);
+  assert(!points.empty());
+  const Vec3 origin = points[0];
   for (const HullFace& face : hull_faces(points)) {
     for (std::size_t i = 2; i < face.corners.size(); ++i) {
       const Vec3 a = points[face.corners[0]] - origin, b = points[face.corners[i - 1]] - origin,

@@ -8,6 +8,7 @@
 #include "command_line.h"
 #include "commands.h"
 #include "help.h"
+#include "last_words.h"
 #include "shipped_files.h"
 
 namespace stig {
@@ -41,6 +42,7 @@ int run_parsed(Parsed& parsed, App& app) {
 
 int run_program(int argc, const char* const* argv) {
   prepare_process();
+  prepare_last_words();
   Parsed parsed = parse_command_line(argc, argv);
   App app(parsed.line ? parsed.line->global : GlobalOptions{});
   int code = kOk;

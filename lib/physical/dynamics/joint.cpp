@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/islands.h"
 #include "physical/dynamics/number_checks.h"
@@ -127,9 +128,11 @@ void place_links(WorldConfig& config) {
     bool changed = false;
     for (const JointDef& joint : config.joints) {
       Pose pose = start_pose(joint);
-      if (joint.parent != kWorldBody) pose = config.bodies.at(joint.parent).X_WB * pose;
+      assert(joint.parent == kWorldBody || joint.parent < config.bodies.size());
+      assert(joint.child < config.bodies.size());
+      if (joint.parent != kWorldBody) pose = config.bodies[joint.parent].X_WB * pose;
       pose.q = normalised(pose.q);
-      Pose& own = config.bodies.at(joint.child).X_WB;
+      Pose& own = config.bodies[joint.child].X_WB;
       changed = changed || !(own.p == pose.p) || !(own.q == pose.q);
       own = pose;
     }

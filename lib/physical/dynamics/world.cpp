@@ -190,6 +190,17 @@ void wake_early(WorldState& world, BodyId id) {
   std::swap(world.events, world.early);
 }
 
+/// What a caller's number stands for; one that there is not is a bug of the caller.
+template <class List>
+auto& entry(List& list, std::size_t number) {
+  assert(number < list.size());
+  return list[number];
+}
+template <class List>
+auto& entry(List& list, BodyId id) {
+  return entry(list, static_cast<std::size_t>(id));
+}
+
 }  // namespace
 
 WorldState make_world_state(const WorldConfig& config) {
@@ -232,7 +243,7 @@ bool awake(const WorldState& world, const Articulation& articulation) {
 }
 
 BodyState state_of(const WorldState& world, std::uint32_t number) {
-  const Body& body = world.bodies.at(number);
+  const Body& body = entry(world.bodies, number);
   return {{body.p, body.q}, body.v, body.w, body.awake, body.left};
 }
 
@@ -274,7 +285,7 @@ BodyState World::state(BodyId id) const {
 }
 
 Vec3 World::magnet_direction(BodyId id, std::size_t magnet) const {
-  const MagnetOwner& owner = state_->owners.at(static_cast<std::size_t>(id));
+  const MagnetOwner& owner = entry(state_->owners, id);
   assert(magnet < owner.end - owner.begin);
   return state_->magnets[owner.begin + magnet].direction;
 }
@@ -300,18 +311,18 @@ void World::add_user_forces() {
 }
 
 void Forces::add(BodyId id, const Vec3& force, const Vec3& torque) {
-  Body& body = world_.bodies.at(static_cast<std::size_t>(id));
+  Body& body = entry(world_.bodies, id);
   if (body.fixed || body.left || !body.awake) return;
   body.force += force;
   body.torque += torque;
 }
 
 void Forces::add_at(BodyId id, const Vec3& force, const Vec3& p_W) {
-  add(id, force, cross(p_W - world_.bodies.at(static_cast<std::size_t>(id)).p, force));
+  add(id, force, cross(p_W - entry(world_.bodies, id).p, force));
 }
 
 void World::push(BodyId id, const Vec3& force, const Vec3& torque) {
-  Body& body = state_->bodies.at(static_cast<std::size_t>(id));
+  Body& body = entry(state_->bodies, id);
   if (body.fixed || body.left) return;
   body.user_force += force;
   body.user_torque += torque;
@@ -319,7 +330,7 @@ void World::push(BodyId id, const Vec3& force, const Vec3& torque) {
 }
 
 void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
-  Body& body = state_->bodies.at(static_cast<std::size_t>(id));
+  Body& body = entry(state_->bodies, id);
   assert(body.articulation < 0);
   if (body.left) return;
   body.v = velocity;
@@ -334,7 +345,7 @@ void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
 
 std::vector<DofState> World::joint(JointId id) const {
   const auto number = static_cast<std::size_t>(id);
-  const JointPlace& place = state_->articulations.joints.at(number);
+  const JointPlace& place = entry(state_->articulations.joints, number);
   const Articulation& it = state_->articulations.all[place.articulation];
   std::vector<DofState> out;
   for (std::size_t i = 0; i < state_->config.joints[number].dofs.size(); ++i) {
@@ -347,7 +358,7 @@ std::vector<DofState> World::joint(JointId id) const {
 void World::drive(JointId id, std::size_t dof, double target) {
   const auto number = static_cast<std::size_t>(id);
   assert(std::isfinite(target));
-  assert(dof < state_->config.joints.at(number).dofs.size());
+  assert(dof < entry(state_->config.joints, number).dofs.size());
   const JointPlace& place = state_->articulations.joints[number];
   Articulation& it = state_->articulations.all[place.articulation];
   double& now = it.axes[place.first + dof].target;
@@ -359,7 +370,7 @@ void World::drive(JointId id, std::size_t dof, double target) {
 void World::set_current(BodyId id, std::size_t magnet, double current) {
   assert(std::isfinite(current));
   const auto number = static_cast<std::uint32_t>(id);
-  const MagnetDef& def = state_->config.bodies.at(number).magnets.at(magnet);
+  const MagnetDef& def = entry(entry(state_->config.bodies, number).magnets, magnet);
   const std::size_t at = state_->owners[number].begin + magnet;
   if (state_->currents[at] == current || state_->bodies[number].left) return;
   state_->currents[at] = current;
@@ -371,8 +382,8 @@ void World::set_current(BodyId id, std::size_t magnet, double current) {
 }
 
 double World::current(BodyId id, std::size_t magnet) const {
-  const MagnetOwner& owner = state_->owners.at(static_cast<std::size_t>(id));
-  return state_->currents.at(owner.begin + magnet);
+  const MagnetOwner& owner = entry(state_->owners, id);
+  return entry(state_->currents, owner.begin + magnet);
 }
 
 std::string World::checkpoint() const { return write_checkpoint(*state_); }

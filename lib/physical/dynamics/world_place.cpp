@@ -114,7 +114,8 @@ void set_down(WorldState& world, Articulation& it, const Pose& shift) {
 PlaceResult World::place(BodyId id, const Pose& X_WB) {
   WorldState& world = *state_;
   const auto number = static_cast<std::uint32_t>(id);
-  Body& body = world.bodies.at(number);
+  assert(number < world.bodies.size());
+  Body& body = world.bodies[number];
   Articulation* it = articulation_of(world, number);
   PlaceResult out;
   if (body.left) out.problem = "it has left the arena";
