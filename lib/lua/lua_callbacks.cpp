@@ -17,8 +17,8 @@ namespace stig {
 
 namespace {
 
-constexpr std::size_t kMostName = 64;    ///< bytes of a name that may be near another
-constexpr std::uint64_t kLookCost = 20;  ///< instructions, for each global
+constexpr std::size_t kLongestNear = 64;   ///< bytes of a name that may be near another
+constexpr std::uint64_t kGlobalCost = 20;  ///< instructions, for each global
 
 /// Letters and digits alone, small: how names are compared.
 std::string bare(std::string_view name) {
@@ -57,9 +57,9 @@ std::optional<Near> nearest_function(lua_State* state, std::initializer_list<con
   lua_pushglobaltable(state);
   lua_pushnil(state);
   while (lua_next(state, -2) != 0) {
-    LuaBox::of(state).charge(state, kLookCost);
+    LuaBox::of(state).charge(state, kGlobalCost);
     const bool plain = lua_type(state, -2) == LUA_TSTRING && lua_isfunction(state, -1) &&
-                       lua_iscfunction(state, -1) == 0 && lua_rawlen(state, -2) <= kMostName;
+                       lua_iscfunction(state, -1) == 0 && lua_rawlen(state, -2) <= kLongestNear;
     lua_pop(state, 1);
     if (!plain) continue;
     const std::string name = lua_tostring(state, -1);

@@ -19,7 +19,8 @@ LuaSettings small_settings() {
 }
 
 std::string fate(const std::string& text) {
-  Running robot(text, small_settings());
+  const bool compiled = text.starts_with('\x1b');
+  Running robot((compiled ? "" : "function step() end ") + text, small_settings());
   if (robot.status.ok) robot.step();
   CHECK(robot.controller.memory() <= (std::size_t{1} << 20) + (std::size_t{64} << 10));
   const std::string first = robot.status.error;

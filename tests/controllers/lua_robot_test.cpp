@@ -204,7 +204,7 @@ TEST_CASE("devices that the robot lacks are absent") {
   Running robot(
       "for _, k in ipairs{'camera_system', 'cameras', 'differential_drive', 'lift_system',"
       "'electromagnet_system', 'rangefinders', 'simple_radios', 'leds', 'joints'} do "
-      "assert(robot[k] == nil, k) end",
+      "assert(robot[k] == nil, k) end function step() end",
       settings_of(), bare);
   CHECK(robot.status.error == "");
   CHECK(robot.step(RobotReadings{}).ok);

@@ -144,13 +144,14 @@ TEST_CASE("answers that a script did not ask for bring nothing back") {
 }
 
 TEST_CASE("scripts and blocks' programs require what stands beside them") {
-  const Scripted out(
-      "block_program: b.lua\nblocks: [{at: [1, 0, 0.0275]}]\n",
-      "local help = require 'help'\n"
-      "function on_start(world) log(help.word()) end\n",
-      0.1,
-      {{"help.lua", "return {word = function() return 'hello' end}"},
-       {"b.lua", "local help = require 'help'\nfunction init() log(help.word()) end"}});
+  const Scripted out("block_program: b.lua\nblocks: [{at: [1, 0, 0.0275]}]\n",
+                     "local help = require 'help'\n"
+                     "function on_start(world) log(help.word()) end\n",
+                     0.1,
+                     {{"help.lua", "return {word = function() return 'hello' end}"},
+                      {"b.lua",
+                       "local help = require 'help'\nfunction init() log(help.word()) end\n"
+                       "function step() end"}});
   CHECK(out.said == std::vector<std::string>{"hello", "hello"});
 }
 
