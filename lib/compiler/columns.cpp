@@ -43,8 +43,7 @@ std::optional<WindowCell> next_to_column(const TargetBricks& target, const Brick
   const WindowCell cell{site.u - u, site.v - v, site.z - target.floor_level()};
   const auto filled = [&](int z) { return target.filled(state, cell_from(side, {u, v, z})); };
   const bool beside_it = std::abs(cell.du) + std::abs(cell.dv) == 1 && cell.du >= 0;
-  const bool next =
-      beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
+  const bool next = beside_it ? filled(site.z) : cell.du == 0 && cell.dv == 0 && filled(site.z - 1);
   return next ? std::optional(cell) : std::nullopt;
 }
 

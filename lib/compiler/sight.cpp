@@ -157,7 +157,8 @@ Visibility::Visibility(const Abilities& robot, int levels) : levels_(levels) {
   }
   for (const Stance& stance : stances_) {
     looks_.emplace_back();
-    for (const CarriedCamera& camera : robot.cameras) add_looks(Shot(robot, camera, stance, levels));
+    for (const CarriedCamera& camera : robot.cameras)
+      add_looks(Shot(robot, camera, stance, levels));
   }
 }
 
