@@ -8,6 +8,7 @@
 #include <set>
 
 #include "assembly/colours.h"
+#include "assembly/local_cases.h"
 #include "assembly/rules.h"
 #include "base/hash.h"
 #include "rules/rule_printer.h"
@@ -34,15 +35,47 @@ std::vector<Sides> choices_of_sides(const AssemblyTask& task) {
   return {{px, mx}, {py, my}, {px}, {py}, {mx}, {my}, {px, py, mx, my}};
 }
 
+/// Regular ones that large structures begin with: robots tell sites apart by little there.
+std::vector<Liking> regular_likings() {
+  std::vector<Liking> out;
+  using Spine = Liking::Spine;
+  for (const bool along_x : {true, false}) {
+    for (const bool middle : {true, false}) {
+      for (const Spine spine : {Spine::none, along_x ? Spine::along_x : Spine::along_y}) {
+        Liking one;
+        (along_x ? one.x : one.y) = 100;
+        (along_x ? one.middle_x : one.middle_y) = middle;
+        one.z = 1;
+        one.spine = spine;
+        out.push_back(one);
+        one.z = 150;  // as steps: a level lags behind the one below
+        out.push_back(one);
+      }
+    }
+  }
+  return out;
+}
+
 Liking liking_of(std::uint64_t seed) {
   constexpr int kWeights[] = {-9, -3, -1, 0, 1, 3, 9};
   const auto weight = [&](std::uint64_t which) {
     return kWeights[combine(seed, which) % std::size(kWeights)];
   };
   constexpr int kChances[] = {0, 2, 6, 20};
-  return {weight(1), weight(2),
-          weight(3), kChances[combine(seed, 4) % std::size(kChances)],
-          seed,      combine(seed, 5) % 2 == 0};
+  Liking out;
+  out.x = weight(1);
+  out.y = weight(2);
+  out.z = weight(3);
+  out.chance = kChances[combine(seed, 4) % std::size(kChances)];
+  out.seed = seed;
+  out.in_chains = combine(seed, 5) % 2 == 0;
+  // Half of them about the middle.
+  if (combine(seed, 7) % 2 == 0) return out;
+  out.middle_x = combine(seed, 8) % 2 == 0;
+  out.middle_y = combine(seed, 9) % 2 == 0;
+  const std::uint64_t spine = combine(seed, 10) % 4;
+  if (spine < 2) out.spine = spine == 0 ? Liking::Spine::along_x : Liking::Spine::along_y;
+  return out;
 }
 
 class Assembler {
@@ -64,6 +97,9 @@ class Assembler {
     out_.obstacle = find_obstacle(bricks_, widest_, start_);
     if (out_.obstacle) return result();
     std::vector<Sides> sides = choices_of_sides(task_);
+    std::erase_if(sides, [&](const Sides& some) {
+      return !find_remainder(bricks_, {task_.robot, some}, start_).barred.empty();
+    });
     std::size_t since_found = 0;
     for (std::uint64_t seed = 0; !sides.empty(); ++seed) {
       for (std::size_t i = 0; i < sides.size();) {
@@ -110,20 +146,35 @@ class Assembler {
       ++out_.counts.no_order;
       return !exhausted;
     }
-    const Waiting waiting = combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
+    const bool large = bricks_.bricks() > kMostWalkedBricks;
+    const Waiting waiting = large || combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
     CandidateOrder candidate = make_candidate(bricks_, *sequence, builders, waiting);
     if (!is_new(candidate, builders.sides)) return true;
-    ++out_.counts.walked;
-    walk(builders, visibility_, {kMostStates, hooks_.deadline.stop}, candidate);
-    allowance_.spend(candidate.policy.situations.size() * kStepsOfSituation);
-    if (candidate.policy.too_large) {
-      ++out_.counts.too_large;
-    } else if (!candidate.walked) {
-      ++out_.counts.dead_end;
-    } else {
-      paint_and_judge(candidate, builders);
+    ++out_.counts.looked_at;
+    if (const auto cases = cases_on_the_way(candidate, builders)) {
+      paint_and_judge(candidate, *cases, builders);
     }
     return true;
+  }
+
+  /// As compile will look at the rules: in large structures column by column first.
+  std::optional<Cases> cases_on_the_way(CandidateOrder& candidate, const Builders& builders) {
+    const std::size_t bricks = candidate.target->bricks();
+    if (bricks > kMostWalkedFirst) {
+      std::size_t looked = 0;
+      auto cases = local_cases(candidate, builders, visibility_, looked);
+      allowance_.spend((looked + bricks) * kStepsOfSituation);
+      if (cases) return cases;
+    }
+    if (bricks > kMostWalkedBricks) {
+      ++out_.counts.dead_end;
+      return std::nullopt;
+    }
+    walk(builders, visibility_, {kMostStates, hooks_.deadline.stop}, candidate);
+    allowance_.spend(candidate.policy.situations.size() * kStepsOfSituation);
+    if (candidate.walked) return cases_of(candidate);
+    ++(candidate.policy.too_large ? out_.counts.too_large : out_.counts.dead_end);
+    return std::nullopt;
   }
 
   /// Was none like it walked before?
@@ -141,24 +192,30 @@ class Assembler {
     return known_.insert(std::move(key)).second;
   }
 
+  Liking liking(std::uint64_t seed) const {
+    static const std::vector<Liking> regular = regular_likings();
+    if (bricks_.bricks() <= kMostWalkedFirst) return liking_of(seed);
+    return seed < regular.size() ? regular[seed] : liking_of(seed - regular.size());
+  }
+
   std::optional<Sequence> sequence_of(const Builders& builders, std::uint64_t seed,
                                       bool& exhausted) {
     std::uint64_t most = kMostLooks;
-    auto out = find_sequence(bricks_, builders, start_, liking_of(seed), most);
+    auto out = find_sequence(bricks_, builders, start_, liking(seed), most);
     allowance_.spend((kMostLooks - most) * kStepsOfLook);
     exhausted = !out && most > 0;
     return out;
   }
 
-  void paint_and_judge(const CandidateOrder& candidate, const Builders& builders) {
+  void paint_and_judge(const CandidateOrder& candidate, const Cases& cases,
+                       const Builders& builders) {
     RuleView view;
     look_at_rules(task_.target, candidate, view);
     if (!view.schedule) {
       ++out_.counts.no_colours;
       return;
     }
-    const PaintResult painted =
-        paint(task_.target, candidate, view, task_.most_colours, allowance_);
+    const PaintResult painted = paint(task_.target, cases, view, task_.most_colours, allowance_);
     if (painted.answer != Answered::yes) {
       ++out_.counts.no_colours;
       return;
@@ -201,7 +258,8 @@ class Assembler {
     CompileOptions options;
     options.verify.stop = options.limits.stop = hooks_.deadline.stop;
     plan.compiled = compile_rules(*plan.rules, task_.robot, options, diagnostics);
-    allowance_.spend(plan.compiled.policy.situations.size() * kStepsOfJudging);
+    allowance_.spend((plan.compiled.policy.situations.size() + plan.compiled.local_situations) *
+                     kStepsOfJudging);
     if (!plan.compiled.decision || diagnostics.has_errors()) return std::nullopt;
     plan.any_number = plan.compiled.concurrency.conflicts.empty();
     return plan;

@@ -46,7 +46,7 @@ struct AssemblyHooks {
 struct AssemblyCounts {
   std::size_t candidates = 0;
   std::size_t no_order = 0;    ///< no order within reach was found
-  std::size_t walked = 0;      ///< that were not known already
+  std::size_t looked_at = 0;   ///< that were not known already
   std::size_t too_large = 0;   ///< more structures on the way than are walked
   std::size_t dead_end = 0;    ///< even with a colour for each brick robots could get stuck
   std::size_t no_colours = 0;  ///< the colours do not do

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "assembly/candidate.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstdlib>
 
@@ -59,12 +60,12 @@ std::vector<std::uint32_t> open_bricks(const CandidateOrder& candidate, const Br
 
 CandidateOrder make_candidate(const TargetBricks& target, const Sequence& sequence,
                               const Builders& builders, Waiting waiting) {
-  assert(target.bricks() <= kMostBricks);
   CandidateOrder out;
   out.sequence = sequence;
   std::vector<PlacedBrick> bricks;
   for (const std::uint32_t brick : sequence.bricks) {
-    bricks.push_back({target.cell(brick), static_cast<Colour>(bricks.size() + 1)});
+    bricks.push_back(
+        {target.cell(brick), static_cast<Colour>(std::min(bricks.size(), kMostWalkedBricks) + 1)});
   }
   out.target = std::make_unique<TargetBricks>(bricks, 1);
   set_waits(builders, waiting, out);
@@ -73,6 +74,7 @@ CandidateOrder make_candidate(const TargetBricks& target, const Sequence& sequen
 
 void walk(const Builders& builders, const std::shared_ptr<Visibility>& visibility,
           const PolicyLimits& limits, CandidateOrder& candidate) {
+  assert(candidate.target->bricks() <= kMostWalkedBricks);
   Sight sight(*candidate.target, visibility);
   const OpenBricks open = [&](const BrickSet& state) { return open_bricks(candidate, state); };
   candidate.policy = explore(*candidate.target, open, sight, builders.robot, builders.sides,

@@ -18,7 +18,8 @@
 namespace stig {
 
 struct CandidateOrder {
-  /// The bricks in the order of work, the start first, brick i of colour i + 1.
+  /// The bricks in the order of work, the start first, brick i of colour i + 1 as far as there are
+  /// colours.
   std::unique_ptr<TargetBricks> target;
   Sequence sequence;             ///< bricks as the target numbered them
   std::vector<BrickSet> before;  ///< by brick here: neighbours that it waits for
@@ -28,8 +29,8 @@ struct CandidateOrder {
   bool walked = false;
 };
 
-/// With a colour for each brick, a target has so many at most.
-inline constexpr std::size_t kMostBricks = 250;
+/// With a colour for each brick, a target that is walked has so many at most.
+inline constexpr std::size_t kMostWalkedBricks = 120;
 
 /// Which neighbours wait for each other.
 enum class Waiting : std::uint8_t {

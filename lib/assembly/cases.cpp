@@ -15,39 +15,16 @@ Case case_of(const Policy& policy, std::uint32_t observation) {
   assert(seen.cells.size() <= kMostCells && seen.side);
   Case out;
   out.side = *seen.side;
-  out.observation = observation;
   out.bricks.assign(seen.cells.size(), 0);
   for (std::size_t i = 0; i < seen.cells.size(); ++i) {
     out.empty[i] = seen.cells[i] == kSeenEmpty;
     out.filled[i] = seen.cells[i] > kSeenBrick;
-    if (out.filled[i]) out.bricks[i] = static_cast<std::uint8_t>(seen.cells[i] - kSeenBrick - 1);
+    if (out.filled[i]) out.bricks[i] = static_cast<std::uint32_t>(seen.cells[i] - kSeenBrick - 1);
   }
   for (const Placement& placement : policy.allowed[observation]) {
     out.choices.push_back({placement.at, static_cast<std::uint32_t>(placement.colour - 1)});
   }
   return out;
-}
-
-/// Does a question tell the cases apart, whatever the colours are?
-bool told_apart(const Case& a, const Case& b) {
-  return (a.empty & b.filled).any() || (a.filled & b.empty).any();
-}
-/// Does `a` answer a question that `b` does not?
-bool answers_more(const Case& a, const Case& b) {
-  return ((a.empty | a.filled) & ~(b.empty | b.filled)).any();
-}
-
-void find_alike(Cases& out) {
-  for (std::uint32_t a = 0; a < out.cases.size(); ++a) {
-    if (out.cases[a].choices.empty()) continue;
-    for (std::uint32_t b = 0; b < out.cases.size(); ++b) {
-      const Case &one = out.cases[a], &other = out.cases[b];
-      if (a == b || one.side != other.side || told_apart(one, other)) continue;
-      const bool more = answers_more(one, other);
-      if (more && other.choices.empty()) continue;
-      out.alike.push_back({a, b, more});
-    }
-  }
 }
 
 }  // namespace
@@ -58,32 +35,19 @@ Cases cases_of(const CandidateOrder& candidate) {
   std::vector<std::uint32_t> number(policy.observations.size(), kNoCase);
   for (std::uint32_t s = 0; s < policy.states.size(); ++s) {
     if (!policy.reached[s]) continue;
-    std::vector<std::uint32_t> ways;
+    std::vector<WayOn> ways;
     for (std::size_t i = policy.first[s]; i < policy.first[s + 1]; ++i) {
       const std::uint32_t seen = policy.situations[i].observation;
       if (number[seen] == kNoCase) {
         number[seen] = static_cast<std::uint32_t>(out.cases.size());
         out.cases.push_back(case_of(policy, seen));
       }
-      if (!out.cases[number[seen]].choices.empty()) ways.push_back(number[seen]);
+      if (!out.cases[number[seen]].choices.empty()) ways.push_back({number[seen]});
     }
     if (!candidate.target->complete(policy.states[s])) out.ways_on.push_back(std::move(ways));
   }
   std::sort(out.ways_on.begin(), out.ways_on.end());
   out.ways_on.erase(std::unique(out.ways_on.begin(), out.ways_on.end()), out.ways_on.end());
-  find_alike(out);
-  return out;
-}
-
-std::vector<std::pair<std::uint32_t, std::uint32_t>> compared_bricks(const Case& a, const Case& b) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> out;
-  const CellBits both = a.filled & b.filled;
-  for (std::size_t i = 0; i < a.bricks.size(); ++i) {
-    if (!both[i] || a.bricks[i] == b.bricks[i]) continue;
-    out.emplace_back(std::min(a.bricks[i], b.bricks[i]), std::max(a.bricks[i], b.bricks[i]));
-  }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;
 }
 

@@ -20,30 +20,21 @@ struct Choice {
 /// An observation that can arise.
 struct Case {
   ApproachSide side{};
-  CellBits empty, filled;            ///< of the window, as it is seen
-  std::vector<std::uint8_t> bricks;  ///< by cell: which brick is seen, where one is
-  std::vector<Choice> choices;       ///< what may be done
-  std::uint32_t observation = 0;
+  CellBits empty, filled;             ///< of the window, as it is seen
+  std::vector<std::uint32_t> bricks;  ///< by cell: which brick is seen, where one is
+  std::vector<Choice> choices;        ///< what may be done
 };
 
-/// Two cases that colours alone may tell apart, if anything does.
-struct Likeness {
-  std::uint32_t a = 0, b = 0;
-  /// Some question that `a` answers has no answer in `b`: they are told apart if nothing is to be
-  /// done in `b`.
-  bool unless_idle = false;
-};
+/// Cases of which something has to be done in each, at one column.
+using WayOn = std::vector<std::uint32_t>;
 
 struct Cases {
   std::vector<Case> cases;
-  std::vector<Likeness> alike;  ///< those where `a` has choices
-  /// By structure that can occur, but the whole one: its cases that have choices.
-  std::vector<std::vector<std::uint32_t>> ways_on;
+  /// In each of these, one of the ways on has to be open.
+  std::vector<std::vector<WayOn>> ways_on;
 };
 
+/// Of a candidate that was walked: structure by structure.
 Cases cases_of(const CandidateOrder& candidate);
-
-/// Cells in which both cases see bricks, different ones: as pairs of bricks.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> compared_bricks(const Case& a, const Case& b);
 
 }  // namespace stig

@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "assembly/cases.h"
+#include "assembly/likeness.h"
 
 namespace stig {
 
@@ -23,15 +23,11 @@ using BrickPair = std::pair<std::uint32_t, std::uint32_t>;
 
 class Painter {
  public:
-  Painter(const Target& target, const CandidateOrder& candidate, const RuleView& rules, int k,
+  Painter(const Target& target, const Cases& cases, const RuleView& rules, int k,
           const Allowance& allowance)
-      : candidate_(candidate),
-        rules_(rules),
-        k_(k),
-        allowance_(allowance),
-        cases_(cases_of(candidate)) {
+      : rules_(rules), k_(k), allowance_(allowance), cases_(cases), likenesses_(cases.cases) {
     solver_.set("quiet", 1);
-    next_ = static_cast<int>(candidate.target->bricks()) * k_ + 1;
+    next_ = static_cast<int>(target.cells.size()) * k_ + 1;
     add_domains(target);
     add_choices();
   }
@@ -41,7 +37,7 @@ class Painter {
       if (allowance_.passed()) return {};
       solver_.limit("conflicts", kConflictsOfCall);
       const int result = solver_.solve();
-      allowance_.spend(kStepsOfConflict + cases_.alike.size() * kStepsOfPair);
+      allowance_.spend(kStepsOfConflict);
       if (result == kUnsatisfiable) return {Answered::no, {}};
       if (result != kSatisfiable) return {};
       read_solution();
@@ -83,17 +79,27 @@ class Painter {
     }
     for (const auto& ways : cases_.ways_on) {
       std::vector<int> some;
-      for (const std::uint32_t i : ways) {
-        for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) {
-          some.push_back(choice(i, c));
-        }
-      }
+      for (const WayOn& way : ways) add_way(way, some);
       clause(some);
     }
     // The more is done the better.
     for (std::uint32_t i = 0; i < cases_.cases.size(); ++i) {
       for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) solver_.phase(choice(i, c));
     }
+  }
+  /// Adds literals of which one is true only where the way is open.
+  void add_way(const WayOn& way, std::vector<int>& some) {
+    if (way.size() == 1) return add_work_in(way.front(), some);
+    const int open = next_++;
+    some.push_back(open);
+    for (const std::uint32_t i : way) {
+      std::vector<int> work = {-open};
+      add_work_in(i, work);
+      clause(work);
+    }
+  }
+  void add_work_in(std::uint32_t i, std::vector<int>& out) const {
+    for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) out.push_back(choice(i, c));
   }
   int choice(std::uint32_t i, std::size_t c) const {
     return first_choice_[i] + static_cast<int>(c);
@@ -120,16 +126,18 @@ class Painter {
   }
 
   void read_solution() {
-    colours_.assign(candidate_.target->bricks(), 0);
+    colours_.assign(rules_.brick.size(), 0);
     for (std::uint32_t i = 0; i < colours_.size(); ++i) {
       int c = 1;
       while (solver_.val(has(i, c)) < 0) ++c;
       colours_[i] = static_cast<Colour>(c);
     }
     done_.assign(cases_.cases.size(), {});
+    busy_.assign(cases_.cases.size(), false);
     for (std::uint32_t i = 0; i < cases_.cases.size(); ++i) {
       for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) {
         done_[i].push_back(solver_.val(choice(i, c)) > 0);
+        busy_[i] = busy_[i] || done_[i].back();
       }
     }
   }
@@ -167,28 +175,16 @@ class Painter {
 
   std::size_t add_lookalikes() {
     std::size_t added = 0;
-    for (const Likeness& likeness : cases_.alike) {
-      if (added >= kClausesOfRound) break;
-      const std::vector<bool>& other = done_[likeness.b];
-      const bool idle = std::find(other.begin(), other.end(), true) == other.end();
-      if (likeness.unless_idle && idle) continue;
-      const std::vector<bool>& done = done_[likeness.a];
-      if (std::find(done.begin(), done.end(), true) == done.end()) continue;
-      if (differ_now(likeness)) continue;
-      for (std::size_t c = 0; c < done.size(); ++c) {
-        if (done[c]) added += add_lookalike(likeness, c);
-      }
-    }
+    const std::uint64_t looked =
+        likenesses_.for_each(colours_, busy_, [&](const Likeness& likeness) {
+          const std::vector<bool>& done = done_[likeness.a];
+          for (std::size_t c = 0; c < done.size(); ++c) {
+            if (done[c]) added += add_lookalike(likeness, c);
+          }
+          return added < kClausesOfRound;
+        });
+    allowance_.spend(looked * kStepsOfPair);
     return added;
-  }
-
-  bool differ_now(const Likeness& likeness) const {
-    const Case &a = cases_.cases[likeness.a], &b = cases_.cases[likeness.b];
-    const CellBits both = a.filled & b.filled;
-    for (std::size_t i = 0; i < a.bricks.size(); ++i) {
-      if (both[i] && colours_[a.bricks[i]] != colours_[b.bricks[i]]) return true;
-    }
-    return false;
   }
 
   std::size_t add_lookalike(const Likeness& likeness, std::size_t c) {
@@ -214,24 +210,25 @@ class Painter {
     return 1;
   }
 
-  const CandidateOrder& candidate_;
   const RuleView& rules_;
   int k_;
   const Allowance& allowance_;
-  Cases cases_;
+  const Cases& cases_;
+  Likenesses likenesses_;
   CaDiCaL::Solver solver_;
   int next_ = 1;  ///< variable
   std::vector<int> first_choice_;
   std::map<BrickPair, int> differ_, equal_;
   std::vector<Colour> colours_;
   std::vector<std::vector<bool>> done_;  ///< by case and choice
+  std::vector<bool> busy_;               ///< by case: is something done?
 };
 
 }  // namespace
 
-PaintResult paint(const Target& target, const CandidateOrder& candidate, const RuleView& rules,
-                  int k, const Allowance& allowance) {
-  return Painter(target, candidate, rules, k, allowance).run();
+PaintResult paint(const Target& target, const Cases& cases, const RuleView& rules, int k,
+                  const Allowance& allowance) {
+  return Painter(target, cases, rules, k, allowance).run();
 }
 
 }  // namespace stig

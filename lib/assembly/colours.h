@@ -8,7 +8,8 @@
 //           (synthesis/clashes.h); sites on different levels are told apart by the rules' heights
 //   sight   what is done in one case is right in each that some question, answered in the first,
 //           does not tell from it
-//   way on  in every structure that can occur something is done
+//   way on  in every structure that can occur something is done (or what proves it, column by
+//           column: compiler/local_policy.h)
 //
 // What is done in which case and the colours are found together by a SAT solver. Conditions are
 // added when a solution violates them.
@@ -16,6 +17,7 @@
 
 #include <vector>
 
+#include "assembly/cases.h"
 #include "assembly/schedule.h"
 #include "synthesis/colouring.h"
 
@@ -27,7 +29,7 @@ struct PaintResult {
 };
 
 /// With colours 1..k, by brick of the candidate those that the target allows.
-PaintResult paint(const Target& target, const CandidateOrder& candidate, const RuleView& rules,
-                  int k, const Allowance& allowance);
+PaintResult paint(const Target& target, const Cases& cases, const RuleView& rules, int k,
+                  const Allowance& allowance);
 
 }  // namespace stig

@@ -23,13 +23,41 @@ bool beside_a_column(const TargetBricks& target, const BrickSet& state, std::uin
   });
 }
 
+constexpr std::int64_t kSpine = 100'000;
+
+/// Of one coordinate, over all bricks.
+struct Span {
+  int low = 0, high = 0;
+  /// Twice the distance from the middle.
+  int from_middle(int at) const { return std::abs(2 * at - low - high); }
+  /// Rows from the two in the middle: 0 for these.
+  int from_spine(int at) const {
+    const int lower = low + (high - low) / 2;
+    return at <= lower ? lower - at : at - lower - 1;
+  }
+};
+
+Span span_of(const TargetBricks& target, std::int32_t Cell::*coordinate) {
+  Span out{target.cell(0).*coordinate, target.cell(0).*coordinate};
+  for (std::size_t i = 0; i < target.bricks(); ++i) {
+    out.low = std::min(out.low, target.cell(i).*coordinate);
+    out.high = std::max(out.high, target.cell(i).*coordinate);
+  }
+  return out;
+}
+
 /// Bricks as they are liked to go, the first first.
 std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& liking) {
+  const Span wide = span_of(target, &Cell::x), deep = span_of(target, &Cell::y);
   std::vector<std::int64_t> score(target.bricks());
   for (std::size_t i = 0; i < score.size(); ++i) {
     const Cell c = target.cell(i);
+    const int x = liking.middle_x ? wide.from_middle(c.x) : c.x;
+    const int y = liking.middle_y ? deep.from_middle(c.y) : c.y;
     score[i] =
-        std::int64_t{liking.x} * c.x + std::int64_t{liking.y} * c.y + std::int64_t{liking.z} * c.z;
+        std::int64_t{liking.x} * x + std::int64_t{liking.y} * y + std::int64_t{liking.z} * c.z;
+    if (liking.spine == Liking::Spine::along_x) score[i] += kSpine * deep.from_spine(c.y);
+    if (liking.spine == Liking::Spine::along_y) score[i] += kSpine * wide.from_spine(c.x);
     if (liking.chance > 0) {
       score[i] += static_cast<std::int64_t>(combine(liking.seed, i) %
                                             static_cast<std::uint64_t>(liking.chance));

@@ -25,6 +25,11 @@ struct Builders {
 /// chance.
 struct Liking {
   int x = 0, y = 0, z = 0;
+  /// The distance from the middle is what counts of a coordinate.
+  bool middle_x = false, middle_y = false;
+  /// Two rows in the middle come first, then one row after the other beside them: a row that stands
+  /// by itself tells its bricks apart by colours alone, two together count in digits.
+  enum class Spine : std::uint8_t { none, along_x, along_y } spine = Spine::none;
   int chance = 0;  ///< a number below this is added
   std::uint64_t seed = 0;
   bool in_chains = false;  ///< what is next to the last brick that went goes first

@@ -117,7 +117,8 @@ ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   return {};
 }
 
-ReachResult effector(const View3& view, SideCell site, const Abilities& robot) {
+/// In every structure between two, the smaller of which says what stops the effector behind.
+ReachResult effector(const View3& least, const View3& view, SideCell site, const Abilities& robot) {
   const double half = robot.block.side / 2;
   const double ahead = robot.effector_front - (robot.carried_x + half);
   if (ahead > robot.magnet_reach && view.filled(site.u - 1, site.v, site.z + 1)) {
@@ -132,7 +133,7 @@ ReachResult effector(const View3& view, SideCell site, const Abilities& robot) {
     }
     // A column straight behind stops the effector before it; without one its corners come over
     // those to the left and right of that.
-    if (beside > 0 && ahead > 0 && !view.filled(site.u - 1, site.v, site.z + 1) &&
+    if (beside > 0 && ahead > 0 && !least.filled(site.u - 1, site.v, site.z + 1) &&
         view.filled(site.u - 1, site.v + side, site.z + 1)) {
       return {Obstruction::effector_blocked,
               cell_from(view.side, {site.u - 1, site.v + side, site.z + 1}), beside, 0};
@@ -216,11 +217,32 @@ ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, 
     return {Obstruction::slot, cell_from(side, {site.u, site.v + 1, site.z}), robot.block.side,
             robot.block.side};
   }
-  if (const ReachResult blocked = effector(view, site, robot);
+  if (const ReachResult blocked = effector(view, view, site, robot);
       blocked.obstruction != Obstruction::none) {
     return blocked;
   }
   return support(view, site, robot);
+}
+
+bool reach_between(const TargetBricks& target, const BrickSet& least, const BrickSet& most,
+                   const BrickSet& lane, Cell cell, ApproachSide side, const Abilities& robot) {
+  const View3 few{target, least, side}, many{target, most, side};
+  const SideCell site = seen_from(side, cell);
+  if (site.z - target.floor_level() >= robot.levels || most.meets(lane)) return false;
+  if (many.filled(site.u, site.v, site.z + 1) || !grounded(few, site)) return false;
+  if (many.filled(site.u, site.v - 1, site.z) && many.filled(site.u, site.v + 1, site.z)) {
+    return false;
+  }
+  return effector(few, many, site, robot).obstruction == Obstruction::none;
+}
+
+BrickSet lane_to(const TargetBricks& target, Cell cell, ApproachSide side, const Abilities& robot) {
+  const SideCell site = seen_from(side, cell);
+  BrickSet out(target.bricks());
+  for (std::size_t i = 0; i < target.bricks(); ++i) {
+    if (in_lane(site, seen_from(side, target.cell(i)), robot)) out.add(i);
+  }
+  return out;
 }
 
 std::string explain(const ReachResult& result) {

@@ -69,6 +69,12 @@ ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, 
 bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot);
 /// Does a cell of that lane lie behind the robot when it is as deep in the lane as it goes?
 bool behind_robot(const SideCell& site, const SideCell& brick, const Abilities& robot);
+/// The bricks of the whole structure that stand in it.
+BrickSet lane_to(const TargetBricks& target, Cell cell, ApproachSide side, const Abilities& robot);
+/// Can a block be put there in every structure that has all of `least` and nothing beyond `most`?
+/// `lane` is that of the cell. False too for one that would hang on a joint.
+bool reach_between(const TargetBricks& target, const BrickSet& least, const BrickSet& most,
+                   const BrickSet& lane, Cell cell, ApproachSide side, const Abilities& robot);
 /// "needs the lift at 168 mm, it goes to 137 mm": a sentence's end.
 std::string explain(const ReachResult& result);
 

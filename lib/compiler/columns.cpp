@@ -37,6 +37,19 @@ std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, cons
   return out;
 }
 
+std::vector<std::uint32_t> bricks_about(const TargetBricks& target, ApproachSide side, int u,
+                                        int v) {
+  std::vector<std::uint32_t> out;
+  for (const auto& [du, dv] : {std::pair(0, 0), {1, 0}, {0, 1}, {0, -1}}) {
+    for (int z = 0; z < target.levels(); ++z) {
+      const std::uint32_t brick =
+          target.brick_at(cell_from(side, {u + du, v + dv, z + target.floor_level()}));
+      if (brick != TargetBricks::kNone) out.push_back(brick);
+    }
+  }
+  return out;
+}
+
 std::optional<WindowCell> next_to_column(const TargetBricks& target, const BrickSet& state,
                                          ApproachSide side, int u, int v, std::uint32_t brick) {
   const SideCell site = seen_from(side, target.cell(brick));

@@ -21,4 +21,8 @@ std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, cons
 std::optional<WindowCell> next_to_column(const TargetBricks& target, const BrickSet& state,
                                          ApproachSide side, int u, int v, std::uint32_t brick);
 
+/// The whole structure's bricks on, before and beside a column, whatever stands.
+std::vector<std::uint32_t> bricks_about(const TargetBricks& target, ApproachSide side, int u,
+                                        int v);
+
 }  // namespace stig

@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "compiler/conflict_text.h"
+#include "compiler/local_policy.h"
 #include "compiler/refusal.h"
 #include "rules/rule_printer.h"
 
@@ -130,17 +131,6 @@ void report_shared_sides(const RuleSet& rules, const CompiledRules& compiled, Di
       .note("that they keep out of each other's way there is neither proved nor likely");
 }
 
-/// What policies may rest on, the least first. What lies straight ahead is enough for most; which
-/// side it is, a robot knows only from where it began.
-std::vector<PolicyScope> scopes(const CompiledRules& compiled) {
-  std::vector<PolicyScope> out = {{PlacementKinds::ahead, false}, {PlacementKinds::all, false}};
-  if (compiled.directions == KnownDirections::declared && compiled.sides.size() > 1) {
-    out.push_back({PlacementKinds::ahead, true});
-    out.push_back({PlacementKinds::all, true});
-  }
-  return out;
-}
-
 }  // namespace
 
 std::string_view to_string(KnownDirections directions) {
@@ -154,6 +144,62 @@ std::string_view to_string(KnownDirections directions) {
   }
   return {};
 }
+
+std::size_t structures_on_the_way(const CompiledRules& compiled) {
+  if (compiled.local_situations > 0) return 0;
+  return static_cast<std::size_t>(
+      std::count(compiled.policy.reached.begin(), compiled.policy.reached.end(), true));
+}
+
+std::string completion_text(const CompiledRules& compiled) {
+  if (compiled.local_situations > 0) {
+    return fmt::format("every order of work completes it: {} before a column can occur",
+                       counted(compiled.local_situations, "situation"));
+  }
+  return fmt::format("every order of work completes it: {} can occur on the way",
+                     counted(structures_on_the_way(compiled), "structure"));
+}
+
+/// What policies may rest on, the least first. What lies straight ahead is enough for most; which
+/// side it is, a robot knows only from where it began.
+std::vector<PolicyScope> policy_scopes(const CompiledRules& compiled) {
+  std::vector<PolicyScope> out = {{PlacementKinds::ahead, false}, {PlacementKinds::all, false}};
+  if (compiled.directions == KnownDirections::declared && compiled.sides.size() > 1) {
+    out.push_back({PlacementKinds::ahead, true});
+    out.push_back({PlacementKinds::all, true});
+  }
+  return out;
+}
+
+namespace {
+
+/// By a walk over all structures; false when there are too many.
+bool walk_structures(const Abilities& robot, const CompileOptions& options, CompiledRules& out) {
+  for (const PolicyScope& scope : policy_scopes(out)) {
+    out.policy = explore(*out.target, robot, out.sides, scope, options.limits);
+    if (out.policy.too_large) return false;
+    out.decision = settle(*out.target, out.policy);
+    if (!out.decision) continue;
+    out.decision = simplify(*out.target, out.policy, std::move(out.decision));
+    out.concurrency = check_concurrency(*out.target, robot, out.policy, *out.decision);
+    break;
+  }
+  return true;
+}
+
+/// What can be done where, by the one way or the other; false when there are too many structures
+/// for either.
+bool find_decision(const Abilities& robot, const CompileOptions& options, CompiledRules& out) {
+  const bool large = out.target->bricks() > kMostWalkedFirst;
+  // A walk may find several robots no harm where this does.
+  const auto good_enough = [&] { return out.robots == 1 || out.concurrency.conflicts.empty(); };
+  if (large && settle_locally(robot, options.limits, out) && good_enough()) return true;
+  out.decision.reset();
+  out.local_situations = 0;
+  return walk_structures(robot, options, out) || settle_locally(robot, options.limits, out);
+}
+
+}  // namespace
 
 CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
                             const CompileOptions& options, Diagnostics& diagnostics) {
@@ -170,21 +216,20 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
       report_shut_in(rules, robot, out, diagnostics)) {
     return out;
   }
-  for (const PolicyScope& scope : scopes(out)) {
-    out.policy = explore(*out.target, robot, out.sides, scope, options.limits);
-    if (options.limits.stop != nullptr && options.limits.stop->load()) return out;
-    if (out.policy.too_large) {
-      diagnostics
-          .add(Code::P712, whole(rules),
-               fmt::format("more than {} structures can occur on the way; nothing was proved",
-                           options.limits.states))
-          .note("--states N sets the limit; working from fewer sides leaves fewer");
-      return out;
-    }
-    out.decision = settle(*out.target, out.policy);
-    if (!out.decision) continue;
-    out.decision = simplify(*out.target, out.policy, std::move(out.decision));
-    out.concurrency = check_concurrency(*out.target, robot, out.policy, *out.decision);
+  const bool known = find_decision(robot, options, out);
+  if (options.limits.stop != nullptr && options.limits.stop->load()) {
+    out.decision.reset();
+    return out;
+  }
+  if (!known) {
+    diagnostics
+        .add(Code::P712, whole(rules),
+             fmt::format("more than {} structures can occur on the way; nothing was proved",
+                         options.limits.states))
+        .note("--states N sets the limit; working from fewer sides leaves fewer");
+    return out;
+  }
+  if (out.decision) {
     if (report_conflict(rules, out, diagnostics)) out.decision.reset();
     if (out.decision) report_shared_sides(rules, out, diagnostics);
     return out;

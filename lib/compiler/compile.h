@@ -5,7 +5,9 @@
 //     verify      every order of events ends in one structure
 //     shape       cubic, one stage, four colours, low enough: what can be said at once
 //     sides       from where robots work, and so what they know of the lattice's directions
-//     policy      what to do where, so that every order of work completes (policy.h)
+//     policy      what to do where, so that every order of work completes (policy.h): found column
+//     by
+//                 column in large structures (local_policy.h), else by a walk over all structures
 //     decision    the same as questions about what the camera sees (decision.h)
 //     concurrent  whether several robots may work at once (concurrent.h)
 //
@@ -45,6 +47,9 @@ struct CompileOptions {
 /// Kinds of brick that a block's LEDs tell apart.
 inline constexpr int kBlockColours = 4;
 
+/// Structures of more bricks are looked at column by column first.
+inline constexpr std::size_t kMostWalkedFirst = 24;
+
 /// A picture that goes with a refusal or a warning.
 struct RefusalDrawing {
   std::string title, drawing;
@@ -57,10 +62,22 @@ struct CompiledRules {
   std::optional<int> robots;  ///< that will work at once; none: nobody said
   KnownDirections directions = KnownDirections::symmetric;
   Policy policy;
+  /// Of a proof column by column (local_policy.h): how many situations it looked at; the policy's
+  /// structures are examples then. 0: all structures were walked.
+  std::size_t local_situations = 0;
+  std::shared_ptr<Visibility> visibility;  ///< of such a proof
   std::unique_ptr<DecisionNode> decision;  ///< null: refused
   Concurrency concurrency;                 ///< of what was not refused before
   std::vector<RefusalDrawing> drawings;    ///< that go with what is reported
 };
+
+/// Structures that can occur on the way, where all were walked.
+std::size_t structures_on_the_way(const CompiledRules& compiled);
+/// "every order of work completes it: …", what that rests on.
+std::string completion_text(const CompiledRules& compiled);
+
+/// What policies may rest on, the least first.
+std::vector<PolicyScope> policy_scopes(const CompiledRules& compiled);
 
 /// Reports why not to `diagnostics`, codes P7xx. The rule set must outlive the result.
 CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,

@@ -89,8 +89,11 @@ std::string robots_text(const CompiledRules& compiled) {
     return "one alone: " + conflict_text(compiled, found.conflicts.front());
   }
   std::string out =
-      fmt::format("any number at once: {} pairs of decisions in {} structures, no conflict",
-                  found.pairs, found.structures);
+      compiled.local_situations > 0
+          ? fmt::format("any number at once: {} decisions that last, whatever others put meanwhile",
+                        found.pairs)
+          : fmt::format("any number at once: {} pairs of decisions in {} structures, no conflict",
+                        found.pairs, found.structures);
   if (found.ways_cross) out += "; ways out cross";
   return out;
 }

@@ -175,6 +175,30 @@ void Visibility::add_looks(const Camera& shot) {
   }
 }
 
+std::vector<WindowCell> Visibility::cells_that_matter() const {
+  CellWords hiding((around_cells(levels_) + 63) / 64, 0);
+  const auto add = [&](const CellWords& cells) {
+    for (std::size_t i = 0; i < hiding.size(); ++i) hiding[i] |= cells[i];
+  };
+  for (const std::vector<TagLook>& looks : looks_) {
+    for (const TagLook& look : looks) {
+      add(look.hides_tag);
+      for (const CellWords& led : look.hides_led) add(led);
+    }
+  }
+  std::vector<WindowCell> out;
+  for (int z = 0; z < levels_; ++z) {
+    for (int du = -kBehind; du <= kBefore; ++du) {
+      for (int dv = -kBeside; dv <= kBeside; ++dv) {
+        const std::size_t i = around_index(du, dv, z);
+        const bool in_window = std::abs(du) <= 1 && std::abs(dv) <= 1;
+        if (in_window || (hiding[i / 64] >> (i % 64) & 1U) != 0) out.push_back({du, dv, z});
+      }
+    }
+  }
+  return out;
+}
+
 const std::vector<Observation>& Visibility::of(const std::string& filled) {
   const auto found = known_.find(filled);
   if (found != known_.end()) return found->second;

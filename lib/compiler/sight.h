@@ -74,6 +74,8 @@ class Visibility {
   const std::vector<Observation>& of(const std::string& filled);
   int levels() const { return levels_; }
   const std::vector<Stance>& stances() const { return stances_; }
+  /// The window, and all around it that can hide some of it.
+  std::vector<WindowCell> cells_that_matter() const;
 
  private:
   template <class Camera>
@@ -100,6 +102,7 @@ class Sight {
   const std::vector<Observation>& look_from_each(const BrickSet& state, ApproachSide side, int u,
                                                  int v);
   int levels() const { return visibility_->levels(); }
+  std::vector<WindowCell> cells_that_matter() const { return visibility_->cells_that_matter(); }
   const std::vector<Stance>& stances() const { return visibility_->stances(); }
 
  private:

@@ -15,6 +15,16 @@ bool BrickSet::contains(const BrickSet& other) const {
   return missing == 0;
 }
 
+void BrickSet::add(const BrickSet& others) {
+  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= others.words_[i];
+}
+
+bool BrickSet::meets(const BrickSet& other) const {
+  std::uint64_t both = 0;
+  for (std::size_t i = 0; i < words_.size(); ++i) both |= words_[i] & other.words_[i];
+  return both != 0;
+}
+
 std::size_t BrickSet::count() const {
   std::size_t out = 0;
   for (const std::uint64_t word : words_) out += static_cast<std::size_t>(std::popcount(word));
@@ -50,6 +60,14 @@ TargetBricks::TargetBricks(const std::vector<PlacedBrick>& bricks, std::size_t s
 BrickSet TargetBricks::start() const {
   BrickSet out(bricks());
   for (std::size_t i = 0; i < start_; ++i) out.add(i);
+  return out;
+}
+
+BrickSet TargetBricks::others(const BrickSet& set) const {
+  BrickSet out(bricks());
+  for (std::size_t i = 0; i < bricks(); ++i) {
+    if (!set.has(i)) out.add(i);
+  }
   return out;
 }
 

@@ -19,8 +19,12 @@ class BrickSet {
   bool has(std::size_t i) const { return (words_[i / 64] >> (i % 64) & 1U) != 0; }
   void add(std::size_t i) { words_[i / 64] |= std::uint64_t{1} << (i % 64); }
   void remove(std::size_t i) { words_[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
-  /// Has it all that the other has? Both are of one target.
+  /// All that the other has too. Both are of one target, here and below.
+  void add(const BrickSet& others);
+  /// Has it all that the other has?
   bool contains(const BrickSet& other) const;
+  /// Is there a brick that both have?
+  bool meets(const BrickSet& other) const;
   std::size_t count() const;
   std::uint64_t hash() const;
   auto operator<=>(const BrickSet&) const = default;
@@ -52,6 +56,8 @@ class TargetBricks {
   BrickSet start() const;
   BrickSet whole() const;
   bool complete(const BrickSet& state) const { return state.count() == bricks(); }
+  /// The bricks that these are not.
+  BrickSet others(const BrickSet& set) const;
   bool filled(const BrickSet& state, Cell cell) const {
     const std::uint32_t brick = brick_at(cell);
     return brick != kNone && state.has(brick);

@@ -59,6 +59,41 @@ std::optional<std::uint32_t> TargetStates::rule_for(const BrickSet& state,
   return std::nullopt;
 }
 
+bool TargetStates::due_between(const BrickSet& least, const BrickSet& most,
+                               std::size_t brick) const {
+  if (brick < start_bricks()) return false;
+  const StageSite& site = model_->sites[brick - start_bricks()];
+  Mask low = 0, high = 0;
+  for (Mask rest = site.bricks; rest != 0; rest &= rest - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(rest));
+    if (least.has(start_bricks() + site.brick[k])) low |= bit(static_cast<int>(k));
+    if (most.has(start_bricks() + site.brick[k])) high |= bit(static_cast<int>(k));
+  }
+  if (low == 0 && !site.beside) return false;
+  return std::any_of(site.rules.begin(), site.rules.end(), [&](const LocalRule& rule) {
+    return rule.colour == site.colour && rule.counts.empty() && (rule.need & ~low) == 0 &&
+           (rule.forbid & high) == 0;
+  });
+}
+
+Demands TargetStates::demands(std::size_t brick) const {
+  const StageSite& site = model_->sites[brick - start_bricks()];
+  Mask always = site.bricks, never = site.bricks;
+  for (const LocalRule& rule : site.rules) {
+    if (rule.colour != site.colour) continue;
+    always &= rule.need;
+    never &= rule.forbid;
+  }
+  Demands out;
+  for (Mask rest = site.bricks; rest != 0; rest &= rest - 1) {
+    const auto k = static_cast<std::size_t>(std::countr_zero(rest));
+    const auto number = static_cast<std::uint32_t>(start_bricks() + site.brick[k]);
+    if ((always & bit(static_cast<int>(k))) != 0) out.always.push_back(number);
+    if ((never & bit(static_cast<int>(k))) != 0) out.never.push_back(number);
+  }
+  return out;
+}
+
 std::vector<std::uint32_t> TargetStates::open(const BrickSet& state) const {
   std::vector<std::uint32_t> out;
   for (std::size_t i = start_bricks(); i < bricks(); ++i) {

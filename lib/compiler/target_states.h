@@ -17,6 +17,12 @@
 
 namespace stig {
 
+/// What the rules of one brick ask of its neighbours.
+struct Demands {
+  std::vector<std::uint32_t> always;  ///< each rule asks for it
+  std::vector<std::uint32_t> never;   ///< each rule forbids it
+};
+
 /// Bricks: those of the start first, then in the order of the proof's run.
 class TargetStates : public TargetBricks {
  public:
@@ -27,6 +33,11 @@ class TargetStates : public TargetBricks {
 
   /// The rule by which the brick may be placed now, or nothing.
   std::optional<std::uint32_t> rule_for(const BrickSet& state, std::size_t brick) const;
+  /// May a missing brick be placed in every structure that has all of `least` and nothing beyond
+  /// `most`? False too where several rules would have to be looked at together.
+  bool due_between(const BrickSet& least, const BrickSet& most, std::size_t brick) const;
+  /// Of a brick that is not of the start; neighbours that are of the start are left out.
+  Demands demands(std::size_t brick) const;
   /// Bricks that may be placed now, rising.
   std::vector<std::uint32_t> open(const BrickSet& state) const;
   /// As cells with colours, for drawings.

@@ -1,32 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "validate/work_sites.h"
 
-#include <set>
-
 #include "validate/build_site.h"
 
 namespace stig {
-
-WorkSites::WorkSites(const CompiledRules& compiled) : compiled_(compiled) {
-  const std::vector<BrickSet>& states = compiled.policy.states;
-  for (std::uint32_t i = 0; i < states.size(); ++i) numbers_.emplace(states[i], i);
-}
-
-int WorkSites::in(const BrickSet& state) const {
-  const auto found = numbers_.find(state);
-  if (found == numbers_.end()) return 0;
-  const Policy& policy = compiled_.policy;
-  // Every placement adds one brick, so the structures that follow are as many as the sites.
-  std::set<std::uint32_t> next;
-  for (std::size_t i = policy.first[found->second]; i < policy.first[found->second + 1]; ++i) {
-    const Situation& here = policy.situations[i];
-    const auto wish = decide(*compiled_.decision, policy.observations[here.observation]);
-    for (const auto& [placement, to] : here.placements) {
-      if (wish == placement) next.insert(to);
-    }
-  }
-  return static_cast<int>(next.size());
-}
 
 std::vector<std::pair<double, int>> WorkSites::over(const std::vector<BrickEvent>& events,
                                                     const RuleSet& rules) const {

@@ -6,11 +6,10 @@
 // one site after the other, then there are four at a time, then fewer.
 #pragma once
 
-#include <map>
 #include <utility>
 #include <vector>
 
-#include "compiler/compile.h"
+#include "compiler/open_work.h"
 #include "validate/watch.h"
 
 namespace stig {
@@ -18,17 +17,17 @@ namespace stig {
 class WorkSites {
  public:
   /// Compiled rules that have a decision; they must outlive it.
-  explicit WorkSites(const CompiledRules& compiled);
+  explicit WorkSites(const CompiledRules& compiled) : compiled_(compiled), open_(compiled) {}
 
   /// In a structure on the way; none in one that robots never come to by themselves.
-  int in(const BrickSet& state) const;
+  int in(const BrickSet& state) const { return static_cast<int>(open_.in(state).size()); }
   /// As the events made and unmade bricks: s, sites from then on; the first at 0 s.
   std::vector<std::pair<double, int>> over(const std::vector<BrickEvent>& events,
                                            const RuleSet& rules) const;
 
  private:
   const CompiledRules& compiled_;
-  std::map<BrickSet, std::uint32_t> numbers_;  ///< of the policy's states
+  OpenWork open_;
 };
 
 }  // namespace stig

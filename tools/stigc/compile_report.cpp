@@ -22,11 +22,6 @@ std::string sides_text(const CompiledRules& compiled) {
   return out;
 }
 
-std::size_t reached(const CompiledRules& compiled) {
-  return static_cast<std::size_t>(
-      std::count(compiled.policy.reached.begin(), compiled.policy.reached.end(), true));
-}
-
 Json node_json(const RuleSet& rules, const DecisionNode& node) {
   if (!node.question) {
     if (!node.placement) return {{"do", "nothing"}};
@@ -90,8 +85,7 @@ std::string compile_table(const CompileJob& job) {
     out += fmt::format("looks from   {:.0f} mm before the column, lift at {:.0f} mm\n",
                        1e3 * look.distance, 1e3 * look.lift);
   }
-  out += fmt::format("proved       every order of work completes it: {} can occur on the way\n",
-                     counted(reached(compiled), "structure"));
+  out += fmt::format("proved       {}\n", completion_text(compiled));
   out += fmt::format("robots       {}\n", robots_text(compiled));
   return out;
 }
@@ -114,7 +108,8 @@ std::string compile_ir(const CompileJob& job) {
                   {"effector_front", robot.effector_front}};
   out["structure"] = {{"bricks", compiled.target->bricks()},
                       {"start", compiled.target->start_bricks()},
-                      {"on_the_way", reached(compiled)}};
+                      {"on_the_way", structures_on_the_way(compiled)},
+                      {"situations", compiled.local_situations}};
   out["robots"] = robots_json(compiled);
   out["decision"] = node_json(*job.rules, *compiled.decision);
   out["looks"] = Json::array();

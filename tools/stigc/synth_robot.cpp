@@ -5,9 +5,9 @@
 
 #include <algorithm>
 
-#include "assembly/candidate.h"
 #include "base/text.h"
 #include "certify/certificate.h"
+#include "compiler/precedence.h"
 #include "outputs.h"
 #include "progress.h"
 #include "robot_input.h"
@@ -40,9 +40,9 @@ std::string usage_problem(const SynthOptions& o) {
 std::string target_problem(const SynthOptions& options, const Target& target) {
   if (target.cells.empty()) return "the target has no cells";
   if (target.cells.size() == 1) return "the target is a single brick, the start: there is no work";
-  if (target.cells.size() > kMostBricks) {
+  if (target.cells.size() > kMostOrderedBricks) {
     return fmt::format("the target has {} bricks, and --robot takes {} at most",
-                       target.cells.size(), kMostBricks);
+                       target.cells.size(), kMostOrderedBricks);
   }
   if (target.lattice != Lattice::cubic) {
     return "blocks are cubes: robots build on the cubic lattice alone";

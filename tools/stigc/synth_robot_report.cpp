@@ -34,11 +34,6 @@ std::size_t colours_of(const AssemblyPlan& plan) {
   return used.size();
 }
 
-std::size_t structures_of(const CompiledRules& compiled) {
-  return static_cast<std::size_t>(
-      std::count(compiled.policy.reached.begin(), compiled.policy.reached.end(), true));
-}
-
 /// Slices from the top down: of each brick when it is put and from where. Empty for what is too
 /// large to be looked at.
 std::string order_drawing(const AssemblyPlan& plan) {
@@ -144,7 +139,8 @@ Json plan_json(const AssemblyPlan& plan) {
   Json out = {{"proof", to_string(compiled.proof.verdict)},
               {"method", to_string(compiled.proof.method)},
               {"local_states", compiled.proof.local_states},
-              {"structures", structures_of(compiled)},
+              {"structures", structures_on_the_way(compiled)},
+              {"situations", compiled.local_situations},
               {"colours", colours_of(plan)},
               {"rules", plan.rules->rules.size()},
               {"start", to_json(plan.start)},
@@ -188,9 +184,8 @@ std::string plan_lines(const Target& target, const Assembly& made) {
                                    counted(made.counts.candidates, "candidate")));
   out += order_drawing(plan);
   if (!plan.work.empty()) out += line("sites open", open_text(plan.work));
-  return out + line("proof", fmt::format("every order of events builds it ({} local states), every "
-                                         "order of work completes it ({} structures on the way)",
-                                         compiled.proof.local_states, structures_of(compiled)));
+  return out + line("proof", fmt::format("every order of events builds it ({} local states); {}",
+                                         compiled.proof.local_states, completion_text(compiled)));
 }
 
 std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacle, bool color) {

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "compiler/local_situations.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace stig {
+
+struct LocalSituations::Search {
+  LocalSituation situation;           ///< `most` holds what is missing until it is shown
+  std::vector<std::uint32_t> bricks;  ///< to be decided on, each after those below it
+  std::size_t& left;
+  const Visit& visit;
+};
+
+LocalSituations::LocalSituations(const TargetBricks& target, const Precedence& precedence,
+                                 const Sight& sight)
+    : target_(target),
+      precedence_(precedence),
+      around_(sight.cells_that_matter()),
+      place_(target.bricks()) {
+  const std::vector<std::uint32_t> order = precedence.order();
+  for (std::uint32_t i = 0; i < place_.size(); ++i) place_[order[i]] = i;
+}
+
+std::vector<std::pair<int, int>> LocalSituations::columns(ApproachSide side) const {
+  std::set<std::pair<int, int>> out;
+  for (std::size_t i = 0; i < target_.bricks(); ++i) {
+    const SideCell at = seen_from(side, target_.cell(i));
+    out.emplace(at.u, at.v);
+  }
+  return {out.begin(), out.end()};
+}
+
+std::vector<std::uint32_t> LocalSituations::in_front(ApproachSide side, int u, int v) const {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t i = 0; i < target_.bricks(); ++i) {
+    const SideCell at = seen_from(side, target_.cell(i));
+    const int first = at.v == v ? u + 1 : u + 2;
+    if (std::abs(at.v - v) <= 1 && at.u >= first) out.push_back(i);
+  }
+  return out;
+}
+
+bool LocalSituations::stands(const BrickSet& state, ApproachSide side, int u, int v) const {
+  for (int z = 0; z < target_.levels(); ++z) {
+    if (target_.filled(state, cell_from(side, {u, v, z + target_.floor_level()}))) return true;
+  }
+  return false;
+}
+
+bool LocalSituations::always_comes(ApproachSide side, int u, int v, std::uint32_t brick,
+                                   const BrickSet& before) const {
+  if (!stands(before, side, u, v)) return false;
+  const std::vector<std::uint32_t> front = in_front(side, u, v);
+  return std::all_of(front.begin(), front.end(),
+                     [&](std::uint32_t one) { return precedence_.above(brick).has(one); });
+}
+
+bool LocalSituations::for_each(ApproachSide side, int u, int v, const BrickSet& given,
+                               const BrickSet& missing, std::size_t& most,
+                               const Visit& visit) const {
+  Search search{{side, u, v, given, missing}, {}, most, visit};
+  search.situation.least.add(target_.start());
+  BrickSet& out = search.situation.most;
+  for (const std::uint32_t brick : in_front(side, u, v)) out.add(precedence_.above(brick));
+  if (out.meets(search.situation.least)) return true;
+  for (const WindowCell& cell : around_) {
+    const std::uint32_t brick = target_.brick_at(
+        cell_from(side, {u + cell.du, v + cell.dv, cell.z + target_.floor_level()}));
+    if (brick != TargetBricks::kNone) search.bricks.push_back(brick);
+  }
+  std::sort(search.bricks.begin(), search.bricks.end(),
+            [&](std::uint32_t a, std::uint32_t b) { return place_[a] < place_[b]; });
+  return extend(search, 0);
+}
+
+bool LocalSituations::extend(Search& search, std::size_t next) const {
+  LocalSituation& now = search.situation;
+  while (next < search.bricks.size() &&
+         (now.least.has(search.bricks[next]) || now.most.has(search.bricks[next]))) {
+    ++next;
+  }
+  if (next < search.bricks.size()) {
+    // What is there is closed, and so is what is missing, so either goes.
+    const std::uint32_t brick = search.bricks[next];
+    const BrickSet least = now.least;
+    now.least.add(precedence_.below(brick));
+    if (!extend(search, next + 1)) return false;
+    now.least = least;
+    const BrickSet missing = now.most;
+    now.most.add(precedence_.above(brick));
+    if (!extend(search, next + 1)) return false;
+    now.most = missing;
+    return true;
+  }
+  if (!stands(now.least, now.side, now.u, now.v)) return true;
+  if (search.left == 0) return false;
+  --search.left;
+  const BrickSet missing = now.most;
+  now.most = target_.others(missing);
+  search.visit(now);
+  now.most = missing;
+  return true;
+}
+
+}  // namespace stig
