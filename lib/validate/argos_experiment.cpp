@@ -166,7 +166,7 @@ std::string argos_experiment(const RuleSet& rules, const CompiledRules& compiled
       "    <system threads=\"0\"/>\n"
       "    <experiment length=\"{:g}\" ticks_per_second=\"5\" random_seed=\"1\"/>\n"
       "  </framework>\n\n",
-      kMostBuildTime);
+      most_build_time(compiled));
   return out + controllers(layout, scripts) + arena(rules, layout, request, loose) +
          kPhysicsAndMedia;
 }

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kCacheWay = 0.5, kCacheClear = 0.39, kCacheDrop = 0.125;
 constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20, kRobotsApart = 0.25;
+/// s for a brick: one robot that works on four sides takes up to 120.
+constexpr double kTimeOfBrick = 150;
 constexpr double kArena = 1.5, kArenaBeyond = 0.7;
 
 /// Outwards from the structure, as the world's axes lie.
@@ -152,7 +154,7 @@ class Layout {
   Vec3 origin_;  ///< of the world, from the start's middle
 };
 
-std::string scene_head(const RuleSet& rules, double arena) {
+std::string scene_head(const RuleSet& rules, double duration, double arena) {
   const std::string& title = rules.title.empty() ? rules.name : rules.title;
   std::string quoted;
   for (const char c : title)
@@ -163,10 +165,14 @@ std::string scene_head(const RuleSet& rules, double arena) {
       "title: \"{}\"\n"
       "duration: {:g}\n"
       "arena: {:g}\n",
-      quoted, kMostBuildTime, arena);
+      quoted, duration, arena);
 }
 
 }  // namespace
+
+double most_build_time(const CompiledRules& compiled) {
+  return std::max(kMostBuildTime, kTimeOfBrick * static_cast<double>(compiled.target->bricks()));
+}
 
 int robots_of(const RuleSet& rules, std::optional<int> asked) {
   return asked.value_or(rules.physical ? rules.physical->robots.value_or(1) : 1);
@@ -180,7 +186,7 @@ SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
                          const SetUpRequest& request) {
   const SetUpLayout layout = lay_out(rules, compiled, request);
-  std::string out = scene_head(rules, layout.arena) + "blocks:\n";
+  std::string out = scene_head(rules, most_build_time(compiled), layout.arena) + "blocks:\n";
   int number = 0;
   for (const SetUpLayout::Block& block : layout.blocks) {
     out += fmt::format("  - {{name: start {}, at: [{:g}, {:g}, {:g}], color: {}, fixed: true}}\n",

@@ -34,6 +34,8 @@ namespace stig {
 
 inline constexpr std::string_view kControllerFile = "controller.lua";
 inline constexpr double kMostBuildTime = 2400;  ///< s
+/// The same, s: more for a structure of more than sixteen bricks.
+double most_build_time(const CompiledRules& compiled);
 
 /// Who works on which side. dynamic_: any robot on any, and one that is obstructed again and again
 /// goes to the next; fixed: each has its own for good, as in Allwright et al. 2017.

@@ -27,7 +27,7 @@ TEST_CASE("help of the program and of every command") {
   std::set<std::string> commands;
   for (const char* command : {"check", "fmt", "explore", "explain", "test", "verify", "certify",
                               "graph", "replay", "schema", "measure", "draw", "synth", "simulate",
-                              "describe", "compile", "validate", "completions", "doctor"}) {
+                              "describe", "compile", "validate", "build", "completions", "doctor"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
     commands.insert(command);
   }

@@ -37,6 +37,7 @@ struct Storage {
   DescribeOptions describe;
   CompileFileOptions compile;
   ValidateOptions validate;
+  BuildOptions build;
 };
 
 /// An option whose text is read by `parse`, which returns what is wrong.
@@ -434,7 +435,8 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
   integer(sub, "--runs", o.runs, 1, 10'000, "runs, with one seed after the other (default: 1)");
   parsed(sub, "--seed", "N", "seed of the first run (default: 1)",
          [&o](const std::string& text) { return parse_seed(text, o.seed); });
-  seconds(sub, "--duration", o.duration, "simulated seconds for a run (default: 2400)");
+  seconds(sub, "--duration", o.duration,
+          "simulated seconds for a run (default: 2400, or 150 a brick)");
   path(sub, "-o,--output", o.output,
        "a folder for the report, curves, traces, the scene and the controller");
   integer(sub, "--threads", o.threads, 0, 4096,
@@ -480,7 +482,8 @@ void add_files_out(CLI::App& app, Storage& s) {
 }
 
 /// N, or one of two words.
-std::string parse_colours(const std::string& text, SynthOptions& o) {
+template <class Options>
+std::string parse_colours(const std::string& text, Options& o) {
   o.colours.reset();
   o.use = text == "given" ? ColourUse::given : ColourUse::free;
   if (text == "given" || text == "free") return {};
@@ -557,6 +560,35 @@ void add_synth(CLI::App& app, SynthOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
+void add_build(CLI::App& app, BuildOptions& o) {
+  CLI::App* sub =
+      command(app, "build", "let robots build a drawing: synth --robot, compile and validate",
+              "  stigc explore rulesets/staircase.yaml -o staircase.txt\n"
+              "  stigc build staircase.txt -o built\n"
+              "  stigc build staircase.txt --robots 2 --seed 7 -o built-by-two\n");
+  file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt)");
+  integer(sub, "--robots", o.robots, 1, 100, "robots that work at once (default: 1)");
+  path(sub, "--robot", o.robot, "the robots' file (default: bebot.yaml, the paper's)");
+  add_sides(*sub, o.sides, "the sides that they work from, as --sides=+x,-x (default: chosen)");
+  parsed(sub, "--colours", "N|given|free", "as with synth (default: free)",
+         [&o](const std::string& text) { return parse_colours(text, o); });
+  parsed(sub, "--start", "X,Y,Z", "where the first brick is (default: chosen)",
+         [&o](const std::string& text) { return parse_cells(text, o.start); });
+  integer(sub, "--effort", o.effort, 1, 1000000, "how much synth tries (default: 1)");
+  integer(sub, "--budget", o.seconds, 1, 1000000,
+          "seconds after which synth ends with what it has (default: 300)");
+  integer(sub, "--runs", o.runs, 1, 10'000, "runs, with one seed after the other (default: 1)");
+  parsed(sub, "--seed", "N", "seed of the first run (default: 1)",
+         [&o](const std::string& text) { return parse_seed(text, o.seed); });
+  seconds(sub, "--duration", o.duration, "simulated seconds for a run (default: as validate)");
+  integer(sub, "--threads", o.threads, 0, 4096,
+          "threads for the runs; 0: all cores (default). The results are the same for any");
+  sub->add_option("-o,--output", o.output,
+                  "a folder for the rules, the decisions, pictures, and what validate writes")
+      ->type_name("FOLDER")
+      ->required();
+}
+
 void add_about_itself(CLI::App& app, Storage& s) {
   CLI::App* completions =
       command(app, "completions", "print a completion script for a shell",
@@ -599,6 +631,7 @@ void build(CLI::App& app, Storage& s) {
   add_describe(app, s.describe);
   add_compile(app, s.compile);
   add_validate(app, s.validate);
+  add_build(app, s.build);
   add_about_itself(app, s);
 }
 
@@ -637,7 +670,7 @@ CommandOptions chosen(const std::string& name, const Storage& s) {
       {"schema", s.schema},     {"measure", s.measure},   {"draw", s.draw},
       {"synth", s.synth},       {"doctor", s.doctor},     {"completions", s.completions},
       {"simulate", s.simulate}, {"describe", s.describe}, {"compile", s.compile},
-      {"validate", s.validate}};
+      {"validate", s.validate}, {"build", s.build}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

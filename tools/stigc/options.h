@@ -217,11 +217,30 @@ struct SynthOptions {
   bool json = false;
 };
 
+/// From a drawing to an evaluated structure: synth --robot, compile and validate.
+struct BuildOptions {
+  std::string target;
+  std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
+  std::vector<std::string> sides;    ///< empty: chosen
+  std::optional<int> robots;         ///< that work at once; otherwise one
+  ColourUse use = ColourUse::free;
+  std::optional<int> colours;  ///< so many at most
+  std::vector<Cell> start;
+  int effort = 1;
+  double seconds = 300;            ///< for the search
+  std::optional<double> duration;  ///< s, of a run
+  std::uint64_t seed = 1;          ///< of the first run
+  int runs = 1;
+  int threads = 0;     ///< 0: all cores
+  std::string output;  ///< folder
+};
+
 using CommandOptions =
     std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
-                 SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions>;
+                 SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
+                 BuildOptions>;
 
 struct CommandLine {
   GlobalOptions global;

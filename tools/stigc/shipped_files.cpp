@@ -65,6 +65,7 @@ struct Finder {
     find(o.scene);
     find(o.robot);
   }
+  void operator()(BuildOptions& o) const { find(o.robot); }
   /// Structures and traces do not come with the program.
   template <class Other>
   void operator()(Other&) const {}

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+#include <doctest/doctest.h>
+
+#include "program.h"
+
+namespace stig {
+
+TEST_CASE("build refuses a folder of the user's, and says why nothing can be built") {
+  const Workplace place;
+  place.write("line.txt", "1 1\n");
+  place.write("apart.txt", "1 . 1\n");
+  CHECK(place.shell("mkdir mine && echo kept > mine/rules.yaml").exit_code == 0);
+  const Outcome mine = place.stigc({"build", "line.txt", "-o", "mine"});
+  CHECK(mine.exit_code == 2);
+  CHECK(mine.err.find("no earlier build wrote it") != std::string::npos);
+  CHECK(place.file("mine/rules.yaml") == "kept\n");
+  const Outcome apart = place.stigc({"build", "apart.txt", "-o", "out"});
+  CHECK(apart.exit_code == 1);
+  CHECK(apart.out.starts_with("impossible: "));
+  CHECK_FALSE(place.has("out/rules.yaml"));
+  CHECK(place.stigc({"build", "line.txt"}).exit_code == 2);
+}
+
+#if STIG_WITH_DART
+TEST_CASE("build goes from a drawing to a report and pictures, and again") {
+  const Workplace place;
+  place.write("line.txt", "1 1\n");
+  for (int time = 0; time < 2; ++time) {
+    const Outcome built = place.stigc({"build", "line.txt", "-o", "out"});
+    CHECK(built.exit_code == 0);
+    CHECK(built.out.find("complete") != std::string::npos);
+    for (const char* name : {"target.png", "rules.yaml", "decisions.txt", "controller.lua",
+                             "scene.yaml", "report.html", "report.json", "built.png"}) {
+      CAPTURE(name);
+      CHECK(place.has(std::string("out/") + name));
+    }
+  }
+}
+#endif
+
+}  // namespace stig

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// stigc build: from a drawing to robots that have built it, the three commands in a row.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "base/text.h"
+#include "commands.h"
+#include "outputs.h"
+#include "robot_input.h"
+#include "structure_input.h"
+#include "validate_runs.h"
+
+namespace stig {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRules = "rules.yaml";
+constexpr const char* kDecisions = "decisions.txt";
+constexpr const char* kTarget = "target.png";
+constexpr const char* kBuilt = "built.png";
+/// What a rule set of synth says of itself.
+constexpr std::string_view kMadeBySynth = "compiled by stigc synth";
+
+class BuildWork {
+ public:
+  BuildWork(const BuildOptions& options, App& app) : options_(options), app_(app) {}
+
+  int run() {
+    if (const int code = prepare(); code != kOk) return code;
+    app_.say("1 of 3: rules that the robot can follow");
+    if (const int code = synth(); code != kOk) return code;
+    app_.say("2 of 3: what a robot decides where");
+    if (const int code = compile(); code != kOk) return code;
+    app_.say("3 of 3: robots at work");
+    const int code = validate();
+    return code == kUsage || code == kRunFailed ? code : std::max(code, draw_built());
+  }
+
+ private:
+  std::string in_folder(const std::string& name) const { return options_.output + "/" + name; }
+
+  /// The folder, and what is wanted drawn into it.
+  int prepare() {
+    const auto target = read_structure(options_.target, std::nullopt, app_);
+    if (!target) return kFailed;
+    std::vector<std::string> names;
+    for (const char* name : {kRules, kDecisions, kTarget, kBuilt}) names.push_back(in_folder(name));
+    if (const int code = check_outputs(names, app_, options_.output); code != kOk) return code;
+    if (const int code = check_ownership(names); code != kOk) return code;
+    std::error_code error;
+    fs::create_directory(options_.output, error);
+    if (error) {
+      app_.complain(fmt::format("cannot make the folder '{}': {}", printable(options_.output),
+                                error.message()));
+      return kRunFailed;
+    }
+    std::string problem;
+    const std::string title = fs::path(options_.target).filename().string();
+    if (write_structure(in_folder(kTarget), target->structure, target->bricks, title, true,
+                        problem)) {
+      return kOk;
+    }
+    app_.complain(problem);
+    return kRunFailed;
+  }
+
+  /// Names that the user did not choose are no leave to write over files of the user's.
+  int check_ownership(const std::vector<std::string>& names) const {
+    std::ifstream rules(in_folder(kRules));
+    const std::string text(std::istreambuf_iterator<char>(rules), {});
+    if (text.find(kMadeBySynth) != std::string::npos) return kOk;
+    for (const std::string& name : names) {
+      std::error_code ignored;
+      if (!fs::exists(name, ignored)) continue;
+      app_.complain(fmt::format(
+          "'{}' is there already, and no earlier build wrote it: name a folder of its own",
+          printable(name)));
+      return kUsage;
+    }
+    return kOk;
+  }
+
+  int synth() {
+    SynthOptions wanted;
+    wanted.target = options_.target;
+    wanted.robot = options_.robot.value_or(kPaperRobot);
+    wanted.sides = options_.sides;
+    wanted.robots = options_.robots.value_or(1);
+    wanted.use = options_.use;
+    wanted.colours = options_.colours;
+    wanted.start = options_.start;
+    wanted.effort = options_.effort;
+    wanted.seconds = options_.seconds;
+    wanted.output = in_folder(kRules);
+    return stig::run(wanted, app_);
+  }
+
+  int compile() {
+    CompileFileOptions wanted;
+    wanted.file = in_folder(kRules);
+    wanted.robot = options_.robot;
+    wanted.output = in_folder(kDecisions);
+    return stig::run(wanted, app_);
+  }
+
+  int validate() {
+    ValidateOptions wanted;
+    wanted.file = in_folder(kRules);
+    wanted.robot = options_.robot;
+    wanted.duration = options_.duration;
+    wanted.seed = options_.seed;
+    wanted.runs = options_.runs;
+    wanted.threads = options_.threads;
+    wanted.output = options_.output;
+    return stig::run(wanted, app_);
+  }
+
+  /// The end of the first run. What replay prints of it is no result here.
+  int draw_built() const {
+    ReplayOptions wanted;
+    wanted.trace = in_folder(trace_name(options_.seed));
+    wanted.picture = in_folder(kBuilt);
+    App drawing(app_.options());
+    return stig::run(wanted, drawing);
+  }
+
+  const BuildOptions& options_;
+  App& app_;
+};
+
+}  // namespace
+
+int run(const BuildOptions& options, App& app) { return BuildWork(options, app).run(); }
+
+}  // namespace stig
