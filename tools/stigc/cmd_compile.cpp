@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "compile_report.h"
 #include "compiler/compile.h"
+#include "other_rules.h"
 #include "outputs.h"
 #include "robot_input.h"
 #include "robots/robot_description.h"
@@ -185,6 +186,7 @@ int run(const CompileFileOptions& options, App& app) {
   settings.limits.stop = &stop_requested();
   Diagnostics diagnostics;
   const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
+  note_other_rules(*rules, compiled, *robot, options.robot, diagnostics);
   app.report(diagnostics);
   if (stop_requested()) {
     app.complain("interrupted: nothing was written");

@@ -16,6 +16,7 @@
 #include "compiler/conflict_text.h"
 #include "compiler/decision_text.h"
 #include "given_scene.h"
+#include "other_rules.h"
 #include "outputs.h"
 #include "physical/scene/scene_programs.h"
 #include "report.h"
@@ -87,6 +88,7 @@ class Validation {
     if (!options_.scene) settings.robots = robots_of(*rules_, options_.robots);
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
+    note_other_rules(*rules_, compiled_, *robot_, options_.robot, diagnostics);
     app_.report(diagnostics);
     if (stop_requested()) {
       app_.complain("interrupted before the first run");

@@ -91,6 +91,18 @@ AssemblyTask task_of(const SynthOptions& options, Target target, Abilities robot
   return out;
 }
 
+/// Those that came with the program, but the one that was named.
+std::vector<OtherRobot> other_robots(const std::string& named, const App& app) {
+  std::vector<OtherRobot> out;
+  for (const char* name : {kPaperRobot, kArgosRobot}) {
+    if (file_name(named) == name) continue;
+    if (auto robot = read_abilities(std::nullopt, app, name)) {
+      out.push_back({fmt::format("--robot robots/{}", name), std::move(*robot)});
+    }
+  }
+  return out;
+}
+
 std::vector<std::string> robot_output_names(const SynthOptions& options) {
   std::vector<std::string> names;
   if (has_file(options)) names.push_back(*options.output);
@@ -115,7 +127,8 @@ int write_plan(const SynthOptions& options, const AssemblyPlan& plan, App& app,
 }
 
 /// An exit code.
-int report(const SynthOptions& options, const Target& target, const Assembly& made, App& app,
+int report(const SynthOptions& options, const Target& target, const Assembly& made,
+           const std::vector<AssemblyRemedy>& remedies, App& app,
            std::vector<std::string>& written) {
   if (made.plan) {
     const int code = write_plan(options, *made.plan, app, written);
@@ -130,13 +143,16 @@ int report(const SynthOptions& options, const Target& target, const Assembly& ma
     return code;
   }
   if (made.obstacle) {
-    if (!options.json) app.print(obstacle_lines(target, *made.obstacle, app.color_out()));
+    if (!options.json) {
+      app.print(obstacle_lines(target, *made.obstacle, app.color_out()) + remedy_lines(remedies));
+    }
     return kFailed;
   }
   if (!options.json) {
     app.complain(made.cut_short ? fmt::format("not found: {}", ended_early())
                                 : fmt::format("not found: {}; --effort allows more",
                                               counts_in_words(made.counts)));
+    app.print(remedy_lines(remedies));
   }
   return kRunFailed;
 }
@@ -163,12 +179,18 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   AssemblyHooks hooks;
   hooks.deadline = Deadline::after(options.seconds, &stop_requested());
   hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
-  const Assembly made = assemble(task_of(options, target, *robot), options.effort, hooks);
+  const AssemblyTask task = task_of(options, target, *robot);
+  const Assembly made = assemble(task, options.effort, hooks);
+  std::vector<AssemblyRemedy> remedies;
+  if (!made.plan) {
+    progress.show(0, "what would help");
+    remedies = find_remedies(task, made, other_robots(*options.robot, app), options.effort, hooks);
+  }
   progress.clear();
   std::vector<std::string> written;
-  const int code = report(options, target, made, app, written);
+  const int code = report(options, target, made, remedies, app, written);
   if (options.json) {
-    app.print(assembly_json(options, target, made, progress.seconds(), written));
+    app.print(assembly_json(options, target, made, remedies, progress.seconds(), written));
   }
   return code;
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app.h"
-#include "assembly/assemble.h"
+#include "assembly/remedies.h"
 
 namespace stig {
 
@@ -14,10 +14,13 @@ int synth_for_robot(const SynthOptions& options, App& app);
 std::string plan_lines(const Target& target, const Assembly& made);
 /// Why nothing did.
 std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacle, bool color);
+/// What was tried and helps.
+std::string remedy_lines(const std::vector<AssemblyRemedy>& remedies);
 /// "none of 60 candidates: 12 had no order, …".
 std::string counts_in_words(const AssemblyCounts& counts);
 /// All of it as one JSON object.
 std::string assembly_json(const SynthOptions& options, const Target& target, const Assembly& made,
-                          double seconds, const std::vector<std::string>& written);
+                          const std::vector<AssemblyRemedy>& remedies, double seconds,
+                          const std::vector<std::string>& written);
 
 }  // namespace stig

@@ -206,8 +206,24 @@ std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacl
   return impossible + "every order of work was looked at, and each leaves a brick out of reach\n";
 }
 
+namespace {
+
+std::string remedy_text(const AssemblyRemedy& remedy) {
+  return fmt::format("{}: compiled, for {}", remedy.what,
+                     remedy.any_number ? "any number of robots" : "one robot");
+}
+
+}  // namespace
+
+std::string remedy_lines(const std::vector<AssemblyRemedy>& remedies) {
+  std::string out;
+  for (const AssemblyRemedy& one : remedies) out += "  remedy: " + remedy_text(one) + "\n";
+  return out;
+}
+
 std::string assembly_json(const SynthOptions& options, const Target& target, const Assembly& made,
-                          double seconds, const std::vector<std::string>& written) {
+                          const std::vector<AssemblyRemedy>& remedies, double seconds,
+                          const std::vector<std::string>& written) {
   Json json = {{"target", options.target}, {"bricks", target.cells.size()}};
   if (made.plan) {
     json["verdict"] = "compiled";
@@ -217,6 +233,10 @@ std::string assembly_json(const SynthOptions& options, const Target& target, con
     json.update(obstacle_json(target, *made.obstacle));
   } else {
     json["verdict"] = made.cut_short ? "out-of-time" : "not-found";
+  }
+  if (!made.plan) {
+    json["remedies"] = Json::array();
+    for (const AssemblyRemedy& one : remedies) json["remedies"].push_back(remedy_text(one));
   }
   json["impossible"] = made.obstacle.has_value();
   json["cut_short"] = made.cut_short;

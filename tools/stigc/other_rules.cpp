@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "other_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "assembly/assemble.h"
+#include "base/text.h"
+#include "compiler/precedence.h"
+#include "robot_input.h"
+
+namespace stig {
+namespace {
+
+/// Of synth's own: enough for what compile is usually asked about.
+constexpr double kEffort = 0.1;
+
+/// The structure with its lowest level on the floor, whatever its colours.
+Target shape_of(const Structure& structure) {
+  Target out;
+  const std::int32_t floor = structure.bounds()->low.z;
+  for (const PlacedBrick& brick : structure.bricks()) {
+    out.cells.push_back({brick.at.x, brick.at.y, brick.at.z - floor});
+  }
+  out.colours.assign(out.cells.size(), StateSet::anything());
+  return out;
+}
+
+std::string why_not(const Target& target, const AssemblyObstacle& obstacle) {
+  const std::string all = counted(target.cells.size(), "brick");
+  switch (obstacle.kind) {
+    case AssemblyObstacle::Kind::apart:
+      return fmt::format("{} of {} share no face with the rest",
+                         target.cells.size() - obstacle.part.count(), all);
+    case AssemblyObstacle::Kind::remainder:
+      return fmt::format("of {}, {} are left of which none can be put last", all,
+                         obstacle.remainder.bricks.count());
+    case AssemblyObstacle::Kind::exhausted:
+      break;
+  }
+  return fmt::format("every order of {} leaves one out of reach", all);
+}
+
+/// Tried before it is said; nothing where nothing is known.
+std::optional<std::string> note_on_other_rules(const RuleSet& rules, const CompiledRules& compiled,
+                                               const Abilities& robot,
+                                               const std::optional<std::string>& robot_file) {
+  if (rules.lattice != Lattice::cubic || compiled.proof.verdict != ProofVerdict::proved) return {};
+  const std::size_t bricks = compiled.proof.structure->size();
+  if (bricks < 2 || bricks > kMostOrderedBricks) return std::nullopt;
+  AssemblyTask task;
+  task.target = shape_of(*compiled.proof.structure);
+  task.robot = robot;
+  task.robots = compiled.robots;
+  task.wording.name = "other";
+  AssemblyHooks hooks;
+  hooks.deadline.stop = &stop_requested();
+  const Assembly made = assemble(task, kEffort, hooks);
+  if (made.obstacle) {
+    return fmt::format("no rules would do: {}; `stigc synth STRUCTURE --robot` shows it",
+                       why_not(task.target, *made.obstacle));
+  }
+  if (!made.plan) return std::nullopt;
+  const std::string robots = task.robots ? fmt::format("--robots {} ", *task.robots) : "";
+  return fmt::format(
+      "other rules build the same structure with this robot: `stigc explore {} -o structure.txt`, "
+      "then `stigc synth structure.txt --robot {} {}-o rules.yaml`",
+      printable(rules.file ? rules.file->path() : "FILE"),
+      printable(robot_file.value_or(kPaperRobot)), robots);
+}
+
+/// The diagnostics, the last error with one note more.
+Diagnostics with_note(const Diagnostics& diagnostics, const std::string& note) {
+  Diagnostics out;
+  std::size_t errors = diagnostics.count(Severity::error);
+  for (const Diagnostic& one : diagnostics.all()) {
+    Diagnostic& copy = out.add(one.code, one.range, one.message);
+    copy = one;
+    if (one.severity == Severity::error && --errors == 0) copy.note(note);
+  }
+  return out;
+}
+
+}  // namespace
+
+void note_other_rules(const RuleSet& rules, const CompiledRules& compiled, const Abilities& robot,
+                      const std::optional<std::string>& robot_file, Diagnostics& diagnostics) {
+  if (compiled.decision || stop_requested() || !diagnostics.has_errors()) return;
+  const auto note = note_on_other_rules(rules, compiled, robot, robot_file);
+  if (note) diagnostics = with_note(diagnostics, *note);
+}
+
+}  // namespace stig
