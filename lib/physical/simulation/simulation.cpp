@@ -41,6 +41,11 @@ std::string divergence(const RunState& run, BodyId body) {
                      run.world.time(), run.placed.bodies[static_cast<std::size_t>(body)].name);
 }
 
+/// Has it come to rest, where that ends it? What has not begun has not.
+bool at_rest(const RunState& run) {
+  return run.scene->stop_asleep && run.world.tick() > 0 && run.world.awake_count() == 0;
+}
+
 }  // namespace
 
 RunEnd Simulation::until(double duration, const RunHooks& hooks) {
@@ -48,6 +53,8 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
   // A multiple of the step that rounding has put a hair above the duration is its end.
   const auto last =
       static_cast<std::uint64_t>(std::ceil(duration / run_.placed.config.step - 1e-6));
+  // One that had ended so and was brought back makes no step more.
+  if (run_.world.tick() < last && at_rest(run_)) return RunEnd::asleep;
   while (run_.world.tick() < last) {
     if (run_.stop) return RunEnd::script;
     if (hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed)) {
@@ -63,7 +70,7 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
     }
     for (RunPart* part : parts) part->after_step(run_);
     if (hooks.after_step) hooks.after_step(run_.world);
-    if (scene().stop_asleep && run_.world.awake_count() == 0) return RunEnd::asleep;
+    if (at_rest(run_)) return RunEnd::asleep;
   }
   return RunEnd::duration;
 }

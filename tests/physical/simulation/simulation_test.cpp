@@ -112,6 +112,18 @@ TEST_CASE("a run ends when all sleep, where the scene says so") {
   CHECK(run.tally().slept == 6);
 }
 
+TEST_CASE("a run that has come to rest makes no step more when it is brought back") {
+  const LoadedScene loaded =
+      load("stigc_scene: 1\nstop: {asleep: true}\nblocks: [{at: [0, 0, 0.03]}]\n");
+  const Recorded whole = record(loaded, 20);
+  Simulation run(loaded.scene, loaded.placed);
+  REQUIRE(run.resume(whole.state));
+  const std::uint64_t tick = run.world().tick();
+  CHECK(run.until(30, {}) == RunEnd::asleep);
+  CHECK(run.world().tick() == tick);
+  CHECK(run.world().hash() == whole.hash);
+}
+
 TEST_CASE("what leaves the arena is counted, and the run goes on") {
   const LoadedScene loaded = load(
       "stigc_scene: 1\narena: 1\nblocks: [{at: [0, 0, 0.5], velocity: [20, 0, 0]}, {at: [0, 0.5, "
