@@ -1,28 +1,11 @@
 -- SPDX-License-Identifier: MIT
 -- How a robot handles blocks, with a fake one whose magnets work.
 
-local FakeRobot = require 'fake_robot'
-local Machine = require 'machine'
 local Approach = require 'manipulation.approach'
 local geometry = require 'common.geometry'
+local machine_with = require 'machine_with'
 local unit = require 'unit'
 local case, near, same = unit.case, unit.near, unit.same
-
-local function machine_with(blocks)
-   local fake = FakeRobot.new(blocks)
-   local machine = Machine.new(fake.robot)
-   local function run(does, each)
-      local out
-      machine:start(function() out = table.pack(does()) end)
-      for _ = 1, 5000 do
-         if not machine:step() then return table.unpack(out) end
-         fake:step()
-         if each then each() end
-      end
-      error('it does not end')
-   end
-   return machine, fake, run
-end
 
 local function dark(block) return block.colour == 0 end
 local function lit(block) return block.colour == 3 end

@@ -5,25 +5,9 @@ local FakeRobot = require 'fake_robot'
 local Machine = require 'machine'
 local Navigation = require 'motion.navigation'
 local geometry = require 'common.geometry'
+local machine_with = require 'machine_with'
 local unit = require 'unit'
 local case, near, same = unit.case, unit.near, unit.same
-
--- A machine on a fake robot; run(does) lets it do something to its end.
-local function machine_with(blocks)
-   local fake = FakeRobot.new(blocks)
-   local machine = Machine.new(fake.robot)
-   local function run(does, each)
-      local out
-      machine:start(function() out = table.pack(does()) end)
-      for _ = 1, 5000 do
-         if not machine:step() then return table.unpack(out) end
-         fake:step()
-         if each then each() end
-      end
-      error('it does not end')
-   end
-   return machine, fake, run
-end
 
 case('a turn ends at its heading, a drive on its line', function()
    local machine, fake, run = machine_with()
