@@ -75,10 +75,7 @@ class LocalCases {
       std::vector<bool>& lasting = lasting_[static_cast<std::size_t>(side)];
       lasting.assign(target_.bricks(), false);
       for (std::uint32_t q = 1; q < target_.bricks(); ++q) {
-        BrickSet least = precedence_.below(q);
-        least.remove(q);
-        lasting[q] = reach_between(target_, least, target_.others(precedence_.above(q)),
-                                   lanes_.to(q, side), target_.cell(q), side, builders_.robot);
+        lasting[q] = always_in_reach(target_, precedence_, lanes_, builders_.robot, q, side);
       }
     }
   }
@@ -125,7 +122,7 @@ class LocalCases {
     std::vector<Choice> out;
     for (const std::uint32_t brick : bricks_about(target_, at.side, at.u, at.v)) {
       if (at.most.has(brick) || !lasting_[static_cast<std::size_t>(at.side)][brick] ||
-          !all_before(at.least, brick)) {
+          !precedence_.all_before(at.least, brick)) {
         continue;
       }
       auto where = next_to_column(target_, at.least, at.side, at.u, at.v, brick);
@@ -136,26 +133,11 @@ class LocalCases {
     return out;
   }
 
-  bool all_before(const BrickSet& state, std::uint32_t brick) const {
-    BrickSet with = state;
-    with.add(brick);
-    return with.contains(precedence_.below(brick));
-  }
-
   /// Whatever brick can be the next in an order of ways on, is. False when none can.
   bool add_ways_on() {
-    BrickSet before = target_.start();
-    std::vector<std::uint32_t> missing;
-    for (std::uint32_t q = 1; q < target_.bricks(); ++q) missing.push_back(q);
-    while (!missing.empty()) {
-      const auto next = std::find_if(missing.begin(), missing.end(), [&](std::uint32_t q) {
-        return all_before(before, q) && add_ways_on(q, before);
-      });
-      if (next == missing.end()) return false;
-      before.add(*next);
-      missing.erase(next);
-    }
-    return true;
+    return can_go_on(target_, [&](std::uint32_t q, const BrickSet& before) {
+      return precedence_.all_before(before, q) && add_ways_on(q, before);
+    });
   }
 
   /// False when there is none, whatever is done.
@@ -163,7 +145,7 @@ class LocalCases {
     std::vector<WayOn> ways;
     for (const ApproachSide side : builders_.sides) {
       const SideCell site = seen_from(side, target_.cell(q));
-      for (const auto& [du, dv] : {std::pair(0, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      for (const auto& [du, dv] : kColumnsAbout) {
         WayOn way = way_on(side, site.u + du, site.v + dv, q, before);
         if (!way.empty()) ways.push_back(std::move(way));
       }

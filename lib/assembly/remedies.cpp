@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <set>
 
+#include "rules/cell_text.h"
+
 namespace stig {
 
 namespace {
@@ -96,8 +98,7 @@ class Healer {
       std::set<Cell> cells = cells_;
       cells.erase(cell);
       if (cells.size() < 2) return;
-      if (attempt(with_cells(cells),
-                  fmt::format("without the brick at ({}, {}, {})", cell.x, cell.y, cell.z))) {
+      if (attempt(with_cells(cells), "without the brick at " + cell_text(cell))) {
         return;
       }
     }
@@ -114,8 +115,7 @@ class Healer {
         if (!known.insert(cell).second) continue;
         std::set<Cell> cells = cells_;
         cells.insert(cell);
-        if (attempt(with_cells(cells),
-                    fmt::format("with a brick more at ({}, {}, {})", cell.x, cell.y, cell.z))) {
+        if (attempt(with_cells(cells), "with a brick more at " + cell_text(cell))) {
           return;
         }
       }

@@ -123,7 +123,8 @@ class LocalPolicy {
       if (at.most.has(brick)) continue;
       auto where = next_to_column(target_, at.least, at.side, at.u, at.v, brick);
       if (!where || (scope_.kinds == PlacementKinds::ahead && where->dv != 0)) continue;
-      if (!all_before(at.least, brick) || (lasting_ && !lasts(brick, at.side))) continue;
+      if (!precedence_.all_before(at.least, brick) || (lasting_ && !lasts(brick, at.side)))
+        continue;
       if (!target_.due_between(at.least, at.most, brick) ||
           !reach_between(target_, at.least, at.most, lanes_.to(brick, at.side), target_.cell(brick),
                          at.side, robot_)) {
@@ -170,50 +171,27 @@ class LocalPolicy {
     policy.reached.assign(policy.states.size(), true);
   }
 
-  /// Is there an order of the bricks in which each has its way on when it is the first missing one?
-  /// The more stand, the fewer structures there are to go on in, so that whatever brick has one may
-  /// be the next.
+  /// Has each brick its way on in some order?
   bool always_goes_on() {
-    BrickSet before = target_.start();
-    std::vector<std::uint32_t> missing;
-    for (auto q = static_cast<std::uint32_t>(target_.start_bricks()); q < target_.bricks(); ++q) {
-      missing.push_back(q);
-    }
-    while (!missing.empty()) {
-      const auto next = std::find_if(missing.begin(), missing.end(), [&](std::uint32_t q) {
-        return !stopped() && has_way_on(q, before);
-      });
-      if (next == missing.end()) return false;
-      before.add(*next);
-      missing.erase(next);
-    }
-    return true;
+    return can_go_on(target_, [&](std::uint32_t q, const BrickSet& before) {
+      return !stopped() && has_way_on(q, before);
+    });
   }
 
   /// Can the brick be put from there in all structures in which it is due?
   bool lasts(std::uint32_t brick, ApproachSide side) {
     const auto [known, added] = lasts_.emplace(Work{brick, side}, false);
     if (added) {
-      BrickSet least = precedence_.below(brick);
-      least.remove(brick);
-      known->second = reach_between(target_, least, target_.others(precedence_.above(brick)),
-                                    lanes_.to(brick, side), target_.cell(brick), side, robot_);
+      known->second = always_in_reach(target_, precedence_, lanes_, robot_, brick, side);
     }
     return known->second;
   }
 
-  /// Does all stand that comes before the brick?
-  bool all_before(const BrickSet& state, std::uint32_t brick) const {
-    BrickSet with = state;
-    with.add(brick);
-    return with.contains(precedence_.below(brick));
-  }
-
   bool has_way_on(std::uint32_t q, const BrickSet& before) {
-    if (!all_before(before, q)) return false;
+    if (!precedence_.all_before(before, q)) return false;
     for (const ApproachSide side : compiled_.sides) {
       const SideCell site = seen_from(side, target_.cell(q));
-      for (const auto& [du, dv] : {std::pair(0, 0), {-1, 0}, {0, 1}, {0, -1}}) {
+      for (const auto& [du, dv] : kColumnsAbout) {
         if (goes_on_at(side, site.u + du, site.v + dv, q, before)) return true;
       }
     }

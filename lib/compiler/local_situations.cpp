@@ -14,6 +14,24 @@ struct LocalSituations::Search {
   const Visit& visit;
 };
 
+bool can_go_on(
+    const TargetBricks& target,
+    const std::function<bool(std::uint32_t brick, const BrickSet& before)>& can_be_next) {
+  BrickSet before = target.start();
+  std::vector<std::uint32_t> missing;
+  for (auto q = static_cast<std::uint32_t>(target.start_bricks()); q < target.bricks(); ++q) {
+    missing.push_back(q);
+  }
+  while (!missing.empty()) {
+    const auto next = std::find_if(missing.begin(), missing.end(),
+                                   [&](std::uint32_t q) { return can_be_next(q, before); });
+    if (next == missing.end()) return false;
+    before.add(*next);
+    missing.erase(next);
+  }
+  return true;
+}
+
 LocalSituations::LocalSituations(const TargetBricks& target, const Precedence& precedence,
                                  const Sight& sight)
     : target_(target),

@@ -55,6 +55,12 @@ void Precedence::add(std::uint32_t first, std::uint32_t then) {
   }
 }
 
+bool Precedence::all_before(const BrickSet& state, std::uint32_t brick) const {
+  BrickSet with = state;
+  with.add(brick);
+  return with.contains(below_[brick]);
+}
+
 std::vector<std::uint32_t> Precedence::order() const {
   std::vector<std::size_t> rank;
   std::vector<std::uint32_t> out;
@@ -149,6 +155,14 @@ class Waiters {
 };
 
 }  // namespace
+
+bool always_in_reach(const TargetBricks& target, const Precedence& precedence, Lanes& lanes,
+                     const Abilities& robot, std::uint32_t brick, ApproachSide side) {
+  BrickSet least = precedence.below(brick);
+  least.remove(brick);
+  return reach_between(target, least, target.others(precedence.above(brick)), lanes.to(brick, side),
+                       target.cell(brick), side, robot);
+}
 
 void wait_for_lanes(const TargetBricks& target, const std::vector<ApproachSide>& sides,
                     const Abilities& robot, Lanes& lanes, Precedence& precedence) {

@@ -33,6 +33,8 @@ class Precedence {
   const BrickSet& above(std::size_t brick) const { return above_[brick]; }
   /// From now on `first` comes before `then`, which does not come before it.
   void add(std::uint32_t first, std::uint32_t then);
+  /// Does all stand that comes before the brick?
+  bool all_before(const BrickSet& state, std::uint32_t brick) const;
   /// Every brick after those that come before it.
   std::vector<std::uint32_t> order() const;
 
@@ -42,6 +44,10 @@ class Precedence {
 
 /// Of a proved rule set; the start's bricks come before all others.
 Precedence precedence_of(const TargetStates& target);
+
+/// Can the brick be put from there in all structures in which it is due?
+bool always_in_reach(const TargetBricks& target, const Precedence& precedence, Lanes& lanes,
+                     const Abilities& robot, std::uint32_t brick, ApproachSide side);
 
 /// Makes bricks wait for those that they would be in the way of: as few as will do that each brick
 /// can be put from some side as long as it is due. What has no such side is left as it is.
