@@ -2,21 +2,14 @@
 #include <doctest/doctest.h>
 
 #include "compiler/block_figures.h"
-#include "robots/robot_reader.h"
 #include "support.h"
+#include "support/shipped_robot.h"
 
 namespace stig {
 namespace {
 
-RobotModel robot_file(const std::string& name) {
-  Diagnostics diagnostics;
-  auto robot = read_robot_file(STIG_SOURCE_DIR "/robots/" + name + ".yaml", diagnostics);
-  REQUIRE_MESSAGE(robot, to_text(diagnostics));
-  return *robot;
-}
-
 TEST_CASE("the paper's robot, measured from its file, is the one of the published figures") {
-  const Abilities robot = abilities_of(robot_file("bebot"), {});
+  const Abilities robot = abilities_of(shipped_robot("bebot.yaml"), {});
   const Abilities paper = paper_robot();
   CHECK(robot.levels == 3);
   CHECK(robot.carried_x == doctest::Approx(paper.carried_x).epsilon(0.001));
@@ -39,7 +32,7 @@ Abilities with_block(const std::string& name) {
   Diagnostics diagnostics;
   const auto block = read_block_file(STIG_SOURCE_DIR "/blocks/" + name + ".yaml", diagnostics);
   REQUIRE_MESSAGE(block, to_text(diagnostics));
-  return abilities_of(robot_file("bebot"), figures_of(*block));
+  return abilities_of(shipped_robot("bebot.yaml"), figures_of(*block));
 }
 
 TEST_CASE("what is known of the block is what its file says") {
@@ -61,8 +54,8 @@ TEST_CASE("what is known of the block is what its file says") {
 }
 
 TEST_CASE("a robot that cannot build says what it lacks") {
-  CHECK(lacking(robot_file("bebot")).empty());
-  CHECK(lacking(robot_file("builderbot")).empty());
+  CHECK(lacking(shipped_robot("bebot.yaml")).empty());
+  CHECK(lacking(shipped_robot("builderbot.yaml")).empty());
   CHECK(lacking(RobotModel{}).size() == 5);
 }
 

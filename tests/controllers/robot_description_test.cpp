@@ -5,17 +5,10 @@
 #include <doctest/doctest.h>
 
 #include "controllers/lua_fixture.h"
-#include "robots/robot_reader.h"
+#include "support/shipped_robot.h"
 
 namespace stig {
 namespace {
-
-RobotModel robot_file(const std::string& name) {
-  Diagnostics diagnostics;
-  auto robot = read_robot_file(STIG_SOURCE_DIR "/robots/" + name + ".yaml", diagnostics);
-  REQUIRE_MESSAGE(robot, to_text(diagnostics));
-  return *robot;
-}
 
 /// What a program on this robot says of its description.
 std::string told(const RobotModel& robot, const std::string& expression) {
@@ -24,7 +17,7 @@ std::string told(const RobotModel& robot, const std::string& expression) {
 }
 
 TEST_CASE("the description is what the robot's file says") {
-  const RobotModel robot = robot_file("bebot");
+  const RobotModel robot = shipped_robot("bebot.yaml");
   CHECK(told(robot, "d.name") == "bebot");
   CHECK(told(robot, "d.drive.track, d.drive.speed, d.drive.acceleration") == "0.07106\t0.33\t1");
   CHECK(told(robot, "d.lift.top, d.lift.tolerance") == "0.137\t0.001");
@@ -38,9 +31,9 @@ TEST_CASE("the description is what the robot's file says") {
 }
 
 TEST_CASE("what is not there is not told") {
-  CHECK(told(robot_file("builderbot"), "d.rangefinders.front.calibration, d.magnets.neutral") ==
-        "metres\t15.114");
-  const RobotModel cart = robot_file("gripper_cart");
+  CHECK(told(shipped_robot("builderbot.yaml"),
+             "d.rangefinders.front.calibration, d.magnets.neutral") == "metres\t15.114");
+  const RobotModel cart = shipped_robot("gripper_cart.yaml");
   CHECK(told(cart, "d.lift, d.magnets, d.effector") == "nil\tnil\tnil");
   CHECK(told({}, "d.drive, d.camera, next(d.rangefinders)") == "nil\tnil\tnil");
 }

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "controllers/shipped_robot.h"
 #include "robots/robot_reader.h"
 #include "support/golden.h"
+#include "support/shipped_robot.h"
 
 namespace stig {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <set>
 
-#include "controllers/shipped_robot.h"
 #include "support/bad_files.h"
 #include "support/golden.h"
+#include "support/shipped_robot.h"
 
 namespace stig {
 namespace {
