@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 
+#include "base/file_io.h"
 #include "base/text.h"
 #include "commands.h"
 #include "outputs.h"
 #include "robot_input.h"
+#include "rules/rule_reader.h"
 #include "structure_input.h"
+#include "synth_words.h"
 #include "validate_runs.h"
 
 namespace stig {
@@ -23,8 +24,6 @@ constexpr const char* kRules = "rules.yaml";
 constexpr const char* kDecisions = "decisions.txt";
 constexpr const char* kTarget = "target.png";
 constexpr const char* kBuilt = "built.png";
-/// What a rule set of synth says of itself.
-constexpr std::string_view kMadeBySynth = "compiled by stigc synth";
 
 class BuildWork {
  public:
@@ -71,9 +70,9 @@ class BuildWork {
 
   /// Names that the user did not choose are no leave to write over files of the user's.
   int check_ownership(const std::vector<std::string>& names) const {
-    std::ifstream rules(in_folder(kRules));
-    const std::string text(std::istreambuf_iterator<char>(rules), {});
-    if (text.find(kMadeBySynth) != std::string::npos) return kOk;
+    FileError none;
+    const auto rules = read_file(in_folder(kRules), kMaxRuleFileBytes, none);
+    if (rules && rules->find(kMadeBySynth) != std::string::npos) return kOk;
     for (const std::string& name : names) {
       std::error_code ignored;
       if (!fs::exists(name, ignored)) continue;

@@ -57,7 +57,7 @@ Wording wording(const SynthOptions& options, const Solution& solution, bool cut_
   const std::string file = file_name(options.target);
   return {set_name(options.target),
           fmt::format("{}, {}", file, counted(solution.frame->cells.size(), "brick")),
-          fmt::format("compiled by stigc synth from {}{}; {}{}", file, options_in_words(options),
+          fmt::format("{} from {}{}; {}{}", kMadeBySynth, file, options_in_words(options),
                       solution.order.name,
                       cut_short ? fmt::format("; {}", ended_early()) : std::string())};
 }

@@ -79,9 +79,9 @@ std::string robot_options_in_words(const SynthOptions& o) {
 AssemblyTask task_of(const SynthOptions& options, Target target, Abilities robot) {
   AssemblyTask out;
   const std::string file = file_name(options.target);
-  out.wording = {
-      set_name(options.target), fmt::format("{}, {}", file, counted(target.cells.size(), "brick")),
-      fmt::format("compiled by stigc synth from {}{}", file, robot_options_in_words(options))};
+  out.wording = {set_name(options.target),
+                 fmt::format("{}, {}", file, counted(target.cells.size(), "brick")),
+                 fmt::format("{} from {}{}", kMadeBySynth, file, robot_options_in_words(options))};
   out.target = std::move(target);
   out.robot = std::move(robot);
   for (const std::string& side : options.sides) out.sides.push_back(*parse_side(side));

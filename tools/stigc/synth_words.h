@@ -10,6 +10,9 @@
 
 namespace stig {
 
+/// What a rule set of synth says of itself, and then of what it was compiled.
+inline constexpr std::string_view kMadeBySynth = "compiled by stigc synth";
+
 /// Do the rules go into a file? Otherwise to standard output, where there is no JSON.
 bool has_file(const SynthOptions& options);
 
