@@ -48,7 +48,11 @@ bench_part() {
     found=1
     say "$program" >&2
     printf '\n### %s\n\n' "$(basename "$program")"
-    if [[ $program == */bench_physics ]]; then
+    if [[ $program == */bench_assembly ]]; then
+      printf '```\n'
+      "$program" 10 "$seed" || failures=$((failures + 1))
+      printf '```\n'
+    elif [[ $program == */bench_physics ]]; then
       # Its table says which bounds were broken.
       "$program" || failures=$((failures + 1))
     elif "$program" --benchmark_out=out/bench.json --benchmark_out_format=json >&2; then
