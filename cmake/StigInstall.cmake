@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# What an installed tree holds: bin/stigc, the libraries and their headers,
-# share/stig/rulesets, blocks and scenes, share/stig/schema, and what find_package(stig)
-# needs.
+# What an installed tree holds: bin/stigc, the libraries and the headers that each names as its
+# API, share/stig/rulesets, blocks, robots, programs and scenes, share/stig/schema, and what
+# find_package(stig) needs.
 include(CMakePackageConfigHelpers)
 
 set(STIG_INSTALL_CMAKEDIR ${CMAKE_INSTALL_LIBDIR}/cmake/stig)
@@ -12,8 +12,7 @@ list(TRANSFORM stig_layers REPLACE / _)
 list(TRANSFORM stig_layers PREPEND stig_)
 install(TARGETS ${stig_layers} EXPORT stigTargets
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
-        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stig
-        FILE_SET lists DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stig)
+        FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/stig)
 install(EXPORT stigTargets NAMESPACE stig:: DESTINATION ${STIG_INSTALL_CMAKEDIR})
 
 configure_package_config_file(

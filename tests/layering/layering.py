@@ -9,6 +9,7 @@ layer's name is its folder's path: physical/solver. Checked, each with path:line
 
   - a file of lib/ includes layers that its own layer uses, by "layer/header.h", and
     nothing else of the project; the graph itself has no cycle;
+  - a header that is installed includes headers that are installed too;
   - no headers include each other in a circle;
   - vendor headers stand in .cpp files, of layers that name the vendor; yaml-cpp and
     CLI11, which cost much to compile, in one file each;
@@ -26,7 +27,7 @@ from collections import defaultdict
 from dataclasses import dataclass, field
 from pathlib import Path
 
-FOLDERS = ["lib", "tools", "tests", "bench", "fuzz", "cmake", "scripts"]
+FOLDERS = ["lib", "tools", "examples", "tests", "bench", "fuzz", "cmake", "scripts"]
 CODE = {".cpp", ".h", ".def"}
 SPDX = "SPDX-License-Identifier: MIT"
 COMMENT_OF = {".cpp": "//", ".h": "//", ".def": "//", ".js": "//", ".mjs": "//",
@@ -65,6 +66,7 @@ INCLUDE = re.compile(r'\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 class Layer:
     uses: list
     vendors: list
+    installed: list = field(default_factory=list)
 
 
 @dataclass
@@ -78,11 +80,11 @@ class Tree:
 
 
 def read_graph(text):
-    """{name: Layer} from lines "name | layers it uses | vendor targets"."""
+    """{name: Layer} from lines "name | layers it uses | vendor targets | installed headers"."""
     layers = {}
     for line in text.splitlines():
-        name, uses, vendors = (part.strip() for part in line.split("|"))
-        layers[name] = Layer(uses.split(), vendors.split())
+        name, uses, vendors, installed = (part.strip() for part in line.split("|"))
+        layers[name] = Layer(uses.split(), vendors.split(), installed.split())
     return layers
 
 
@@ -205,6 +207,22 @@ def check_library_includes(tree):
                 check_vendor_include(tree, path, line, name)
 
 
+def check_installed(tree):
+    """Whoever includes an installed header finds what it includes."""
+    installed = {f"{name}/{header}" for name, layer in tree.layers.items()
+                 for header in layer.installed}
+    for name in sorted(installed):
+        path = tree.root / "lib" / name
+        if not path.is_file():
+            layer = name.rpartition("/")[0]
+            tree.report(tree.root / "lib" / layer / "CMakeLists.txt", 1, f'"{name}" is no file of lib/')
+            continue
+        for line, other, quoted in includes_of(path):
+            if quoted and other not in installed:
+                tree.report(path, line, f'"{other}" is not installed, and this header is: name it '
+                                        "after API in its layer's CMakeLists.txt")
+
+
 def check_one_file(tree):
     users = defaultdict(list)
     for path in sources(tree.root, ["lib", "tools"], CODE):
@@ -254,6 +272,7 @@ def check(root, layers):
     tree = Tree(Path(root).resolve(), layers)
     if check_graph(tree):
         check_library_includes(tree)
+    check_installed(tree)
     check_one_file(tree)
     check_header_cycles(tree)
     check_type_names(tree)

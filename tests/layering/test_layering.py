@@ -8,7 +8,8 @@ from pathlib import Path
 
 import layering
 
-GRAPH = "base | | fmt::fmt yaml-cpp\nrules | base | fmt::fmt\nlattice | rules | Boost::headers\n"
+GRAPH = ("base | | fmt::fmt yaml-cpp | \nrules | base | fmt::fmt | \n"
+         "lattice | rules | Boost::headers | \n")
 SPDX = "// SPDX-License-Identifier: MIT\n"
 
 
@@ -44,7 +45,7 @@ class LayeringTest(unittest.TestCase):
         self.expect(problems, "lib/base/b.cpp", 3, "'base' may not include 'rules'")
 
     def test_layers_in_a_folder_of_layers(self):
-        graph = "base | | \nworld/low | base | \nworld/high | world/low | \n"
+        graph = "base | | | \nworld/low | base | | \nworld/high | world/low | | \n"
         self.assertEqual([], check({"lib/world/low/a.h": '#include "base/sound.h"\n',
                                     "lib/world/high/b.h": '#include "world/low/a.h"\n'}, graph))
         self.expect(check({"lib/world/low/a.h": '\n#include "world/high/b.h"\n',
@@ -52,6 +53,18 @@ class LayeringTest(unittest.TestCase):
                     "lib/world/low/a.h", 3, "'world/low' may not include 'world/high'")
         self.expect(check({"lib/world/a.h": '#include "base/sound.h"\n'}, graph),
                     "lib/world/a.h", 2, "folder 'world' is no layer")
+
+    def test_installed_header(self):
+        graph = "base | | | sound.h\nrules | base | | a.h\n"
+        files = {"lib/rules/a.h": '#include "base/sound.h"\n', "lib/rules/own.h": "",
+                 "lib/rules/a.cpp": '#include "rules/own.h"\n'}
+        self.assertEqual([], check(files, graph))
+        files["lib/rules/a.h"] = '\n#include "rules/own.h"\n'
+        self.expect(check(files, graph), "lib/rules/a.h", 3, '"rules/own.h" is not installed')
+
+    def test_installed_header_that_is_gone(self):
+        self.expect(check({}, "base | | | sound.h gone.h\n"),
+                    "lib/base/CMakeLists.txt", 1, '"base/gone.h" is no file')
 
     def test_include_without_layer(self):
         self.expect(check({"lib/base/b.cpp": '#include "sound.h"\n'}),
@@ -88,11 +101,11 @@ class LayeringTest(unittest.TestCase):
         self.expect(problems, "lib/base/a.h", 1, "headers in a circle")
 
     def test_layer_cycle(self):
-        problems = check({}, "base | rules |\nrules | base |\n")
+        problems = check({}, "base | rules | |\nrules | base | |\n")
         self.expect(problems, "lib/CMakeLists.txt", 1, "base -> rules -> base")
 
     def test_layer_that_uses_nothing_known(self):
-        self.expect(check({}, "base | sand |\n"), "lib/CMakeLists.txt", 1, "'sand'")
+        self.expect(check({}, "base | sand | |\n"), "lib/CMakeLists.txt", 1, "'sand'")
 
     def test_missing_spdx(self):
         self.expect(check({"scripts/run.sh": ""}), "scripts/run.sh", 1, "# SPDX")
