@@ -38,7 +38,7 @@ target_compile_options(stig_settings INTERFACE
   -ffp-contract=off)
 
 # Flags that change what the linker needs; a program outside the build that links
-# the installed libraries must be built with them too (tests/consumer is).
+# the installed libraries must be built with them too (tests/install_test.cmake does so).
 set(STIG_INSTRUMENT "")
 if(STIG_SANITIZE)
   list(APPEND STIG_INSTRUMENT -fsanitize=${STIG_SANITIZE})
