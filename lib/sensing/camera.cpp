@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Forth, the model of OpenCV's calib3d is a formula; back, it has no closed form and is inverted by
+// Newton's method with the formula's own derivatives. The derivatives are also what turns errors on
+// the image plane into errors in pixels for tag_pose.cpp, so they are worked out once, here.
 #include "sensing/camera.h"
 
 #include <cmath>
@@ -7,6 +10,7 @@ namespace stig {
 
 namespace {
 
+// Newton's method doubles the digits each round; the bound is for calibrations that make no sense.
 constexpr int kMostRounds = 60;
 constexpr double kExact = 1e-13;  ///< of the normalised image plane
 
@@ -17,6 +21,8 @@ struct Distorted {
 };
 
 Distorted distort(const CameraIntrinsics& c, double x, double y) {
+  // The names follow the docstring of camera.h: radial = above / below, a rational function of r².
+  // Slopes are by r², and the chain rule below brings in d(r²)/dx = 2x.
   const double r2 = x * x + y * y;
   const double above = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
   const double below = 1 + r2 * (c.k4 + r2 * (c.k5 + r2 * c.k6));
@@ -37,6 +43,7 @@ Distorted distort(const CameraIntrinsics& c, double x, double y) {
 }  // namespace
 
 std::optional<ImagePoint> project(const CameraIntrinsics& camera, const Vec3& p_C) {
+  // Written so that NaN fails too.
   if (!(p_C.z > 0)) return std::nullopt;
   const Distorted d = distort(camera, p_C.x / p_C.z, p_C.y / p_C.z);
   return ImagePoint{camera.fx * d.x + camera.cx, camera.fy * d.y + camera.cy};
@@ -54,6 +61,8 @@ std::optional<Vec3> unproject(const CameraIntrinsics& camera, const ImagePoint& 
   for (int round = 0; round < kMostRounds; ++round) {
     const Distorted d = distort(camera, x, y);
     const double ex = to_x - d.x, ey = to_y - d.y;
+    // Where the Jacobian's determinant vanishes the image folds over: no direction there is
+    // certain.
     const double det = d.xx * d.yy - d.xy * d.yx;
     if (std::abs(ex) < kExact && std::abs(ey) < kExact) {
       // Beyond a fold of the formula lie more solutions, which no lens shows.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Pixels are squares about whole numbers, as in camera_view.h, so a point's own pixel is the
+// nearest whole number. Boxes about corners are wider than the corners' pixels, because a lens that
+// bends straight edges can bulge them outwards between corners.
 #include "sensing/camera_picture.h"
 
 #include <algorithm>
@@ -13,6 +16,8 @@ CameraPicture::CameraPicture(const CameraIntrinsics& camera, const Vec3& ground)
              ground) {}
 
 PixelBox box_about(const CameraPicture& picture, const std::vector<ImagePoint>& points) {
+  // Empty to begin with: the lower corner lies beyond the upper one, and stays there without
+  // points.
   PixelBox b{picture.width, picture.height, -1, -1};
   for (const ImagePoint& p : points) {
     b.x0 = std::min(b.x0, static_cast<int>(std::floor(p.x)) - 2);
@@ -26,6 +31,8 @@ PixelBox box_about(const CameraPicture& picture, const std::vector<ImagePoint>& 
 
 PlaneHit meet_plane(const Pose& X_CT, const Vec3& way) {
   const Mat3 r = matrix(X_CT.q);
+  // Points of the plane are those with r.z · (p - X_CT.p) = 0; t is measured in lengths of `way`,
+  // so that it is the depth where way.z is 1.
   const double along = dot(r.z, way);
   if (along == 0) return {};
   const double t = dot(r.z, X_CT.p) / along;

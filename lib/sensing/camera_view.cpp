@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Distortion bends the borders of the image, so the directions that a camera sees are no pyramid.
+// What other code asks for is a pyramid that surely contains them: found by sampling the borders
+// and adding the most by which a smooth curve can leave the chords between samples.
 #include "sensing/camera_view.h"
 
 #include <algorithm>
@@ -30,6 +33,7 @@ struct Range {
   void add(double v) {
     low = std::min(low, v);
     high = std::max(high, v);
+    // NAN in the first two samples of a border makes this comparison false, as it should.
     const double bend = std::abs(v - 2 * last + before);
     if (bend > bulge) bulge = bend;
     before = last;
@@ -77,6 +81,8 @@ std::optional<CameraView> make_view(const CameraIntrinsics& intrinsics, double n
                     is_distorted(intrinsics)};
 }
 
+// A point on the border belongs to the image, although its last bit may say otherwise after a
+// projection.
 bool inside_image(const CameraIntrinsics& camera, const ImagePoint& pixel) {
   constexpr double kLeast = -0.5 - kOnBorder;
   return pixel.x >= kLeast && pixel.x <= camera.width - 0.5 + kOnBorder && pixel.y >= kLeast &&
@@ -86,12 +92,15 @@ bool inside_image(const CameraIntrinsics& camera, const ImagePoint& pixel) {
 std::optional<ImagePoint> image_of(const CameraView& view, const Vec3& p_C) {
   if (!(p_C.z >= view.near - kOnBorder && p_C.z <= view.far + kOnBorder)) return std::nullopt;
   const Vec3 way{p_C.x / p_C.z, p_C.y / p_C.z, 1};
+  // The cheap test first: most points of a scene are far outside, and need no distortion for that.
   if (!(way.x >= view.low.x && way.x <= view.high.x && way.y >= view.low.y &&
         way.y <= view.high.y)) {
     return std::nullopt;
   }
   const auto pixel = project(view.intrinsics, p_C);
   if (!pixel || !inside_image(view.intrinsics, *pixel)) return std::nullopt;
+  // The formula is a polynomial in r², not a lens: far outside it may turn round and lead back into
+  // the image. A point that is really seen survives the way there and back.
   if (view.distorted) {
     const auto back = unproject(view.intrinsics, *pixel);
     if (!back || !(length(*back - way) < kSameWay)) return std::nullopt;

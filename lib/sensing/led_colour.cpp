@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The robot of 2017 reads LEDs from a YUV image and tells colours
+// apart by thresholds in its chroma plane alone, since brightness depends on distance and exposure.
+// The thresholds are those of its camera's program (docs/sensing.md), and the colours of led_rgb
+// lie well within them.
 #include "sensing/led_colour.h"
 
 #include <array>
@@ -11,6 +15,7 @@ namespace {
 constexpr double kHalfWindow = 3;  ///< pixels
 }  // namespace
 
+// ITU-R BT.601 in full range, as JPEG has it; the chroma planes are centred on 128.
 Yuv to_yuv(Rgb rgb) {
   const double y = 0.299 * rgb.r + 0.587 * rgb.g + 0.114 * rgb.b;
   return {y, 128 + (rgb.b - y) / 1.772, 128 + (rgb.r - y) / 1.402};
@@ -34,6 +39,8 @@ Rgb led_rgb(std::uint8_t colour) {
 void LedWindow::add(const ImagePoint& point, const Yuv& light) {
   if (!(std::abs(point.x - centre_.x) <= kHalfWindow)) return;
   if (!(std::abs(point.y - centre_.y) <= kHalfWindow)) return;
+  // Chroma is weighted by luma: pixels in the dark about the LED have a chroma of 128 and would
+  // draw the mean to no colour at all.
   y_ += light.y;
   yu_ += light.y * light.u;
   yv_ += light.y * light.v;

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// In short: pixels → directions on the plane z = 1 (distortion taken out) → the homography's
+// first-order part at the tag's centre → two rotations that share it (IPPE, Collins and Bartoli
+// 2014) → the place that fits each best, a linear problem → both refined by Levenberg-Marquardt on
+// the error in pixels → the better of the two. Everything is in closed form but the refinement,
+// which converges in a handful of rounds.
 #include "sensing/tag_pose.h"
 
 #include <algorithm>
@@ -29,6 +34,7 @@ struct CentreMap {
   double xx = 0, xy = 0, yx = 0, yy = 0;  ///< dx/dX, dx/dY, dy/dX, dy/dY
 };
 
+// Twice the signed area of the triangle, positive when it turns from x to y.
 double turn(const Corner& a, const Corner& b, const Corner& c) {
   return (b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x);
 }
@@ -41,6 +47,7 @@ bool is_proper(const Corners& c) {
     longest = std::max(longest, (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
   }
   for (std::size_t i = 0; i < 4; ++i) {
+    // A relative bound: a tag far away is small in pixels but no worse for it.
     if (!(-turn(c[i], c[(i + 1) % 4], c[(i + 2) % 4]) > kFlattest * longest)) return false;
   }
   return true;
@@ -49,6 +56,8 @@ bool is_proper(const Corners& c) {
 /// From the homography of the unit square, in closed form (Heckbert 1989, "Fundamentals of
 /// texture mapping and image warping").
 CentreMap centre_map(const Corners& c, double side) {
+  // The names are Heckbert's: g and h are the projective terms, which vanish when the tag is seen
+  // frontally; x and y at (1/2, 1/2) of the unit square is where its centre appears.
   const double ax = c[1].x - c[2].x, ay = c[1].y - c[2].y;
   const double bx = c[3].x - c[2].x, by = c[3].y - c[2].y;
   const double sx = c[0].x - c[1].x + c[2].x - c[3].x, sy = c[0].y - c[1].y + c[2].y - c[3].y;
@@ -69,12 +78,17 @@ CentreMap centre_map(const Corners& c, double side) {
 
 /// The rotation that brings the z axis to a unit vector, by the shortest way; v.z > -1.
 Mat3 turned_to(const Vec3& v) {
+  // Rodrigues' formula with the angle's sine and cosine replaced by the vector's components; a tag
+  // in view is before the camera, so v.z is never near -1.
   const double s = 1 / (1 + v.z);
   return {{1 - v.x * v.x * s, -v.x * v.y * s, -v.x}, {-v.x * v.y * s, 1 - v.y * v.y * s, -v.y}, v};
 }
 
 /// Both rotations that have the map's derivative at the centre.
 std::array<Mat3, 2> rotations_of(const CentreMap& m) {
+  // With the line of sight to the centre as z axis the projection is, to first order, the same in
+  // all directions, and what is left of the derivative is an orthographic view: the upper left 2 ×
+  // 2 block of the rotation, times the inverse of the distance.
   const Mat3 to_centre = turned_to(normalised(Vec3{m.x, m.y, 1}));
   const Vec3 &r0 = to_centre.x, &r1 = to_centre.y;
   // Image of the turned frame's x and y axes, inverted and put before the derivative.
@@ -88,6 +102,8 @@ std::array<Mat3, 2> rotations_of(const CentreMap& m) {
   const double area = a00 * a11 - a01 * a10;
   const double s = 1 / std::sqrt((sum + std::sqrt(std::max(0.0, sum * sum - 4 * area * area))) / 2);
   a00 *= s, a01 *= s, a10 *= s, a11 *= s;
+  // Columns of a rotation are unit vectors, so their z components follow but for one common sign:
+  // that sign is the ambiguity. The two are negatives or not so that the columns are orthogonal.
   const double c0 = std::sqrt(std::max(0.0, 1 - a00 * a00 - a10 * a10));
   const double c1 =
       std::copysign(std::sqrt(std::max(0.0, 1 - a01 * a01 - a11 * a11)), -(a00 * a01 + a10 * a11));
@@ -110,6 +126,8 @@ Vec3 place_of(const Corners& corners, const Mat3& r) {
     mx += c.x / 4, my += c.y / 4, ma += rows[i][2] / 4, mb += rows[i][3] / 4;
   }
   double above = 0, below = 0;
+  // With the tag's own terms moved out of the way, only the depth couples the two coordinates: a
+  // straight line fitted through four corners in each, of one slope.
   for (const auto& [x, y, a, b] : rows) {
     above -= (x - mx) * (a - ma) + (y - my) * (b - mb);
     below += (x - mx) * (x - mx) + (y - my) * (y - my);
@@ -169,6 +187,8 @@ Normal normal_at(const Corners& corners, const Pose& X_CT) {
 }
 
 /// Solves (M + damping · diag M) d = -g by Cholesky's method; false when it is singular.
+// The damping scales the diagonal (Marquardt), so that turns in rad and moves in m need no common
+// unit.
 bool solve(Normal n, double damping, std::array<double, 6>& d) {
   auto& m = n.m;
   for (std::size_t i = 0; i < 6; ++i) m[i][i] *= 1 + damping;
@@ -206,6 +226,8 @@ Fit refine(const Corners& corners, const Pose& start) {
   Fit fit{start, 0};
   Normal n = normal_at(corners, start);
   double damping = 1e-6;
+  // Steps that make it worse raise the damping until the step is tiny; 1e9 means that no step
+  // helps, which is the minimum as far as doubles can tell.
   for (int round = 0; round < kMostFitRounds && n.cost > kNoError && damping < 1e9; ++round) {
     std::array<double, 6> d{};
     if (!solve(n, damping, d)) {
@@ -219,6 +241,7 @@ Fit refine(const Corners& corners, const Pose& start) {
       damping *= 10;
       continue;
     }
+    // Gains shrink quadratically here, so one that is tiny is the last that matters.
     const bool settled = n.cost - at.cost < kNoGain * n.cost;
     fit.X_CT = tried;
     n = at;
@@ -255,10 +278,13 @@ std::optional<TagPose> estimate_tag_pose(const CameraIntrinsics& camera,
   std::array<Fit, 2> fits;
   const auto rotations = rotations_of(map);
   for (std::size_t i = 0; i < 2; ++i) {
+    // Both are refined, not the first alone: near frontal views the cruder estimate of the two may
+    // be the right one.
     fits[i] = refine(prepared, {place_of(prepared, rotations[i]), quaternion_of(rotations[i])});
   }
   if (fits[1].cost < fits[0].cost) std::swap(fits[0], fits[1]);
   const auto centre = project(camera, {map.x, map.y, 1});
+  // kWorstFit: a corner came to lie behind the camera, so that no pose fits at all.
   if (!centre || !(fits[0].cost < kWorstFit)) return std::nullopt;
   return TagPose{fits[0].X_CT, std::sqrt(fits[0].cost / 4), fits[1].X_CT,
                  std::sqrt(fits[1].cost / 4), *centre};
