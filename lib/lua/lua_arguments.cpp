@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Arguments of the functions that programs call. Lua's own luaL_check… functions turn texts into
+// numbers, let NaN and infinities pass, and name arguments by their place alone; what comes in here
+// ends up in physics and in traces, so it is held to more, and a program's author is told the
+// function, the argument and what was given.
 #include <cmath>
 #include <lua.hpp>
 
@@ -15,13 +19,17 @@ void set_functions(lua_State* state, const LuaEntry* entries, std::size_t count)
 }
 
 void raise_if_stopped(lua_State* state) {
+  // Whoever caught the stop of a box is given the same error again. One that passes on the error
+  // through any number of pcalls so ends the call from outside.
   if (LuaBox::of(state).stopped()) lua_error(state);
 }
 
 const char* push_shown(lua_State* state, int index) {
+  // Messages go into logs and reports, where a long text would bury what they say.
   constexpr std::size_t kMostShown = 40;
   if (lua_isnone(state, index)) return lua_pushliteral(state, "missing");
   lua_pushvalue(state, index);
+  // Numbers are copied above before lua_tostring, which changes the value in place.
   if (lua_type(state, -1) == LUA_TNUMBER) return lua_tostring(state, -1);
   if (lua_type(state, -1) != LUA_TSTRING) return luaL_typename(state, -1);
   std::size_t size = 0;
@@ -48,6 +56,7 @@ double number_argument(lua_State* state, int index, const char* function, const 
 std::int64_t integer_argument(lua_State* state, int index, const char* function, const char* name,
                               std::int64_t low, std::int64_t high) {
   int exact = 0;
+  // lua_tointegerx takes 3.0 for 3, as Lua's own library does; 3.5 is not exact.
   const lua_Integer number =
       lua_type(state, index) == LUA_TNUMBER ? lua_tointegerx(state, index, &exact) : 0;
   if (exact == 0 || number < low || number > high) {

@@ -14,7 +14,9 @@ namespace {
 
 /// What comes back from a protected call, with true or false in front; `skip` values lie below.
 int finish_call(lua_State* state, int status, lua_KContext skip) {
+  // A call that yielded in between comes here as LUA_YIELD: it is as good as one that returned.
   if (status == LUA_OK || status == LUA_YIELD) return lua_gettop(state) - static_cast<int>(skip);
+  // A stop looks like any other error to lua_pcallk; it must not end in the program's hands.
   raise_if_stopped(state);
   lua_pushboolean(state, 0);
   lua_insert(state, -2);
@@ -23,6 +25,8 @@ int finish_call(lua_State* state, int status, lua_KContext skip) {
 
 int protected_call(lua_State* state) {
   luaL_checkany(state, 1);
+  // The result `true` is laid under the function beforehand, as lua_pcallk leaves what is below its
+  // function alone.
   lua_pushboolean(state, 1);
   lua_insert(state, 1);
   const int status = lua_pcallk(state, lua_gettop(state) - 2, LUA_MULTRET, 0, 0, finish_call);
@@ -32,6 +36,7 @@ int protected_call(lua_State* state) {
 int protected_call_with_handler(lua_State* state) {
   const int count = lua_gettop(state);
   luaL_checktype(state, 2, LUA_TFUNCTION);
+  // As in Lua's own xpcall: two values, the function and its handler, lie below what is returned.
   lua_pushboolean(state, 1);
   lua_pushvalue(state, 1);
   lua_rotate(state, 3, 2);  // function, handler, true, function, arguments
@@ -43,14 +48,17 @@ int protected_call_with_handler(lua_State* state) {
 int load(lua_State* state) {
   const std::string_view text = text_argument(state, 1, "load", "chunk");
   const char* name = luaL_optstring(state, 2, "=(load)");
+  // nil is an environment too, one in which nothing is found, so "none" is what counts.
   const bool has_environment = !lua_isnone(state, 4);
   if (!load_text(state, text, name)) {
     raise_if_stopped(state);
     lua_pushnil(state);
+    // An error in the text is a result here, but a stop while it was being loaded is not.
     lua_insert(state, -2);
     return 2;
   }
   if (has_environment) {
+    // The first upvalue of a chunk is _ENV; a chunk that uses no global has none.
     lua_pushvalue(state, 4);
     if (lua_setupvalue(state, -2, 1) == nullptr) lua_pop(state, 1);
   }
@@ -59,6 +67,8 @@ int load(lua_State* state) {
 
 /// Finalizers are refused: they would tell when garbage is collected.
 int set_metatable(lua_State* state) {
+  // The checks are those of Lua's own setmetatable, in the same order, with __gc refused after
+  // them.
   luaL_checktype(state, 1, LUA_TTABLE);
   if (!lua_isnil(state, 2)) luaL_checktype(state, 2, LUA_TTABLE);
   lua_settop(state, 2);
@@ -88,6 +98,8 @@ int collect_garbage(lua_State* state) {
   return 1;
 }
 
+// tonumber of Lua reads its text to the end, which may be as long as the longest text: charged. The
+// upvalue is Lua's function.
 int number_of(lua_State* state) {
   LuaBox::of(state).charge(state, lua_rawlen(state, 1) / 8);
   lua_pushvalue(state, lua_upvalueindex(1));
@@ -99,6 +111,8 @@ int number_of(lua_State* state) {
 }  // namespace
 
 std::string_view without_head(std::string_view file) {
+  // What editors and shells put in front of a file. The first line is emptied and not removed, so
+  // that the lines of messages are those of the file.
   constexpr std::string_view kMark = "\xef\xbb\xbf";
   if (file.starts_with(kMark)) file.remove_prefix(kMark.size());
   if (file.starts_with('#')) file.remove_prefix(std::min(file.find('\n'), file.size()));
@@ -106,11 +120,14 @@ std::string_view without_head(std::string_view file) {
 }
 
 bool load_text(lua_State* state, std::string_view text, const char* chunk_name) {
+  // Parsing takes time in proportion to the text, and "t" refuses binary chunks: those are not
+  // verified when loaded, and can crash the interpreter.
   LuaBox::of(state).charge(state, text.size());
   return luaL_loadbufferx(state, text.data(), text.size(), chunk_name, "t") == LUA_OK;
 }
 
 void open_base(lua_State* state) {
+  // Taken out: functions that reach files, and warn, which writes to standard error.
   luaL_requiref(state, LUA_GNAME, luaopen_base, 1);
   for (const char* name : {"dofile", "loadfile", "warn"}) {
     lua_pushnil(state);

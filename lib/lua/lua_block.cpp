@@ -12,6 +12,8 @@ namespace stig {
 
 namespace {
 
+// The side is handed to the box as LuaSide, since a box knows no kinds of programs; the cast goes
+// back the way it came.
 BlockCommands& block_commands(lua_State* state) {
   auto* side = static_cast<LuaSide*>(LuaBox::of(state).user());
   return *static_cast<BlockSide*>(side)->commands;
@@ -49,6 +51,8 @@ std::uint8_t led_argument(lua_State* state, int index, const char* function) {
 
 int set_all_colors(lua_State* state) {
   const std::uint8_t colour = led_argument(state, 1, "directional_leds.set_all_colors");
+  // All LEDs at once overwrite what was set one by one before in this step, and not what comes
+  // after.
   block_commands(state).leds.clear();
   block_commands(state).all_leds = colour;
   return 0;
@@ -60,6 +64,7 @@ int set_single_color(lua_State* state) {
       static_cast<std::size_t>(integer_argument(state, 1, kFunction, "index", 1, kBlockLeds) - 1);
   const std::uint8_t colour = led_argument(state, 2, kFunction);
   auto& leds = block_commands(state).leds;
+  // The last command of a step holds; the list stays as short as a block has LEDs.
   std::erase_if(leds, [&](const auto& entry) { return entry.first == led; });
   leds.emplace_back(led, colour);
   return 0;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A program whose step() is called Step(), on_step() or steps() runs without ever doing anything,
+// and nothing about it is an error to Lua. So a host that finds a callback missing looks for a
+// function that was probably meant, and names the line on which it begins.
 #include "lua/lua_callbacks.h"
 
 #include <fmt/format.h>
@@ -21,6 +24,7 @@ constexpr std::size_t kLongestNear = 64;   ///< bytes of a name that may be near
 constexpr std::uint64_t kGlobalCost = 20;  ///< instructions, for each global
 
 /// Letters and digits alone, small: how names are compared.
+// Case and underscores are how names of one meaning differ between interfaces: on_step, onStep.
 std::string bare(std::string_view name) {
   std::string out;
   for (const char c : name) {
@@ -42,6 +46,7 @@ struct Near {
 
 std::optional<Near> near_to(const std::string& name, const char* wanted) {
   const std::string own = bare(name), goal = bare(wanted);
+  // Too many names would be near to a short one.
   if (own.size() < 3) return std::nullopt;
   if (own == goal) return Near{0, name, wanted};
   if (own.ends_with(goal) || goal.ends_with(own)) return Near{1, name, wanted};
@@ -54,9 +59,13 @@ std::optional<Near> near_to(const std::string& name, const char* wanted) {
 /// walked does not matter.
 std::optional<Near> nearest_function(lua_State* state, std::initializer_list<const char*> names) {
   std::optional<Near> best;
+  // The walk is by lua_next, whose order depends on the seed of hashes; the minimum over a total
+  // order (rank, then name) does not.
   lua_pushglobaltable(state);
   lua_pushnil(state);
   while (lua_next(state, -2) != 0) {
+    // The program may have filled its table of globals with millions of names: it pays for the
+    // walk.
     LuaBox::of(state).charge(state, kGlobalCost);
     const bool plain = lua_type(state, -2) == LUA_TSTRING && lua_isfunction(state, -1) &&
                        lua_iscfunction(state, -1) == 0 && lua_rawlen(state, -2) <= kLongestNear;
@@ -65,6 +74,7 @@ std::optional<Near> nearest_function(lua_State* state, std::initializer_list<con
     const std::string name = lua_tostring(state, -1);
     for (const char* wanted : names) {
       auto near = near_to(name, wanted);
+      // strict <: among equals the first of `names` wins, which is the same in every run too.
       if (near && (!best || *near < *best)) best = std::move(near);
     }
   }
@@ -74,6 +84,7 @@ std::optional<Near> nearest_function(lua_State* state, std::initializer_list<con
 
 /// "file:line: " where the global function begins.
 std::string place_of(lua_State* state, const std::string& function) {
+  // Known to be a function, so this pushes it, and ">" takes it off again.
   push_callback(state, function.c_str());
   lua_Debug about{};
   lua_getinfo(state, ">S", &about);
@@ -96,6 +107,7 @@ std::string lack(lua_State* state, std::initializer_list<const char*> names) {
 }  // namespace
 
 bool push_callback(lua_State* state, const char* name) {
+  // Raw: a metatable of the globals may make up functions that are not there.
   lua_pushglobaltable(state);
   lua_pushstring(state, name);
   const int type = lua_rawget(state, -2);

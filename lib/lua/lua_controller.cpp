@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// What robots and blocks have in common is a Host: a box, the side that C functions act on, and a
+// status that stays as it is after the first failure. Calls into Lua get their data by a pointer to
+// a struct on the C++ stack (Call), and C functions find the side by LuaBox::user, so nothing that
+// a program can reach holds a pointer into the simulation.
 #include "lua/lua_controller.h"
 
 #include <algorithm>
@@ -36,6 +40,8 @@ Call& call_of(lua_State* state) {
 using RobotCall = Call<RobotSide, RobotReadings>;
 using BlockCall = Call<BlockSide, BlockReadings>;
 
+// Devices first, so that the program's own top level finds `robot`; then the program; then its
+// init, if it has one.
 int init_robot(lua_State* state) {
   open_robot(state, *call_of<RobotCall>(state).side);
   run_program(state);
@@ -50,11 +56,14 @@ int init_block(lua_State* state) {
 }
 template <class Call>
 int step_any(lua_State* state) {
+  // Readings are written into the tables, then the program is called: a step never sees half of
+  // them.
   const Call& call = call_of<Call>(state);
   put_readings(state, *call.side, *call.readings);
   call_needed(state, "step");
   return 0;
 }
+// Asked by tools before a long run; a run itself finds out at the first step.
 int need_step(lua_State* state) {
   need_one_of(state, {"step"});
   return 0;
@@ -68,6 +77,7 @@ int destroy_robot(lua_State* state) {
   return 0;
 }
 
+// The traceback is split into lines, since a log is a list of lines.
 void log_failure(const LuaBox& box, const std::string& error, std::vector<std::string>& log) {
   log.push_back("error: " + error);
   const std::string& trace = box.traceback();
@@ -79,6 +89,8 @@ void log_failure(const LuaBox& box, const std::string& error, std::vector<std::s
 }
 
 /// A box, the side that its program acts on, and how it has fared.
+// In a template and not a base class with virtual functions: the two sides share no types but their
+// names.
 template <class Side, class Readings, class Commands>
 struct Host {
   Side side;
@@ -90,13 +102,17 @@ struct Host {
       : box(std::move(program), std::move(settings), static_cast<LuaSide*>(&side)) {}
 
   ControllerStatus run(LuaBox::Body body, const Readings* readings, Commands& commands) {
+    // Sticky: a program that has failed once is in a state that its author did not foresee.
     if (!status.ok) return status;
     side.commands = &commands;
     side.log = &commands.log;
+    // The limit on what is logged is for each call.
     side.logged = 0;
     Call<Side, Readings> call{&side, readings};
     status = box.run(body, &call);
     if (!status.ok) log_failure(box, status.error, commands.log);
+    // Commands and log belong to the caller and end with the call; a C function that is called
+    // later, by whatever way, finds null instead of a stale pointer.
     side.commands = nullptr;
     side.log = nullptr;
     return status;
@@ -124,6 +140,7 @@ ControllerStatus LuaController::init(RobotCommands& commands) {
 }
 ControllerStatus LuaController::step(const RobotReadings& readings, RobotCommands& commands) {
   assert(state_->begun);
+  // detect_led looks at the camera's LEDs of this step, which are handed to Lua only through it.
   state_->side.readings = &readings;
   auto status = state_->run(step_any<RobotCall>, &readings, commands);
   state_->side.readings = nullptr;
@@ -134,6 +151,7 @@ ControllerStatus LuaController::reset(RobotCommands& commands) {
   return state_->run(reset_robot, nullptr, commands);
 }
 void LuaController::destroy() {
+  // The commands are dropped: the robot is about to be taken away.
   RobotCommands commands;
   if (state_->begun) state_->run(destroy_robot, nullptr, commands);
 }

@@ -23,7 +23,7 @@ class LuaController final : public RobotController {
   ControllerStatus step(const RobotReadings& readings, RobotCommands& commands) override;
   /// After init: is there a step() to call? Asked before a run; steps ask for themselves.
   ControllerStatus ready();
-  /// Of the call that failed.
+  /// What ended the call that failed, and where.
   const LuaFailure& failure() const;
   /// The program's reset(), when the experiment begins anew.
   ControllerStatus reset(RobotCommands& commands);

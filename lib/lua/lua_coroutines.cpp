@@ -14,6 +14,8 @@ namespace {
 /// Moves the arguments, which are all above the thread's place, into it; results or the error
 /// come back on top. The number of results, or -1.
 int resume_with(lua_State* state, lua_State* thread, int count) {
+  // The count hook is inherited by a new thread but its counter starts from zero, so a program
+  // could run for ever in coroutines shorter than an interval: each resume pays for a whole one.
   LuaBox::of(state).charge(state, LuaBox::kHookInterval);
   if (lua_checkstack(thread, count) == 0) {
     return luaL_error(state, "coroutine: too many arguments to resume");
@@ -22,18 +24,21 @@ int resume_with(lua_State* state, lua_State* thread, int count) {
   int results = 0;
   const int status = lua_resume(thread, state, count, &results);
   if (status == LUA_OK || status == LUA_YIELD) {
+    // The stack is grown in unprotected mode by nobody else: lua_xmove needs the room beforehand.
     if (lua_checkstack(state, results + 1) == 0) {
       return luaL_error(state, "coroutine: too many results to resume");
     }
     lua_xmove(thread, state, results);
     return results;
   }
+  // A thread that failed keeps its error on its own stack.
   lua_xmove(thread, state, 1);
   raise_if_stopped(state);
   return -1;
 }
 
 int resume(lua_State* state) {
+  // Like Lua's: true and results, or false and the error.
   luaL_checktype(state, 1, LUA_TTHREAD);
   const int results = resume_with(state, lua_tothread(state, 1), lua_gettop(state) - 1);
   lua_pushboolean(state, results >= 0 ? 1 : 0);
@@ -59,6 +64,7 @@ bool close_thread(lua_State* state, lua_State* thread) {
   return false;
 }
 
+// As luaB_auxwrap of Lua 5.4: an error closes the thread's pending variables before it goes on.
 int resume_wrapped(lua_State* state) {
   lua_State* thread = lua_tothread(state, lua_upvalueindex(1));
   const int results = resume_with(state, thread, lua_gettop(state));
@@ -79,10 +85,12 @@ int wrap(lua_State* state) {
 }
 
 int close(lua_State* state) {
+  // A thread that runs, or that waits for one which it has resumed, cannot be closed.
   luaL_checktype(state, 1, LUA_TTHREAD);
   lua_State* thread = lua_tothread(state, 1);
   lua_Debug frame;
   const int status = lua_status(thread);
+  // LUA_OK with a frame: the thread has resumed another, and is on the way.
   const bool runs = thread == state || (status == LUA_OK && lua_getstack(thread, 0, &frame) != 0);
   if (runs) return luaL_error(state, "coroutine.close: the coroutine is running");
   const bool closed = close_thread(state, thread);
@@ -96,6 +104,7 @@ int close(lua_State* state) {
 
 void open_coroutines(lua_State* state) {
   luaL_requiref(state, LUA_COLIBNAME, luaopen_coroutine, 1);
+  // wrap and resume of Lua call lua_resume directly; replaced here are all four functions that do.
   set_functions(state, {{"resume", resume}, {"create", create}, {"wrap", wrap}, {"close", close}});
   lua_pop(state, 1);
 }

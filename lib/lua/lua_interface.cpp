@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// How C++ and a program's tables meet. Tables of devices are made once and kept in the registry;
+// steps write plain fields into them, raw, so that no metatable of the program runs in between.
+// Functions carry their device's number as an upvalue, since they may be called without the table
+// that they came from.
 #include "lua/lua_interface.h"
 
 #include <algorithm>
@@ -11,6 +15,7 @@ namespace stig {
 
 namespace {
 
+// Logs go into traces and reports, whose size programs must not decide.
 constexpr std::size_t kMostLogged = std::size_t{64} << 10;  ///< bytes a call
 constexpr std::size_t kMostLine = 2000;
 constexpr std::size_t kMostSent = 1024;
@@ -19,6 +24,7 @@ constexpr std::size_t kMostMessages = 64;  ///< of a radio in a step
 LuaSide& side_of(lua_State* state) { return *static_cast<LuaSide*>(LuaBox::of(state).user()); }
 
 void add_line(LuaSide& side, std::string line) {
+  // One line tells that there was more; then nothing until the next call.
   constexpr const char* kFull = "(more was logged in this step and is left out)";
   if (side.log == nullptr || side.logged > kMostLogged) return;
   if (line.size() > kMostLine) line.resize(kMostLine);
@@ -33,6 +39,7 @@ int log_arguments(lua_State* state, std::string line, int first, std::string_vie
     line += push_text(state, i);
     lua_pop(state, 1);
   }
+  // Texts are copied: charged by the byte, beside a cost for the call.
   LuaBox::of(state).charge(state, 10 + line.size() / 8);
   add_line(side_of(state), std::move(line));
   return 0;
@@ -48,6 +55,7 @@ int log_as(lua_State* state, const char* level) {
   lua_pushvalue(state, lua_upvalueindex(1));
   const bool is_method = lua_rawequal(state, 1, -1) != 0;
   lua_pop(state, 1);
+  // lua_rawequal and not ==, which may be a metamethod.
   return log_arguments(state, level, is_method ? 2 : 1, " ");
 }
 int log_plain(lua_State* state) { return log_as(state, ""); }
@@ -62,12 +70,14 @@ void push_logger(lua_State* state) {
       {"log_info", log_info},      {"log_warn", log_warning}, {"log_err", log_failure},
       {"register_module", ignore}, {"set_verbosity", ignore}, {"enable", ignore},
       {"disable", ignore},         {"set_level", ignore}};
+  // The logger itself is the upvalue of its methods, for log_as to recognise.
   lua_createtable(state, 0, static_cast<int>(std::size(kMethods)));
   for (const LuaEntry& entry : kMethods) {
     lua_pushvalue(state, -1);
     lua_pushcclosure(state, entry.function, 1);
     lua_setfield(state, -2, entry.name);
   }
+  // A metatable of its own makes robot.logger(…) a call.
   lua_createtable(state, 0, 1);
   lua_pushvalue(state, -2);
   lua_pushcclosure(state, log_plain, 1);
@@ -87,6 +97,7 @@ void push_value(lua_State* state, const LuaValue& value) {
 }
 
 /// The bytes of the list at index 1.
+// Bytes as a list are how ARGoS's radios have it; a text is our own addition, and shorter to write.
 Message bytes_of(lua_State* state) {
   const lua_Unsigned size = lua_rawlen(state, 1);
   if (size > kMostSent)
@@ -97,6 +108,7 @@ Message bytes_of(lua_State* state) {
     int exact = 0;
     const lua_Integer byte =
         lua_type(state, -1) == LUA_TNUMBER ? lua_tointegerx(state, -1, &exact) : 0;
+    // An integer that comes as 1.0 is taken; 1.5 and '1' are not.
     if (exact == 0 || byte < 0 || byte > 255) {
       luaL_error(state,
                  "send: byte %d of the message must be a whole number from 0 to 255, and is %s",
@@ -123,6 +135,7 @@ Message message_argument(lua_State* state) {
 }  // namespace
 
 void put(lua_State* state, const char* key) {
+  // lua_setfield would do the same through a metatable's __newindex.
   lua_pushstring(state, key);
   lua_insert(state, -2);
   lua_rawset(state, -3);
@@ -152,6 +165,8 @@ std::size_t device_of(lua_State* state) {
   return static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(1)));
 }
 int keep_table(lua_State* state) {
+  // luaL_ref gives positive numbers that are not used again before they are freed, and nothing is
+  // freed here.
   lua_pushvalue(state, -1);
   return luaL_ref(state, LUA_REGISTRYINDEX);
 }
@@ -187,6 +202,7 @@ void push_radio(lua_State* state, std::size_t place, int (*send)(lua_State*)) {
 }
 
 void add_message(lua_State* state, std::vector<std::vector<Message>>& sends, std::size_t radios) {
+  // The list has an entry for every radio once any has sent.
   sends.resize(std::max(sends.size(), radios));
   auto& sent = sends[device_of(state)];
   if (sent.size() >= kMostMessages) {
@@ -199,11 +215,14 @@ void add_message(lua_State* state, std::vector<std::vector<Message>>& sends, std
 void put_received(lua_State* state, int radio, const std::vector<Message>& messages) {
   push_kept(state, radio);
   if (messages.empty()) {
-    // Mostly nothing came twice: the empty list of the last step will do.
+    // Mostly nothing came twice: the empty list of the last step will do. Each step of thousands of
+    // blocks would make six new lists.
     lua_pushliteral(state, "recv");
     if (lua_rawget(state, -2) == LUA_TTABLE) {
       lua_pushnil(state);
       if (lua_next(state, -2) == 0) {
+        // The list is checked to be empty, since it is the program's, which may have put something
+        // into it.
         lua_pop(state, 2);
         return;
       }

@@ -12,11 +12,13 @@ namespace stig {
 
 namespace {
 
+// Two words of 32 bits, in an order that is written down.
 std::uint64_t word(Random& random) {
   const std::uint64_t high = random.next();
   return high << 32 | random.next();
 }
 
+// As Lua's math.random has it, the interval's bounds included.
 /// random() in [0, 1); random(0) any whole number; random(m) in 1…m; random(m, n) in m…n.
 int random_number(lua_State* state) {
   Random& random = LuaBox::of(state).random();
@@ -33,8 +35,11 @@ int random_number(lua_State* state) {
     return 1;
   }
   if (low > high) return luaL_error(state, "math.random: the interval is empty");
+  // Unsigned, since high - low of the whole range overflows a signed integer; then a bound of 0
+  // stands for 2^64.
   const std::uint64_t bound =
       static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low) + 1;
+  // below() is without bias: no remainder of a division.
   const std::uint64_t drawn = bound == 0 ? word(random) : random.below(bound);
   lua_pushinteger(state, std::bit_cast<lua_Integer>(static_cast<std::uint64_t>(low) + drawn));
   return 1;
@@ -48,6 +53,7 @@ int seed_random(lua_State* state) {
     box.reseed(seed);
     return 0;
   }
+  // By its bits, so that 1 and 1.5 are different seeds; -0 and 0 are too.
   const double number = number_argument(state, 1, "math.randomseed", "seed");
   box.reseed(combine(seed, std::bit_cast<std::uint64_t>(number)));
   return 0;

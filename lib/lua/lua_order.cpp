@@ -16,6 +16,8 @@ namespace stig {
 
 namespace {
 
+/// What of a key decides its place. Texts are views into Lua's strings, which live as long as the
+/// table holds them as keys.
 struct Key {
   enum class Kind : std::uint8_t { whole, number, text, truth, object } kind = Kind::whole;
   lua_Integer whole = 0;
@@ -27,6 +29,7 @@ struct Key {
 Key key_at(lua_State* state, int index) {
   Key key;
   switch (lua_type(state, index)) {
+    // 1 and 1.0 are the same key to Lua, which stores it as an integer.
     case LUA_TNUMBER:
       key.is_whole = lua_isinteger(state, index) != 0;
       key.whole = lua_tointeger(state, index);
@@ -47,12 +50,15 @@ Key key_at(lua_State* state, int index) {
   }
 }
 
+// A strict weak order. NaN is no key in Lua, so numbers compare.
 bool comes_before(const Key& a, const Key& b) {
   if (a.kind != b.kind) return a.kind < b.kind;
   switch (a.kind) {
     case Key::Kind::number:
       if (a.is_whole && b.is_whole) return a.whole < b.whole;
       if (a.number != b.number) return a.number < b.number;
+      // An integer and a float of one value, beyond 2^53, where a double cannot tell neighbours
+      // apart.
       return a.is_whole && !b.is_whole;
     case Key::Kind::text:
       return a.text < b.text;
@@ -82,6 +88,7 @@ void each_key(lua_State* state, const Visit& visit) {
 }
 
 /// next(table [, key]): each call looks through the whole table.
+// Linear in the table's size, which is charged; pairs, which sorts once, is the way to walk.
 int next_key(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   lua_settop(state, 3);  // 3: the best so far
@@ -98,12 +105,14 @@ int next_key(lua_State* state) {
     found = true;
     best = key;
     lua_copy(state, -1, 3);
+    // Kept by copying, since the key on top is lua_next's own and goes with the next turn.
   });
   LuaBox::of(state).charge(state, count);
   if (!found) {
     lua_pushnil(state);
     return 1;
   }
+  // With a single object among the keys its place, the last, is certain.
   if (best.kind == Key::Kind::object && objects > 1) refuse_objects(state, "next");
   lua_pushvalue(state, 3);
   lua_pushvalue(state, 3);
@@ -113,6 +122,8 @@ int next_key(lua_State* state) {
 
 /// Iterator of pairs: upvalues are the list of keys and the place in it.
 int next_pair(lua_State* state) {
+  // Keys are taken from a list made at the start; so unlike in Lua a program may add keys while it
+  // walks, and finds those that it had.
   luaL_checktype(state, 1, LUA_TTABLE);
   lua_Integer place = lua_tointeger(state, lua_upvalueindex(2));
   for (;;) {
@@ -135,9 +146,11 @@ void push_keys(lua_State* state) {
       lua_pushvalue(state, -1);
       lua_replace(state, 2);
     }
+    // Slot 2 is where pairs has put a nil for the one object that there may be.
     keys.push_back(key);
   });
   LuaBox::of(state).charge(state, 2 * keys.size());
+  // Stable or not is the same: no two keys are equal.
   std::sort(keys.begin(), keys.end(), comes_before);
   if (keys.size() > 1 && keys[keys.size() - 2].kind == Key::Kind::object) {
     refuse_objects(state, "pairs");
@@ -163,6 +176,7 @@ void push_keys(lua_State* state) {
 int pairs(lua_State* state) {
   luaL_checkany(state, 1);
   lua_settop(state, 1);
+  // As in Lua, __pairs gives the three values of a generic for.
   if (luaL_getmetafield(state, 1, "__pairs") != LUA_TNIL) {
     lua_pushvalue(state, 1);
     lua_call(state, 1, 3);
@@ -179,9 +193,12 @@ int pairs(lua_State* state) {
 }
 
 /// Objects are told apart by numbers, in the order in which they were first asked for.
+// tostring(table) shows an address in Lua. Numbers in the order of first use are the same in every
+// run, and still tell objects apart.
 constexpr const char* kNumbers = "stig.numbers";
 
 void push_object(lua_State* state, int index) {
+  // The table has weak keys, see open_order: asking for a name keeps nothing alive.
   luaL_getsubtable(state, LUA_REGISTRYINDEX, kNumbers);
   lua_pushvalue(state, index);
   if (lua_rawget(state, -2) == LUA_TNIL) {

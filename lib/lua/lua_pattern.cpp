@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: MIT
+// A backtracking matcher after that of Lua (lstrlib.c), over views instead of zero-terminated
+// texts. Every advance counts as a step; once steps run out or the pattern is malformed, all
+// functions return kNone at once, and the caller tells which it was. Depth is bounded apart from
+// steps: each capture and repetition is a C++ call.
 #include "lua/lua_pattern.h"
 
 namespace stig {
 
 namespace {
 
+// As Lua's MAXCCALLS: enough for any pattern that somebody has written by hand.
 constexpr int kMostDepth = 200;
 
 bool within(char c, char low, char high) { return c >= low && c <= high; }
@@ -17,6 +22,7 @@ bool is_graphic(char c) { return within(c, '!', '~'); }
 /// Whether the character is of the class of a letter; a letter that names none is itself.
 bool class_has(char c, char letter) {
   bool is_in = false;
+  // Classes are the letters' lower case; an upper case letter is the complement.
   switch (static_cast<char>(letter | 0x20)) {
     case 'a':
       is_in = is_letter(c);
@@ -62,6 +68,7 @@ bool at_most(char a, char b) {
 }  // namespace
 
 std::size_t LuaPattern::match(std::size_t start) {
+  // The steps go on counting over several calls: a budget is for one search, from all starts.
   count_ = depth_ = 0;
   return follow(start, 0);
 }
@@ -74,6 +81,8 @@ std::size_t LuaPattern::fail(const char* problem) {
 bool LuaPattern::step() { return ++steps_ <= most_steps_ && problem_ == nullptr; }
 
 /// Matches the rest of the pattern from p against the rest of the subject from s.
+// In Lua's code this is do_match: tail calls became turns of the loop, and so long patterns without
+// repetitions need no depth.
 std::size_t LuaPattern::follow(std::size_t s, std::size_t p) {
   if (depth_ >= kMostDepth) return fail("pattern too complex");
   ++depth_;
@@ -146,6 +155,7 @@ std::size_t LuaPattern::follow_escape(std::size_t s, std::size_t p, bool& handle
   if (set >= pattern_.size() || pattern_[set] != '[') return fail("missing '[' after '%f'");
   const std::size_t end = set_end(set);
   if (end == kNone) return kNone;
+  // Beyond either end of the subject stands '\0', as the manual has it.
   const char before = s == 0 ? '\0' : subject_[s - 1];
   const char here = s < subject_.size() ? subject_[s] : '\0';
   return !set_has(before, set, end) && set_has(here, set, end) ? s : kNone;
@@ -154,6 +164,7 @@ std::size_t LuaPattern::follow_escape(std::size_t s, std::size_t p, bool& handle
 std::size_t LuaPattern::repeat_most(std::size_t s, std::size_t p, std::size_t next,
                                     std::size_t least) {
   std::size_t n = 0;
+  // Greedy: as many as fit, then back one by one until the rest matches.
   while (item_fits(s + n, p, next)) {
     ++n;
     if (!step()) return kNone;
@@ -166,6 +177,7 @@ std::size_t LuaPattern::repeat_most(std::size_t s, std::size_t p, std::size_t ne
 }
 
 std::size_t LuaPattern::repeat_least(std::size_t s, std::size_t p, std::size_t next) {
+  // Lazy: the rest first, then one more.
   for (;; ++s) {
     const std::size_t end = follow(s, next + 1);
     if (end != kNone || problem_ != nullptr || exhausted()) return end;
@@ -176,12 +188,14 @@ std::size_t LuaPattern::repeat_least(std::size_t s, std::size_t p, std::size_t n
 std::size_t LuaPattern::open_capture(std::size_t s, std::size_t p, Capture::Kind kind) {
   if (count_ >= kMostCaptures) return fail("too many captures");
   captures_[static_cast<std::size_t>(count_++)] = {s, 0, kind};
+  // A capture counts only while the rest matches; on the way back it is taken away again.
   const std::size_t end = follow(s, p);
   if (end == kNone) --count_;
   return end;
 }
 
 std::size_t LuaPattern::close_capture(std::size_t s, std::size_t p) {
+  // Parentheses nest, so the innermost open capture is the one that closes.
   int i = count_ - 1;
   while (i >= 0 && capture(i).kind != Capture::Kind::open) --i;
   if (i < 0) return fail("a ')' that closes nothing");
@@ -216,6 +230,7 @@ std::size_t LuaPattern::repeated_capture(std::size_t s, char digit) {
   }
   if (capture(i).kind == Capture::Kind::position) return kNone;
   const std::string_view text = subject_.substr(capture(i).begin, capture(i).length);
+  // Comparing is a memcmp: cheap, but no free step.
   steps_ += text.size() / 16;
   return subject_.substr(s).starts_with(text) ? s + text.size() : kNone;
 }
@@ -247,6 +262,7 @@ bool LuaPattern::item_fits(std::size_t s, std::size_t p, std::size_t next) {
     case '%':
       return class_has(c, pattern_[p + 1]);
     case '[':
+      // A set costs in proportion to its length; %b and classes are constant.
       steps_ += (next - p) / 8;
       return set_has(c, p, next);
     default:
@@ -255,6 +271,7 @@ bool LuaPattern::item_fits(std::size_t s, std::size_t p, std::size_t next) {
 }
 
 /// Whether a character is in the set that spans [p, end).
+// p to end are the brackets; a ']' right after '[' or '[^' is a member, which set_end has seen to.
 bool LuaPattern::set_has(char c, std::size_t p, std::size_t end) const {
   const std::size_t last = end - 1;  // of the ']'
   const bool negated = pattern_[p + 1] == '^';

@@ -10,6 +10,8 @@ namespace stig {
 
 namespace {
 
+// New tables and vectors each step: a program may keep what it was given, and a later step must not
+// change it under its hands.
 void push_tag(lua_State* state, const TagReading& tag) {
   lua_createtable(state, 0, 5);
   lua_pushinteger(state, tag.id);
@@ -28,6 +30,7 @@ void push_tag(lua_State* state, const TagReading& tag) {
   put(state, "corners");
 }
 
+// LEDs are not listed: the real camera is asked about a place of the image (detect_led).
 void put_camera(lua_State* state, int table, const CameraReading& reading) {
   push_kept(state, table);
   put(state, "timestamp", reading.timestamp);
@@ -65,6 +68,8 @@ void put_lift(lua_State* state, const RobotSide& side, const LiftReading& lift) 
 }  // namespace
 
 void put_readings(lua_State* state, const RobotSide& side, const RobotReadings& readings) {
+  // Readings of a caller may be shorter than the robot's lists (tests do so); nobody is given what
+  // is not there.
   const auto both = [](const auto& a, const auto& b) { return std::min(a.size(), b.size()); };
   put_pair(state, side.system, "time", readings.time, "temperature", readings.temperature);
   for (std::size_t i = 0; i < both(side.cameras, readings.cameras); ++i) {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// A scene's programs travel with it, in traces and checkpoints, so `require` looks first among the
+// modules that came with the program, and for files only where the program itself came from a file.
+// What a text requires is found without running it, by looking for the word: names must be written
+// out.
 // require: files beside the program or in folders there, by plain names.
 #include <algorithm>
 #include <filesystem>
@@ -17,12 +21,15 @@ namespace fs = std::filesystem;
 constexpr const char* kLoaded = "stig.loaded";
 
 /// The file, if it really is below the program's folder: a link may not lead out of it.
+// Both sides are made canonical, so that neither '..' nor a link decides. Names have neither, by
+// is_module_name, but a folder in a program's folder may be a link.
 std::optional<std::string> find_beside(const std::string& program, const std::string& name) {
   std::error_code error;
   const fs::path folder = fs::canonical(fs::absolute(program).parent_path(), error);
   if (error) return std::nullopt;
   const fs::path file = fs::canonical(folder / module_file(name), error);
   if (error) return std::nullopt;
+  // The folder's path must be a prefix, part by part: "/a/bc" is not below "/a/b".
   const auto parted = std::mismatch(folder.begin(), folder.end(), file.begin(), file.end());
   return parted.first == folder.end() ? std::optional(file.string()) : std::nullopt;
 }
@@ -49,6 +56,8 @@ std::optional<std::string> read_module(const LuaProgram& program, const std::str
   return text;
 }
 
+// What messages call it: beside the program as the user named the program, whatever the file's
+// canonical path is.
 std::string beside(const std::string& program, const std::string& name) {
   return program.substr(0, program.rfind('/') + 1) + module_file(name);
 }
@@ -65,6 +74,8 @@ int require(lua_State* state) {
   luaL_getsubtable(state, LUA_REGISTRYINDEX, kLoaded);
   lua_pushvalue(state, 1);
   if (lua_rawget(state, 2) != LUA_TNIL) {
+    // While a module runs its name stands for a light pointer, which no program can make: that is
+    // how a circle is noticed.
     if (lua_islightuserdata(state, -1) == 0) return 1;
     return luaL_error(state, "require: '%s' requires itself", name.c_str());
   }
@@ -82,6 +93,7 @@ int require(lua_State* state) {
   lua_pushlightuserdata(state, &box);
   keep();
   lua_pop(state, 1);
+  // Handed its own name, as in Lua.
   lua_pushvalue(state, 1);
   // A module that failed may be tried again.
   if (lua_pcall(state, 1, 1, 0) != LUA_OK) {
@@ -90,6 +102,7 @@ int require(lua_State* state) {
     lua_pop(state, 1);
     return lua_error(state);
   }
+  // As in Lua, a module that returns nothing is true.
   if (lua_isnil(state, -1)) {
     lua_pop(state, 1);
     lua_pushboolean(state, 1);
@@ -105,6 +118,7 @@ bool is_module_name(std::string_view name) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
            c == '-';
   };
+  // 64 bytes: names become keys of scenes' files and parts of paths.
   if (name.size() > 64) return false;
   for (std::size_t at = 0;;) {
     const std::string_view part = name.substr(at, name.find('.', at) - at);
@@ -114,12 +128,15 @@ bool is_module_name(std::string_view name) {
   }
 }
 
+// A dot is a folder, as in Lua's own package.path.
 std::string module_file(std::string_view name) {
   std::string out(name);
   std::replace(out.begin(), out.end(), '.', '/');
   return out + ".lua";
 }
 
+// A word in a comment or a text is found too, which costs a file that is not needed and nothing
+// else. Names that are put together while running are not found, and `require` says so.
 std::vector<std::string> required_names(std::string_view text) {
   constexpr std::string_view kWord = "require";
   std::vector<std::string> out;

@@ -15,10 +15,12 @@ namespace stig {
 
 namespace {
 
+// Shown values go into each frame of a trace: bounded, so that programs do not decide its size.
 constexpr std::size_t kMostShown = 256;  ///< of each kind in a step
 constexpr std::size_t kMostShownText = 1000;
 
 RobotSide& robot_side(lua_State* state) {
+  // See block_commands: the side went into the box as LuaSide.
   return *static_cast<RobotSide*>(static_cast<LuaSide*>(LuaBox::of(state).user()));
 }
 RobotCommands& robot_commands(lua_State* state) { return *robot_side(state).commands; }
@@ -27,6 +29,8 @@ RobotCommands& robot_commands(lua_State* state) { return *robot_side(state).comm
 
 int set_camera(lua_State* state, bool enabled) {
   RobotSide& side = robot_side(state);
+  // The list grows to one entry a camera when a command is given, so that no command and "no
+  // change" are the same: an empty list.
   side.commands->camera_enabled.resize(side.model.cameras.size());
   side.commands->camera_enabled[device_of(state)] = enabled;
   return 0;
@@ -34,11 +38,14 @@ int set_camera(lua_State* state, bool enabled) {
 int enable_camera(lua_State* state) { return set_camera(state, true); }
 int disable_camera(lua_State* state) { return set_camera(state, false); }
 
+// As the real camera's program does it: the mean chroma about a pixel, not the nearest LED. The
+// place is where the program believes the LED to be, so an error of its estimate shows.
 /// detect_led(vector3 in the camera's frame): 0 to 4.
 int detect_led(lua_State* state) {
   const Vec3 p_C = vector_argument(state, 1, "camera_system.detect_led", "position");
   const RobotSide& side = robot_side(state);
   const std::size_t place = device_of(state);
+  // A program that asks in init, or with the camera off, sees nothing: 0.
   const bool sees = side.readings != nullptr && place < side.readings->cameras.size() &&
                     side.readings->cameras[place].enabled;
   const auto pixel = sees ? project(side.model.cameras[place].intrinsics, p_C) : std::nullopt;
@@ -57,6 +64,7 @@ int detect_led(lua_State* state) {
 // ---- Wheels, lift, magnets, joints ----
 
 /// The motors are mirror images of each other: ahead is (+v, -v).
+// What goes on to the robot is ahead for both, in m/s of the rims.
 int set_velocity(lua_State* state) {
   constexpr const char* kName = "differential_drive.set_target_velocity";
   const double left = number_argument(state, 1, kName, "left");
@@ -83,6 +91,7 @@ int set_discharge(lua_State* state) {
   constexpr const char* kName = "electromagnet_system.set_discharge_mode";
   const std::string_view mode = text_argument(state, 1, kName, "mode");
   auto& discharge = robot_commands(state).discharge;
+  // Both words are in use in published programs.
   if (mode == "constructive") {
     discharge = Discharge::constructive;
   } else if (mode == "destructive") {
@@ -98,6 +107,7 @@ int set_discharge(lua_State* state) {
 int set_joint(lua_State* state) {
   RobotSide& side = robot_side(state);
   const double target = number_argument(state, 1, "joint.set_target", "target");
+  // Entries that are not set stay as they were: nullopt is no command.
   side.commands->joints.resize(side.model.actuators.size());
   side.commands->joints[device_of(state)] = target;
   return 0;
@@ -115,6 +125,7 @@ struct NamedColour {
   std::string_view name;
   Rgb rgb;
 };
+// ARGoS's names of colours and their values (CColor), as far as programs use them.
 constexpr std::array<NamedColour, 12> kColours{{{"black", {0, 0, 0}},
                                                 {"white", {255, 255, 255}},
                                                 {"red", {255, 0, 0}},
@@ -147,6 +158,7 @@ Rgb rgb_argument(lua_State* state, int index, const char* function) {
   return *rgb;
 }
 
+// The last command of a step holds.
 void set_led(RobotCommands& commands, std::size_t led, Rgb rgb) {
   const auto set = std::find_if(commands.leds.begin(), commands.leds.end(),
                                 [&](const auto& entry) { return entry.first == led; });
@@ -171,6 +183,7 @@ int set_led_index(lua_State* state) {
   return 0;
 }
 
+// Linear search: the list has at most kMostShown entries, and searching it is charged.
 /// Sets the value of a name in a list that stays short.
 template <class List, class Value>
 void show(lua_State* state, List& list, std::string_view name, Value value) {
@@ -237,6 +250,7 @@ void put_camera(lua_State* state, RobotSide& side, std::size_t place) {
   lua_newtable(state);
   put(state, "tags");
   side.cameras.push_back(keep_table(state));
+  // The first camera has a name of its own in ARGoS, for robots that have one.
   if (place == 0) {
     lua_pushvalue(state, -1);
     lua_setfield(state, -4, "camera_system");
@@ -292,10 +306,12 @@ void put_magnets(lua_State* state, RobotSide& side) {
 void put_rangefinders(lua_State* state, RobotSide& side) {
   if (side.model.rangefinders.empty()) return;
   lua_newtable(state);
+  // Until the first step a rangefinder shows what it shows when nothing is near.
   for (const RangeDevice& device : side.model.rangefinders) {
     lua_newtable(state);
     put(state, "proximity", without_hit(device));
     put(state, "illuminance", 0.0);
+    // Rays go along the device's z axis in ARGoS's transforms.
     put_transform(state, device.p_B, turn_between({0, 0, 1}, device.direction),
                   side.model.bodies[device.body].name);
     side.rangefinders.push_back(keep_table(state));
@@ -340,6 +356,8 @@ void put_lights_and_show(lua_State* state, const RobotSide& side) {
   put(state, "show");
 }
 
+// Text that is run as Lua, so that the same text can be written into a program for ARGoS. It comes
+// from the robot's file by a printer of our own, so it cannot fail but for memory.
 void put_description(lua_State* state, const RobotModel& model) {
   const std::string text = "return " + robot_description(model);
   if (!load_text(state, text, "=description")) lua_error(state);

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Scripts of experiments: a box without `robot`, whose functions are handed the world as an
+// argument, so that a script's helper functions can be tried with a world of tables. Unlike a
+// robot's program a script knows every pose: nothing that it answers reaches robots but what it
+// does to the world.
 #include "lua/lua_script.h"
 
 #include <lua.hpp>
@@ -12,6 +16,7 @@ namespace stig {
 
 namespace {
 
+// What a call costs the program; a look reads a pose, placing a body tests it against all others.
 constexpr std::uint64_t kLookCost = 20;  ///< instructions
 constexpr std::uint64_t kNameCost = 1, kPlaceCost = 10'000;
 constexpr std::size_t kMostName = 64;
@@ -22,12 +27,14 @@ struct ScriptSide : LuaSide {
 };
 
 ScriptWorld& world_of(lua_State* state) {
+  // Every access to the world goes through here, so none is free.
   LuaBox::of(state).charge(state, kLookCost);
   auto* side = static_cast<LuaSide*>(LuaBox::of(state).user());
   return *static_cast<ScriptSide*>(side)->world;
 }
 
 std::size_t place_argument(lua_State* state, const char* function, std::size_t count) {
+  // Numbers in Lua count from 1, places here from 0.
   return static_cast<std::size_t>(
       integer_argument(state, 1, function, "number", 1, static_cast<std::int64_t>(count)) - 1);
 }
@@ -70,6 +77,7 @@ int block(lua_State* state) {
     lua_rawseti(state, -2, static_cast<lua_Integer>(face) + 1);
   }
   put(state, "faces");
+  // A block that is part of no lattice has no cell; 0 is "none" and others count from 1.
   if (one.lattice == 0) return 1;
   put(state, "lattice", double(one.lattice));
   put(state, "x", double(one.x));
@@ -92,6 +100,7 @@ int robot(lua_State* state) {
 
 ScriptThing named(lua_State* state, const ScriptWorld& world, const char* function) {
   const std::string_view name = text_argument(state, 1, function, "name");
+  // A linear search among names, charged by their number.
   LuaBox::of(state).charge(state, kNameCost * (world.blocks() + world.robots()));
   const auto thing = world.find(name);
   if (!thing) luaL_error(state, "%s: nothing is called '%s'", function, lua_tostring(state, 1));
@@ -101,6 +110,7 @@ ScriptThing named(lua_State* state, const ScriptWorld& world, const char* functi
 int push_thing(lua_State* state, ScriptThing thing, const char* function) {
   const Vec3 force = vector_argument(state, 2, function, "force");
   const double seconds =
+      // Without a time the push acts in the next step of physics alone.
       lua_isnoneornil(state, 3) ? 0 : number_argument(state, 3, function, "seconds");
   if (seconds < 0 || seconds > kMostSeconds) {
     luaL_error(state, "%s: seconds must be from 0 to a million", function);
@@ -115,6 +125,7 @@ int push(lua_State* state) {
   const ScriptThing thing = named(state, world_of(state), "world.push");
   return push_thing(state, thing, "world.push");
 }
+// By number, for loops over all blocks: without a search by name each.
 int block_push(lua_State* state) {
   const std::size_t place = place_argument(state, "world.push_block", world_of(state).blocks());
   return push_thing(state, {false, place}, "world.push_block");
@@ -124,6 +135,7 @@ int robot_push(lua_State* state) {
   return push_thing(state, {true, place}, "world.push_robot");
 }
 
+// A place that is taken is no error: scripts try another.
 /// true; or false and the reason.
 int place(lua_State* state) {
   ScriptWorld& world = world_of(state);
@@ -178,6 +190,7 @@ int stop(lua_State* state) {
   return 0;
 }
 
+// Measures are the results of an experiment, one number a name, the last of which holds.
 int measure(lua_State* state) {
   const std::string_view name = text_argument(state, 1, "world.measure", "name");
   if (name.size() > kMostName) luaL_error(state, "world.measure: the name is too long");
@@ -189,9 +202,11 @@ int measure(lua_State* state) {
 struct ScriptJob {
   const char* function = nullptr;  ///< to call
   bool loaded = false;             ///< the text has run to its end
+  // Whether the text has come to its end tells "failed" from "has no callback".
 };
 
 int open_and_run(lua_State* state) {
+  // The same function opens print, log and the logger, of which robot.logger goes with `robot`.
   push_robot(state);  // for log and print; a script is no robot
   lua_pop(state, 1);
   lua_pushnil(state);
@@ -212,6 +227,7 @@ int open_and_run(lua_State* state) {
                         {"drop", drop},
                         {"stop", stop},
                         {"measure", measure}});
+  // In the registry, out of the program's reach: `world` is an argument and no global.
   lua_setfield(state, LUA_REGISTRYINDEX, "stig.world");
   const LuaBox& box = LuaBox::of(state);
   const std::string chunk = LuaBox::of(state).chunk_name(box.program().path);
@@ -223,6 +239,7 @@ int open_and_run(lua_State* state) {
 }
 
 int call_function(lua_State* state) {
+  // A script need not have all three.
   if (!push_callback(state, static_cast<ScriptJob*>(lua_touserdata(state, 1))->function)) return 0;
   lua_getfield(state, LUA_REGISTRYINDEX, "stig.world");
   lua_call(state, 1, 0);
@@ -247,6 +264,7 @@ LuaScript::~LuaScript() = default;
 LuaScript::LuaScript(LuaScript&&) noexcept = default;
 LuaScript& LuaScript::operator=(LuaScript&&) noexcept = default;
 
+// For checks before a run: what the text logs while it is loaded is thrown away.
 LuaScript::Loaded LuaScript::load() {
   std::vector<std::string> log;
   State& own = *state_;
@@ -263,11 +281,13 @@ ControllerStatus LuaScript::call(ScriptCall which, ScriptWorld& world,
                                  std::vector<std::string>& log) {
   static constexpr const char* kNames[] = {"on_start", "on_step", "on_end"};
   State& own = *state_;
+  // Sticky, as for controllers.
   if (!own.status.ok) return own.status;
   own.side.world = &world;
   own.side.log = &log;
   own.side.logged = 0;
   ScriptJob job{kNames[static_cast<std::size_t>(which)]};
+  // The first call of a run loads the text, with the world at hand: its top level may already ask.
   if (!own.begun) own.status = own.box.run(open_and_run, &job);
   own.begun = true;
   if (own.status.ok) own.status = own.box.run(call_function, &job);

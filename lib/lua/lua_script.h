@@ -79,7 +79,7 @@ class LuaScript {
   /// Runs its text alone, before any call and for whoever would know whether it is sound.
   enum class Loaded : std::uint8_t { good, failed, without_callback };
   Loaded load();
-  /// Of the call that failed, or of loading.
+  /// What ended the call that failed, or the loading, and where.
   const LuaFailure& failure() const;
   /// Appends what it says to `log`. Once failed, it stays so.
   ControllerStatus call(ScriptCall which, ScriptWorld& world, std::vector<std::string>& log);

@@ -13,12 +13,14 @@ namespace stig {
 
 namespace {
 
+// Two instructions a place, about what a loop in Lua would cost at least.
 void pay(lua_State* state, lua_Integer places) {
   if (places > 0) LuaBox::of(state).charge(state, 2 * static_cast<std::uint64_t>(places));
 }
 
 /// What '#' says of the table at index 1; a metatable may make it anything.
 lua_Integer size_of(lua_State* state) {
+  // 2^53: numbers up to there are exact as doubles, and sums of two of them do not overflow.
   constexpr lua_Integer kMost = lua_Integer{1} << 53;
   const lua_Integer size = luaL_len(state, 1);
   if (size < 0 || size > kMost) luaL_error(state, "table: a list cannot have this length");
@@ -26,6 +28,7 @@ lua_Integer size_of(lua_State* state) {
 }
 
 /// Number of places from one to another, 0 when there are none.
+// In unsigned arithmetic, which is defined where the range is wider than a signed integer.
 std::uint64_t span(lua_Integer first, lua_Integer last) {
   if (first > last) return 0;
   const std::uint64_t more = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
@@ -34,6 +37,8 @@ std::uint64_t span(lua_Integer first, lua_Integer last) {
 
 int insert(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
+  // size_of may be a metamethod's answer, so nothing below takes it for the number of places that
+  // are there.
   const lua_Integer end = size_of(state) + 1;
   const int count = lua_gettop(state);
   if (count == 2) {
@@ -76,6 +81,7 @@ int concat(lua_State* state) {
   const char* separator = luaL_optlstring(state, 2, "", &separator_size);
   const lua_Integer first = luaL_optinteger(state, 3, 1);
   const lua_Integer last = lua_isnoneornil(state, 4) ? size_of(state) : luaL_checkinteger(state, 4);
+  // Charged before the work, by places; the texts themselves are charged by the allocator.
   LuaBox::of(state).charge(state, span(first, last));
   luaL_Buffer buffer;
   luaL_buffinit(state, &buffer);
@@ -105,6 +111,7 @@ int pack(lua_State* state) {
 }
 
 int unpack(lua_State* state) {
+  // The C stack of Lua has a limit of a million; this one is for a program's own good.
   constexpr std::uint64_t kMostValues = 10'000;
   const lua_Integer first = luaL_optinteger(state, 2, 1);
   const lua_Integer last = lua_isnoneornil(state, 3) ? size_of(state) : luaL_checkinteger(state, 3);
@@ -127,12 +134,14 @@ int move(lua_State* state) {
   const int target = lua_isnoneornil(state, 5) ? 1 : 5;
   luaL_checktype(state, target, LUA_TTABLE);
   const std::uint64_t count = span(first, last);
+  // Twice: a read and a write each. Two calls, since a product might overflow.
   LuaBox::of(state).charge(state, count);
   LuaBox::of(state).charge(state, count);
   // Beyond the budget's reach nothing overflows.
   if (count > 0 && to > LUA_MAXINTEGER - static_cast<lua_Integer>(count)) {
     return luaL_error(state, "table.move: no such places");
   }
+  // Overlapping ranges of one table are moved from the end, as memmove does.
   const bool backwards = target == 1 && to > first && to <= last;
   for (std::uint64_t n = 0; n < count; ++n) {
     const auto i = static_cast<lua_Integer>(backwards ? count - 1 - n : n);
@@ -143,6 +152,9 @@ int move(lua_State* state) {
   return 1;
 }
 
+// Merge sort, bottom up, over two lists in turn. Comparators are the program's and may contradict
+// themselves: whatever they say, merges end after the same number of steps and lose no value, where
+// quicksort may run out of bounds.
 // ---- Sorting: stack 1 the table, 2 the comparator or nil, 3 and 4 two lists ----
 
 /// Whether the value at the top comes before the one under it.
@@ -169,6 +181,7 @@ void merge(lua_State* state, int from, int to, lua_Integer low, lua_Integer midd
       lua_rawgeti(state, from, right);
       take_right = top_is_less(state);
       lua_pop(state, 2);
+      // take_right only where strictly less: equal values keep their order.
     }
     lua_rawgeti(state, from, take_right ? right++ : left++);
     lua_rawseti(state, to, place);
@@ -188,6 +201,7 @@ int sort(lua_State* state) {
     lua_rawseti(state, 3, i);
   }
   int from = 3, to = 4;
+  // The last width is at least the size, after which all is one run, in the list `from`.
   for (lua_Integer width = 1; width < size; width *= 2) {
     for (lua_Integer low = 1; low <= size; low += 2 * width) {
       merge(state, from, to, low, std::min(low + width, size + 1),

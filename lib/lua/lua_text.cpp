@@ -14,6 +14,8 @@ namespace stig {
 namespace {
 
 /// The function in upvalue 1, after paying for the texts that it is handed.
+// A function of Lua's library that takes time linear in its texts, with eight bytes an instruction;
+// only the first four arguments of any of them are texts of the caller's choice.
 int charged(lua_State* state) {
   std::size_t size = 0;
   for (int i = 1, n = lua_gettop(state); i <= n && i <= 4; ++i) {
@@ -34,6 +36,8 @@ int rep(lua_State* state) {
   const lua_Integer count = luaL_checkinteger(state, 2);
   const std::string_view separator = lua_isnoneornil(state, 3) ? "" : check_text(state, 3);
   const std::size_t most = LuaBox::of(state).settings().limits.string;
+  // The limit on strings would end the program; an error here can be caught and says what was
+  // wrong.
   const std::size_t each = text.size() + separator.size();
   if (count <= 0 || each == 0) {
     lua_pushliteral(state, "");
@@ -57,6 +61,8 @@ int rep(lua_State* state) {
 }
 
 /// Replaces arguments of %s that Lua would show by address, then formats as Lua does.
+// Formats are walked only to find which argument each takes: %s and %p are the two that could show
+// an address. Lua's own format checks the rest.
 int format(lua_State* state) {
   const std::string_view form = check_text(state, 1);
   LuaBox::of(state).charge(state, form.size() / 4);
@@ -79,6 +85,8 @@ int format(lua_State* state) {
 
 // ---- Patterns ----
 
+// As string.find and others have it: -1 is the last character, and a place before the first is the
+// first.
 /// A first place, 0-based, from a 1-based one that may count from the end.
 std::optional<std::size_t> start_place(lua_State* state, int index, std::size_t size) {
   const lua_Integer place = luaL_optinteger(state, index, 1);
@@ -92,12 +100,15 @@ std::optional<std::size_t> start_place(lua_State* state, int index, std::size_t 
 
 /// Pays for a matcher's steps so far, and raises what is wrong with its pattern.
 void settle(lua_State* state, const LuaPattern& pattern, std::uint64_t& paid) {
+  // Also when nothing was found: searching is the work.
   LuaBox::of(state).charge(state, pattern.steps() - paid);
   paid = pattern.steps();
   if (pattern.problem() != nullptr) luaL_error(state, "malformed pattern (%s)", pattern.problem());
 }
 
 LuaPattern matcher(lua_State* state, std::string_view subject, std::string_view pattern) {
+  // What is left of the budget is the most steps: a match that would take longer is one that ends
+  // the program.
   return {subject, pattern, LuaBox::of(state).left()};
 }
 
@@ -110,6 +121,7 @@ std::optional<Found> search(lua_State* state, LuaPattern& pattern, std::size_t s
                             bool anchored) {
   std::uint64_t paid = pattern.steps();
   std::optional<Found> found;
+  // An attempt from every start, as in Lua: patterns are not compiled.
   for (std::size_t s = start; s <= pattern.subject().size(); ++s) {
     const std::size_t end = pattern.match(s);
     if (end != LuaPattern::kNone) found = Found{s, end};
@@ -122,6 +134,7 @@ std::optional<Found> search(lua_State* state, LuaPattern& pattern, std::size_t s
 void push_capture(lua_State* state, const LuaPattern& pattern, int i, const Found& whole) {
   const std::string_view subject = pattern.subject();
   if (i >= pattern.captures()) {
+    // %1 of a pattern without captures is the whole match.
     if (i > 0) luaL_error(state, "invalid capture index %%%d", i + 1);
     lua_pushlstring(state, subject.data() + whole.begin, whole.end - whole.begin);
     return;
@@ -143,6 +156,7 @@ int push_captures(lua_State* state, const LuaPattern& pattern, const Found& whol
   return count;
 }
 
+// Plain searches are the common ones; two-way matching (memmem of glibc) keeps them linear.
 int find_plain(lua_State* state, std::string_view text, std::string_view word, std::size_t start) {
   LuaBox::of(state).charge(state, (text.size() - start + word.size()) / 4);
   // Linear, whatever the texts; std::string_view::find is not.
@@ -187,6 +201,8 @@ int find_or_match(lua_State* state, bool find) {
 int find(lua_State* state) { return find_or_match(state, true); }
 int match(lua_State* state) { return find_or_match(state, false); }
 
+// gmatch in Lua 5.4 keeps the end of the last match apart from the place to go on from; so does
+// this.
 /// Upvalues: text, pattern, next place, end of the last match (so that an empty match does not
 /// follow right behind another).
 int next_match(lua_State* state) {
@@ -221,6 +237,7 @@ int gmatch(lua_State* state) {
   return 1;
 }
 
+// %0 to %9 and %% in a replacement text; anything else after '%' is an error since Lua 5.2.
 void add_template(lua_State* state, luaL_Buffer& buffer, const LuaPattern& pattern,
                   const Found& whole) {
   const std::string_view form = check_text(state, 3);
@@ -261,6 +278,7 @@ void add_replacement(lua_State* state, luaL_Buffer& buffer, const LuaPattern& pa
     push_capture(state, pattern, 0, whole);
     lua_gettable(state, 3);
   }
+  // false or nil: the match stays as it was.
   if (lua_toboolean(state, -1) == 0) {
     lua_pop(state, 1);
     luaL_addlstring(&buffer, pattern.subject().data() + whole.begin, whole.end - whole.begin);
@@ -280,6 +298,7 @@ int gsub(lua_State* state) {
       state,
       type == LUA_TNUMBER || type == LUA_TSTRING || type == LUA_TFUNCTION || type == LUA_TTABLE, 3,
       "string/function/table");
+  // A number as replacement becomes its text once, and not for each match.
   if (type == LUA_TNUMBER) lua_tostring(state, 3);
   const lua_Integer most = luaL_optinteger(state, 4, static_cast<lua_Integer>(text.size()) + 1);
   const bool anchored = form.starts_with('^');
@@ -312,6 +331,7 @@ int gsub(lua_State* state) {
 
 }  // namespace
 
+// Keys stay the same and only values change, which lua_next allows.
 void charge_all(lua_State* state) {
   lua_pushnil(state);
   while (lua_next(state, -2) != 0) {
@@ -330,10 +350,13 @@ void open_text(lua_State* state) {
   luaL_requiref(state, LUA_UTF8LIBNAME, luaopen_utf8, 1);
   charge_all(state);
   luaL_requiref(state, LUA_STRLIBNAME, luaopen_string, 1);
+  // string.dump gives a function's bytecode, which depends on the interpreter, and is of no use
+  // without load.
   lua_pushnil(state);
   lua_setfield(state, -2, "dump");
   lua_getfield(state, -1, "format");
   const lua_CFunction lua_format = lua_tocfunction(state, -1);
+  // Fetched before charge_all wraps it: a wrapped function cannot be an upvalue by address.
   lua_pop(state, 1);
   charge_all(state);
   set_functions(
