@@ -9,10 +9,15 @@
 #include "base/text.h"
 #include "validate/build_site.h"
 
+// The same layout as set_up.h has it, in the words of ARGoS 3's experiments (docs/argos.md). Two
+// things differ: ARGoS drops no blocks from caches, so as many as the work needs lie at the caches
+// from the start; and what a robot is told about its side goes through the parameters of its
+// controller, of which ARGoS has one per configuration and not one per robot.
 namespace stig {
 namespace {
 
 constexpr double kMargin = 0.3;  ///< m, of the arena round the outermost block
+// Blocks lie in rows of three behind the cache, near enough to be found from there.
 constexpr int kInRow = 3;
 
 constexpr const char* kBuilderDevices = R"(      <actuators>
@@ -68,11 +73,13 @@ const char* colour_name(Led led) {
 }
 
 /// Blocks that nobody uses yet, their centres' places on the floor.
+// One more on each side than its share, for a block that is pushed out of reach.
 std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
   const std::size_t sides = layout.caches.size();
   const std::size_t each = (wanted + sides - 1) / sides + 1;
   std::vector<Vec3> out;
   for (const SetUpLayout::Cache& cache : layout.caches) {
+    // Caches point along an axis, so the direction is one of four, in whole numbers.
     const int quarter = cache.outwards / 90;
     const int dx = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
     const int dy = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
@@ -80,6 +87,7 @@ std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
       const int number = static_cast<int>(i % kInRow);  // the middle, then left, then right
       const double left = kBlocksApart * (number == 1 ? 1 : number == 2 ? -1 : 0);
       const std::size_t row = i / kInRow;
+      // Further rows lie outwards, away from the structure and from robots at the cache.
       const double out_by = kBlocksApart * static_cast<double>(row);
       out.push_back(
           {cache.at.x + dx * out_by - dy * left, cache.at.y + dy * out_by + dx * left, 0});
@@ -90,6 +98,7 @@ std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
 
 std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) {
   std::string out = "  <controllers>\n";
+  // A controller configuration for each side: ARGoS shares one among all robots that name it.
   std::vector<ApproachSide> sides;
   for (const SetUpLayout::Robot& robot : layout.robots) {
     if (std::find(sides.begin(), sides.end(), robot.side) == sides.end())
@@ -120,6 +129,7 @@ std::string block_element(const std::string& id, const char* attributes, const c
 std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRequest& request,
                   const std::vector<Vec3>& loose) {
   double half = layout.arena;
+  // Further out than the layout's arena when there are many blocks.
   for (const Vec3& at : loose) half = std::max({half, std::abs(at.x), std::abs(at.y)});
   if (half > layout.arena) half += kMargin;
   std::string out = fmt::format(
@@ -129,6 +139,8 @@ std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRe
   int number = 0;
   for (const SetUpLayout::Block& block : layout.blocks) {
     out += block_element(fmt::format("start{}", ++number), " movable=\"false\"",
+                         // ARGoS places bodies by the middle of their base, layouts by their
+                         // centre.
                          colour_name(led_of(rules, block.brick)),
                          block.centre - Vec3{0, 0, request.side / 2});
   }

@@ -10,6 +10,7 @@
 namespace stig {
 namespace {
 
+// On the floor: the radius of a cache knows no height, as in the run that fills it.
 bool at_cache(const WatchedBlock& block, const CacheSpawn& cache) {
   return std::hypot(block.X_WB.p.x - cache.at.x, block.X_WB.p.y - cache.at.y) < cache.radius;
 }
@@ -23,6 +24,8 @@ BlockCount count_blocks(const std::vector<WatchedBlock>& there, const Watch& wat
     const bool stored = std::any_of(caches.begin(), caches.end(), [&](const CacheSpawn& cache) {
       return at_cache(block, cache);
     });
+    // The order decides for blocks that are two things at once: a brick under an end-effector is
+    // part of the structure, a fixed block in a cache is none that the cache can give.
     ++(watch.is_part(block.block) ? count.structure
        : watch.held(block.block)  ? count.carried
        : block.fixed              ? count.fixed
@@ -52,6 +55,8 @@ std::vector<std::string> cache_troubles(const RuleSet& rules,
                                         const std::vector<WatchedBlock>& there, const Watch& watch,
                                         const std::vector<CacheSpawn>& caches) {
   std::vector<std::string> out;
+  // A cache serves while it has a block that a robot would take, or will have one as soon as a hand
+  // has gone. Whatever else lies in its radius keeps the next one from being dropped, for good.
   for (const CacheSpawn& cache : caches) {
     const WatchedBlock* in_the_way = nullptr;
     bool serves = false;

@@ -13,8 +13,10 @@
 namespace stig {
 namespace {
 
+// Scenes say places to the hundredth of a millimetre, so this is for scenes written by hand.
 constexpr double kStartTolerance = 0.002;  ///< m, of a start brick from its cell
 
+// The offset in cells, as numbers that can be scaled and turned.
 Vec3 vector_of(Offset o) {
   return {static_cast<double>(o.x), static_cast<double>(o.y), static_cast<double>(o.z)};
 }
@@ -28,6 +30,7 @@ std::vector<FixedBlock> fixed_blocks(const PlacedScene& placed) {
   std::vector<FixedBlock> out;
   for (std::size_t i = 0; i < placed.config.bodies.size(); ++i) {
     const BodyDef& body = placed.config.bodies[i];
+    // A fixed block that shows nothing is part of the scene's furniture, a wall for example.
     if (!placed.bodies[i].block || !body.fixed || placed.bodies[i].colour == Led::off) continue;
     out.push_back({body.X_WB, placed.bodies[i].colour});
   }
@@ -48,9 +51,12 @@ bool holds_start(const RuleSet& rules, const BuildSite& site,
 /// The site in which this block is the first start brick, the lattice turned by quarters from
 /// the block's own axes.
 BuildSite site_of(const PlacedBrick& first, const Pose& X_WB, double side, int quarters) {
+  // A cube looks the same in 24 positions, so its axes are known up to those alone: yaw from what
+  // is left, then the four quarters are tried.
   const Mat3 own = beyond_cube_turn(matrix(X_WB.q));
   const double yaw = std::atan2(own.x.y, own.x.x) + quarters * std::numbers::pi / 2;
   BuildSite site{{{}, rotation({0, 0, yaw})}, side};
+  // The site's frame is that of cell (0, 0, 0), which need not be a cell of the start.
   site.X_WL.p = X_WB.p - rotate(site.X_WL.q, vector_of(first.at - Cell{}) * side);
   return site;
 }
@@ -63,12 +69,14 @@ Vec3 centre_of(const BuildSite& site, Cell cell) {
 
 CellFit fit_of(const BuildSite& site, const Pose& X_WB) {
   const Pose X_LB = inverse(site.X_WL) * X_WB;
+  // To the nearest cell centre, along each axis of the lattice.
   const auto number = [&](double v) {
     return static_cast<std::int32_t>(std::lround(v / site.pitch));
   };
   CellFit fit;
   fit.cell = {number(X_LB.p.x), number(X_LB.p.y), number(X_LB.p.z)};
   fit.off = X_LB.p - vector_of(fit.cell - Cell{}) * site.pitch;
+  // The block's own marks do not matter: turned by quarters it is the same brick.
   const Mat3 left = beyond_cube_turn(matrix(X_LB.q));
   fit.yaw = std::atan2(left.x.y, left.x.x);
   fit.turn = angle_of(quaternion_of(left));
@@ -77,6 +85,7 @@ CellFit fit_of(const BuildSite& site, const Pose& X_WB) {
 
 Led led_of(const RuleSet& rules, Colour colour) {
   return led_of(rules.brick(colour).led).value_or(Led::off);
+  // Two colours never share an LED (a check of rules sees to it), so the first is the only one.
 }
 
 Colour colour_of(const RuleSet& rules, Led led) {
@@ -94,11 +103,13 @@ std::optional<BuildSite> find_site(const RuleSet& rules, std::int32_t floor_leve
   std::optional<double> floats;
   const std::vector<FixedBlock> blocks = fixed_blocks(placed);
   const PlacedBrick& first = rules.start.front();
+  // Quarters outside, so that the lattice nearest to the world's axes wins where several fit.
   for (int quarters = 0; quarters < 4 && !scene.models.empty(); ++quarters) {
     for (const FixedBlock& block : blocks) {
       if (block.led != led_of(rules, first.brick)) continue;
       const BuildSite site = site_of(first, block.X_WB, scene.models.front().side, quarters);
       if (!holds_start(rules, site, blocks)) continue;
+      // The floor is a rule's business: what the proof takes for the floor must be the floor.
       const double over = centre_of(site, {0, 0, floor_level}).z - site.pitch / 2;
       if (std::abs(over) < kStartTolerance) return site;
       floats = over;

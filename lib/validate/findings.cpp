@@ -8,9 +8,13 @@
 #include "base/degree.h"
 #include "rules/cell_text.h"
 
+// What a user should read first after a run that did not end well: each finding is one sentence,
+// with the figures that decide, in the order of how much they explain. First what was against the
+// rules, then what ended the run and where each robot was, then the bricks.
 namespace stig {
 namespace {
 
+// The programs' approach begins there (docs/behaviours.md).
 constexpr double kComesBy = 0.40;  ///< m: robots come straight at a site from 0.30 m
 
 void of_bricks(const BuildTarget& target, const Judgement& judgement,
@@ -63,6 +67,7 @@ std::string missing_near(const BuildTarget& target, const Judgement& judgement, 
 }
 
 /// What a robot is at that cannot go on, or where it is in its program.
+// The gravest first: a robot that has left is not also "in state …".
 std::string plight_of(const RobotRecord& robot, const Trial& trial) {
   const std::string at = robot.state.empty() ? "" : fmt::format(" in state '{}'", robot.state);
   if (robot.left) return "has left the arena";
@@ -74,6 +79,7 @@ std::string plight_of(const RobotRecord& robot, const Trial& trial) {
                : fmt::format("is in state '{}' since {:.0f} s", robot.state, robot.since);
   }
   std::string what = "has stopped: its program failed";
+  // The program's own message, of what was kept of the log.
   for (const TrialLine& line : trial.lines) {
     if (line.failure && line.who == robot.name) what += " (" + line.text + ")";
   }
@@ -119,6 +125,7 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
   }
   for (const RobotRecord& robot : trial.robots) of_robot(target, robot, trial, out);
   if (trial.loose.empty()) out.emplace_back("no loose block lies in the arena");
+  // Dark blocks are ordinary stock; one that shows a colour was let go on its way.
   for (const WatchedBlock& block : trial.loose) {
     if (block.led == Led::off) continue;
     out.push_back(fmt::format("a block that shows {} lies loose at ({:.2f}, {:.2f}) m{}",
@@ -134,6 +141,7 @@ std::vector<std::string> findings_of(const BuildTarget& target, const Trial& tri
   std::vector<std::string> out;
   const Judgement& judgement = trial.judgement;
   if (judgement.against) out.push_back("against the rules: " + judgement.against->reason);
+  // A complete structure needs no account of how the run ended.
   if (judgement.verdict != BuildVerdict::complete) of_end(target, trial, out);
   of_bricks(target, judgement, out);
   return out;

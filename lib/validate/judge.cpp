@@ -11,6 +11,10 @@
 #include "rules/cell_text.h"
 #include "validate/replay_events.h"
 
+// Two tolerances, for two questions. A block *fills* a cell when it is nearer to that cell than to
+// any other by a wide margin: which brick is it? It is *close* when it is within a few millimetres
+// and degrees of the lattice that fits all bricks best: is it a good brick? The fit takes out what
+// a start that was pushed as a whole has moved; `drift` has that.
 namespace stig {
 namespace {
 
@@ -27,6 +31,7 @@ bool fills(const CellFit& fit) { return length(fit.off) <= kCellWay && fit.turn 
 /// The structure's bricks: the start, then by level.
 std::vector<BrickCheck> wanted(const BuildTarget& target) {
   std::vector<BrickCheck> out;
+  // The start first, since it is what everything is measured against.
   for (const PlacedBrick& brick : target.whole.bricks()) {
     BrickCheck check;
     check.cell = brick.at;
@@ -42,14 +47,17 @@ std::vector<BrickCheck> wanted(const BuildTarget& target) {
   return out;
 }
 
-/// The lattice that fits the bricks best, its axes and cells those of the rules. Of what does not
-/// hang together, or of a brick alone: that of the start.
+/// The lattice that fits the bricks best, its axes and cells those of the rules. What does not hang
+/// together, or is a brick alone, has that of the start.
 BuildSite fitted_site(const BuildTarget& target, const std::vector<PlacedBlock>& blocks) {
+  // One lattice of all bricks, or none: with two the best fit has no meaning.
   const StructureReading reading = read_lattices(blocks, target.site.pitch);
   if (reading.lattices.size() != 1 || !reading.loose.empty()) return target.site;
   const ReadLattice& read = reading.lattices.front();
   // Both frames are close: of the cube's turns the one between them is known, and the cell that
   // the first block has in each.
+  // The fit knows its cells from (0, 0, 0) on and its axes up to a quarter turn; both are undone by
+  // the site, from which the fitted frame differs by little.
   const Pose X_SL = inverse(target.site.X_WL) * read.X_WL;
   BuildSite fitted = target.site;
   fitted.pitch = read.pitch;
@@ -60,6 +68,7 @@ BuildSite fitted_site(const BuildTarget& target, const std::vector<PlacedBlock>&
                         static_cast<double>(first.cell.z)} *
                    read.pitch);
   const Cell cell = fit_of(target.site, blocks[first.block].X_WB).cell;
+  // The origin drops out: the cell's centre from a frame at zero, taken from where that centre is.
   fitted.X_WL.p = {};
   fitted.X_WL.p = there - centre_of(fitted, cell);
   return fitted;
@@ -73,6 +82,7 @@ void measure(BrickCheck& check, const Filled& filled, const BuildTarget& target,
   check.off = fit.off;
   check.yaw = fit.yaw;
   check.turn = fit.turn;
+  // From the start's lattice, not the fitted one.
   check.drift = filled.fit.off;
   check.close = length(check.off) <= closeness.way && check.turn <= closeness.turn;
   check.coloured = check.led == led_of(*target.rules, check.wanted);
@@ -80,6 +90,8 @@ void measure(BrickCheck& check, const Filled& filled, const BuildTarget& target,
 
 /// Neighbours that are there, one against the other.
 void measure_joints(Judgement& out, const Closeness& closeness) {
+  // Quadratic in the bricks, which are some dozens; each pair is looked at from both sides, and
+  // noted once.
   for (const BrickCheck& a : out.bricks) {
     if (!a.block) continue;
     out.worst_way = std::max(out.worst_way, length(a.off));
@@ -88,6 +100,7 @@ void measure_joints(Judgement& out, const Closeness& closeness) {
     for (const BrickCheck& b : out.bricks) {
       const Offset away = b.cell - a.cell;
       if (!b.block || std::abs(away.x) + std::abs(away.y) + std::abs(away.z) != 1) continue;
+      // One against the other, a common drift drops out.
       const LooseJoint joint{a.cell, b.cell, length(a.drift - b.drift), std::abs(a.yaw - b.yaw)};
       out.worst_joint_way = std::max(out.worst_joint_way, joint.way);
       out.worst_joint_turn = std::max(out.worst_joint_turn, joint.turn);
@@ -106,6 +119,7 @@ std::vector<StrayBrick> strays(const BuildTarget& target, const std::vector<Watc
   }
   std::vector<StrayBrick> out;
   for (const WatchedBlock& block : blocks) {
+    // A block that counts as a brick is none in the way.
     const bool counted = std::any_of(bricks.begin(), bricks.end(), [&](const BrickCheck& one) {
       return one.block == block.block;
     });
@@ -136,6 +150,7 @@ std::string brick_text(const RuleSet& rules, Led led, Cell cell) {
   const std::string what = colour != 0       ? rules.brick(colour).name + " brick"
                            : led == Led::off ? std::string("dark block")
                                              : fmt::format("{} block", to_string(led));
+  // The words of reports and events.
   return fmt::format("a {} at {}", what, cell_text(cell));
 }
 
@@ -144,6 +159,8 @@ Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& bloc
   std::map<Cell, Filled> filled;
   for (const WatchedBlock& block : blocks) {
     const CellFit fit = fit_of(target.site, block.X_WB);
+    // Two blocks cannot fill one cell without overlapping; if physics has let them, the first
+    // counts and the other is found as stray.
     if (fills(fit)) filled.try_emplace(fit.cell, Filled{&block, fit});
   }
   Judgement out;
@@ -153,6 +170,7 @@ Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& bloc
     const auto found = filled.find(check.cell);
     if (found != filled.end()) there.push_back({found->second.block->X_WB, 0});
   }
+  // Fitted over the bricks that are there, wherever the others are.
   const BuildSite fitted = fitted_site(target, there);
   for (BrickCheck& check : out.bricks) {
     const auto found = filled.find(check.cell);
@@ -164,6 +182,7 @@ Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& bloc
   out.placements = replayed.placements;
   out.allowed = replayed.allowed;
   out.against = replayed.against;
+  // Missing bricks are no fault, only unfinished; everything else is.
   const bool right = out.extra.empty() && !out.against && out.loose.empty() &&
                      std::all_of(out.bricks.begin(), out.bricks.end(), [](const BrickCheck& brick) {
                        return !brick.block || (brick.close && brick.coloured);
@@ -184,6 +203,7 @@ bool is_right(const BuildTarget& target, const std::pair<const Cell, StandingBri
 }  // namespace
 
 bool stands(const BuildTarget& target, const Watch& watch) {
+  // As many as wanted and none wrong: then none is missing.
   return watch.bricks().size() == target.whole.size() && !spoilt(target, watch);
 }
 

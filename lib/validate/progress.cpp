@@ -9,9 +9,11 @@
 namespace stig {
 namespace {
 
+// Rows of the table over all times: enough for a smooth curve, few enough for a spreadsheet.
 constexpr double kMostRows = 240;
 
 /// The value that holds at a time, of changes in the order of time; at first 0.
+// The few nanoseconds are for times that were summed from steps.
 int value_at(const std::vector<std::pair<double, int>>& changes, double time) {
   int out = 0;
   for (const auto& [when, value] : changes) {
@@ -24,6 +26,8 @@ int value_at(const std::vector<std::pair<double, int>>& changes, double time) {
 void add_work(const std::vector<ProgressCurve>& curves, ProgressBand::Row& row) {
   double going = 0;
   for (const ProgressCurve& curve : curves) {
+    // Aborted attempts are a running total, of all runs; sites and idle robots are means over those
+    // that still run, since a run that has ended has neither.
     row.busy +=
         static_cast<double>(std::count_if(curve.busy.begin(), curve.busy.end(),
                                           [&](double when) { return when <= row.time + 1e-9; })) /
@@ -43,6 +47,7 @@ void add_work(const std::vector<ProgressCurve>& curves, ProgressBand::Row& row) 
 
 double round_step(double reach, double most) {
   double step = 1;
+  // 1, 2, 5, 10, 20, 50 …: the series of round numbers for axes.
   for (int i = 0; step * most < reach; ++i) step *= i % 3 == 1 ? 2.5 : 2;
   return step;
 }
@@ -63,6 +68,7 @@ ProgressCurve curve_of(const BuildTarget& target, const Trial& trial, const Work
   int bricks = 0;
   for (const BrickEvent& event : trial.events) {
     const State wanted = target.whole.at(event.cell);
+    // Bricks of another colour or place are no progress, and their leaving is none lost.
     if (!is_brick(wanted) || led_of(*target.rules, wanted) != event.led) continue;
     bricks += event.kind == BrickEvent::Kind::placed ? 1 : -1;
     curve.steps.emplace_back(event.time, bricks);
@@ -74,6 +80,7 @@ ProgressBand band_of(const std::vector<ProgressCurve>& curves) {
   ProgressBand band;
   double end = 0;
   for (const ProgressCurve& curve : curves) end = std::max(end, curve.end);
+  // The grid ends beyond the longest run, so that its end is on it.
   const double step = round_step(end, kMostRows);
   const auto n = static_cast<double>(curves.size());
   for (double time = 0; !curves.empty() && time < end + step; time += step) {
@@ -91,6 +98,7 @@ ProgressBand band_of(const std::vector<ProgressCurve>& curves) {
       const double off = curve.at(time) - row.mean;
       squares += off * off;
     }
+    // The deviation is that of a sample, so n - 1 (Bessel's correction).
     row.deviation = curves.size() > 1 ? std::sqrt(squares / (n - 1)) : 0;
     add_work(curves, row);
     band.rows.push_back(row);

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <iterator>
 
+// Drawn by hand rather than by a library: two panels of curves with a common axis of time, as SVG
+// that is the same to the byte everywhere and that an HTML report can hold. Coordinates are in
+// SVG's user units, y downwards, with one decimal.
 namespace stig {
 namespace {
 
@@ -14,6 +17,7 @@ constexpr double kWidth = 760, kLeft = 56, kRight = 16, kTop = 24, kCurves = 290
 constexpr double kGap = 34, kBelow = 80;  ///< before the second panel, and its height
 
 /// From seconds and a number to a panel of the drawing.
+// y of the drawing falls as the number rises.
 struct Axes {
   double time = 1, most = 1;
   double top = kTop, height = kCurves;
@@ -29,6 +33,7 @@ void text(std::string& out, double x, double y, std::string_view rest, std::stri
 std::string frame(const Axes& axes, double lines) {
   std::string out;
   const double by_time = round_step(axes.time, 8), by_number = round_step(axes.most, lines);
+  // A hair beyond the end, so that rounding does not take the last line.
   for (double t = 0; t <= axes.time * 1.0001; t += by_time) {
     fmt::format_to(std::back_inserter(out),
                    "<path class=\"grid\" d=\"M{0:.1f} {1:.1f}V{2:.1f}\"/>\n", axes.x(t), axes.y(0),
@@ -53,6 +58,7 @@ std::string times(const Axes& axes) {
   return out;
 }
 
+// Steps and not slopes: between two bricks there is nothing.
 std::string stairs(const Axes& axes, const ProgressCurve& curve) {
   std::string out = fmt::format("M{:.1f} {:.1f}", axes.x(0), axes.y(0));
   for (const auto& [time, bricks] : curve.steps) {
@@ -61,10 +67,12 @@ std::string stairs(const Axes& axes, const ProgressCurve& curve) {
   return out + fmt::format("H{:.1f}", axes.x(curve.end));
 }
 
+// Back and forth along the rows: two of these make the outline of a band.
 template <class Value>
 std::string points(const Axes& axes, const ProgressBand& band, bool back, const Value& value) {
   std::string out;
   const auto add = [&](const ProgressBand::Row& row) {
+    // Mean plus deviation may exceed what can be built; the drawing ends at its frame.
     const double n = std::clamp(value(row), 0.0, axes.most);
     fmt::format_to(std::back_inserter(out), "{}{:.1f} {:.1f}", out.empty() && !back ? "M" : "L",
                    axes.x(row.time), axes.y(n));
@@ -83,6 +91,7 @@ std::string path(std::string_view kind, const std::string& way) {
 
 std::string curves_drawn(const Axes& axes, const std::vector<ProgressCurve>& curves,
                          const ProgressBand& band) {
+  // One run has no spread: it is drawn as the mean itself.
   std::string out;
   const bool several = curves.size() > 1;
   if (several && !band.rows.empty()) {
@@ -135,6 +144,7 @@ std::string progress_svg(const std::vector<ProgressCurve>& curves, const Progres
   }
   below.time = axes.time;
   // The grid's last time may lie beyond the longest run.
+  // A copy, since rows are few.
   ProgressBand inside = band;
   std::erase_if(inside.rows, [&](const ProgressBand::Row& row) { return row.time > axes.time; });
   const bool work = std::any_of(curves.begin(), curves.end(),

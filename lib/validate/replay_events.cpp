@@ -13,6 +13,9 @@
 #include "rules/rule_printer.h"
 #include "rules/rule_table.h"
 
+// The rules are asked by `explain`, which tells why none fires, and not by the engine's table
+// alone: speed does not matter for some dozens of placements. Bricks that left are taken away
+// again, which no rule does; what is built upon a gap is judged in the structure as it then was.
 namespace stig {
 namespace {
 
@@ -21,6 +24,8 @@ std::string seen_text(const RuleSet& rules, State state) {
   return state == kFloor ? "the floor" : rules.brick(state).name;
 }
 
+// Nearest by the number of cells and conditions that fail, of the rules that place this colour:
+// those are the ones somebody would have meant.
 /// The rule of this colour that is nearest to firing, and what it lacks.
 std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site, Colour colour) {
   const RuleExplanation* nearest = nullptr;
@@ -38,6 +43,7 @@ std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site,
     return out + fmt::format(" wants {} at {} and finds {}", symbol_of(rules, cell.wanted),
                              cell_text(site + cell.offset), seen_text(rules, cell.seen));
   }
+  // A rule that does not fire lacks a cell or a condition.
   const FailedCondition& failed = nearest->conditions.front();
   return out + (failed.kind == FailedCondition::Kind::height
                     ? fmt::format(" is not for height {}", failed.seen)
@@ -60,13 +66,16 @@ Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>&
     }
     ++out.placements;
     const Colour colour = colour_of(rules, event.led);
+    // A brick in no colour of the rules stands for nothing that a rule could see.
     std::string reason;
     if (colour == 0) {
       reason = fmt::format("no brick of the rules shows '{}'", to_string(event.led));
+      // After the first fault nothing is asked any more: what follows may rest on it.
     } else if (!out.against) {
       std::vector<PlacedBrick> bricks;
       bricks.reserve(standing.size());
       for (const auto& [cell, brick] : standing) bricks.push_back({cell, brick});
+      // Without the box: sites beyond it are wrong by not being in the structure.
       const View view = view_at(Structure(rules.lattice, bricks), table, std::nullopt, event.cell);
       const Explanation said = explain(rules, view, event.cell.z, 1);
       const bool fires =
@@ -75,6 +84,7 @@ Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>&
           });
       if (!fires) reason = reason_for(rules, said, event.cell, colour);
     }
+    // Also one against the rules: it is there, and later ones were placed with it.
     if (colour != 0) standing[event.cell] = colour;
     if (out.against) continue;
     if (reason.empty()) {

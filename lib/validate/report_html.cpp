@@ -13,6 +13,9 @@
 #include "validate/findings.h"
 #include "validate/progress_svg.h"
 
+// One file that can be mailed: style, curves and pictures are in it, nothing is fetched. All that
+// comes from files or programs goes through `escaped`, since titles, names and log lines are
+// whatever their authors wrote.
 namespace stig {
 namespace {
 
@@ -40,6 +43,7 @@ svg {{ max-width: 100%; height: auto }}
 
 std::string escaped(std::string_view text) { return escaped_markup(printable(text)); }
 
+// printable() would take line ends for control characters.
 /// Several lines, as they are.
 std::string escaped_lines(std::string_view text) {
   std::string out;
@@ -59,6 +63,7 @@ std::string base64(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t three = 0;
     const std::size_t there = std::min<std::size_t>(3, bytes.size() - i);
+    // Missing bytes are zero bits, and show as '=' in place of digits.
     for (std::size_t k = 0; k < 3; ++k) {
       three = three << 8U | (k < there ? static_cast<unsigned char>(bytes[i + k]) : 0U);
     }
@@ -75,6 +80,7 @@ class Page {
   void add(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
+  // Numbers to the right, so that their digits stand under each other.
   /// Cells that begin with '@' are texts and stand to the left.
   void row(std::string_view tag, const std::vector<std::string>& cells) {
     out_ += "<tr>";
@@ -87,6 +93,7 @@ class Page {
   }
   void table(const std::vector<std::string>& head,
              const std::vector<std::vector<std::string>>& rows) {
+    // A table without rows is left out, with its head.
     if (rows.empty()) return;
     out_ += "<table>\n";
     row("th", head);
@@ -100,6 +107,7 @@ class Page {
   std::string out_;
 };
 
+// + 0.0 takes the sign off a zero.
 std::string fixed(double v, int digits) { return fmt::format("{:.{}f}", v + 0.0, digits); }
 
 void runs(const ValidationReport& report, Page& page) {
@@ -125,6 +133,7 @@ void work(const ValidationReport& report, const std::vector<ProgressCurve>& curv
       "<p>Of all robots' time {:.1f} % idle: neither wheels nor lift in motion and no current in "
       "the electromagnets, for more than {:g} s in a row. {} attempts were aborted since another "
       "robot was in the way, {:.2f} for each brick placed.</p>\n",
+      // The share is that of summed times: a long run counts more than a short one.
       100 * all.idle_share(), kIdleAfter, all.busy, all.busy_per_brick());
   std::vector<std::vector<std::string>> rows;
   for (const WorkPhase& phase : phases_of(curves)) {
@@ -194,8 +203,10 @@ void hauls(const Trial& trial, Page& page) {
 
 void robots(const Trial& trial, Page& page) {
   std::vector<std::vector<std::string>> rows, states;
+  // A run that ended at once has no shares; no division by zero.
   const double whole = std::max(trial.time, 1e-9);
   for (const RobotRecord& robot : trial.robots) {
+    // Numbers that the library's programs show (programs/mission/record.lua); others' need not.
     const auto shown = [&](const char* name) {
       const auto found = robot.shown.find(name);
       return found == robot.shown.end() ? std::string("–") : fmt::format("{:g}", found->second);
@@ -237,6 +248,7 @@ void trial_part(const BuildTarget& target, const Trial& trial, Page& page) {
   robots(trial, page);
   if (trial.lines.empty()) return;
   page.raw("<h3>What programs said last</h3>\n<pre>");
+  // Seconds in a column of their own width.
   for (const TrialLine& line : trial.lines) {
     page.add("{:8.1f}  {}: {}\n", line.time, escaped(line.who), escaped(line.text));
   }
@@ -247,6 +259,7 @@ void trial_part(const BuildTarget& target, const Trial& trial, Page& page) {
 
 bool all_complete(const ValidationReport& report) {
   return !report.trials.empty() &&
+         // An interrupted or diverged run proves nothing, whatever stood at that moment.
          std::all_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
            return trial.judgement.verdict == BuildVerdict::complete &&
                   trial.end != TrialEnd::interrupted && trial.end != TrialEnd::diverged;

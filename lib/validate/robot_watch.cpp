@@ -4,9 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+// Everything here is taken from the world's poses and joints, and from what programs show to
+// viewers (`robot.show`), never from what robots tell each other. Energy is mechanical work of
+// motors, |force · velocity| summed over steps: no motor here gives any back.
 namespace stig {
 namespace {
 
+// Jitter of a robot at rest is far below, a step of work far above.
 constexpr double kHair = 0.01;         ///< m, of motion that counts
 constexpr double kStillSpeed = 0.1;    ///< rad/s of wheels
 constexpr double kStillLift = 0.0005;  ///< m/s
@@ -21,6 +25,7 @@ double RobotRecord::idle_time() const {
 }
 
 RobotWatch::RobotWatch(const Simulation& run)
+    // Poses at the start, so that standing still from the start on counts.
     : run_(run), step_(run.placed().config.step), robots_(run.scene().robots.size()) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     robots_[i].record.name = run.scene().robots[i].name;
@@ -47,6 +52,7 @@ void RobotWatch::after_step() {
 /// What its program showed in a step that it has made since.
 void RobotWatch::note_shown(std::size_t robot) {
   Follow& follow = robots_[robot];
+  // Controllers work every few steps of physics; what they showed is noted once.
   const std::uint64_t tick = run_.crew()->readings(robot).tick;
   if (tick == follow.tick) return;
   follow.tick = tick;
@@ -54,6 +60,7 @@ void RobotWatch::note_shown(std::size_t robot) {
   const UserData& user = run_.crew()->commands(robot).user;
   for (const auto& [name, value] : user.numbers) {
     double& before = record.shown[name];
+    // "busy" is a count that the library's programs keep; a rise is an event.
     if (name == "busy" && value > before) record.busy.push_back(run_.world().time());
     before = value;
   }
@@ -73,6 +80,7 @@ void RobotWatch::note_motors(std::size_t robot) {
   bool still = true;
   const auto work = [&](const AxisRef& axis, double slow) {
     const DofState state = run_.world().joint(body.joints[axis.joint])[axis.axis];
+    // State and limits are asked of each axis, so a single wheel that turns is motion.
     still = still && std::abs(state.velocity) < slow;
     return std::abs(state.force * state.velocity) * step_;
   };
@@ -83,6 +91,7 @@ void RobotWatch::note_motors(std::size_t robot) {
   }
   if (robot_model.lift) record.energy.lift += work(robot_model.lift->axis, kStillLift);
   if (still) record.still += step_;
+  // The first pole stands for all: they are one circuit.
   bool current = false;
   if (robot_model.magnets && !robot_model.magnets->poles.empty()) {
     const BodyId pole = body.bodies[robot_model.magnets->poles.front().body];
@@ -93,6 +102,7 @@ void RobotWatch::note_motors(std::size_t robot) {
 }
 
 void RobotWatch::note_rest(Follow& follow, bool rests) const {
+  // Rest is collected until it ends, since only then is it known whether it was long enough.
   if (!rests) return end_rest(follow);
   const std::string& state = follow.record.state;
   if (follow.rest.empty() || follow.rest.back().first != state) follow.rest.emplace_back(state, 0);
@@ -113,6 +123,7 @@ void RobotWatch::end_rest(Follow& follow) const {
 std::vector<WatchedHand> RobotWatch::hands() const {
   std::vector<WatchedHand> out;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    // In no block's reach.
     // Far above: of a robot without magnets.
     WatchedHand hand{{0, 0, 1e9}};
     const auto& magnets = model(i).magnets;
@@ -133,6 +144,7 @@ std::vector<WatchedHand> RobotWatch::hands() const {
 bool RobotWatch::out(std::size_t robot) const {
   const BodyState root = run_.world().state(run_.crew()->root_body(robot));
   const Pose X_WR = run_.crew()->robot_pose(run_.world(), robot);
+  // Fallen by more than 60°: no robot here gets up by itself.
   return root.left || run_.crew()->failed(robot) || matrix(X_WR.q).z.z < kUpright;
 }
 
@@ -147,6 +159,7 @@ std::vector<RobotRecord> RobotWatch::finish(const Watch& watch) {
   std::vector<RobotRecord> records;
   const double now = run_.world().time();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    // A rest that lasts to the end of the run ends there.
     end_rest(robots_[i]);
     RobotRecord record = robots_[i].record;
     if (!record.state.empty()) record.spent[record.state] += now - record.since;

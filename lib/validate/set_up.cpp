@@ -9,9 +9,13 @@
 
 #include "validate/build_site.h"
 
+// set_up.h has the figures and their reasons. All places are worked out about the start's middle
+// and moved at the end so that the origin is where scenes have it; rounding is the last step, once,
+// so that the text of a scene and the numbers handed on are the same.
 namespace stig {
 namespace {
 
+// Caches drop blocks from a little above the floor: 2.3 block sides, clear of one that lies there.
 constexpr double kCacheWay = 0.5, kCacheClear = 0.39, kCacheDrop = 0.125;
 constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20, kRobotsApart = 0.25;
 /// s for a brick: one robot that works on four sides takes up to 120.
@@ -39,12 +43,14 @@ Direction direction_of(ApproachSide side) {
 }
 
 /// m; whatever rounding leaves behind zero is none.
+// Adding 0.0 makes -0 into 0, which would print a sign.
 double metres(double v) { return std::round(v * 1e5) / 1e5 + 0.0; }
 
 class Layout {
  public:
   Layout(const RuleSet& rules, const CompiledRules& compiled, const SetUpRequest& request)
       : rules_(rules), compiled_(compiled), request_(request) {
+    // From cell to cell centre, so the middle of an even row lies between two cells.
     double low_x = std::numeric_limits<double>::infinity(), low_y = low_x;
     double high_x = -low_x, high_y = -low_x;
     for (const PlacedBrick& brick : rules.start) {
@@ -54,6 +60,7 @@ class Layout {
       high_y = std::max(high_y, brick.at.y * request.side);
     }
     middle_ = {(low_x + high_x) / 2, (low_y + high_y) / 2, 0};
+    // From one side the first robot is in the origin, as the paper's figures have it.
     if (compiled.sides.size() == 1) {
       const Direction out = direction_of(compiled.sides.front());
       const double way = robot_way(out);
@@ -69,6 +76,7 @@ class Layout {
   /// How far the structure, or the start alone, goes from the start's middle; m.
   double reach(const Direction& out, bool start) const {
     double far = 0;
+    // Start bricks come first among the target's.
     const std::size_t bricks =
         start ? compiled_.target->start_bricks() : compiled_.target->bricks();
     for (std::size_t i = 0; i < bricks; ++i) {
@@ -86,6 +94,7 @@ class Layout {
   }
   double arena() const {
     const auto sides = static_cast<int>(compiled_.sides.size());
+    // Robots beyond one a side stand in a row, to the left of the first.
     const int beside = (request_.robots - 1) / sides;
     double far = beside * kRobotsApart;
     for (const ApproachSide side : compiled_.sides) {
@@ -103,6 +112,7 @@ class Layout {
   std::vector<SetUpLayout::Block> blocks() const {
     std::vector<SetUpLayout::Block> out;
     for (const PlacedBrick& brick : rules_.start) {
+      // Half a level up: centres, over the level that stands on the floor.
       const double level = brick.at.z - compiled_.target->floor_level() + 0.5;
       out.push_back({place(brick.at.x * request_.side - middle_.x,
                            brick.at.y * request_.side - middle_.y, level * request_.side),
@@ -113,6 +123,8 @@ class Layout {
 
   /// The sides that a robot works from; it begins at the first.
   std::vector<ApproachSide> sides_of(int robot) const {
+    // The sides are in the order in which they follow each other around the structure, so each
+    // robot's stretch is in one piece.
     const auto& sides = compiled_.sides;
     const auto count = static_cast<int>(sides.size());
     if (request_.robots >= count) return {sides[static_cast<std::size_t>(robot % count)]};
@@ -131,6 +143,7 @@ class Layout {
       const double way = robot_way(d), left = beside * kRobotsApart;
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
                      own.front(),
+                     // A robot alone goes where there is work.
                      request_.allocation == Allocation::fixed && request_.robots > 1
                          ? own
                          : std::vector<ApproachSide>{}});
@@ -157,6 +170,7 @@ class Layout {
 std::string scene_head(const RuleSet& rules, double duration, double arena) {
   const std::string& title = rules.title.empty() ? rules.name : rules.title;
   std::string quoted;
+  // The title is the user's; YAML in double quotes has these two characters to escape.
   for (const char c : title)
     quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
   return fmt::format(
@@ -171,6 +185,7 @@ std::string scene_head(const RuleSet& rules, double duration, double arena) {
 }  // namespace
 
 double most_build_time(const CompiledRules& compiled) {
+  // Structures of more than 16 bricks get more time than the usual.
   return std::max(kMostBuildTime, kTimeOfBrick * static_cast<double>(compiled.target->bricks()));
 }
 
@@ -192,6 +207,7 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
     out += fmt::format("  - {{name: start {}, at: [{:g}, {:g}, {:g}], color: {}, fixed: true}}\n",
                        ++number, block.centre.x, block.centre.y, block.centre.z,
                        rules.brick(block.brick).led);
+    // Noise of starting poses: 1 cm and 5°, so that runs with different seeds differ.
   }
   out += "robots:\n";
   number = 0;

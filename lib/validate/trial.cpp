@@ -10,9 +10,13 @@
 #include "physical/simulation/run_picture.h"
 #include "validate/robot_watch.h"
 
+// Simulation, watch and robots' records are parts of one loop; after each fifth of a second the
+// observer looks, and the run ends by `halt_`, the same flag that an interruption sets. So a run
+// that is complete, stuck or spoilt ends between two steps like any other and its trace is whole.
 namespace stig {
 namespace {
 
+// The control period of the robots that ship.
 constexpr double kLookSeconds = 0.2;
 constexpr double kSettled = 10;        ///< s, that the whole structure has to stand
 constexpr double kSpoilt = 120;        ///< s, that a wrong brick has to stand
@@ -26,6 +30,7 @@ class TrialRun {
       : target_(target),
         settings_(settings),
         hooks_(hooks),
+        // Not resumable: nobody takes a trial up again, and accounts of readings would take memory.
         run_(scene, placed, false),
         robots_(run_),
         watch_(target.site),
@@ -40,6 +45,7 @@ class TrialRun {
     hooks.after_step = [this](const World& world) { after_step(world); };
     const RunEnd end = run_.until(settings_.duration, hooks);
     run_.end_script(hooks);
+    // A run that was halted here ends as planned, for its trace.
     run_.finish(end == RunEnd::interrupted && end_ != TrialEnd::interrupted ? RunEnd::duration
                                                                             : end);
     return report(end);
@@ -49,6 +55,7 @@ class TrialRun {
   void note(const CrewLine& line) {
     lines_.push_back({static_cast<double>(line.tick) * run_.placed().config.step, line.who,
                       line.text, line.failure});
+    // The last lines are kept: what a robot said before it failed.
     if (lines_.size() > kMostLines) lines_.pop_front();
   }
 
@@ -57,21 +64,25 @@ class TrialRun {
     if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
       return halt(TrialEnd::interrupted);
     }
+    // Looking costs a fit of every block; states and motors above are noted each step.
     if (world.tick() % look_every_ != 0) return;
     watch_.look(world.time(), blocks(), robots_.hands());
     if (hooks_.progress) hooks_.progress(world.time(), watch_.bricks().size());
     take_picture();
+    // How long something has held without a break.
     const auto since = [&](bool holds, double& began) {
       began = !holds ? -1 : began < 0 ? world.time() : began;
       return holds ? world.time() - began : 0;
     };
     if (since(stands(target_, watch_), stands_since_) >= kSettled) return halt(TrialEnd::built);
     if (since(spoilt(target_, watch_), spoilt_since_) >= kSpoilt) return halt(TrialEnd::spoilt);
+    // Neither a robot nor a brick has moved for so long; or all are out at once.
     const double last = std::max(robots_.last_motion(), last_event());
     if (robots_.all_out() || world.time() - last >= kNothingMoves) halt(TrialEnd::stuck);
   }
 
   void halt(TrialEnd why) {
+    // The first reason counts.
     if (halt_) return;
     end_ = why;
     halt_ = true;
@@ -86,11 +97,13 @@ class TrialRun {
       if (!run_.placed().bodies[i].block) continue;
       const BodyState state = run_.world().state(BodyId{static_cast<std::uint32_t>(i)});
       if (state.left) continue;
+      // Blocks from caches come after those of the config, and are never fixed.
       out.push_back({i, state.X_WB, run_.led(i), i < bodies.size() && bodies[i].fixed});
     }
     return out;
   }
 
+  // Pictures at even shares of the work, whatever time it takes; the end has its own.
   /// After so many bricks that the pictures part the work evenly.
   void take_picture() {
     if (settings_.pictures <= 0) return;
@@ -104,6 +117,7 @@ class TrialRun {
   TrialPicture picture() const {
     PictureLook look;
     look.width = 640;
+    // The size of a report's figure at twice its width on the page.
     look.height = 420;
     const bool floor = run_.placed().config.floor;
     const std::vector<PictureBody> bodies = picture_bodies(run_);
@@ -123,8 +137,10 @@ class TrialRun {
     out.robots = robots_.finish(watch_);
     out.measures = run_.measures();
     std::vector<WatchedBlock> free = blocks();
+    // Counted before those in hands are taken out.
     out.blocks = count(free);
     out.caches = cache_troubles(*target_.rules, free, watch_, run_.scene().caches);
+    // A block that is being carried is not in anybody's way yet.
     std::erase_if(free, [this](const WatchedBlock& block) { return watch_.held(block.block); });
     out.judgement = judge(target_, free, out.events);
     std::erase_if(free, [this](const WatchedBlock& block) {
@@ -140,6 +156,7 @@ class TrialRun {
   BlockCount count(const std::vector<WatchedBlock>& there) const {
     BlockCount out = count_blocks(there, watch_, run_.scene().caches);
     const std::size_t began = run_.placed().config.bodies.size();
+    // Bodies beyond those of the scene came while it ran.
     for (std::size_t i = 0; i < run_.world().size(); ++i) {
       if (!run_.placed().bodies[i].block) continue;
       ++(i < began ? out.began : out.dropped);
@@ -156,6 +173,7 @@ class TrialRun {
         return TrialEnd::diverged;
       case RunEnd::script:
         return TrialEnd::script;
+      // Every robot's program failed, or nothing moves: the same to a trial.
       case RunEnd::failed:
       case RunEnd::asleep:
         return TrialEnd::stuck;

@@ -5,11 +5,17 @@
 #include <array>
 #include <cmath>
 
+// Hysteresis in time and none in place: a block becomes a brick after a second at rest and stays
+// one until it is out of its cell, so that a brick which a passing robot shakes is not counted
+// twice. Blocks are followed by their number; who held one last is who placed it.
 namespace stig {
 namespace {
 
-constexpr double kRestTime = 1;                          ///< s
+constexpr double kRestTime = 1;  ///< s
+// Half a millimetre and half a degree: more than the solver's creep over a second, less than any
+// deliberate motion.
 constexpr double kRestWay = 0.0005, kRestTurn = 0.0087;  ///< m, rad: within this it rests
+// The same as the judge's: within this a block fills the cell (judge.cpp).
 constexpr double kCaptureWay = 0.012, kCaptureTurn = 0.26;
 constexpr double kHandGap = 0.010;   ///< m, between the end-effector and a block that it holds
 constexpr double kLeastHaul = 0.05;  ///< m
@@ -17,6 +23,7 @@ constexpr std::array<Offset, 6> kFaces = {
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
 /// Is the end-effector on the block, or so near that its magnets are?
+// Over the upper face, within its outline, and no farther than magnets carry.
 bool holds(const WatchedHand& hand, const Pose& X_WB, double side) {
   const Vec3 away = hand.p_W - X_WB.p;
   const double aside = std::hypot(away.x, away.y);
@@ -40,9 +47,11 @@ void Watch::follow(double time, const WatchedBlock& block, const std::vector<Wat
   const auto [at, fresh] = known_.try_emplace(block.block);
   Known& known = at->second;
   if (fresh) {
+    // A block comes into being at rest where it is first seen.
     known.rest = block.X_WB;
     known.since = time;
   }
+  // Fixed blocks are bricks from the start on, without a second of rest.
   if (block.fixed) {
     const CellFit fit = fit_of(site_, block.X_WB);
     if (block.led != Led::off && in_cell(fit) && (!known.cell || *known.cell == fit.cell)) {
@@ -54,16 +63,19 @@ void Watch::follow(double time, const WatchedBlock& block, const std::vector<Wat
   known.holder = kNoRobot;
   for (std::size_t robot = 0; robot < hands.size() && known.holder == kNoRobot; ++robot) {
     if (holds(hands[robot], block.X_WB, site_.pitch)) known.holder = robot;
+    // The first robot wins; two end-effectors do not fit over one block.
   }
   follow_haul(time, block, known);
   const bool moved = length(block.X_WB.p - known.rest.p) > kRestWay ||
                      angle_of(conjugate(known.rest.q) * block.X_WB.q) > kRestTurn;
+  // Under an end-effector it does not rest, even if it does not move.
   if (!moved && known.holder == kNoRobot) return;
   known.rest = block.X_WB;
   known.since = time;
 }
 
 void Watch::follow_haul(double time, const WatchedBlock& block, Known& known) {
+  // Handed over, a block begins another haul.
   if (known.haul && hauls_[*known.haul].robot != known.holder) {
     hauls_[*known.haul].ended = true;
     known.haul.reset();
@@ -90,8 +102,10 @@ void Watch::drop_leavers(double time, const std::vector<WatchedBlock>& blocks) {
     const auto found =
         std::find_if(blocks.begin(), blocks.end(),
                      [number = number](const WatchedBlock& b) { return b.block == number; });
+    // A block that has left the arena is not in the list, and its brick is gone.
     if (found != blocks.end()) {
       StandingBrick& brick = bricks_.at(*known.cell);
+      // A brick may change its colour where it stands: rules see the new one.
       brick.led = found->led;
       const CellFit fit = fit_of(site_, found->X_WB);
       if (fit.cell == *known.cell && in_cell(fit)) continue;
@@ -117,12 +131,16 @@ void Watch::find_new(double time, const std::vector<WatchedBlock>& blocks) {
   std::vector<Candidate> ready;
   for (const WatchedBlock& block : blocks) {
     const Known& known = known_.at(block.block);
+    // A little less than the time, for sums of steps.
     if (known.cell || known.holder != kNoRobot || time - known.since < kRestTime - 1e-9) continue;
     const CellFit fit = fit_of(site_, block.X_WB);
     if (in_cell(fit)) ready.push_back({known.since, &block, fit.cell});
   }
+  // By when they came to rest, which is the order of events that the rules are asked about.
   std::stable_sort(ready.begin(), ready.end(),
                    [](const Candidate& a, const Candidate& b) { return a.since < b.since; });
+  // Several blocks may come to rest between two looks, each upon another: repeated until none
+  // joins.
   for (bool grew = true; grew;) {
     grew = false;
     for (Candidate& one : ready) {
@@ -132,6 +150,7 @@ void Watch::find_new(double time, const std::vector<WatchedBlock>& blocks) {
       bricks_[one.cell] = {one.block->block, one.block->led};
       events_.push_back({BrickEvent::Kind::placed, one.since, one.block->block, one.cell,
                          one.block->led, known.last_holder});
+      // The last haul of that block is the one that brought it.
       for (auto haul = hauls_.rbegin(); haul != hauls_.rend(); ++haul) {
         if (haul->block != one.block->block) continue;
         haul->placed = one.cell;
@@ -146,6 +165,7 @@ void Watch::find_new(double time, const std::vector<WatchedBlock>& blocks) {
 std::vector<Haul> Watch::hauls() const {
   std::vector<Haul> out;
   std::copy_if(hauls_.begin(), hauls_.end(), std::back_inserter(out), [](const Haul& haul) {
+    // Short ones are touches in passing; one that still goes on counts whatever its length.
     return haul.way > kLeastHaul || (!haul.ended && haul.to > haul.from);
   });
   return out;

@@ -5,6 +5,8 @@
 
 namespace stig {
 
+// Open sites are those of the compiled decisions in the structure as it stands; each event makes a
+// new state, and asking is linear in the bricks.
 std::vector<std::pair<double, int>> WorkSites::over(const std::vector<BrickEvent>& events,
                                                     const RuleSet& rules) const {
   const TargetStates& target = *compiled_.target;
@@ -20,6 +22,7 @@ std::vector<std::pair<double, int>> WorkSites::over(const std::vector<BrickEvent
   std::vector<std::pair<double, int>> out{{0, open()}};
   for (const BrickEvent& event : events) {
     const std::uint32_t brick = target.brick_at(event.cell);
+    // A block that is no brick of the target, or of another colour, does not change what is open.
     if (brick == TargetStates::kNone || led_of(rules, target.colour(brick)) != event.led) continue;
     stands[brick] = event.kind == BrickEvent::Kind::placed;
     out.emplace_back(event.time, open());

@@ -23,12 +23,15 @@ void each_stretch(const ProgressCurve& curve, double end, const Use& use) {
   }
 }
 
+// "Many" is as many sites as there are robots, or the most there ever are if that is fewer; a phase
+// that never comes has no length.
 /// Where one run's phases begin and end: 0, two bounds, the last brick.
 std::array<double, 4> bounds_of(const ProgressCurve& curve) {
   const double end = curve.steps.back().first;
   int most = 0;
   each_stretch(curve, end, [&](const TimeSpan&, int sites) { most = std::max(most, sites); });
   const int many = std::min(most, curve.robots);
+  // Begins empty, at the end of the work.
   TimeSpan broad{end, end};
   each_stretch(curve, end, [&](const TimeSpan& span, int sites) {
     if (sites < many) return;
@@ -58,6 +61,7 @@ void add_run(const ProgressCurve& curve, double from, double to, double share, W
 
 WorkSummary summary_of(const BuildTarget& target, std::span<const Trial> trials) {
   WorkSummary out;
+  // Over complete runs for times, over all for shares of time.
   out.runs = trials.size();
   std::vector<double> times;
   std::map<std::string, StateTime> states;
@@ -76,6 +80,7 @@ WorkSummary summary_of(const BuildTarget& target, std::span<const Trial> trials)
   out.complete = times.size();
   const auto n = static_cast<double>(times.size());
   for (const double time : times) out.finish += time / n;
+  // As in progress.cpp: of a sample.
   double squares = 0;
   for (const double time : times) squares += (time - out.finish) * (time - out.finish);
   out.deviation = times.size() > 1 ? std::sqrt(squares / (n - 1)) : 0;
@@ -94,6 +99,7 @@ std::vector<WorkPhase> phases_of(const std::vector<ProgressCurve>& curves) {
   for (const ProgressCurve& curve : curves) {
     if (curve.complete && !curve.sites.empty() && !curve.steps.empty()) complete.push_back(&curve);
   }
+  // Means over runs of bounds and sums alike, so a phase's figures belong together.
   const double share = 1 / static_cast<double>(std::max<std::size_t>(1, complete.size()));
   double robots = 0;
   for (const ProgressCurve* curve : complete) {
@@ -106,9 +112,11 @@ std::vector<WorkPhase> phases_of(const std::vector<ProgressCurve>& curves) {
     const double time = phase.to - phase.from;
     if (time <= 0) continue;
     phase.sites /= time;
+    // idle was in seconds of robots; by time and robots it is a share.
     phase.idle /= std::max(1.0, robots) * time;
     out.push_back(phase);
   }
+  // A single phase says nothing that the totals do not.
   return out.size() > 1 ? out : std::vector<WorkPhase>{};
 }
 
