@@ -4,6 +4,11 @@
 
 #include "physical/collision/touch_points.h"
 
+// The separating-axis test for two oriented boxes: 15 axes (three faces each, nine pairs of edges),
+// of which the one with the largest gap is the normal; then the incident face is clipped by the
+// reference face's sides (Sutherland and Hodgman 1974). Which axis wins must not flicker from step
+// to step, or points of a resting stack would lose their accumulated impulses: hence the
+// preferences, a's faces before b's before edges.
 namespace stig {
 
 namespace {
@@ -21,6 +26,8 @@ void consider(BoxAxis& best, const Placed& a, const Placed& b, Vec3 n, int kind,
   if (gap > best.gap + preference) best = {n, gap, kind};
 }
 
+// Two boxes that pass each other edge on: no face of either lies against the other, and a contact
+// along a face's normal would catch at an edge that is not there.
 /// Whether the other box lies beyond two of this one's faces, but for a graze.
 bool beyond_edge(const Placed& box, const Placed& other) {
   int beyond = 0;
@@ -36,6 +43,7 @@ bool beyond_edge(const Placed& box, const Placed& other) {
 BoxAxis separating_axis(const Placed& a, const Placed& b, double margin) {
   BoxAxis best;
   for (int i = 0; i < 3 && best.gap < margin; ++i) {
+    // The first axis needs no advantage; among a's own faces only rounding is to be outdone.
     consider(best, a, b, a.r.column(i), i, i == 0 ? 0 : 1e-9);
   }
   for (int i = 0; i < 3 && best.gap < margin; ++i) {
@@ -51,6 +59,7 @@ BoxAxis separating_axis(const Placed& a, const Placed& b, double margin) {
   return best;
 }
 
+// "Most against" is decided with a margin, so that a tie goes to the lower axis always.
 /// The quadrilateral of a box's face whose outward normal lies most against n.
 std::array<Vec3, 4> face_against(const Placed& box, const Vec3& n) {
   int axis = 0;
@@ -73,6 +82,8 @@ struct Polygon {
 /// The part of the polygon where n·p <= limit.
 Polygon clipped(const Polygon& in, const Vec3& n, double limit) {
   Polygon out;
+  // One pass of Sutherland and Hodgman; corners on the plane belong to the inside, so that they are
+  // not made twice.
   for (std::size_t i = 0; i < in.count; ++i) {
     const Vec3& p = in.p[i];
     const Vec3& q = in.p[i + 1 < in.count ? i + 1 : 0];
@@ -91,6 +102,7 @@ Polygon clipped(const Polygon& in, const Vec3& n, double limit) {
 PointList face_points(const Placed& reference, int axis, const Vec3& outward, const Placed& other,
                       double margin) {
   const std::array<Vec3, 4> face = face_against(other, outward);
+  // Clipping happens in the plane of the other's face; points are put midway in the gap.
   Polygon polygon;
   polygon.count = 4;
   std::copy(face.begin(), face.end(), polygon.p.begin());
@@ -101,6 +113,7 @@ PointList face_points(const Placed& reference, int axis, const Vec3& outward, co
     polygon = clipped(polygon, side, at + half);
     polygon = clipped(polygon, -side, half - at);
   }
+  // The reference face's plane.
   const double level = dot(outward, reference.p) + half_of(reference, axis);
   PointList out;
   for (std::size_t i = 0; i < polygon.count; ++i) {
@@ -111,6 +124,7 @@ PointList face_points(const Placed& reference, int axis, const Vec3& outward, co
 }
 
 /// The middle of the box's edge along `axis` that lies farthest along n.
+// An edge's middle suffices, since the lines through both edges are met, not the segments.
 Vec3 edge_middle(const Placed& box, int axis, const Vec3& n) {
   Vec3 p = box.p;
   for (int k = 1; k < 3; ++k) {
@@ -153,6 +167,7 @@ Touch touch_boxes_along(const Placed& a, const Placed& b, const BoxAxis& axis, d
 Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
   const BoxAxis axis = separating_axis(a, b, margin);
   if (axis.gap >= margin) return {};
+  // A gap, or a touch that is no more than a graze.
   if (axis.kind < 6 && axis.gap > -kGraze && (beyond_edge(a, b) || beyond_edge(b, a))) return {};
   return touch_boxes_along(a, b, axis, margin);
 }

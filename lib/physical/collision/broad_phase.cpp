@@ -3,6 +3,10 @@
 
 #include <algorithm>
 
+// A hashed grid without a hash: entries (cell, body) in a sorted list, in which the bodies of a
+// cell stand together. Sorting costs n log n, and gives an order that depends on nothing but the
+// cells, as results have to be the same on every machine. Cells are columns: heights do not matter
+// on a floor.
 namespace stig {
 
 namespace {
@@ -14,6 +18,7 @@ bool same_cell(const CellEntry& a, const CellEntry& b) { return a.x == b.x && a.
 std::vector<CellEntry> cells_of(const std::vector<std::uint32_t>& things,
                                 const std::vector<Bounds>& bounds, double cell) {
   std::vector<CellEntry> out;
+  // A body mostly lies in one to four columns.
   out.reserve(things.size() * 4);
   const auto at = [cell](double x) { return static_cast<std::int32_t>(std::floor(x / cell)); };
   for (const std::uint32_t thing : things) {
@@ -33,12 +38,14 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> candidate_pairs(
   const auto consider = [&](std::uint32_t a, std::uint32_t b) {
     if (overlap(bounds[a], bounds[b])) out.push_back(std::minmax(a, b));
   };
+  // Pairs within `moving`, and of moving with resting; two that rest have no pair to look at.
   for (auto a = moving.begin(); a != moving.end(); ++a) {
     for (auto b = a + 1; b != moving.end() && same_cell(*a, *b); ++b) consider(a->thing, b->thing);
     const CellEntry first{a->x, a->y, 0};
     auto b = std::lower_bound(resting.begin(), resting.end(), first);
     for (; b != resting.end() && same_cell(*a, *b); ++b) consider(a->thing, b->thing);
   }
+  // Bodies that share several cells give a pair several times.
   std::sort(out.begin(), out.end());
   out.erase(std::unique(out.begin(), out.end()), out.end());
   return out;

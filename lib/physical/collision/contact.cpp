@@ -9,12 +9,16 @@
 
 #include "physical/collision/touch_points.h"
 
+// The dispatch over pairs of shapes, and the cases with a sphere or the floor, which have closed
+// forms. Normals point from b to a, gaps are negative when shapes overlap, and points lie midway
+// between the two surfaces.
 namespace stig {
 
 namespace {
 
 constexpr int kSides = 20;  ///< of the prism that stands for a cylinder
 
+// Ties go to the first, whatever the compiler.
 /// Index of the point for which `score` is largest.
 template <class Score>
 int best(const TouchPoint* points, int count, Score score) {
@@ -30,6 +34,7 @@ int best(const TouchPoint* points, int count, Score score) {
 Touch touch_spheres(const Placed& a, const Placed& b, double margin) {
   const Vec3 d = a.p - b.p;
   const double distance = length(d);
+  // Two centres in one place have no direction: up, as good as any.
   const Vec3 n = distance > 0 ? d * (1 / distance) : Vec3{0, 0, 1};
   const double gap = distance - a.shape.half.x - b.shape.half.x;
   return single_touch(n, b.p + n * (b.shape.half.x + gap / 2), gap, margin);
@@ -37,6 +42,7 @@ Touch touch_spheres(const Placed& a, const Placed& b, double margin) {
 
 /// The sphere is a.
 Touch touch_sphere_box(const Placed& a, const Placed& b, double margin) {
+  // In the box's frame, where the nearest point of a solid box is a clamp.
   const Vec3 h = b.shape.half;
   const Vec3 c = b.r.transposed(a.p - b.p);
   const Vec3 nearest{std::clamp(c.x, -h.x, h.x), std::clamp(c.y, -h.y, h.y),
@@ -57,6 +63,7 @@ Touch touch_sphere_box(const Placed& a, const Placed& b, double margin) {
 
 /// In a cylinder of radius 1 and height 2.
 std::shared_ptr<const Convex> unit_prism() {
+  // The corners lie on the circle: a prism is as wide as its cylinder, and never wider.
   std::vector<Vec3> corners;
   for (int i = 0; i < kSides; ++i) {
     const double a = 2 * std::numbers::pi * i / kSides;
@@ -99,6 +106,7 @@ Touch single_touch(const Vec3& normal, const Vec3& p, double gap, double margin)
 }
 
 Vec3 lines_meet(const Vec3& pa, const Vec3& ua, const Vec3& pb, const Vec3& ub) {
+  // The two lines' common perpendicular; they are not parallel, which the caller has seen to.
   const double uu = dot(ua, ub);
   const Vec3 d = pb - pa;
   const double det = 1 - uu * uu;
@@ -107,6 +115,9 @@ Vec3 lines_meet(const Vec3& pa, const Vec3& ua, const Vec3& pb, const Vec3& ub) 
   return (pa + ua * sa + pb + ub * sb) * 0.5;
 }
 
+// Four points of many: the deepest, the farthest from it, and the farthest on either side of the
+// line through both. They span about as much as all do, which is what keeps a stack upright, and
+// the solver's work is bounded.
 Touch reduced(const Vec3& normal, const TouchPoint* all, int count) {
   Touch out;
   out.normal = normal;
@@ -143,6 +154,7 @@ Touch touch_sphere(const Placed& ball, const Placed& b, double margin) {
   return touch_sphere_hull(ball, b, margin);
 }
 
+// Against a plane every shape touches with its corners alone.
 Touch floor_corners(const Placed& a, double margin) {
   std::array<TouchPoint, kMostHullPoints> points;
   int count = 0;
@@ -160,11 +172,13 @@ Touch touch(const Placed& a, const Placed& b, double margin) {
   if (ka == ShapeKind::box && kb == ShapeKind::box) return touch_boxes(a, b, margin);
   if (ka == ShapeKind::sphere) return touch_sphere(a, b, margin);
   if (kb != ShapeKind::sphere) return touch_hulls(a, b, margin);
+  // Only one order of each pair is written out; the other is its mirror image.
   Touch out = touch_sphere(b, a, margin);
   out.normal = -out.normal;
   return out;
 }
 
+// The floor is the plane z = 0, seen from below: its normal is up.
 Touch touch_floor(const Placed& a, double margin) {
   const Vec3 up{0, 0, 1};
   if (a.shape.kind == ShapeKind::sphere) {

@@ -7,20 +7,26 @@
 
 #include "base/hull.h"
 
+// A hull is worked out once, when a shape is made, and then only moved: its faces, its edges each
+// once, its edges' directions without parallels (all that separating axes are made of), and its
+// mass properties as a solid of density 1 (base/hull.h).
 namespace stig {
 
 namespace {
 
 void add_edge(Convex& out, std::uint16_t a, std::uint16_t b) {
+  // Faces go round counter-clockwise, so each edge comes up once in either direction.
   if (a > b) return;  // seen from the face on its other side
   out.edges.emplace_back(a, b);
   const Vec3 u = normalised(out.points[b] - out.points[a]);
+  // The twelve edges of a box have three directions.
   const auto parallel = [&u](const Vec3& v) { return squared(cross(u, v)) < 1e-12; };
   if (std::none_of(out.directions.begin(), out.directions.end(), parallel)) {
     out.directions.push_back(u);
   }
 }
 
+// Points within the hull, or within a face, are no corners: nobody needs them.
 /// Copies the corners that some face has; says where each went.
 std::vector<std::uint16_t> take_corners(const std::vector<HullFace>& faces,
                                         const std::vector<Vec3>& points, Convex& out) {
@@ -67,6 +73,8 @@ Square symmetric(const Vec3& d, const Vec3& o) {
 }
 
 /// Turns the frame about one axis so that the product of the other two is gone (Jacobi).
+// The smaller of the two angles, by the formula that loses no digits (Golub and Van Loan, Matrix
+// Computations, on Jacobi's method).
 void rotate_away(Square& m, Square& axes, std::size_t p, std::size_t q) {
   if (m[p][q] == 0) return;
   const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
@@ -89,6 +97,7 @@ void rotate_away(Square& m, Square& axes, std::size_t p, std::size_t q) {
 }  // namespace
 
 std::shared_ptr<const Convex> convex_of(const std::vector<Vec3>& points) {
+  // The bound keeps scratch buffers of fixed size; points may be a user's.
   if (points.size() < 4 || points.size() > kMostHullPoints) return nullptr;
   if (!std::all_of(points.begin(), points.end(), is_finite)) return nullptr;
   const std::vector<HullFace> faces = hull_faces(points);
@@ -109,11 +118,13 @@ std::shared_ptr<const Convex> stretched(const Convex& convex, const Vec3& by) {
     out->radius = std::max(out->radius, length(p));
   }
   for (ConvexFace& face : out->faces) {
+    // Normals go by the inverse of the stretch, unlike directions and points.
     face.normal = normalised(scaled(face.normal, {1 / by.x, 1 / by.y, 1 / by.z}));
     face.level = dot(face.normal, out->points[face.corners[0]]);
   }
   for (Vec3& direction : out->directions) direction = normalised(scaled(direction, by));
   out->half = scaled(out->half, by);
+  // A volume grows by the product, second moments by the squares besides.
   const double larger = by.x * by.y * by.z;
   out->volume *= larger;
   out->centre = scaled(out->centre, by);
@@ -126,16 +137,19 @@ PrincipalHull principal_hull(const std::vector<Vec3>& points) {
   const HullMass mass = hull_mass(points);
   assert(mass.volume > 0);
   Square m = symmetric(mass.squares, mass.products), axes = symmetric({1, 1, 1}, {});
+  // Three by three: a handful of sweeps converges to the last bit, twelve are plenty.
   for (int sweep = 0; sweep < 12; ++sweep) {
     rotate_away(m, axes, 0, 1);
     rotate_away(m, axes, 0, 2);
     rotate_away(m, axes, 1, 2);
   }
   const auto column = [&axes](std::size_t i) { return Vec3{axes[0][i], axes[1][i], axes[2][i]}; };
+  // The third axis by the cross product, so that the frame is right-handed.
   const Vec3 x = normalised(column(0)), y = normalised(column(1));
   PrincipalHull out;
   out.volume = mass.volume;
   out.X_PB = {mass.centre, quaternion_of({x, y, cross(x, y)})};
+  // Moments of inertia from second moments: about x it is the sum of those along y and z.
   out.inertia = {m[1][1] + m[2][2], m[0][0] + m[2][2], m[0][0] + m[1][1]};
   const Pose back = inverse(out.X_PB);
   for (const Vec3& p : points) out.points.push_back(back * p);

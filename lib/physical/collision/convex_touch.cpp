@@ -29,6 +29,7 @@ const Convex& cube() {
 }
 
 /// A hull in its place.
+// Corners are moved once, since every axis asks for all of them.
 struct Solid {
   const Convex& convex;
   const Placed& placed;
@@ -49,6 +50,8 @@ struct Solid {
   }
   /// It reaches at least so far from its centre along n and against it, times |n|, which is
   /// `long_n`. Cheap: of a cylinder sin a >= 1 - cos a, of a hull that it holds its centre.
+  // A bound from below on how far the solid reaches, from its centre along n: if even with this the
+  // gap cannot beat the best one found, the corners need not be looked at.
   double least_reach(const Vec3& n, double long_n) const {
     const Mat3& r = placed.r;
     const Vec3& half = placed.shape.half;
@@ -89,10 +92,12 @@ void consider_faces(Axis& best, const Solid& one, const Solid& other, bool of_a,
     const Vec3 n = one.normal(face);
     const double level = one.level(face, n);
     const double preference = best.face == nullptr ? 0 : of_a ? 1e-9 : kFacePreference / 10;
+    // The largest gap that there can be, by that bound.
     const double most = dot(n, other.placed.p) - other.least_reach(n, 1) - level + kRounding;
     if (most <= best.gap + preference) continue;
     const double gap = span_along(other, n).low - level;
     if (gap > best.gap + preference) best = {of_a ? -n : n, gap, &face, of_a, {}, {}};
+    // A gap wide enough ends it: they do not touch.
     if (best.gap >= margin) return;
   }
 }
@@ -101,6 +106,7 @@ void consider_edges(Axis& best, const Solid& a, const Solid& b, double margin) {
   Axis edges;
   const double least = std::min(margin, best.gap + kFacePreference);
   const Vec3 apart = a.placed.p - b.placed.p;
+  // Many pairs of hulls have hundreds of axes; memory is kept from call to call.
   thread_local std::vector<Vec3> directions;  // of b's edges
   directions.clear();
   for (const Vec3& db : b.convex.directions) directions.push_back(b.placed.r * db);
@@ -122,10 +128,12 @@ void consider_edges(Axis& best, const Solid& a, const Solid& b, double margin) {
       const Span sa = span_along(a, n), sb = span_along(b, n);
       const double ahead = sa.low - sb.high, behind = sb.low - sa.high;
       const double gap = std::max(ahead, behind);
+      // The axis is turned so that it points from b to a.
       if (gap > edges.gap) edges = {ahead >= behind ? n : -n, gap, nullptr, false, ua, ub};
       if (edges.gap >= margin) break;
     }
   }
+  // As for boxes: faces win unless an edge is better by more than kFacePreference.
   if (edges.gap > best.gap + kFacePreference) best = edges;
 }
 
@@ -140,6 +148,7 @@ struct CutFace {
   }
 };
 
+// One for each thread: worlds may step in several at once.
 /// Kept for their memory alone: they are large, and it takes long to clear them.
 struct Scratch {
   CutFace polygon, next;
@@ -155,6 +164,7 @@ void clip(CutFace*& polygon, CutFace*& next, const Vec3& n, double limit) {
     beyond[i] = dot(n, polygon->p[i]) - limit;
     whole = whole && beyond[i] <= 0;
   }
+  // Nothing is cut off by most planes.
   if (whole) return;
   next->count = 0;
   for (std::size_t i = 0; i < count; ++i) {
@@ -176,6 +186,7 @@ Touch touch_face(const Vec3& normal, const Solid& reference, const ConvexFace& f
   const Vec3 outward = reference.normal(face);
   const ConvexFace* against = nullptr;
   double least = 2;
+  // Facing each other most, decided with a margin, so that ties go to the first face.
   for (const ConvexFace& one : other.convex.faces) {
     const double facing = dot(outward, other.normal(one));
     if (facing < least - 1e-9) least = facing, against = &one;
@@ -206,6 +217,7 @@ Vec3 edge_middle(const Solid& solid, const Vec3& u, const Vec3& n) {
   double most = -std::numeric_limits<double>::infinity();
   for (const auto& [i, k] : solid.convex.edges) {
     const Vec3 p = solid.points[i], q = solid.points[k];
+    // Parallel to u, by the sine squared.
     if (squared(cross(q - p, u)) > 1e-10 * squared(q - p)) continue;
     if (dot(n, p + q) > most) most = dot(n, p + q), out = (p + q) * 0.5;
   }
@@ -230,6 +242,7 @@ Vec3 nearest_on(const Solid& solid, const ConvexFace& face, const Vec3& p) {
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
     const Vec3 from = solid.points[face.corners[i]];
     const Vec3 way = solid.points[face.corners[(i + 1) % face.corners.size()]] - from;
+    // Beyond this edge: the nearest point lies on it or on another.
     if (dot(cross(way, below - from), n) >= 0) continue;
     const double part = std::clamp(dot(below - from, way) / squared(way), 0.0, 1.0);
     const Vec3 on = from + way * part;
@@ -256,6 +269,7 @@ Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin) {
   const Solid solid(hull);
   const ConvexFace* nearest = nullptr;  // the one that the centre is least behind
   double outside = -std::numeric_limits<double>::infinity();
+  // Outside of all faces at once is what "outside" means; the largest distance tells.
   for (const ConvexFace& face : solid.convex.faces) {
     const Vec3 n = solid.normal(face);
     const double above = dot(n, ball.p) - solid.level(face, n);
@@ -272,6 +286,7 @@ Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin) {
     if (squared(p - ball.p) < least) least = squared(p - ball.p), best = p;
   }
   const double distance = std::sqrt(least);
+  // On the surface within rounding: the face's normal is what is left.
   if (!(distance > 0)) return single_touch(solid.normal(*nearest), ball.p, -r, margin);
   const Vec3 n = (ball.p - best) * (1 / distance);
   const double gap = distance - r;

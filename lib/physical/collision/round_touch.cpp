@@ -6,6 +6,9 @@
 
 namespace stig {
 
+// A prism on the floor would roll in 20 jolts a turn; wheels have to roll smoothly. So the lowest
+// line or rim is found exactly. A ball against a cylinder is a point against a solid of revolution:
+// a problem in the half plane through the axis.
 namespace {
 
 constexpr double kStraight = 1e-6;  ///< sine of a tilt below which a cap is level
@@ -14,6 +17,7 @@ constexpr double kStraight = 1e-6;  ///< sine of a tilt below which a cap is lev
 /// it stands.
 void add_rim(const Placed& a, const Vec3& centre, double margin, PointList& out) {
   const Vec3 axis = a.r.z;
+  // The steepest way down within the cap: the projection of "down" onto it.
   const Vec3 down = Vec3{0, 0, -1} + axis * axis.z;
   const double tilt = length(down);
   const Vec3 u = tilt > kStraight ? down * (1 / tilt) : a.r.x;
@@ -31,6 +35,7 @@ Touch touch_floor_cylinder(const Placed& a, double margin) {
   PointList points;
   const Vec3 half = a.r.z * a.shape.half.z;
   // Lying: the two ends of its lowest line. Standing: the rim of one cap.
+  // Tilted by more than 45° it counts as lying: then no rim carries it, only the ends of a line.
   const double level = std::abs(a.r.z.z);
   if (level < 0.7) {
     const Vec3 down = normalised(Vec3{0, 0, -1} + a.r.z * a.r.z.z) * a.shape.half.x;
@@ -47,8 +52,10 @@ Touch touch_sphere_cylinder(const Placed& ball, const Placed& cylinder, double m
   const Vec3 h = cylinder.shape.half;
   const Vec3 c = cylinder.r.transposed(ball.p - cylinder.p);
   const double across = std::hypot(c.x, c.y), r = ball.shape.half.x;
+  // A ball on the axis has no radial direction; any will do.
   const Vec3 out = across > 0 ? Vec3{c.x / across, c.y / across, 0} : Vec3{1, 0, 0};
   const Vec3 nearest = out * std::min(across, h.x) + Vec3{0, 0, std::clamp(c.z, -h.z, h.z)};
+  // Outside by the side, a cap or the rim: the nearest point says which.
   if (across > h.x || std::abs(c.z) > h.z) {
     const double outside = length(c - nearest);
     const Vec3 n = cylinder.r * ((c - nearest) * (1 / outside));

@@ -4,10 +4,14 @@
 #include <cassert>
 #include <utility>
 
+// Inner loops for mechanisms of any size, written out by the compiler for the common sizes: with a
+// known number of degrees of freedom velocities stay in registers from point to point. All of them
+// add in the same order as row_numbers.h, so which one runs does not show in any bit.
 namespace stig {
 
 namespace {
 
+// A floating body alone has six.
 constexpr std::uint32_t kLeastWrittenOutDofs = 6;
 
 /// How many degrees of freedom there are: known to the compiler, or to the point.
@@ -21,6 +25,7 @@ struct SomeDofs {
   static std::size_t of(const Hold& hold) { return hold.dofs; }
 };
 
+// See row_runs.h for what a Motion is: taken at the beginning, put back at the end.
 template <class Dofs, bool kLoose>
 class MechanismMotion {
  public:
@@ -42,6 +47,7 @@ class MechanismMotion {
   double along(const RowPoint& point, std::size_t direction) const {
     const Hold& hold = point.holds[0];
     const double speed = product(numbers_ + hold.at + direction * hold.reach.width(), hold);
+    // 0 + keeps the sum as the general code has it, also for -0.
     if constexpr (!kLoose) return 0 + speed;
     return 0 + stig::product(point.loose[0].j[direction], loose_) + speed;
   }
@@ -49,6 +55,7 @@ class MechanismMotion {
     if constexpr (kLoose) add(point.loose[0], direction, impulse, loose_);
     const Hold& hold = point.holds[0];
     const std::size_t n = Dofs::of(hold);
+    // W follows the three directions' J.
     const double* w = numbers_ + hold.at + 3 * hold.reach.width() + direction * (n + n % 2);
     const Two pushes = both(impulse);
     for (std::size_t k = 0; k < n / 2; ++k) pairs_[k] += row_two(w + 2 * k) * pushes;
@@ -64,6 +71,7 @@ class MechanismMotion {
     for (std::size_t k = 0; k < n / 2; ++k) {
       if (k < begin) {
         sum += row_two(j + 2 * k) * pairs_[k];
+        // `extra` is 0 when there is none, and pair 0 always belongs to the first ones.
       } else if (k == extra && k > 0) {
         sum += row_two(j + 2 * begin) * pairs_[k];
       }
@@ -79,6 +87,7 @@ class MechanismMotion {
 };
 
 template <bool kLoose, std::uint32_t... kNumber>
+// An array over all sizes, filled at compile time.
 constexpr auto written_out(std::integer_sequence<std::uint32_t, kNumber...> /*numbers*/) {
   return std::array{
       run_code<MechanismMotion<KnownDofs<kLeastWrittenOutDofs + kNumber>, kLoose>>()...};

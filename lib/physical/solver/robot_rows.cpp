@@ -10,6 +10,7 @@ namespace stig {
 
 namespace {
 
+// W's numbers of one direction: eleven degrees of freedom, made even.
 constexpr std::size_t kHeight = 12;  ///< Hold::height() of so many
 
 // Which pairs move a link: those of the floating body, and none or one of the wheels'.
@@ -43,6 +44,7 @@ double product(const double* j, const RobotMotion& v) {
   sum += row_two(j + 4) * v.c;
   if constexpr (kKind == RowKind::first_wheels) sum += row_two(j + 6) * v.first_wheels;
   if constexpr (kKind == RowKind::last_wheels) sum += row_two(j + 6) * v.last_wheels;
+  // The last of an odd number stands after the pairs that J has.
   return sum[0] + sum[1] + j[kKind == RowKind::first_wheels ? 10 : 8] * v.lift;
 }
 
@@ -110,6 +112,8 @@ RunCode code_of(const RowPoint& first) {
 }
 
 /// Whether the point is one of a robot's, and of which kind.
+// By the number of degrees of freedom and which of them move the link, not by any name: a robot
+// that is built alike gets the same code.
 std::optional<RowKind> robot_kind(const RowPoint& point) {
   const Hold& hold = point.holds[0];
   if (hold.dofs != kRobotDofs) return std::nullopt;

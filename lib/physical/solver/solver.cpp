@@ -9,9 +9,14 @@
 
 namespace stig {
 
+// Two kinds of contacts are solved side by side: between free bodies here, in vectors of three;
+// those that a mechanism has a part in as rows of generalised velocities (solver_rows.h). Points of
+// free bodies are by far the most, so they have a form of their own.
 namespace {
 
+// How far a point may wander over a block in a step and still be the same.
 constexpr double kMatchDistance = 3e-3;
+// Overlaps are small, and what one step leaves the next undoes.
 constexpr int kShiftSweeps = 6;
 constexpr double kImpact = 1e-2;   ///< m/s: one that changes more is followed by others
 constexpr int kMoreSweeps = 4;     ///< at most so many
@@ -42,10 +47,12 @@ struct Patches {
   std::vector<Point> points;
 };
 
+// The first body against the second, at the point.
 Vec3 velocity(const Point& point, const SolverBody& a, const SolverBody& b) {
   return a.v - b.v + cross(a.w, point.arm_a) - cross(b.w, point.arm_b);
 }
 
+// An impulse at a point; the other body takes the opposite.
 void push(const Point& point, SolverBody& a, SolverBody& b, const Vec3& impulse) {
   a.v += impulse * a.inverse_mass;
   a.w += a.inverse_inertia * cross(point.arm_a, impulse);
@@ -53,6 +60,8 @@ void push(const Point& point, SolverBody& a, SolverBody& b, const Vec3& impulse)
   b.w -= b.inverse_inertia * cross(point.arm_b, impulse);
 }
 
+// 1 / (J M⁻¹ Jᵀ): by how much an impulse along d changes the velocity along d. Two bodies that
+// nothing moves have none.
 double effective_mass(const Point& point, const SolverBody& a, const SolverBody& b, const Vec3& d) {
   const Vec3 ca = cross(point.arm_a, d), cb = cross(point.arm_b, d);
   const double inverse = a.inverse_mass + b.inverse_mass + dot(ca, a.inverse_inertia * ca) +
@@ -67,6 +76,7 @@ Point make_point(const SolverTask& task, std::uint32_t number, const ContactPoin
   Point point;
   point.arm_a = from.p_W - a.p;
   point.arm_b = from.p_W - b.p;
+  // gap and normal are fixed during the step; gaps follow the velocities to first order.
   point.gap = from.gap;
   const Vec3 t = perpendicular(contact.normal), s = cross(contact.normal, t);
   point.mass = effective_mass(point, a, b, contact.normal);
@@ -84,11 +94,15 @@ Point make_point(const SolverTask& task, std::uint32_t number, const ContactPoin
 double relax(const Patch& patch, Point& point, SolverBody& a, SolverBody& b, double inverse_dt) {
   const Vec3& n = patch.normal;
   const Vec3 v = velocity(point, a, b);
+  // Complementarity: either the gap closes no faster than it is wide, or an impulse pushes. The
+  // accumulated impulse is clamped, not the change, so a sweep can take back what another gave.
   const double along = dot(n, v);
   const double lacking = -std::max(0.0, point.gap) * inverse_dt - along;
   const double most = std::max(0.0, point.push + lacking * point.mass);
   // Most points of a pile that falls carry nothing.
   if (most == 0 && point.push == 0) return 0;
+  // Coulomb's cone by projection: the tangential impulse that would stop the slide, cut to the
+  // cone's radius. An ellipse, for wheels, is in the rows.
   Vec3 slide = point.slide - (v - n * along + point.bend) * point.slide_mass;
   const double limit = patch.friction * most, size = squared(slide);
   if (size > limit * limit) slide *= limit / std::sqrt(size);
@@ -97,11 +111,13 @@ double relax(const Patch& patch, Point& point, SolverBody& a, SolverBody& b, dou
   point.push = most;
   point.slide = slide;
   push(point, a, b, n * change + side);
+  // Impulse times inverse mass: what the solver's end is decided by, in m/s.
   return std::max(std::abs(change),
                   std::max(std::abs(side.x), std::max(std::abs(side.y), std::abs(side.z)))) *
          (a.inverse_mass + b.inverse_mass);
 }
 
+// The same for velocities that move bodies and are then forgotten.
 void relax_shift(const Patch& patch, Point& point, SolverBody& a, SolverBody& b) {
   const Vec3 v = a.way_v - b.way_v + cross(a.way_w, point.arm_a) - cross(b.way_w, point.arm_b);
   const double lacking = point.shift_target - dot(patch.normal, v);
@@ -125,6 +141,7 @@ void make_patches(const SolverTask& task, double part, Patches& out) {
     Patch patch{c, a, b, contact.normal, contact.friction, begin, 0};
     for (int i = 0; i < contact.count; ++i) {
       const ContactPoint& point = contact.points[static_cast<std::size_t>(i)];
+      // Warm start: the last step's impulses, shared out to the small steps.
       out.points.push_back(make_point(task, c, point));
       out.points.back().push *= part;
       out.points.back().slide *= part;
@@ -136,6 +153,7 @@ void make_patches(const SolverTask& task, double part, Patches& out) {
 
 void apply_last(Patches& all, std::vector<SolverBody>& bodies) {
   for (Patch& patch : all.patches) {
+    // Before the first sweep of each small step: the bodies have already been given forces.
     SolverBody &a = bodies[patch.a], &b = bodies[patch.b];
     for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
       const Point& point = all.points[i];
@@ -184,6 +202,7 @@ void undo_overlaps(Patches& all, Rows& rows, SolverTask& task) {
 }
 
 /// Adds a part of the step's forces, or of its way.
+// Links are moved by their mechanism's generalised velocities, not by themselves.
 void kick(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
     if (body.link >= 0) continue;
@@ -195,6 +214,7 @@ void kick(SolverTask& task, double part) {
   }
 }
 
+// The way of a small step, in units of a whole one: poses are moved once, at the end.
 void go(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
     if (body.link >= 0) continue;
@@ -206,6 +226,7 @@ void go(SolverTask& task, double part) {
   }
 }
 
+// In whole steps' impulses, as others read them: magnets that snap, the next step's start.
 void keep_impulses(const Patches& all, SolverTask& task, double parts) {
   for (const Patch& patch : all.patches) {
     for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
@@ -220,6 +241,7 @@ void keep_impulses(const Patches& all, SolverTask& task, double parts) {
 
 void warm_start(Contact& contact, const Contact& last) {
   contact.touching = last.touching;
+  // Turned by more than 18°: the old impulses would push elsewhere.
   if (dot(contact.normal, last.normal) < 0.95) return;
   std::array<bool, 4> used{};
   for (int i = 0; i < contact.count; ++i) {
@@ -241,17 +263,20 @@ void warm_start(Contact& contact, const Contact& last) {
 
 void solve(SolverTask& task) {
   assert(task.slots.size() == task.contacts.size());
+  // Substepping: `parts` small steps of dt each.
   const double parts = task.small_steps, dt = task.dt / parts;
   // Kept from step to step for their memory alone: to take it anew costs more than to fill it.
   thread_local Patches patches;
   thread_local Rows rows;
   make_patches(task, 1 / parts, patches);
   make_rows(task, rows);
+  // Before anything else, so that the shift knows no velocities.
   undo_overlaps(patches, rows, task);
   for (int step = 0; step < task.small_steps; ++step) {
     kick(task, 1 / parts);
     apply_last(patches, task.bodies);
     apply_last_rows(rows, task);
+    // Another sweep as long as something changes and the count allows; impacts get a few more.
     double change = 1;
     for (int i = 0; change > kSettled; ++i) {
       if (i >= task.sweeps + (change > kImpact ? kMoreSweeps : 0)) break;

@@ -9,6 +9,9 @@
 #include "physical/solver/robot_rows.h"
 #include "physical/solver/row_numbers.h"
 
+// Projected Gauss and Seidel over rows of generalised velocities: J v is the velocity at a point
+// along a direction, and an impulse there changes v by W = M⁻¹ Jᵀ, both worked out once a step. The
+// order of points is that of contacts, and runs of one kind go through code of their own.
 namespace stig {
 
 namespace {
@@ -38,6 +41,7 @@ double product(const std::array<double, 6>& j, const double* v) {
   return sum[0] + sum[1];
 }
 
+// The same for a free body, whose velocity and spin lie beside each other by axis.
 template <std::size_t kCount>
 void add(const LooseSide& side, std::size_t direction, const std::array<double, kCount>& impulse,
          double* v) {
@@ -52,6 +56,7 @@ void add(const LooseSide& side, std::size_t direction, const std::array<double, 
   }
 }
 
+// A tag chooses which six numbers are meant, without a test at run time.
 /// Which numbers rows are about: velocities, or the shift that undoes overlaps.
 struct OfVelocities {
   template <class Side>
@@ -84,6 +89,7 @@ double along(std::size_t direction, const Rows& rows, const RowPoint& point) {
 template <class Of = OfVelocities, std::size_t kCount>
 void push(std::size_t direction, const Rows& rows, const RowPoint& point,
           const std::array<double, kCount>& impulse) {
+  // Points that carry nothing are most of them.
   if (std::all_of(impulse.begin(), impulse.end(), [](double x) { return x == 0; })) return;
   for (std::size_t i = 0; i < point.looses; ++i) {
     add(point.loose[i], direction, impulse, Of::of(point.loose[i]));
@@ -96,6 +102,7 @@ void push(std::size_t direction, const Rows& rows, const RowPoint& point,
 
 /// Returns the change in velocity that was asked for.
 double relax(RowPoint& point, const Rows& rows, double inverse_dt) {
+  // The normal first, then friction within the new limit.
   const double change = next_push(point, along(kNormal, rows, point), inverse_dt);
   push(kNormal, rows, point, std::array{change});
   const double most = asked(change, point.mass[kNormal]);
@@ -107,6 +114,7 @@ double relax(RowPoint& point, const Rows& rows, double inverse_dt) {
   return std::max(most, asked(slide, mass));
 }
 
+// M⁻¹'s column is what an impulse on one axis does to all.
 void turn(const SolverAxis& axis, SolverTask& task, double impulse) {
   if (impulse == 0) return;  // most stops are far away
   SolverMechanism& mechanism = task.mechanisms[axis.mechanism];
@@ -120,10 +128,13 @@ double relax_axis(SolverAxis& axis, SolverTask& task, double inverse_dt) {
   const double inverse = mechanism.inverse[axis.dof * mechanism.dofs + axis.dof];
   const double speed = mechanism.v[axis.dof];
   double impulse = 0;
+  // side 0 is a motor, which pulls towards a speed with a force of so much at most; otherwise a
+  // stop, which pushes one way.
   if (axis.side == 0) {
     impulse = axis.impulse + (axis.target - speed) / inverse;
     impulse = std::clamp(impulse, -axis.most, axis.most);
   } else {
+    // A stop that was overrun is left by a tenth of the overlap a step.
     const double least = -axis.gap * inverse_dt * (axis.gap > 0 ? 1 : kOverlapCorrection);
     impulse = axis.impulse + (axis.side * least - speed) / inverse;
     impulse = axis.side > 0 ? std::max(0.0, impulse) : std::min(0.0, impulse);
@@ -158,6 +169,7 @@ void apply_last_rows(const Rows& rows, SolverTask& task) {
 
 double sweep_rows(Rows& rows, SolverTask& task, double inverse_dt) {
   double change = 0;
+  // Motors and stops before contacts, so that contacts have the last word.
   for (SolverAxis& axis : rows.axes) {
     change = std::max(change, relax_axis(axis, task, inverse_dt));
   }
@@ -190,6 +202,7 @@ bool overlapping(const Rows& rows) {
 }
 
 void shift_rows(Rows& rows) {
+  // Shifts are along normals only: overlaps know no friction.
   for (RowPoint& point : rows.points) {
     const double speed = along<OfShifts>(kNormal, rows, point);
     const double impulse =

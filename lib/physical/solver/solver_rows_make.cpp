@@ -7,10 +7,13 @@
 #include "physical/solver/robot_rows.h"
 #include "physical/solver/row_numbers.h"
 
+// Rows are made anew each step, since links move. The memory is kept (solver.cpp): `numbers` holds
+// J and W of all points in one list, in the order in which sweeps read them.
 namespace stig {
 
 namespace {
 
+// So much stays, so that contacts at rest do not come and go.
 constexpr double kSlop = 50e-6;         ///< overlap that is left alone, m
 constexpr double kMostRecovery = 0.05;  ///< m/s
 
@@ -21,6 +24,9 @@ const SolverLink* link_of(const SolverTask& task, std::uint32_t body) {
 
 // ---- Mechanisms ----
 
+// Joints beyond a link do not move it. Wheels and lifts are mostly leaves of a mechanism's tree, so
+// J is zero but for the body and one of them: that is what `begin` and `extra` say. A link that
+// needs more than one extra pair gets all.
 Reach reach_of(const SolverTask& task, const SolverLink& link) {
   const auto moves = [&link](std::size_t i) {
     return !(link.columns[i].v == Vec3{}) || !(link.columns[i].w == Vec3{});
@@ -74,6 +80,7 @@ void fill_w(const double* inverse, const Hold& hold, const double* j, double* w)
 
 /// J and W of a unit impulse along a direction `d` at `p` (times `sign`); returns J·W.
 template <class Size>
+// dot(d, v) of each degree of freedom's unit velocity at p.
 double fill_row(const SolverTask& task, const SolverLink& link, const Hold& hold, const Vec3& p,
                 const Vec3& d, double sign, double* j, double* w) {
   const std::size_t begin = Size::begin(hold), n = Size::dofs(hold);
@@ -113,9 +120,11 @@ void add_hold(const SolverTask& task, std::uint32_t body, const Vec3& p, double 
     }
   };
   const std::size_t begin = hold.dofs == kRobotDofs ? hold.reach.begin : 0;
+  // A robot's sizes are known when compiling.
   begin == 3 ? fill(RobotSize<3>{}) : begin == 4 ? fill(RobotSize<4>{}) : fill(AnySize{});
 }
 
+// Six numbers that lie together, as the rows add them two at once.
 // ---- Free bodies ----
 
 static_assert(offsetof(SolverBody, w) == offsetof(SolverBody, v) + sizeof(Vec3) &&
@@ -125,6 +134,7 @@ static_assert(offsetof(SolverBody, w) == offsetof(SolverBody, v) + sizeof(Vec3) 
 void add_loose(SolverBody& body, const Vec3& p, double sign, RowPoint& point,
                std::array<double, 3>& change) {
   // The numbers of links and of the ground are zero, and stay so.
+  // Resting bodies cannot be moved and do not move: they need no side.
   if (!(body.inverse_mass > 0) && body.v == Vec3{} && body.w == Vec3{}) return;
   LooseSide& side = point.loose[point.looses++];
   side.v = &body.v.x;
@@ -145,6 +155,7 @@ void add_loose(SolverBody& body, const Vec3& p, double sign, RowPoint& point,
 /// The tangent that lies along the axle; some tangent when there is none, or it is upright.
 Vec3 first_tangent(const Contact& contact) {
   const Vec3 flat = contact.axle - contact.normal * dot(contact.axle, contact.normal);
+  // An axle nearly along the normal leaves no direction along the surface.
   return squared(flat) > 0.01 ? normalised(flat) : perpendicular(contact.normal);
 }
 
@@ -164,6 +175,7 @@ void add_point(SolverTask& task, std::size_t c, std::size_t number, Rows& rows) 
   add_hold(task, a, from.p_W, 1, point, change, rows);
   add_hold(task, b, from.p_W, -1, point, change, rows);
   point.kind = kind_of(point);
+  // Zero where nothing gives way: the point then takes no impulse.
   for (std::size_t i = 0; i < 3; ++i) point.mass[i] = change[i] > 1e-12 ? 1 / change[i] : 0;
   point.gap = from.gap;
   point.push = from.push * part;
@@ -175,6 +187,7 @@ void add_point(SolverTask& task, std::size_t c, std::size_t number, Rows& rows) 
   point.shift_target = least_shift(from.gap, task.dt);
 }
 
+// Runs are of the same velocities, so that they can be kept in registers.
 bool same_run(const RowPoint& a, const RowPoint& b) {
   return a.kind == b.kind && a.kind != RowKind::any && a.holds[0].v == b.holds[0].v &&
          a.loose[0].v == b.loose[0].v;
@@ -202,11 +215,13 @@ Vec3 acceleration(const SolverTask& task, std::uint32_t body, const Vec3& p) {
 
 Vec3 bend(const SolverTask& task, std::size_t contact, const Vec3& p_W) {
   const auto [a, b] = task.slots[contact];
+  // Fewer than three points are an edge or a wheel, which rolls: see the header.
   if (a == 0 || b == 0 || task.contacts[contact].count < 3) return {};
   return (acceleration(task, a, p_W) - acceleration(task, b, p_W)) * (task.dt / 2);
 }
 
 double least_shift(double gap, double dt) {
+  // Still apart: the shift may close the gap and no more.
   if (gap > -kSlop) return -(gap + kSlop) / dt;
   return std::min(kOverlapCorrection * (-gap - kSlop) / dt, kMostRecovery);
 }
