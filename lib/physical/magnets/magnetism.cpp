@@ -5,6 +5,11 @@
 #include <array>
 #include <cassert>
 
+// Point dipoles (docs/physics.md has the equations; Jackson, Classical Electrodynamics, section
+// 5.7). Who is near whom is asked twice: of owners (blocks) by a grid, then of their magnets one by
+// one, since all magnets of a block lie within a known radius. Free magnets turn much faster than
+// blocks move, so their directions relax towards the field at rest, sweep by sweep, in the order of
+// their numbers (Gauss and Seidel's way): each sees what those before it have just done.
 namespace stig {
 
 namespace {
@@ -24,6 +29,7 @@ struct Neighbours {
   std::vector<Neighbour> list;
 };
 
+// Compressed rows: counts, then sums, then places; two passes and no lists of lists.
 Neighbours neighbours_of(const std::vector<Magnet>& magnets, const std::vector<MagnetPair>& pairs) {
   Neighbours out{std::vector<std::uint32_t>(magnets.size() + 1), {}};
   for (const MagnetPair& pair : pairs) {
@@ -45,6 +51,7 @@ Neighbours neighbours_of(const std::vector<Magnet>& magnets, const std::vector<M
 
 /// One step of the way from `u` to the unit vector `goal`.
 Vec3 turned(Vec3 u, const Vec3& goal, double part) {
+  // Straight against the field it would stay for ever: a nudge to the side, always the same.
   if (dot(u, goal) < -0.9999) u = normalised(u + perpendicular(u) * 1e-2);
   return normalised(u + (goal - u) * part);
 }
@@ -102,15 +109,17 @@ bool has_magnets(const MagnetOwner& owner) { return owner.begin < owner.end; }
 
 void add_couple(const std::vector<MagnetOwner>& owners, std::uint32_t i, std::uint32_t k,
                 double reach, std::vector<Couple>& out) {
-  // Of two that are awake, one finds the other.
+  // When both are awake, only one finds the other. Awake ones come up as i and as k; the lower
+  // number does the work.
   if (i == k || (owners[k].awake && k < i)) return;
   if (squared(owners[i].centre - owners[k].centre) < reach * reach) {
     out.emplace_back(std::minmax(i, k));
   }
 }
 
-/// Partners of awake owners in the cells about their own. Rows of three cells along z stand
-/// together in the sorted list; where each of the nine begins moves forward with the owner.
+/// Partners of awake owners in the cells about their own, which are as wide as the reach. Rows of
+/// three cells along z stand together in the sorted list; where each of the nine begins moves
+/// forward with the owner.
 void add_neighbours(const std::vector<MagnetOwner>& owners, const std::vector<OwnerCell>& cells,
                     double reach, std::vector<Couple>& out) {
   std::array<std::size_t, 9> begins{};
@@ -157,11 +166,13 @@ DipoleWrench dipole_wrench(const Vec3& m0, const Vec3& m1, const Vec3& r) {
   assert(d2 > 0);
   const double d = std::sqrt(d2);
   const Vec3 n = r * (1 / d);
+  // Unit vector n and both moments' components along it; docs/physics.md, "Magnets".
   const double a = dot(m0, n), b = dot(m1, n);
   const Vec3 force =
       (n * (3 * dot(m0, m1) - 15 * a * b) + (m0 * b + m1 * a) * 3) * (kDipoleConstant / (d2 * d2));
   const double k = kDipoleConstant / (d2 * d);
   const Vec3 across = cross(m0, m1);
+  // The torques do not cancel: the forces' couple makes up for the difference.
   return {force, (cross(m0, n) * (3 * b) - across) * k, (cross(m1, n) * (3 * a) + across) * k};
 }
 
@@ -182,6 +193,7 @@ std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
   std::vector<MagnetPair> out;
   NearLists near;
   // Rounding must not leave out a magnet that lies at the radius itself.
+  // Owners' centres are rounded too.
   const double ball = radius * (1 + 1e-9);
   for (const auto& [a, b] : couples_of(owners, cutoff + 2 * radius)) {
     add_pairs(magnets, owners[a], owners[b], ball, cutoff, near, out);
@@ -194,11 +206,13 @@ void relax_magnets(std::vector<Magnet>& magnets, const std::vector<MagnetPair>& 
                    const Relaxation& relaxation) {
   if (pairs.empty()) return;
   const Neighbours neighbours = neighbours_of(magnets, pairs);
+  // All sweeps together let a fraction exp(-dt / time) of the angle remain.
   const double part = 1 - std::exp(-dt / (relaxation.time * relaxation.sweeps));
   for (int sweep = 0; sweep < relaxation.sweeps; ++sweep) {
     for (std::uint32_t i = 0; i < magnets.size(); ++i) {
       Magnet& magnet = magnets[i];
       if (neighbours.start[i] == neighbours.start[i + 1]) continue;
+      // Sleepers keep their directions, as their neighbours have seen them fall asleep.
       if (!magnet.free || !owners[magnet.owner].awake) continue;
       Vec3 field;
       for (std::uint32_t k = neighbours.start[i]; k < neighbours.start[i + 1]; ++k) {
@@ -208,6 +222,7 @@ void relax_magnets(std::vector<Magnet>& magnets, const std::vector<MagnetPair>& 
       }
       const double strength = length(field);
       if (strength == 0 || magnet.moment == 0) continue;
+      // A negative moment wants to point against the field.
       const double sign = magnet.moment > 0 ? 1 : -1;
       magnet.direction = turned(magnet.direction, field * (sign / strength), part);
     }
@@ -217,6 +232,7 @@ void relax_magnets(std::vector<Magnet>& magnets, const std::vector<MagnetPair>& 
 Vec3 spin_magnet(Magnet& magnet, const Vec3& torque, const Vec3& body_spin, const Bearing& bearing,
                  double dt) {
   const double damping = bearing.damping;
+  // Damping implicitly, so that any damping is stable at any step.
   magnet.spin = (magnet.spin + (torque + body_spin * damping) * (dt / bearing.inertia)) *
                 (1 / (1 + damping * dt / bearing.inertia));
   magnet.direction = normalised(matrix(rotation(magnet.spin * dt)) * magnet.direction);

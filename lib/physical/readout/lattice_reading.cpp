@@ -10,6 +10,10 @@
 #include <queue>
 #include <tuple>
 
+// In three stages: joins between pairs, clusters grown along the best joins first (as Prim's
+// algorithm grows a minimal tree), and a fit of one lattice to each cluster (Horn 1987,
+// "Closed-form solution of absolute orientation using unit quaternions"). Cells are whole numbers
+// from the start: noise in poses can only break a join, never shift a cell by rounding.
 namespace stig {
 
 namespace {
@@ -43,6 +47,7 @@ Mat3 product_transposed(const Mat3& a, const Mat3& b) {
 double trace(const Mat3& m) { return m.x.x + m.y.y + m.z.z; }
 double turn_angle(const Mat3& r) { return std::acos(std::clamp((trace(r) - 1) / 2, -1.0, 1.0)); }
 
+// 24: six directions for x, four for y that are across it; z follows.
 const std::vector<CubeTurn>& cube_turns() {
   static const std::vector<CubeTurn> turns = [] {
     std::vector<CubeTurn> out;
@@ -60,6 +65,7 @@ const std::vector<CubeTurn>& cube_turns() {
 }
 
 /// The turn of the cube that is nearest to a rotation.
+// The trace of RᵀT is 1 + 2 cos of the angle between them: the largest is the nearest.
 const CubeTurn& nearest_turn(const Mat3& r) {
   const auto nearness = [&](const CubeTurn& turn) { return trace(product_transposed(turn, r)); };
   return *std::max_element(
@@ -77,6 +83,7 @@ struct Join {
 
 std::optional<Join> joined(const std::vector<PlacedBlock>& blocks, const std::vector<Mat3>& axes,
                            std::size_t a, std::size_t b, double side, const Tolerance& tolerance) {
+  // In a's own frame, so the neighbour would be a step along one axis.
   const Vec3 away = axes[a].transposed(blocks[b].X_WB.p - blocks[a].X_WB.p);
   int longest = 0;
   for (int i = 1; i < 3; ++i) {
@@ -86,16 +93,19 @@ std::optional<Join> joined(const std::vector<PlacedBlock>& blocks, const std::ve
   Join join{a, b, {}, 0, 0, 0};
   (longest == 0 ? join.step.x : longest == 1 ? join.step.y : join.step.z) = sign;
   join.offset = length(away - axis(longest, sign * side));
+  // Written so that NaN fails.
   if (!(join.offset <= tolerance.offset)) return std::nullopt;
   const Mat3 relative = product_transposed(axes[a], axes[b]);
   join.turn = turn_angle(product_transposed(nearest_turn(relative), relative));
   if (!(join.turn <= tolerance.turn)) return std::nullopt;
+  // Both parts in units of their tolerance.
   join.badness = join.offset / tolerance.offset + join.turn / tolerance.turn;
   return join;
 }
 
 using Joins = std::vector<std::vector<Join>>;
 
+// Cells of the grid are as wide as a join can be long: 27 of them hold all candidates.
 /// Joins of each block, in both directions. Candidates come from a grid of cells.
 Joins find_joins(const std::vector<PlacedBlock>& blocks, const std::vector<Mat3>& axes, double side,
                  const Tolerance& tolerance) {
@@ -129,6 +139,7 @@ struct Member {
   CubeTurn turn;
 };
 
+// A turn of the cube maps whole steps to whole steps; rounding takes only noise away.
 LatticeCell turned(const CubeTurn& turn, const LatticeCell& step) {
   const Vec3 v = turn * centre(step);
   return {static_cast<int>(std::lround(v.x)), static_cast<int>(std::lround(v.y)),
@@ -143,6 +154,7 @@ std::vector<Member> grow(std::size_t seed, const std::vector<Mat3>& axes, const 
     Join join;
     std::size_t from;  ///< place of join.a in the list of members
   };
+  // Ties by numbers, so that the tree is the same whatever the queue does.
   const auto worse = [](const Candidate& a, const Candidate& b) {
     return std::tie(a.join.badness, a.join.a, a.join.b) >
            std::tie(b.join.badness, b.join.a, b.join.b);
@@ -158,6 +170,7 @@ std::vector<Member> grow(std::size_t seed, const std::vector<Mat3>& axes, const 
   };
   add({seed, {}, {}});
   while (!open.empty()) {
+    // A candidate may have been taken since it was pushed, by a better join.
     const Candidate next = open.top();
     open.pop();
     if (taken[next.join.b]) continue;
@@ -165,6 +178,7 @@ std::vector<Member> grow(std::size_t seed, const std::vector<Mat3>& axes, const 
     const LatticeCell cell = from.cell + turned(from.turn, next.join.step);
     if (filled.contains(cell)) continue;
     const Mat3 relative = product_transposed(axes[next.join.a], axes[next.join.b]);
+    // Turns multiply along the way, so a cube upside down in the middle does not matter.
     add({next.join.b, cell, product(from.turn, nearest_turn(relative))});
   }
   return members;
@@ -187,6 +201,7 @@ Mat3 best_rotation(const Mat3& sum) {
     for (std::size_t p = 0; p < 4; ++p) {
       for (std::size_t q = p + 1; q < 4; ++q) {
         if (n[p][q] == 0) continue;
+        // The angle that makes the element vanish, by the half-angle formula.
         const double angle = 0.5 * std::atan2(2 * n[p][q], n[q][q] - n[p][p]);
         const double c = std::cos(angle), s = std::sin(angle);
         for (std::size_t k = 0; k < 4; ++k) {
@@ -224,6 +239,7 @@ void add_outer(Mat3& sum, const Vec3& column, const Vec3& row, double weight) {
 /// Least squares over positions, and axes with the weight of a corner half a side away.
 Fit fit(const std::vector<Member>& members, const std::vector<PlacedBlock>& blocks,
         const std::vector<Mat3>& axes, double side) {
+  // Both sets about their means: then the rotation is the only unknown left (Horn).
   Vec3 mean_p, mean_c;
   for (const Member& member : members) {
     mean_p += blocks[member.block].X_WB.p;
@@ -235,6 +251,7 @@ Fit fit(const std::vector<Member>& members, const std::vector<PlacedBlock>& bloc
   for (const Member& member : members) {
     const Vec3 c = centre(member.cell) - mean_c;
     add_outer(sum, blocks[member.block].X_WB.p - mean_p, c * side, 1);
+    // Axes count as points half a side away: 1/4 of a squared side each.
     for (int i = 0; i < 3; ++i) {
       add_outer(sum, axes[member.block].column(i), member.turn.column(i), side * side / 4);
     }
@@ -243,6 +260,7 @@ Fit fit(const std::vector<Member>& members, const std::vector<PlacedBlock>& bloc
   double along = 0, extent = 0;
   for (const Member& member : members) {
     const Vec3 c = centre(member.cell) - mean_c;
+    // The scale follows from the rotation, by least squares along each cell's place.
     along += dot(blocks[member.block].X_WB.p - mean_p, out.r * c);
     extent += squared(c);
   }
@@ -255,6 +273,7 @@ Fit fit(const std::vector<Member>& members, const std::vector<PlacedBlock>& bloc
 CubeTurn upright(const Mat3& r) {
   const auto better = [&](const CubeTurn& a, const CubeTurn& b) {
     const Mat3 ra = product(r, a), rb = product(r, b);
+    // z first, then x and y together; ties within rounding go to the first turn.
     if (std::abs(ra.z.z - rb.z.z) > 1e-9) return ra.z.z < rb.z.z;
     return ra.x.x + ra.y.y < rb.x.x + rb.y.y - 1e-9;
   };
@@ -277,6 +296,7 @@ ReadLattice describe(std::vector<Member> members, const std::vector<PlacedBlock>
   std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
     return std::tie(a.cell.z, a.cell.y, a.cell.x) < std::tie(b.cell.z, b.cell.y, b.cell.x);
   });
+  // Fitted again in the final frame, so that what is said is of that frame.
   const Fit fitted = fit(members, blocks, axes, side);
   ReadLattice out;
   out.X_WL = {fitted.origin, quaternion_of(fitted.r)};
@@ -288,6 +308,7 @@ ReadLattice describe(std::vector<Member> members, const std::vector<PlacedBlock>
     const Vec3 expected = fitted.origin + fitted.r * centre(member.cell) * fitted.pitch;
     const Mat3 axes_L = product_transposed(fitted.r, axes[member.block]);
     out.blocks.push_back({member.block, member.cell, block.colour, length(block.X_WB.p - expected),
+                          // What is left of the block's axes after its own turn of the cube.
                           turn_angle(product_transposed(member.turn, axes_L))});
   }
   return out;
@@ -308,6 +329,7 @@ void note_worst(ReadLattice& lattice, const Joins& joins) {
 
 }  // namespace
 
+// r = beyond · turn, so beyond = r · turnᵀ.
 Mat3 beyond_cube_turn(const Mat3& r) {
   const CubeTurn& turn = nearest_turn(r);
   const Mat3 back{turn.transposed({1, 0, 0}), turn.transposed({0, 1, 0}),
@@ -317,6 +339,7 @@ Mat3 beyond_cube_turn(const Mat3& r) {
 
 StructureReading read_lattices(const std::vector<PlacedBlock>& blocks, double side,
                                const Tolerance& tolerance) {
+  // Wider, and one block could be joined to two neighbours at one face.
   assert(side > 0 && tolerance.offset < side / 2);
   std::vector<Mat3> axes;
   for (const PlacedBlock& block : blocks) axes.push_back(matrix(block.X_WB.q));
