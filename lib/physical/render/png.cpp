@@ -5,10 +5,14 @@
 
 #include "physical/render/scene_picture.h"
 
+// Cairo holds the pixels for writing letters and the PNG, and nothing else: pictures themselves are
+// filled in by Raster, whose results depend on no library. The captions' letters are drawn without
+// hinting, so that their bytes depend on the font's outlines alone.
 namespace stig {
 
 namespace {
 
+// In pixels of the finished picture.
 constexpr double kLetters = 22, kMargin = 20;  ///< pixels
 
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
@@ -18,6 +22,7 @@ cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
 
 using Surface = std::unique_ptr<cairo_surface_t, void (*)(cairo_surface_t*)>;
 
+// Rows in cairo's surfaces may be longer than the picture.
 Surface surface_of(const Image& image) {
   Surface surface{cairo_image_surface_create(CAIRO_FORMAT_RGB24, image.width, image.height),
                   cairo_surface_destroy};
@@ -36,6 +41,7 @@ Surface surface_of(const Image& image) {
 }
 
 void write_caption(cairo_surface_t* surface, const std::string& caption, int height) {
+  // Errors of cairo stay in the context until the PNG is written, which then fails.
   cairo_t* cairo = cairo_create(surface);
   cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo, kLetters);
@@ -57,6 +63,7 @@ void write_caption(cairo_surface_t* surface, const std::string& caption, int hei
 std::string png_of(const Image& image, const std::string& caption) {
   const Surface surface = surface_of(image);
   if (!caption.empty()) write_caption(surface.get(), caption, image.height);
+  // An empty text is "no picture": the caller reports that.
   std::string bytes;
   const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
   return status == CAIRO_STATUS_SUCCESS ? bytes : std::string{};

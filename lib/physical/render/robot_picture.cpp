@@ -11,6 +11,8 @@
 #include "base/glb.h"
 #include "physical/render/scene_picture.h"
 
+// A robot as `stigc describe` shows it, as a picture and as glTF: its bodies with their real
+// shapes, and over them the lines of what no body shows, frames, axes, sight, rays and ranges.
 namespace stig {
 
 namespace {
@@ -25,6 +27,7 @@ constexpr double kSurface = 4e-4;  ///< of what is hidden by them
 class Marks {
  public:
   explicit Marks(const RobotModel& robot) : robot_(robot) {
+    // The frame of the robot itself, a little larger than those of its devices.
     frame({}, 0.04);
     for (const JointModel& joint : robot.joints) {
       if (!joint.axes.empty()) axes(joint);
@@ -49,6 +52,7 @@ class Marks {
 
   void axes(const JointModel& joint) {
     for (const AxisModel& axis : joint.axes) {
+      // Axes of turning and of sliding differ by their colours; length has no meaning.
       const Vec3 way = rotate(joint.X_RJ.q, axis.axis) * 0.025;
       line(joint.X_RJ.p - way, joint.X_RJ.p + way, 1.5, axis.angular ? kBlue : kGreen, kThrough);
     }
@@ -57,11 +61,13 @@ class Marks {
   /// The frustum, with distortion: its corners are where the image's corners look.
   void sight(const CameraDevice& camera) {
     const Pose X_RC = body(camera.body) * camera.X_BC;
+    // The outermost pixels' middles, so width - 1.
     const double w = camera.intrinsics.width - 1, h = camera.intrinsics.height - 1;
     std::array<Vec3, 4> way;
     const std::array<ImagePoint, 4> corners = {{{0, 0}, {w, 0}, {w, h}, {0, h}}};
     for (std::size_t i = 0; i < 4; ++i) {
       const auto direction = unproject(camera.intrinsics, corners[i]);
+      // A lens without inverse at a corner has no frustum to draw.
       if (!direction) return;
       way[i] = *direction;
     }
@@ -115,6 +121,7 @@ std::vector<SolidFace> faces_of(const BodyModel& body) {
   return faces_of(Shape::box(body.size));
 }
 
+// The boxes about the bodies serve for the view alone: `faces` are what is drawn.
 std::string robot_png(const RobotModel& robot) {
   std::vector<PictureBody> bodies;
   for (const BodyModel& body : robot.bodies) {
@@ -143,9 +150,11 @@ GlbPrimitive surface_of(const BodyModel& body) {
   GlbPrimitive out;
   out.material = body.name;
   out.rgb = body.rgb;
+  // Corners are not shared between faces, since each face has its own normal.
   for (const SolidFace& face : faces_of(body)) {
     const std::uint32_t first = out.vertices;
     for (const Vec3& corner : face.corners) out.add_vertex(floats(corner), floats(face.normal));
+    // Faces are convex: a fan of triangles fills them.
     for (std::uint32_t i = 2; i < face.corners.size(); ++i) {
       out.add_triangle(first, first + i - 1, first + i);
     }
@@ -156,6 +165,7 @@ GlbPrimitive surface_of(const BodyModel& body) {
 /// One primitive a colour, in the order in which colours first occur.
 std::vector<GlbPrimitive> lines_of(const std::vector<PictureLine>& lines) {
   std::vector<GlbPrimitive> out;
+  // Colours are few, so a linear search is enough.
   for (const PictureLine& line : lines) {
     auto to = std::find_if(out.begin(), out.end(),
                            [&](const GlbPrimitive& one) { return one.rgb == line.colour; });
@@ -180,6 +190,7 @@ std::string robot_glb(const RobotModel& robot) {
   nodes[0].name = robot.name;
   nodes[0].X_PN.q = rotation({-std::numbers::pi / 2, 0, 0});
   std::vector<int> node_of(robot.bodies.size(), 0);
+  // From the root outwards, so that a node's parent has its number already.
   std::vector<std::size_t> todo = {robot.root()};
   while (!todo.empty()) {
     const std::size_t body = todo.back();

@@ -10,12 +10,15 @@ namespace stig {
 
 namespace {
 
-constexpr int kSamples = 2;            ///< a pixel, along x and y
-constexpr double kNear = 0.01;         ///< m: what is nearer to the eye is cut off
+// Fine enough for smooth edges: four samples a pixel.
+constexpr int kSamples = 2;     ///< a pixel, along x and y
+constexpr double kNear = 0.01;  ///< m: what is nearer to the eye is cut off
+// About 30°: as a long lens sees it, with little distortion towards the borders.
 constexpr double kFieldOfView = 0.52;  ///< rad, across the width
 constexpr Rgb kBackdrop{250, 251, 252}, kFloorColour{238, 240, 243}, kGridColour{203, 209, 216};
 constexpr Rgb kEdge{38, 42, 48}, kTagInk{45, 48, 54}, kTagPaper{240, 240, 240};
 constexpr double kTagHalf = 0.22, kLedPlace = 0.36, kLedHalf = 0.05;  ///< shares of the side
+// Over the shoulder of who looks from the front.
 const Vec3 kLight = normalised(Vec3{0.35, -0.55, 0.95});
 
 double shade_of(const Vec3& normal) {
@@ -26,6 +29,8 @@ Rgb lit(Rgb colour, const Vec3& normal) { return blend({14, 18, 26}, colour, sha
 
 /// Draws polygons of the world as a view sees them.
 class Painter {
+  // Corners go from the world to the eye, are cut off at the near plane, and only then projected,
+  // since what lies behind the eye has no image.
  public:
   Painter(Raster& raster, const PictureView& view)
       : raster_(raster), view_(view), r_(matrix(view.X_WC.q)) {}
@@ -36,6 +41,7 @@ class Painter {
 
   void polygon(const std::vector<Vec3>& corners, Rgb colour) {
     fan(corners,
+        // Culling saves half of the work, and keeps back faces from shining through edges.
         [&](const auto& a, const auto& b, const auto& c) { raster_.triangle(a, b, c, colour); });
   }
   void shadow(const std::vector<Vec3>& corners) {
@@ -63,9 +69,11 @@ class Painter {
   }
 
   /// What of a polygon, or of a line, lies before the eye.
+  // Sutherland and Hodgman's algorithm with a single plane.
   static std::vector<Vec3> clip(const std::vector<Vec3>& corners) {
     std::vector<Vec3> out;
     for (std::size_t i = 0; i < corners.size(); ++i) {
+      // A line of two corners goes round as a polygon does, there and back: both ends are met.
       const Vec3& a = corners[i];
       const Vec3& b = corners[(i + 1) % corners.size()];
       if (a.z >= kNear) out.push_back(a);
@@ -107,8 +115,10 @@ void draw_block_face(Painter& painter, const std::vector<Vec3>& corners, const V
                      Led led) {
   const Vec3 middle = (corners[0] + corners[2]) * 0.5;
   const double side = length(corners[1] - corners[0]);
+  // From far away tags and LEDs would be less than a pixel: noise.
   if (painter.pixels(middle, side) < 14) return;
   const Vec3 u = normalised(corners[0] - corners[1]), v = normalised(corners[1] - corners[2]);
+  // The face's own plane would fight for depth with what lies on it.
   const Vec3 above = middle + normal * (side * 0.004);
   painter.polygon(square(above, u, v, side * kTagHalf), lit(kTagPaper, normal));
   painter.polygon(square(above + normal * (side * 0.002), u, v, side * kTagHalf * 0.8),
@@ -126,6 +136,7 @@ std::vector<SolidFace> faces_of(const PictureBody& body) {
 void draw_body(Painter& painter, const PictureBody& body) {
   const Mat3 r = matrix(body.X_WB.q);
   const Rgb colour =
+      // Bodies of blocks take the light of their LEDs, so that colours can be told from afar.
       body.block && body.led != Led::off ? blend(body.colour, rgb_of(body.led), 0.6) : body.colour;
   for (const SolidFace& face : faces_of(body)) {
     const std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
@@ -145,6 +156,7 @@ void draw_shadow(Painter& painter, const PictureBody& body) {
   for (const SolidFace& face : faces_of(body)) {
     std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
     for (Vec3& p : corners) {
+      // The shadow of a polygon is that of its corners; its depth is a hair over the floor's.
       p -= kLight * (std::max(p.z, 0.0) / kLight.z);
       p.z = 1e-4;
     }
@@ -175,6 +187,8 @@ struct Extent {
 std::vector<const PictureBody*> main_bodies(const std::vector<PictureBody>& bodies) {
   std::vector<double> xs, ys, far;
   for (const PictureBody& body : bodies) {
+    // By the median and the 90th percentile of distances: one block that was thrown far away must
+    // not make all others small.
     xs.push_back(body.X_WB.p.x);
     ys.push_back(body.X_WB.p.y);
   }
@@ -202,6 +216,7 @@ std::vector<Vec3> outline(const std::vector<const PictureBody*>& bodies) {
   for (const PictureBody* body : bodies) {
     const double r = body->shape.radius();
     for (const Vec3& way :
+         // Six points of the ball about each body, enough for a view that has a margin.
          {Vec3{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}) {
       points.push_back(body->X_WB.p + way);
     }
@@ -210,6 +225,7 @@ std::vector<Vec3> outline(const std::vector<const PictureBody*>& bodies) {
   return points;
 }
 
+// A rotation's quaternion from its matrix, in the two cases that can occur (Shepperd 1978).
 /// x right, y down, z ahead, for an eye that looks along z.
 Quat looking(const Vec3& ahead) {
   const Vec3 right = normalised(cross(ahead, {0, 0, 1})), down = cross(ahead, right);
@@ -227,6 +243,7 @@ Quat looking(const Vec3& ahead) {
 
 void draw_floor(Painter& painter, const Extent& extent, double step) {
   const Vec3 middle = (extent.low + extent.high) * 0.5;
+  // The floor goes on beyond what stands on it, in whole squares.
   const double reach =
       1.2 * std::max(extent.high.x - extent.low.x, extent.high.y - extent.low.y) + 4 * step;
   const auto down = [step](double x) { return std::floor(x / step) * step; };
@@ -237,6 +254,7 @@ void draw_floor(Painter& painter, const Extent& extent, double step) {
     const auto count = static_cast<int>(std::lround((to - from) / step));
     for (int i = 0; i <= count; ++i) draw(from + i * step);
   };
+  // Lines lie in the plane of the floor, and so need a bias.
   lines(x0, x1, [&](double x) { painter.line({x, y0, 0}, {x, y1, 0}, 1, kGridColour, 1e-5); });
   lines(y0, y1, [&](double y) { painter.line({x0, y, 0}, {x1, y, 0}, 1, kGridColour, 1e-5); });
 }
@@ -261,6 +279,8 @@ PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLoo
   Extent eye;
   for (const Vec3& p : points) eye.add(r.transposed(p));
   const Vec3 middle = (eye.low + eye.high) * 0.5;
+  // For each point the distance at which it touches the border of the view, in x and in y; the
+  // largest holds all.
   // Far enough back for every point to be inside, with a margin.
   const double slope_x = 0.84 * std::tan(kFieldOfView / 2),
                slope_y = slope_x * look.height / look.width;
@@ -278,6 +298,7 @@ ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureVi
   Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kBackdrop);
   Painter painter(raster, view);
   Extent extent;
+  // The floor's grid is made for the bodies that the view is about.
   for (const Vec3& p : outline(main_bodies(bodies))) extent.add(p);
   const double step =
       grid_step(std::max({extent.high.x - extent.low.x, extent.high.y - extent.low.y, 0.2}));

@@ -5,21 +5,26 @@
 #include <cmath>
 #include <set>
 
+// The slow and sure way to a camera's picture, line of sight by line of sight, which tests compare
+// with what read_camera says and with a real detector of tags. Lines are cut with every shape that
+// may lie in their way; tiles keep that number small.
 namespace stig {
 
 namespace {
 
+// Small enough that few bodies fall into a tile's cone, large enough that finding them pays.
 constexpr int kTile = 16;             ///< pixels
 constexpr double kLedRadius = 0.002;  ///< m
 constexpr Vec3 kSky{200, 205, 210}, kFloor{150, 150, 145}, kHousing{40, 40, 40},
     kBody{150, 155, 165};
 constexpr Vec3 kSheetLight{230, 230, 230}, kSheetDark{25, 25, 25};
 
+// The family is tag36h11 (Olson 2011, "AprilTag"); bits as its published tables have them.
 /// The 6 x 6 inner cells of the family's first tags, row by row, the highest bit first.
 constexpr std::array<std::uint64_t, 6> kTags = {0xd5d628584, 0xd97f18b49, 0xdd280910e,
                                                 0xe479e9c98, 0xebcbca822, 0xf31dab3ac};
 
-/// Of the shape, where a line meets it; those of cylinders and hulls are of the box about them.
+/// The shape's normal where a line meets it; cylinders and hulls have that of the box about them.
 Vec3 normal_at(const SightShape& shape, const Vec3& p) {
   if (shape.type == ShapeType::sphere) return p * (1 / shape.half.x);
   const Vec3 share{std::abs(p.x) / shape.half.x, std::abs(p.y) / shape.half.y,
@@ -34,6 +39,7 @@ class ScenePainter {
  public:
   ScenePainter(const SensorScene& scene, const Pose& X_WC) : scene_(scene), X_WC_(X_WC) {
     std::set<std::uint32_t> blocks;
+    // Marked bodies are drawn darker as housings, and then their tags and LEDs over them.
     for (const MarkedBody& one : scene.marked) blocks.insert(one.owner);
     for (const SightObstacle& one : scene.obstacles) {
       const Pose X_CS = inverse(X_WC) * one.X_WS;
@@ -55,6 +61,7 @@ class ScenePainter {
   /// Looks only at what may be seen from now on: within an angle about a direction.
   void look_towards(const Vec3& way, double angle) {
     near_.clear();
+    // An object of a radius at a distance fills an angle of its own; one about the eye fills all.
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       const Vec3& p = bodies_[i].X_CB.p;
       const double far = length(p), cosine = far > 0 ? dot(p, way) / far : 1;
@@ -87,6 +94,7 @@ class ScenePainter {
     double depth;
     Vec3 colour;
 
+    // Depth counts in lengths of the direction, whose z is 1: depths as a camera has them.
     void note(double nearer, const Vec3& c) {
       if (nearer > 0 && nearer < depth) depth = nearer, colour = c;
     }
@@ -99,6 +107,7 @@ class ScenePainter {
   }
 
   void look_at_floor(const Vec3& way, Seen& seen) const {
+    // Lines that rise never meet the floor.
     const double down = rotate(X_WC_.q, way).z;
     if (down < 0) seen.note(-X_WC_.p.z / down, kFloor);
   }
@@ -109,6 +118,7 @@ class ScenePainter {
     const auto hit = cut(shape, body.p_BC, direction);
     if (!hit || hit->in <= 0 || hit->in >= seen.depth) return;
     const Vec3 normal = normal_at(shape, body.p_BC + direction * hit->in);
+    // A lamp beside the eye: the flatter the view, the darker the surface.
     const double light = 0.55 + 0.45 * std::abs(dot(normal, direction)) / length(direction);
     seen.note(hit->in, (body.is_block ? kHousing : kBody) * light);
   }
@@ -117,10 +127,12 @@ class ScenePainter {
     const MarkedKind& kind = scene_.kinds[body.marks->kind];
     for (const TagMark& tag : kind.tags) {
       const Pose X_CT = body.X_CB * tag.X_BT;
+      // Tags are seen from in front only.
       if (dot(rotate(X_CT.q, {0, 0, 1}), way) >= 0) continue;
       const PlaneHit hit = meet_plane(X_CT, way);
       if (hit.depth >= seen.depth) continue;
       const bool known = tag.id >= 0 && tag.id < static_cast<int>(cells_.size());
+      // A tag whose number is not in the table is a white sheet: present, and unreadable.
       const TagCells& cells = known ? cells_[static_cast<std::size_t>(tag.id)] : kBlank;
       if (const auto colour = sheet_colour(cells, tag.side, hit)) seen.note(hit.depth, *colour);
     }
@@ -129,6 +141,7 @@ class ScenePainter {
       const LedMark& led = kind.leds[l];
       const Rgb rgb = body.marks->leds[l];
       const double along = dot(direction, led.normal_B);
+      // The face's plane, as the LED lies in it.
       const double t = dot(led.p_B - body.p_BC, led.normal_B) / along;
       if (rgb == Rgb{} || along >= 0) continue;
       if (length(body.p_BC + direction * t - led.p_B) > kLedRadius) continue;
@@ -147,6 +160,7 @@ class ScenePainter {
 
 /// The largest angle from the tile's middle to a corner; all round where the lens has no inverse.
 double angle_about(const CameraIntrinsics& camera, const PixelBox& box, Vec3& middle) {
+  // Any angle beyond π means "all bodies".
   const auto centre = unproject(camera, {(box.x0 + box.x1) / 2.0, (box.y0 + box.y1) / 2.0});
   if (!centre) return 4;
   middle = normalised(*centre);
@@ -167,6 +181,7 @@ TagCells tag_cells(int id) {
   TagCells out;
   out.fill(true);
   if (id < 0 || id >= static_cast<int>(kTags.size())) return out;
+  // The outermost ring is the white border, the next the black frame; 6 × 6 cells are within.
   for (std::size_t y = 1; y < 9; ++y) {
     for (std::size_t x = 1; x < 9; ++x) {
       const bool inner = x > 1 && x < 8 && y > 1 && y < 8;
@@ -177,6 +192,7 @@ TagCells tag_cells(int id) {
   return out;
 }
 
+// Tags are measured over the black frame, 8 cells of the sheet's 10.
 std::optional<Vec3> sheet_colour(const TagCells& cells, double side, const PlaneHit& hit) {
   const double sheet = side * 10 / 8;  // a tag is measured without its border
   const double column = (hit.x / sheet + 0.5) * 10, row = (0.5 - hit.y / sheet) * 10;
@@ -186,6 +202,7 @@ std::optional<Vec3> sheet_colour(const TagCells& cells, double side, const Plane
   return light ? kSheetLight : kSheetDark;
 }
 
+// Bent by the lens as everything is: lines of sight come from unproject.
 CameraPicture camera_picture(const SensorScene& scene, const CameraIntrinsics& camera,
                              const Pose& X_WC, int samples) {
   CameraPicture picture(camera, kSky);

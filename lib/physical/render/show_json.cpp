@@ -5,6 +5,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+// What a robot shows travels as JSON in a trace's frames, and is read back when a picture of the
+// trace is drawn. The trace may be somebody else's, so nothing in it is believed: other shapes than
+// those written here are passed over.
 namespace stig {
 
 namespace {
@@ -29,6 +32,7 @@ Vec3 vector_of(const Json& json) {
 void add_arrow(const Vec3& from, const Vec3& to, Rgb colour, std::vector<PictureLine>& lines) {
   lines.push_back({from, to, kWidth, colour, kNearer});
   const Vec3 way = to - from;
+  // The arrow's head lies flat, unless the arrow is upright.
   const Vec3 up = std::abs(way.z) < 0.9 * length(way) ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   const Vec3 side = cross(way, up);
   if (length(side) < 1e-12) return;
@@ -44,14 +48,17 @@ std::string show_json(const UserData& shown, const Pose& X_BR) {
   Json out = Json::object();
   for (const auto& [name, number] : shown.numbers) out["numbers"][name] = number;
   for (const auto& [name, text] : shown.texts) out["texts"][name] = text;
+  // Arrows are in the robot's frame; kept in that of its root body, which a trace has poses of.
   for (const Arrow& arrow : shown.arrows) {
     out["arrows"].push_back(
         {json_of(X_BR * arrow.from), json_of(X_BR * arrow.to), to_color(arrow.rgb)});
   }
+  // Texts of programs need not be UTF-8; what is not is replaced.
   return out.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 std::vector<PictureLine> show_lines(std::string_view json, const Pose& X_WB) {
+  // `false`: no exception, but a value that is no object.
   const Json shown = Json::parse(json, nullptr, false);
   std::vector<PictureLine> out;
   if (!shown.is_object() || !shown.contains("arrows")) return out;

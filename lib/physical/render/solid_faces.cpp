@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+// Convex faces with outward normals, corners counter-clockwise as seen from outside. What is round
+// gets facets that are drawn without edges (`edged`), each with the normal of its middle.
 namespace stig {
 
 namespace {
@@ -43,6 +45,7 @@ std::vector<SolidFace> ball_faces(double radius) {
   for (int j = 0; j < kUp; ++j) {
     for (int i = 0; i < kAround; ++i) {
       SolidFace face{{on_ball(radius, i, j), on_ball(radius, i + 1, j)}, {}, false};
+      // The rows at the poles are triangles; all others have four corners.
       if (j + 1 < kUp) face.corners.push_back(on_ball(radius, i + 1, j + 1));
       if (j > 0 || j + 1 == kUp) face.corners.push_back(on_ball(radius, i, j + 1));
       if (j == 0) face.corners.push_back(on_ball(radius, i, j + 1));
@@ -64,6 +67,7 @@ std::vector<SolidFace> cylinder_faces(double radius, double half) {
   };
   for (int i = 0; i < kAround; ++i) {
     top.corners.push_back(rim(i, half));
+    // Backwards, since the bottom is seen from below.
     bottom.corners.push_back(rim(-i, -half));
     const double a = 2 * std::numbers::pi * (i + 0.5) / kAround;
     out.push_back({{rim(i, -half), rim(i + 1, -half), rim(i + 1, half), rim(i, half)},

@@ -8,6 +8,9 @@
 #include "physical/dynamics/ticks.h"
 #include "physical/robots/crew_history.h"
 
+// The order within a tick is what makes runs repeatable: messages are carried first, then every
+// robot that is due reads the same state of the world, and only then do controllers run and
+// command. So no controller sees what another does in the same tick, whatever their numbers.
 namespace stig {
 
 Crew::Crew(CrewConfig config, const WorldConfig& world)
@@ -19,10 +22,12 @@ Crew::Crew(CrewConfig config, const WorldConfig& world)
       robots_(config_.robots.size()),
       blocks_(config_.blocks.size()) {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
+    // Periods in whole steps of physics.
     robots_[i].period = ticks_in(model(i).control_period, world.step);
   }
 }
 
+// A block that came while the run went on: its signals count as changed, for the trace.
 void Crew::add(CrewBlock block, const Shape& shape) {
   senses_.add_block(blocks_.size(), block, shape);
   signals_.add_block(block, true);
@@ -32,6 +37,7 @@ void Crew::add(CrewBlock block, const Shape& shape) {
 
 void Crew::halt(std::size_t number, std::uint64_t tick) {
   Robot& robot = robots_[number];
+  // Halted once or failed: nothing more to stop.
   if (robot.failed) return;
   robot.halted = true;
   stop(robot);
@@ -40,6 +46,7 @@ void Crew::halt(std::size_t number, std::uint64_t tick) {
 
 void Crew::stop(Robot& robot) {
   robot.failed = true;
+  // Wheels and lift stop, magnets go off; a robot that has failed is no ghost that drives on.
   make_safe(robot.devices);
   robot.commands = {};
 }
@@ -53,6 +60,8 @@ bool Crew::all_failed() const {
          std::all_of(robots_.begin(), robots_.end(), [](const Robot& one) { return one.failed; });
 }
 
+// Do programs fail, where there are any? Halting is a script's decision and no failure. Robots
+// decide where a scene has them.
 bool Crew::programs_failed() const {
   std::size_t robots = 0, blocks = 0;
   bool robots_failed = true, blocks_failed = true;
@@ -71,6 +80,7 @@ bool Crew::programs_failed() const {
 
 BodyId Crew::root_body(std::size_t robot) const {
   return config_.robots[robot].body.bodies[model(robot).root()];
+  // The robot's frame is not that of its root body; the model says how they lie.
 }
 
 Pose Crew::root_pose(std::size_t robot) const {
@@ -94,10 +104,12 @@ std::size_t Crew::block_of(BodyId body) const {
 
 std::vector<CrewLine> Crew::take_log() { return std::exchange(log_, {}); }
 
+// Which robots made a step since it was asked last: their `show` goes into the trace.
 std::vector<std::size_t> Crew::take_stepped() { return std::exchange(stepped_, {}); }
 
 void Crew::before_step(World& world) {
   control(world, world.tick());
+  // Devices act in every step of physics, controllers now and then: motors ramp in between.
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     act(world, model(i), config_.robots[i].body, robots_[i].devices, step_);
   }
@@ -110,12 +122,14 @@ void Crew::control(World& world, std::uint64_t tick) {
   }
   const bool blocks_due = !blocks_.empty() && tick % block_period_ == 0;
   if (due.empty() && !blocks_due) return;
+  // Robots without a working program do not collect messages for ever.
   if (signals_.carry(config_, world)) {
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       if (robots_[i].failed || !config_.robots[i].controller) signals_.forget_heard(i);
     }
   }
   if (!due.empty()) {
+    // One index of all obstacles for all robots that are due: it is what sensing costs.
     const SensorIndex index = senses_.look(config_, world, signals_);
     for (const std::size_t i : due) sense(world, index, i);
   }
@@ -128,6 +142,7 @@ void Crew::sense(const World& world, const SensorIndex& index, std::size_t numbe
   Robot& robot = robots_[number];
   if (robot.failed) return;
   RobotReadings& out = robot.readings;
+  // Ticks of its own controller, not of the world.
   out.tick = world.tick() / robot.period;
   out.time = world.time();
   senses_.sense(config_, world, index, number, out);
@@ -139,6 +154,8 @@ void Crew::sense(const World& world, const SensorIndex& index, std::size_t numbe
 ControllerStatus Crew::call_robot(std::size_t number, RobotCommands& commands) {
   Robot& robot = robots_[number];
   RobotController& controller = *config_.robots[number].controller;
+  // Lists have an entry for each device before the controller sees them, so that it may set one by
+  // its number.
   commands.camera_enabled.resize(model(number).cameras.size());
   commands.sends.resize(model(number).radios.size());
   commands.joints.resize(model(number).actuators.size());
@@ -151,9 +168,11 @@ ControllerStatus Crew::call_robot(std::size_t number, RobotCommands& commands) {
 void Crew::step_robot(World& world, std::size_t number) {
   Robot& robot = robots_[number];
   if (robot.failed || !config_.robots[number].controller) return;
+  // What it is about to read is what it is fed when it is brought back.
   if (config_.resumable) robot.history.add(bytes_of(robot.readings));
   RobotCommands commands;
   const ControllerStatus status = call_robot(number, commands);
+  // The log is kept even of the step that failed.
   say({world.tick(), robot_name(number), root_body(number), {}, false}, commands.log, status);
   stepped_.push_back(number);
   if (!status.ok) return stop(robot);
@@ -179,6 +198,7 @@ ControllerStatus Crew::call_block(std::size_t number, const BlockReadings& readi
   ControllerStatus status;
   if (!std::exchange(blocks_[number].begun, true)) {
     status = config.controller->init(commands);
+    // So it holds against the program's init, which knows of no scene.
     // A colour that the scene gives is one that it was set to before.
     if (config.led != Led::off) commands.all_leds = static_cast<std::uint8_t>(config.led);
   }
@@ -191,6 +211,7 @@ void Crew::step_block(std::uint64_t tick, std::size_t number) {
   const CrewBlock& config = config_.blocks[number];
   if (block.failed || !config.controller) return;
   const BlockReadings readings = block_readings(tick, signals_.take_heard_by_block(number));
+  // Relative times are small numbers: histories of thousands of blocks stay small.
   if (config_.resumable) block.history.add(bytes_of(readings.radios, tick - block.last));
   block.last = tick;
   BlockCommands commands;

@@ -7,6 +7,9 @@
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/range_sensor.h"
 
+// One snapshot of the world a tick, shared by all sensors: shapes and owners are set up once, poses
+// are filled in before each look. Rangefinders must not measure their own robot, nor may a tag be
+// hidden by its own block, so every obstacle has an owner.
 namespace stig {
 
 namespace {
@@ -19,11 +22,13 @@ std::uint32_t robot_owner(std::size_t robot) {
 
 Rgb light_of(Led led) { return led == Led::off ? Rgb{} : rgb_of(led); }
 
+// Cylinders and hulls count as the boxes about them here.
 SightShape sight_of(const Shape& shape) {
   if (shape.kind == ShapeKind::sphere) return sight_sphere(shape.half.x);
   return sight_box(shape.half * 2);
 }
 
+// Blocks are mostly of one shape: thousands of obstacles share it.
 /// The place of a shape among the scene's; a new one is added.
 std::uint32_t shape_of(const Shape& shape, std::vector<SightShape>& shapes) {
   const SightShape made = sight_of(shape);
@@ -44,6 +49,7 @@ RobotSenses senses_of(const RobotModel& model) {
   }
   out.enabled.assign(model.cameras.size(), false);
   out.late_cameras.resize(model.cameras.size());
+  // All rangefinders are read together, and so are late together.
   out.late_ranges.resize(1);
   return out;
 }
@@ -63,6 +69,7 @@ CrewSenses::CrewSenses(const CrewConfig& config, const WorldConfig& world) {
   for (const BlockModel& model : config.models) {
     scene_.kinds.push_back(cube_marks({model.side, model.tags.side, model.tags.proud,
                                        model.leds.offset, model.tags.widest, model.leds.widest}));
+    // Bodies that belong to neither block nor robot are obstacles that nobody owns.
   }
   std::vector<std::uint32_t> owners(world.bodies.size(), kNobody);
   for (std::size_t i = 0; i < config.blocks.size(); ++i) {
@@ -90,6 +97,7 @@ void CrewSenses::add_block(std::size_t number, const CrewBlock& block, const Sha
 
 void CrewSenses::place(SensorScene& scene, const CrewConfig& config, const World& world,
                        const CrewSignals& signals) const {
+  // Bodies that have left keep their last pose, outside of the arena.
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
     scene.obstacles[i].X_WS = world.state(obstacle_bodies_[i]).X_WB;
   }
@@ -100,6 +108,7 @@ void CrewSenses::place(SensorScene& scene, const CrewConfig& config, const World
     marked.kind = static_cast<std::uint32_t>(config.blocks[i].model);
     marked.X_WB = world.state(config.blocks[i].body).X_WB;
     marked.leds.clear();
+    // In a scene without lights no LED shines, whatever blocks command.
     if (!config.lights) continue;
     for (const Led led : signals.leds(i)) marked.leds.push_back(light_of(led));
   }
@@ -125,6 +134,7 @@ void CrewSenses::sense(const CrewConfig& config, const World& world, const Senso
   RobotSenses& senses = robots_[number];
   out.cameras.resize(model.cameras.size());
   for (std::size_t i = 0; i < model.cameras.size(); ++i) {
+    // A reading is handed out `latency` ticks after it was taken.
     out.cameras[i] = senses.late_cameras[i].pass(see(config, world, index, number, i),
                                                  robot.camera_noise.latency);
     if (senses.enabled[i]) continue;
@@ -135,6 +145,7 @@ void CrewSenses::sense(const CrewConfig& config, const World& world, const Senso
   }
   out.rangefinders =
       senses.late_ranges[0].pass(feel(config, world, index, number), robot.range_noise.latency);
+  // In the first ticks, while readings are late.
   // Nothing has arrived yet: as if nothing were in reach.
   for (std::size_t i = out.rangefinders.size(); i < model.rangefinders.size(); ++i) {
     out.rangefinders.push_back({without_hit(model.rangefinders[i]), 0});
@@ -149,6 +160,7 @@ CameraReading CrewSenses::see(const CrewConfig& config, const World& world,
   const Pose X_WC = camera_pose(world, robot, camera);
   CameraReading out;
   if (senses.enabled[camera]) {
+    // Addressed noise: what one sensor draws does not depend on what others do.
     const NoiseAddress address{config.seed, static_cast<std::uint32_t>(number),
                                static_cast<std::uint32_t>(camera), world.tick()};
     const CameraView& view = senses.views[camera];
@@ -156,6 +168,7 @@ CameraReading CrewSenses::see(const CrewConfig& config, const World& world,
   }
   out.enabled = senses.enabled[camera];
   out.timestamp = world.time();
+  // Where the camera stands, for cameras that ride on a lift; robots know their own joints.
   out.X_RC = inverse(pose_of(world, *robot.model, robot.body)) * X_WC;
   return out;
 }
@@ -168,6 +181,8 @@ std::vector<RangeReading> CrewSenses::feel(const CrewConfig& config, const World
   for (std::size_t i = 0; i < model.rangefinders.size(); ++i) {
     const RangeDevice& device = model.rangefinders[i];
     const NoiseAddress address{config.seed, static_cast<std::uint32_t>(number),
+                               // Cameras come first among a robot's sensors, for the addresses of
+                               // their noise.
                                static_cast<std::uint32_t>(model.cameras.size() + i), world.tick()};
     out.push_back({read_range(index, device, pose_of(world, robot.body, device.body),
                               robot_owner(number), robot.range_noise, address),
@@ -183,6 +198,7 @@ void CrewSenses::obey(std::size_t robot, const RobotCommands& commands) {
   }
 }
 
+// For checkpoints, whose bytes are untrusted.
 bool CrewSenses::fits(const CrewConfig& config) const {
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     const CrewRobot& robot = config.robots[i];

@@ -6,10 +6,14 @@
 
 #include "physical/sensors/radio_medium.h"
 
+// Radios and LEDs. Messages lie in outboxes until the next control tick, are carried all at once,
+// and lie in inboxes until their reader's next step. Most blocks say and hear nothing for most of a
+// run: `quiet` and `sends_` keep them from costing anything.
 namespace stig {
 
 namespace {
 
+// North, east, south, west, top and bottom, in the block's frame.
 /// Middles of a cube's faces, as its radios are numbered: see cube_marks.
 constexpr std::array<Vec3, kBlockRadios> kFaceNormals = {
     Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}};
@@ -25,6 +29,7 @@ bool has_radios(const Mailbox& mail, std::size_t radios) {
   return mail.inbox.size() == radios && mail.outbox.size() == radios;
 }
 
+// In the order in which outboxes are emptied.
 /// The radios of robots, then those of blocks.
 std::vector<Radio> radios_of(const CrewConfig& config, const World& world) {
   std::vector<Radio> out;
@@ -36,6 +41,7 @@ std::vector<Radio> radios_of(const CrewConfig& config, const World& world) {
   for (const CrewBlock& block : config.blocks) {
     const Pose X_WB = world.state(block.body).X_WB;
     const BlockModel& model = config.models[block.model];
+    // A radio sits behind its face, not on it.
     const double reach = model.side / 2 - model.radios.depth;
     for (const Vec3& normal : kFaceNormals) {
       out.push_back({X_WB * (normal * reach), model.radios.range});
@@ -63,6 +69,7 @@ void CrewSignals::add_block(const CrewBlock& block, bool changed) {
 Led CrewSignals::colour(std::size_t block) const {
   std::array<int, 5> shown{};
   for (const Led led : blocks_[block].leds) ++shown[static_cast<std::size_t>(led)];
+  // The colour that most LEDs show; among equals the smallest, which is dark.
   return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
 }
 
@@ -83,6 +90,7 @@ std::vector<std::size_t> CrewSignals::take_changed() {
 
 bool CrewSignals::carry(const CrewConfig& config, const World& world) {
   if (!sends_) return false;
+  // Emptied even where nobody hears: a message not heard at once is lost, as in air.
   std::vector<std::vector<Message>> sends;
   const auto send_all = [&sends](Mailbox& mail) {
     for (auto& messages : mail.outbox) sends.push_back(std::exchange(messages, {}));
@@ -109,10 +117,12 @@ bool CrewSignals::carry(const CrewConfig& config, const World& world) {
 }
 
 std::vector<std::vector<Message>> CrewSignals::take_heard(std::size_t robot) {
+  // A list for each radio stays, empty.
   auto& inbox = robots_[robot].inbox;
   return std::exchange(inbox, std::vector<std::vector<Message>>(inbox.size()));
 }
 
+// Quiet: nothing came since, and the inbox is as it was left.
 std::vector<std::vector<Message>> CrewSignals::take_heard_by_block(std::size_t number) {
   BlockSignals& block = blocks_[number];
   if (block.quiet) return block.mail.inbox;
@@ -131,6 +141,8 @@ void CrewSignals::send(std::size_t robot, const std::vector<std::vector<Message>
   for (const auto& some : mail.outbox) sends_ = sends_ || !some.empty();
 }
 
+// Colours that do not exist, and LEDs that a block does not have, are passed over: commands of a
+// program may say anything.
 void CrewSignals::apply(std::size_t number, const BlockCommands& commands) {
   BlockSignals& block = blocks_[number];
   const auto before = block.leds;

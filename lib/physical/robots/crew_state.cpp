@@ -10,12 +10,14 @@
 
 namespace stig {
 
+// Histories and checkpoints take these bytes; their order is a format (base/byte_members.h).
 std::string bytes_of(const RobotReadings& readings) {
   BytesOut out;
   each_member(out, readings);
   return out.take();
 }
 
+// The lowest bit says whether a list follows: idle blocks take a byte or two a step.
 std::string bytes_of(const std::vector<std::vector<Message>>& inbox, std::uint64_t since) {
   BytesOut out;
   const bool any =
@@ -41,6 +43,8 @@ void take_inbox(ByteReader& in, std::vector<std::vector<Message>>& inbox, std::u
   if (inbox.size() != radios) in.fail();
 }
 
+// One list of members for both directions, so what is written can be read. Numbers of robots and
+// blocks are known from the scene and only compared.
 void Crew::crew_members(auto& each, auto& crew) {
   CrewSignals::common_members(each, crew.signals_);
   each.known(crew.robots_.size());
@@ -65,6 +69,7 @@ void Crew::histories(auto& each, auto& crew) {
   for (auto& block : crew.blocks_) each_member(each, block.history);
 }
 
+// Compared in traces and hashed: no histories, which say nothing of what comes.
 std::string Crew::state() const {
   BytesOut out;
   crew_members(out, *this);
@@ -72,6 +77,7 @@ std::string Crew::state() const {
 }
 
 std::string Crew::checkpoint() const {
+  // Without histories nothing could be brought back.
   assert(config_.resumable);
   BytesOut out;
   out(state());
@@ -88,15 +94,19 @@ bool Crew::fits() const {
   return senses_.fits(config_) && signals_.fits(config_);
 }
 
+// A controller's state cannot be saved, so it is made again and fed what the last one read; what it
+// commands on the way is thrown away, but for the last step's.
 /// Feeds its program what it has read.
 bool Crew::bring_back_robot(std::size_t number) {
   Robot& robot = robots_[number];
   const RobotModel& devices = model(number);
+  // Restored by the history itself: begun iff there was a step.
   const bool begun = std::exchange(robot.begun, false);
   const bool good = robot.history.each([&](ByteReader& in) {
     robot.readings = take_readings(in);
     if (!in.good() || !config_.robots[number].controller) return false;
     const RobotReadings& r = robot.readings;
+    // Bytes of a checkpoint are untrusted: sizes must be those of the robot.
     if (r.cameras.size() != devices.cameras.size() || r.radios.size() != devices.radios.size() ||
         r.rangefinders.size() != devices.rangefinders.size() ||
         r.joints.size() != devices.actuators.size()) {
@@ -128,6 +138,7 @@ bool Crew::bring_back_block(std::size_t number) {
   return good && block.begun == begun && block.last == tick;
 }
 
+// Members first, all of them, then the histories.
 bool Crew::resume(std::string_view checkpoint) {
   ByteReader whole(checkpoint);
   ByteReader in(whole.block());

@@ -5,6 +5,9 @@
 
 #include "base/packed.h"
 
+// Everything that a controller has read in a run, compressed in chunks: similar readings follow
+// each other, and a chunk is packed once it is full, so memory grows by what zstd leaves of it. The
+// last chunk stays open.
 namespace stig {
 
 namespace {
@@ -13,6 +16,7 @@ constexpr std::size_t kChunk = std::size_t{1} << 16;
 /// One record may be long: as many messages as there are senders.
 constexpr std::size_t kMostChunk = std::size_t{1} << 28;
 
+// Records carry no length: their reader knows where each ends, or has failed.
 bool read_all(std::string_view bytes, const std::function<bool(ByteReader&)>& next) {
   ByteReader in(bytes);
   while (in.left() > 0) {

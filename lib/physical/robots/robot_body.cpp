@@ -6,13 +6,18 @@
 
 #include "robots/block.h"
 
+// From a robot's description to bodies, joints and electromagnets of a world, and from devices'
+// commands to motors. Bodies and joints of one robot are numbered in one piece, in the order of its
+// file, so that places in the model are places in RobotBody.
 namespace stig {
 
 namespace {
 
+// Wheels of rubber and casters of steel, on the floor.
 constexpr double kWheelGrip = 0.9, kCasterGrip = 0.02;
 
 Shape shape_of(const BodyModel& body) {
+  // A wheel that rolls as a ball touches at one point, whose friction its axle then parts.
   if (body.shape == ShapeType::sphere || body.rolls_as_sphere) {
     return Shape::sphere(body.size.x / 2);
   }
@@ -33,6 +38,7 @@ BodyDef body_def(const BodyModel& body, const Pose& X_WR, Materials& materials) 
 }
 
 DofDef dof_def(const AxisModel& axis) {
+  // In the order of the model's own enumeration.
   constexpr Actuator kModes[] = {Actuator::none, Actuator::velocity, Actuator::position,
                                  Actuator::force};
   DofDef dof;
@@ -51,6 +57,7 @@ JointDef joint_def(const JointModel& joint, const RobotModel& robot, std::uint32
   JointDef def;
   def.parent = first + static_cast<std::uint32_t>(joint.parent);
   def.child = first + static_cast<std::uint32_t>(joint.child);
+  // Both frames of a joint are at the joint, as the robot stands in its file.
   def.X_PJ = inverse(robot.bodies[joint.parent].X_RB) * joint.X_RJ;
   def.X_CJ = inverse(robot.bodies[joint.child].X_RB) * joint.X_RJ;
   for (const AxisModel& axis : joint.axes) def.dofs.push_back(dof_def(axis));
@@ -60,6 +67,7 @@ JointDef joint_def(const JointModel& joint, const RobotModel& robot, std::uint32
 void add_poles(WorldConfig& config, const MagnetCircuitModel& magnets, std::uint32_t first,
                RobotBody& out) {
   for (const MagnetCircuitModel::Pole& pole : magnets.poles) {
+    // Fixed poles of iron: passive moments pull blocks, the current adds to them or takes away.
     auto& on = config.bodies[first + pole.body].magnets;
     MagnetDef def;
     def.p_B = pole.p_B;
@@ -73,6 +81,7 @@ void add_poles(WorldConfig& config, const MagnetCircuitModel& magnets, std::uint
 }
 
 void add_friction(WorldConfig& config, Material a, Material b, double coefficient) {
+  // What a scene says of two materials is not overruled.
   const bool known = std::any_of(
       config.frictions.begin(), config.frictions.end(), [a, b](const FrictionPair& pair) {
         return (pair.a == a && pair.b == b) || (pair.a == b && pair.b == a);
@@ -119,6 +128,7 @@ RobotBody add_robot(WorldConfig& config, const RobotModel& robot, const Pose& X_
     config.joints.push_back(joint_def(joint, robot, first));
   }
   if (robot.magnets) add_poles(config, *robot.magnets, first, out);
+  // Every world with a robot knows these two pairs, whether it has such wheels or not.
   add_friction(config, materials.number("wheel"), kFloorMaterial, kWheelGrip);
   add_friction(config, materials.number("caster"), kFloorMaterial, kCasterGrip);
   return out;
@@ -132,18 +142,21 @@ void command(RobotDevices& devices, const RobotModel& robot, const RobotCommands
   if (robot.magnets && commands.discharge) devices.magnets.mode = *commands.discharge;
   devices.joints.resize(robot.actuators.size());
   const std::size_t count = std::min(devices.joints.size(), commands.joints.size());
+  // NaN is no command.
   for (std::size_t i = 0; i < count; ++i) {
     const auto& target = commands.joints[i];
     if (target && std::isfinite(*target)) devices.joints[i] = *target;
   }
 }
 
+// Joints keep their targets: an arm that let go would fall.
 void make_safe(RobotDevices& devices) {
   devices.drive.left_target = devices.drive.right_target = 0;
   devices.lift.mode = LiftMode::rest;
   devices.magnets.mode = Discharge::disable;
 }
 
+// Devices first move by their own dynamics (ramps, charge), then motors get targets.
 void act(World& world, const RobotModel& robot, const RobotBody& body, RobotDevices& devices,
          double dt) {
   if (robot.drive) {
@@ -192,6 +205,7 @@ Pose pose_of(const World& world, const RobotBody& body, std::size_t place) {
   return world.state(body.bodies[place]).X_WB;
 }
 
+// The robot's frame from its root body's pose, which is the one that moves.
 Pose pose_of(const World& world, const RobotModel& robot, const RobotBody& body) {
   const std::size_t root = robot.root();
   return pose_of(world, body, root) * inverse(robot.bodies[root].X_RB);
