@@ -3,6 +3,7 @@
 
 #include "physical/scene/lua_programs.h"
 
+// Two functions of lua_programs.h as they are: null for who has no program.
 namespace stig {
 
 ControllerFactory lua_controllers() { return {robot_program, block_program}; }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physical/scene/lua_programs.h"
 
+// Programs run under limits and with random streams of their own. What tells the streams of one run
+// apart is an agent's number: robots from 0, then blocks by their bodies, and the script at the
+// end.
 namespace stig {
 
 namespace {
@@ -12,6 +15,7 @@ constexpr std::uint32_t kScriptAgent = 0xffffff;  ///< beyond all robots and blo
 std::unique_ptr<LuaController> robot_program(const Scene& scene, const PlacedScene& placed,
                                              std::size_t robot) {
   const RobotSpawn& spawn = scene.robots[robot];
+  // A robot without a program stands where it is.
   if (spawn.program == RobotSpawn::kNoProgram) return nullptr;
   LuaSettings settings;
   settings.id = spawn.name;
@@ -28,6 +32,7 @@ std::unique_ptr<LuaBlockController> block_program(const Scene& scene, const Plac
   if (program == RobotSpawn::kNoProgram) return nullptr;
   LuaSettings settings;
   settings.id = placed.bodies[body].name;
+  // Thousands of blocks fit into memory only with small states.
   settings.limits = block_limits();
   settings.seed = placed.seed;
   // Robots' streams begin at 0.
@@ -39,6 +44,7 @@ std::optional<LuaScript> script_of(const Scene& scene, const PlacedScene& placed
   if (scene.script == RobotSpawn::kNoProgram) return std::nullopt;
   LuaSettings settings;
   settings.id = "script";
+  // A script looks at all blocks in one call.
   settings.limits.instructions *= 10;
   settings.seed = placed.seed;
   settings.agent = kScriptAgent;

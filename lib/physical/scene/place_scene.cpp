@@ -11,12 +11,18 @@
 #include "base/text.h"
 #include "physical/scene/scene.h"
 
+// Generators are worked out here and nowhere else: what a World gets is a plain list of bodies.
+// Everything that is random is a function of the seed, the entry and the block's number, so that an
+// entry which is added to a scene moves no block of another. Body numbers follow the file: blocks
+// entry by entry, then robots, then what caches and scripts may drop.
 namespace stig {
 
 namespace {
 
 constexpr std::size_t kMostBlocks = 20'000;
 constexpr std::size_t kMostReported = 20;
+// With magnets that hold and floors that carry, bodies at rest overlap by about the solver's slop;
+// begun apart they would first fall.
 constexpr double kInto = 10e-6;  ///< m, that neighbours overlap: as they would lie at rest
 constexpr double kTurn = 2 * 3.14159265358979323846;
 
@@ -80,6 +86,7 @@ std::vector<Pose> grid_poses(const BlockSpawn& spawn, double side, std::uint64_t
         p.x += noise() * spawn.jitter;
         p.y += noise() * spawn.jitter;
         Vec3 axis{noise(), noise(), noise()};
+        // A vector in the cube is shortened to the ball: an angle is never more than `tumble`.
         axis *= 1 / std::max(1.0, length(axis));
         out.push_back({p, normalised(rotation(axis * spawn.tumble))});
       }
@@ -109,6 +116,7 @@ class Scatter {
 
  private:
   std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / least_)); }
+  // 21 bits a coordinate: cells of centimetres in an arena of a kilometre.
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     const auto bits = [](std::int64_t v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
     return bits(x) << 42 | bits(y) << 21 | bits(z);
@@ -116,6 +124,7 @@ class Scatter {
   bool near(std::uint64_t key, const Vec3& p) const {
     const auto found = cells_.find(key);
     return found != cells_.end() &&
+           // Only membership is asked, so the order of an unordered map never shows.
            std::any_of(found->second.begin(), found->second.end(),
                        [&](const Vec3& o) { return squared(o - p) < least_ * least_; });
   }
@@ -125,6 +134,7 @@ class Scatter {
 };
 
 /// Half of the least distance between centres at which two blocks so turned are apart.
+// Upright cubes on one level need the diagonal of a square between them, any others that of a cube.
 double clearance(ScatterTurn turned, const Vec3& size, double side) {
   const bool flat = size.z < side && turned != ScatterTurn::any;
   return side / 2 * std::sqrt(flat ? 2.0 : 3.0) * 1.001;
@@ -157,6 +167,7 @@ std::vector<Pose> scatter_poses(const BlockSpawn& spawn, double side, std::uint6
   return out;
 }
 
+// Checked before any list is made: counts come from a file and multiply.
 /// Without making them: how many blocks an entry asks for.
 std::size_t count_of(const BlockSpawn& spawn) {
   if (spawn.kind == SpawnKind::poses) return spawn.poses.size();
@@ -202,6 +213,7 @@ class Placer {
   void add_entry(std::size_t entry) {
     const BlockSpawn& spawn = scene_.blocks[entry];
     const std::vector<Pose> poses = poses_of(entry);
+    // count_of bounds a pyramid from above, by its layers alone.
     if (spawn.kind == SpawnKind::scatter && poses.size() < count_of(spawn)) {
       out_.add(
           Code::S605, spawn.range,
@@ -339,6 +351,7 @@ class Placer {
       out_.add(Code::S609, robots ? scene_.robots.front().range : first_range(), problem.what);
     } else if (problem.bodies.size() == 1) {
       const std::uint32_t body = problem.bodies[0];
+      // find_problems says the first part of a sentence; these are two of its phrases.
       const Code code = problem.what == "is outside of the arena" ? Code::S602
                         : problem.what == "is in the floor"       ? Code::S603
                                                                   : Code::S609;

@@ -10,6 +10,9 @@
 
 #include "base/degree.h"
 
+// Six numbers a line, as spreadsheets write them; numbers by std::from_chars, which knows no
+// locale. A first line of column names is taken for what it is, anything else that is no row is an
+// error: a pose that is passed over in silence would be missing.
 namespace stig {
 
 namespace {
@@ -27,6 +30,7 @@ std::optional<std::array<double, 6>> row_of(std::string_view line) {
   std::array<double, 6> row{};
   for (std::size_t i = 0; i < row.size(); ++i) {
     const std::size_t comma = line.find(',');
+    // The last field has no comma behind it, all others have.
     if ((comma == std::string_view::npos) != (i + 1 == row.size())) return std::nullopt;
     const std::string_view field = trimmed(line.substr(0, comma));
     const char* end = field.data() + field.size();
@@ -59,6 +63,7 @@ SourceRange range_of_line(const SourceRef& source, std::size_t number) {
 
 Quat turned(const Vec3& degrees_zyx) {
   const Vec3 a = degrees_zyx * kDegree;
+  // Intrinsic turns, so that factors stand in the order in which they are made.
   return normalised(rotation({0, 0, a.x}) * rotation({0, a.y, 0}) * rotation({a.z, 0, 0}));
 }
 
@@ -70,6 +75,7 @@ std::optional<std::vector<Pose>> read_poses_file(SourceRef source, Diagnostics& 
     if (is_idle(line)) continue;
     const bool may_name_columns = std::exchange(first, false);
     const auto row = row_of(line);
+    // The limit is checked where the row is good, for a message of its own.
     if (row && poses.size() < kMostPoses) {
       const auto& [x, y, z, rz, ry, rx] = *row;
       poses.push_back({{x, y, z}, turned({rz, ry, rx})});

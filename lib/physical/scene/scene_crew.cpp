@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physical/scene/scene_crew.h"
 
+// The crew is what acts in a world: it takes the scene's robots and blocks with what their
+// controllers, sensors and radios need, and points into the scene, which outlives it.
 namespace stig {
 
 CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t body,
@@ -8,6 +10,7 @@ CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t 
   CrewBlock out;
   out.name = placed.bodies[body].name;
   out.body = BodyId{static_cast<std::uint32_t>(body)};
+  // The colour of the scene's file is what a block shows before its program says otherwise.
   out.led = placed.bodies[body].colour;
   out.model = block_model(scene, placed, body);
   if (controllers.block) out.controller = controllers.block(scene, placed, body);

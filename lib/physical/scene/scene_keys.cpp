@@ -3,6 +3,9 @@
 
 #include "physical/scene/scene.h"
 
+// The one list of a scene's keys: the reader checks against it, the JSON Schema is written from it,
+// and docs/simulate.md is held to it by a test. Bounds are there so that no file can ask for more
+// than a machine has, and so that units mistaken (mm for m) are noticed.
 namespace stig {
 
 namespace {
@@ -17,6 +20,7 @@ constexpr double kMostSeconds = 1e7;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
+// Helpers for the common kinds of keys, in the words of base/form.h.
 FormKey real(std::string_view name, std::string_view doc, double low, double high) {
   return {.name = name, .kind = number, .doc = doc, .low = low, .high = high};
 }
@@ -27,6 +31,7 @@ FormKey whole(std::string_view name, std::string_view doc, double low, double hi
   return {.name = name, .kind = integer, .doc = doc, .low = low, .high = high};
 }
 FormKey vector(std::string_view name, std::string_view doc, double low, double high) {
+  // Vectors have exactly three numbers.
   return {
       .name = name, .kind = numbers, .doc = doc, .low = low, .high = high, .least = 3, .most = 3};
 }
@@ -38,6 +43,7 @@ FormKey word(std::string_view name, std::string_view doc, std::vector<std::strin
 }
 
 const Form& friction_pair_keys() {
+  // Forms are static and made when first asked for, in the order in which they need each other.
   static const Form kKeys{"pair of materials",
                           {
                               {.name = "of",
@@ -214,6 +220,7 @@ const Form& noise_keys() {
 
 const Form& scene_keys() {
   static const Form kKeys{
+      // 2^53: a seed beyond could not be written in YAML or JSON without loss.
       "scene",
       {
           {.name = "stigc_scene",

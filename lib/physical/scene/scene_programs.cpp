@@ -9,6 +9,9 @@
 
 #include "physical/scene/lua_programs.h"
 
+// Programs are loaded and their init run before a long simulation begins: a slip in a program, or a
+// step that is called steps, is told at its line like an error in the scene. They run in boxes that
+// are thrown away, so that the run itself begins afresh.
 namespace stig {
 
 namespace {
@@ -22,6 +25,7 @@ std::string module_path(const LuaProgram& program, const std::string& name) {
 
 /// The program's own file, or that of a module, by what messages call it; null: another.
 SourceRef file_of(const LuaProgram& program, const std::string& name) {
+  // Messages shorten long paths to their last part.
   const auto is = [&](const std::string& path) {
     return path == name || path.ends_with("/" + name);
   };
@@ -36,6 +40,7 @@ SourceRef file_of(const LuaProgram& program, const std::string& name) {
 }
 
 /// The line without the spaces around it; of no line, the file's beginning.
+// From the first to the last letter, for the caret.
 SourceRange line_of(SourceRef file, std::size_t line) {
   const std::string_view text = file->line(line);
   const auto first = std::min(text.find_first_not_of(" \t"), text.size());
@@ -61,11 +66,13 @@ class ProgramCheck {
   }
 
  private:
+  // Robots of one program, model and parameters fail alike: one is tried for all of them.
   void try_robot(std::size_t robot) {
     const RobotSpawn& spawn = scene_.robots[robot];
     if (spawn.program == RobotSpawn::kNoProgram || tried_.size() == kMostTries) return;
     if (!tried_.emplace(spawn.program, spawn.model, spawn.params).second) return;
     RobotCommands commands;
+    // As the run prepares them, since a program may set one by its number.
     commands.camera_enabled.resize(scene_.robot_models[spawn.model].cameras.size());
     commands.sends.resize(scene_.robot_models[spawn.model].radios.size());
     commands.joints.resize(scene_.robot_models[spawn.model].actuators.size());
@@ -96,6 +103,7 @@ class ProgramCheck {
   }
 
   /// Once for a program, whoever has it and however often it fails.
+  // Where a program's text is not at hand, the scene's own line has to do.
   void report(std::size_t program, Code code, const LuaFailure& failure) {
     if (!reported_.insert(program).second) return;
     const LuaProgram& text = scene_.programs[program];

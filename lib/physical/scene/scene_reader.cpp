@@ -13,14 +13,21 @@
 #include "physical/scene/scene_keys.h"
 #include "robots/robot_reader.h"
 
+// From nodes to a Scene. The table of keys (scene_keys.cpp) has been checked before, so kinds and
+// ranges of values hold here; what is left are questions between keys and between files: kinds of
+// entries, keys without use, names of materials. Every file that is read is kept in `files`, by the
+// name by which the scene calls it, so that a trace or checkpoint can run the scene again without
+// any of them.
 namespace stig {
 
 namespace {
 
+// A pose file of the largest scene has about 2 MiB.
 constexpr std::size_t kMaxFileBytes = std::size_t{1} << 22;  ///< of blocks and poses
 constexpr std::size_t kMostModules = 64;                     ///< of one program
 constexpr std::string_view kDefaultBlock = "stigmergic.yaml";
 
+// Numbers follow the first mention, so the same file gives the same numbers.
 /// The number of a material; a name seen for the first time gets the next.
 Material material_of(const std::string& name, std::vector<std::string>& names) {
   const auto known = std::find(names.begin(), names.end(), name);
@@ -36,6 +43,7 @@ void read_friction(const FormView& table, Scene& scene) {
     const auto of = pair.names("of");
     if (scene.materials.size() > 250) return;  // of 256 there can be
     const Material a = material_of(of[0], scene.materials), b = material_of(of[1], scene.materials);
+    // A pair that is listed again replaces the default, whichever way round it is written.
     std::erase_if(config.frictions, [a, b](const FrictionPair& p) {
       return (p.a == a && p.b == b) || (p.a == b && p.b == a);
     });
@@ -46,12 +54,14 @@ void read_friction(const FormView& table, Scene& scene) {
 /// Names of materials that nothing in the scene is made of are slips.
 void check_friction(const FormView& table, const Scene& scene, const YamlDocument& document,
                     Diagnostics& out) {
+  // Materials that robots of the scene do not have are still known names.
   std::set<std::string_view> made{"block", "floor", "robot", "wheel", "caster"};
   for (const RobotModel& robot : scene.robot_models) {
     for (const BodyModel& body : robot.bodies) made.insert(body.material);
   }
   const std::vector<std::string_view> known(made.begin(), made.end());
   std::map<std::set<std::string>, FormView> pairs;
+  // By set: the order of the two does not matter.
   for (const FormView& pair : table.forms("pairs")) {
     const YamlNode* of = pair.find("of");
     const auto names = pair.names("of");
@@ -95,6 +105,7 @@ struct KindKey {
   std::string_view key;
   SpawnKind kind;
 };
+// Keys that say what an entry is; at most one of them may be there.
 constexpr KindKey kStructureKeys[] = {{"column", SpawnKind::column},   {"wall", SpawnKind::wall},
                                       {"pyramid", SpawnKind::pyramid}, {"grid", SpawnKind::grid},
                                       {"scatter", SpawnKind::scatter}, {"poses", SpawnKind::poses}};
@@ -110,6 +121,7 @@ class Reader {
          Diagnostics& out)
       : document_(document), bad_(bad), load_(load), out_(out) {}
 
+  // Robots before programs of blocks: whether blocks run programs depends on there being robots.
   Scene read() {
     const FormView root(document_.root, bad_);
     scene_.source = document_.source;
@@ -142,6 +154,7 @@ class Reader {
     config.floor = root.flag("floor", config.floor);
     if (root.text("solver", "fast") == "stock") config.solver = SolverKind::stock;
     scene_.sweeps = static_cast<int>(root.number("sweeps"));
+    // The paper's coefficients; files of blocks say others only to the compiler.
     config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2},
                         {kBlockMaterial, kFloorMaterial, 0.4}};
     read_friction(root.form("friction"), scene_);
@@ -155,6 +168,7 @@ class Reader {
       scene_.script = program_of(*script, script->text);
       scene_.stock = static_cast<std::size_t>(root.number("stock"));
     }
+    // One kind of stock for a scene: bodies that come later have no entry to ask.
     if (!scene_.caches.empty()) {
       scene_.stock_model = scene_.caches.front().model;
     } else if (scene_.stock > 0) {
@@ -191,6 +205,7 @@ class Reader {
     spawn.velocity = node.vector("velocity");
     spawn.spin = node.vector("spin") * kDegree;
     read_structure(node, spawn);
+    // Only now that `fixed` is known.
     for (const char* key : {"velocity", "spin"}) {
       const YamlNode* value = node.find(key);
       if (!spawn.fixed || value == nullptr) continue;
@@ -278,6 +293,7 @@ class Reader {
   }
 
   /// `common`: the program of robots whose entry names none, before that of their file.
+  // An entry's own program, the scene's, the robot file's: the first that there is.
   void read_robot_entry(const FormView& node, const YamlNode* common) {
     RobotSpawn spawn;
     spawn.range = document_.head(node.node());
@@ -301,6 +317,7 @@ class Reader {
     add_robots(node, spawn);
   }
 
+  // Rows about the entry's place; names are numbered over the whole scene.
   void add_robots(const FormView& node, const RobotSpawn& spawn) {
     const auto grid = node.numbers("grid");
     if (grid.size() != 2) return scene_.robots.push_back(spawn);
@@ -327,6 +344,7 @@ class Reader {
         out_.add(Code::R103, document_.head(value),
                  "a parameter is a number, a text, or true or false");
         continue;
+        // Quotes make a text of anything, as in YAML.
       }
       const bool plain = value.style == YamlStyle::plain;
       if (const auto number = number_of(value)) {
@@ -371,6 +389,7 @@ class Reader {
     scene_.range_noise.latency = static_cast<int>(node.number("range_latency"));
   }
 
+  // A file that failed is remembered as such, and reported once.
   std::optional<std::size_t> robot_model_of(const YamlNode& key) {
     for (const auto& [known, model] : robot_models_) {
       if (known == key.text) return model;
@@ -386,6 +405,8 @@ class Reader {
     return model;
   }
 
+  // Programs are known by the name that the scene has for them: one state of text each, however
+  // many robots run it.
   std::size_t program_of(const YamlNode& node, const std::string& name) {
     for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
       if (scene_.programs[i].path == name) return i;
@@ -401,6 +422,7 @@ class Reader {
 
   /// What a program requires comes with the scene, so that traces can run it again. A file that
   /// is not there is the program's business: it may ask for it in vain.
+  // Depth is bounded by the number of modules, each of which is taken once.
   void add_modules(LuaProgram& program, const std::string& text) {
     for (const std::string& name : required_names(text)) {
       const bool known = std::any_of(program.modules.begin(), program.modules.end(),
@@ -409,6 +431,7 @@ class Reader {
       const std::string path =
           program.path.substr(0, program.path.rfind('/') + 1) + module_file(name);
       FileError error;
+      // Not `load`: a file that is missing here is no error.
       const auto module = load_(path, kMostLuaSource, error);
       if (!module) continue;
       const bool kept = std::any_of(scene_.files.begin(), scene_.files.end(),
@@ -429,6 +452,7 @@ class Reader {
     std::optional<std::size_t> model;
     if (auto source = load(key == nullptr ? node.node() : *key, name)) {
       if (auto block = read_block(std::move(source), out_)) {
+        // Without an offset a block has no magnets (BlockModel::has_magnets).
         if (!magnets_) block->magnet_offset = 0;
         model = scene_.models.size();
         scene_.models.push_back(std::move(*block));
@@ -461,6 +485,7 @@ class Reader {
 }  // namespace
 
 SceneLoader disk_loader(std::string scene_folder, std::vector<std::string> folders) {
+  // Beside the scene first, so that a user's file goes before one that ships.
   folders.insert(folders.begin(), std::move(scene_folder));
   return [folders](const std::string& name, std::size_t most, FileError& error) {
     const auto path_in = [&name](const std::string& folder) {
@@ -472,6 +497,7 @@ SceneLoader disk_loader(std::string scene_folder, std::vector<std::string> folde
         return read_file(path_in(folder), most, error);
       }
     }
+    // What it says when it is nowhere: the message names the first place.
     return read_file(path_in(folders.front()), most, error);
   };
 }
@@ -491,6 +517,7 @@ std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
                                 Diagnostics& diagnostics) {
   Diagnostics own;
   std::optional<Scene> scene;
+  // At most 8 levels deep and 200,000 nodes.
   const auto document = parse_yaml(std::move(source), {kMaxSceneBytes, 8, 200'000}, own);
   if (document) {
     const BadNodes bad = check_form(*document, scene_keys(), own);

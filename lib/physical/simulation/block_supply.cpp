@@ -5,6 +5,9 @@
 
 #include "physical/simulation/run_state.h"
 
+// Blocks that are dropped become bodies of the world at once. The trace, the reader of the scene
+// and checkpoints know them in advance by their names and their order (place_scene.cpp), so only
+// counts have to be saved.
 namespace stig {
 
 namespace {
@@ -17,6 +20,7 @@ AddResult add_block(RunState& run, const Pose& X_WB) {
   return added;
 }
 
+// On the floor: what lies under the cache counts, at whatever height.
 bool blocks_near(const RunState& run, const CacheSpawn& cache) {
   for (std::uint32_t i = 0; i < run.world.size(); ++i) {
     if (!run.placed.bodies[i].block) continue;
@@ -40,6 +44,7 @@ AddResult BlockSupply::drop(RunState& run, const Pose& X_WB, bool& used_up) {
 }
 
 void BlockSupply::before_step(RunState& run, const RunHooks& /*hooks*/) {
+  // Caches look five times a second, like observers.
   if (!looks_now(run)) return;
   for (std::size_t i = 0; i < run.scene->caches.size(); ++i) {
     const CacheSpawn& cache = run.scene->caches[i];
@@ -50,6 +55,7 @@ void BlockSupply::before_step(RunState& run, const RunHooks& /*hooks*/) {
                  run.placed.seed, kCacheJitter + static_cast<std::uint32_t>(i), dropped_[i]);
     if (add_block(run, X_WB).problem.empty()) ++dropped_[i];
   }
+  // The number of the drop is its address of noise: how often it was tried does not matter.
 }
 
 /// All that the world has beyond what it began with came from here.

@@ -4,10 +4,13 @@
 #include "base/byte_members.h"
 #include "base/packed.h"
 
+// A checkpoint is self-contained: scene and programs as texts, the seed, and the state. It is read
+// by the same list of members that it is written by (base/byte_members.h).
 namespace stig {
 
 namespace {
 
+// The last digit rises whenever the order of bytes changes.
 constexpr std::string_view kCheckpointMagic = "stigchk2";
 constexpr std::size_t kMostCheckpoint = std::size_t{1} << 30;
 
@@ -32,6 +35,7 @@ std::optional<Checkpoint> read_checkpoint_file(std::string_view bytes, std::stri
     return std::nullopt;
   }
   const auto payload = unpacked(bytes.substr(kCheckpointMagic.size()), kMostCheckpoint);
+  // Set before anything can fail, and cleared at the end.
   problem = "it is damaged or cut short";
   if (!payload) return std::nullopt;
   ByteReader reader(*payload);

@@ -5,6 +5,7 @@
 
 #include "physical/simulation/run_state.h"
 
+// Every kind has its counter; the compiler warns of a new one that has none.
 namespace stig {
 
 void EventTally::after_step(RunState& run) {
@@ -34,6 +35,7 @@ void EventTally::count(const WorldEvent& event) {
   }
 }
 
+// Bytes of a checkpoint: numbers of bodies must be such.
 bool EventTally::accept(const RunState& run) const {
   return tally_.left.size() <= run.world.size() &&
          std::all_of(tally_.left.begin(), tally_.left.end(),

@@ -5,6 +5,7 @@
 
 #include "physical/simulation/run_state.h"
 
+// World::push acts for a single step; what acts longer is pushed again in each.
 namespace stig {
 
 namespace {
@@ -13,6 +14,7 @@ constexpr std::size_t kMostPushes = 1000;  ///< at a time
 
 }  // namespace
 
+// With 0 ticks it is gone before the step: scripts ask for one at least.
 bool ForcePushes::add(const RunState& run, BodyId body, const Vec3& force, std::uint64_t ticks) {
   if (pushes_.size() >= kMostPushes) return false;
   pushes_.push_back({static_cast<std::uint32_t>(body), run.world.tick() + ticks, force});

@@ -6,6 +6,8 @@
 #include "physical/scene/scene_crew.h"
 #include "physical/simulation/run_state.h"
 
+// A scene of blocks that only fall needs no crew, and runs without its costs. Whether one is needed
+// is asked before: of robots, of a script, of programs of blocks, and of blocks that may come.
 namespace stig {
 
 namespace {
@@ -18,6 +20,7 @@ bool blocks_act(const Scene& scene, const PlacedScene& placed, const CrewConfig&
                      [](std::size_t program) { return program != RobotSpawn::kNoProgram; }) ||
          std::any_of(crew.blocks.begin(), crew.blocks.end(),
                      [](const CrewBlock& block) { return block.controller != nullptr; }) ||
+         // One of the stock, by its number, speaks for all: they are of one kind.
          (first < placed.bodies.size() &&
           crew_block(scene, placed, first, controllers).controller != nullptr);
 }
@@ -57,6 +60,7 @@ void RunAgents::before_step(RunState& run, const RunHooks& hooks) {
   }
 }
 
+// An empty text where there is no crew.
 void RunAgents::save(BytesOut& out) const { out(crew_ ? crew_->checkpoint() : std::string()); }
 
 bool RunAgents::load(BytesIn& in, RunState& run) {
@@ -64,8 +68,10 @@ bool RunAgents::load(BytesIn& in, RunState& run) {
   in(programs);
   if (!in.good()) return false;
   if (!crew_) return programs.empty();
+  // Blocks that came before the checkpoint come again, in their order, for the crew to know them.
   for (std::size_t i = run.placed.config.bodies.size(); i < run.world.size(); ++i) add(run, i);
   if (!crew_->resume(programs)) return false;
+  // Their colours are in the trace already.
   crew_->take_changed();
   return true;
 }
@@ -78,6 +84,7 @@ Led led_of(const RunState& run, std::size_t body) {
 }
 
 std::array<int, 6> faces_of(const RunState& run, std::size_t body) {
+  // What has no LEDs of its own shows one colour all round.
   std::array<int, 6> out{};
   out.fill(static_cast<int>(led_of(run, body)));
   const auto block = block_at(run.agents.crew(), body);
@@ -85,6 +92,7 @@ std::array<int, 6> faces_of(const RunState& run, std::size_t body) {
   const auto& leds = run.agents.crew()->leds(*block);
   for (std::size_t face = 0; face < out.size(); ++face) {
     std::array<int, 5> shown{};
+    // Four LEDs a face, in the order of its radios; among equals the lowest colour.
     for (std::size_t i = 0; i < 4; ++i) ++shown[static_cast<std::size_t>(leds[4 * face + i])];
     out[face] = static_cast<int>(std::max_element(shown.begin(), shown.end()) - shown.begin());
   }

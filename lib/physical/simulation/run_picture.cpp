@@ -3,6 +3,7 @@
 
 #include "physical/render/show_json.h"
 
+// A picture of a run is made from what a trace of it would have, so that both look alike.
 namespace stig {
 
 std::vector<PictureBody> picture_bodies(const Simulation& run) {

@@ -6,6 +6,9 @@
 #include "physical/simulation/scene_script.h"
 #include "physical/simulation/script_record.h"
 
+// A script's Lua state cannot be saved. So while a run may be resumed, each call is recorded with
+// everything that the script was answered; a resumed run calls a fresh script again with these
+// answers (script_record.h). What it did to the world is in the world's own checkpoint.
 namespace stig {
 
 RunScript::RunScript(const Scene& scene, const PlacedScene& placed)
@@ -13,6 +16,7 @@ RunScript::RunScript(const Scene& scene, const PlacedScene& placed)
 
 void RunScript::before_step(RunState& run, const RunHooks& hooks) {
   if (!script_ || !looks_now(run)) return;
+  // on_start is called in the first tick, before the first on_step.
   if (run.world.tick() == 0) call(ScriptCall::start, run, hooks);
   if (!run.stop) call(ScriptCall::step, run, hooks);
 }
@@ -25,6 +29,7 @@ void RunScript::call(ScriptCall which, RunState& run, const RunHooks& hooks) {
   SceneScript world(run);
   std::string answers;
   RecordedWorld recorded(world, answers);
+  // Recording costs memory, so it is left out where nobody can resume.
   ScriptWorld& seen = run.resumable ? static_cast<ScriptWorld&>(recorded) : world;
   std::vector<std::string> log;
   ended(script_->call(which, seen, log), run);
@@ -34,6 +39,7 @@ void RunScript::call(ScriptCall which, RunState& run, const RunHooks& hooks) {
     record.push_back(failed_ ? '\1' : '\0');
     history_.add(record);
   }
+  // Lines of a script belong to no body.
   for (const std::string& line : log) {
     if (hooks.on_line) hooks.on_line({run.world.tick(), "script", {}, line, false});
   }
@@ -48,6 +54,7 @@ void RunScript::ended(const ControllerStatus& status, RunState& run) {
 
 bool RunScript::accept(RunState& run) {
   if (!script_) return true;
+  // Called when all other parts are loaded.
   return history_.each([&](ByteReader& in) { return replay(in, run); });
 }
 
@@ -65,6 +72,7 @@ bool RunScript::replay(ByteReader& in, RunState& run) {
     run.message = *world.stopped;
   }
   for (const auto& [name, value] : world.measures) measures_[name] = value;
+  // All answers used, and the same outcome: otherwise the bytes are of another script.
   return answers.good() && answers.left() == 0 && failed_ == failed;
 }
 

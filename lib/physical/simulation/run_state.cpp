@@ -4,6 +4,8 @@
 #include "base/hash.h"
 #include "physical/dynamics/ticks.h"
 
+// Members are made in the order in which they are declared, and the world before all that looks at
+// it.
 namespace stig {
 
 namespace {
@@ -18,6 +20,7 @@ RunState::RunState(const Scene& its_scene, const PlacedScene& its_placed, bool i
       placed(its_placed),
       resumable(is_resumable),
       controllers(its_controllers),
+      // The copy that the run owns, since programs may come and go.
       world(placed.config),
       agents(its_scene, its_placed, is_resumable, its_controllers),
       supply(its_scene),
@@ -28,6 +31,7 @@ bool looks_now(const RunState& run) {
   return run.world.tick() % ticks_in(kLookSeconds, run.placed.config.step) == 0;
 }
 
+// Programs have states too: two runs that only look alike differ here.
 std::uint64_t hash_of(const RunState& run) {
   const Crew* crew = run.agents.crew();
   if (crew == nullptr) return run.world.hash();

@@ -4,8 +4,11 @@
 #include "physical/dynamics/ticks.h"
 #include "physical/readout/lattice_reading.h"
 
+// The world as a script finds it. Reading all blocks, with the lattices that they form, is done
+// once a call and kept until the script changes something.
 namespace stig {
 
+// Blocks are numbered among themselves, robots by the scene.
 SceneScript::SceneScript(RunState& run) : run_(run) {
   for (std::uint32_t i = 0; i < run.world.size(); ++i) {
     if (run.placed.bodies[i].block) bodies_.push_back(BodyId{i});
@@ -21,6 +24,7 @@ ScriptBlock SceneScript::block(std::size_t place) const {
   return (*read_)[place];
 }
 
+// Blocks that have left are in the list, so that numbers stay, but in no lattice.
 void SceneScript::read() const {
   read_.emplace();
   std::vector<PlacedBlock> there;
@@ -46,6 +50,7 @@ void SceneScript::read() const {
   for (std::size_t i = 0; i < structure.lattices.size(); ++i) {
     for (const ReadBlock& block : structure.lattices[i].blocks) {
       ScriptBlock& out = (*read_)[places[block.block]];
+      // Lattices count from 1: 0 is none.
       out.lattice = static_cast<int>(i) + 1;
       out.x = block.cell.x;
       out.y = block.cell.y;
@@ -60,6 +65,7 @@ ScriptRobot SceneScript::robot(std::size_t place) const {
           crew.halted(place), run_.odometer.driven(place)};
 }
 
+// Blocks first; no name is that of both (place_scene.cpp checks).
 std::optional<ScriptThing> SceneScript::find(std::string_view name) const {
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (run_.placed.bodies[static_cast<std::size_t>(bodies_[i])].name == name) {
@@ -89,7 +95,9 @@ std::string SceneScript::place(ScriptThing thing, const Vec3& at, const std::opt
   const BodyId body = body_of(thing);
   const auto& bodies = run_.placed.config.bodies;
   const auto number = static_cast<std::size_t>(body);
+  // Only the scene's own blocks can be fixed.
   if (number < bodies.size() && bodies[number].fixed) return "it is fixed in the world";
+  // A robot is placed by its own frame, the world by its root body's.
   const Pose X_BF = thing.robot ? inverse(run_.agents.crew()->root_pose(thing.place)) : Pose{};
   const Pose now = run_.world.state(body).X_WB * X_BF;
   const PlaceResult placed = run_.world.place(body, Pose{at, turn.value_or(now.q)} * inverse(X_BF));
@@ -121,6 +129,7 @@ std::optional<std::size_t> SceneScript::drop(const Pose& X_WB, std::string& prob
   problem = added.overlaps ? "it would overlap " + name_of(added.other) : added.problem;
   // The one body of the addition.
   constexpr std::string_view kIs = "body 0 is ";
+  // The world names bodies by their numbers; to the script there is only one.
   if (problem.starts_with(kIs)) problem.replace(0, kIs.size(), "it would be ");
   if (!problem.empty()) return std::nullopt;
   bodies_.push_back(added.body);

@@ -3,6 +3,8 @@
 
 #include "base/byte_members.h"
 
+// Each question leaves its answer in the record, and only the answer: asked again in the same order
+// the same script gets the same, and needs no world.
 namespace stig {
 
 namespace {
@@ -25,6 +27,7 @@ void each_member(auto& each, EitherWay<ScriptBlock> auto& block) {
   for (auto& face : block.faces) each(face);
   each(block.left), each(block.lattice), each(block.x), each(block.y), each(block.z);
 }
+// Lists of members serve both directions (base/byte_members.h).
 void each_member(auto& each, EitherWay<ScriptRobot> auto& robot) {
   each(robot.name), each_member(each, robot.X_WR), each(robot.failed), each(robot.halted);
   each(robot.driven);
@@ -40,6 +43,7 @@ void each_member(auto& each, EitherWay<Found> auto& found) {
 
 template <class Value>
 Value RecordedWorld::noted(Value value) const {
+  // const, which is what tells writing from reading.
   BytesOut out;
   each_member(out, std::as_const(value));
   record_ += out.take();

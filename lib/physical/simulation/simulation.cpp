@@ -7,6 +7,11 @@
 #include <cassert>
 #include <cmath>
 
+// Two orders: that in which parts work in a tick, and that in which their bytes lie. They are apart
+// since the first may have to change where the second must not. The script works before the supply,
+// so that what it drops is not dropped twice; agents after all that moves things, so that
+// controllers see a world that will stand still until the step; the recorder after agents, for what
+// they said.
 namespace stig {
 
 namespace {
@@ -17,6 +22,7 @@ std::array<RunPart*, 7> parts_at_work(RunState& run) {
           &run.agents,   &run.recorder, &run.tally};
 }
 
+// The world's bytes come first, since parts ask for its size when they are loaded.
 /// In the order in which their bytes follow those of the world.
 template <class Run>
 auto saved_parts(Run& run) {
@@ -51,6 +57,7 @@ bool at_rest(const RunState& run) {
 RunEnd Simulation::until(double duration, const RunHooks& hooks) {
   const auto parts = parts_at_work(run_);
   // A multiple of the step that rounding has put a hair above the duration is its end.
+  // The step is no binary fraction, and neither is the duration.
   const auto last =
       static_cast<std::uint64_t>(std::ceil(duration / run_.placed.config.step - 1e-6));
   // One that had ended so and was brought back makes no step more.
@@ -60,6 +67,7 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
     if (hooks.stop != nullptr && hooks.stop->load(std::memory_order_relaxed)) {
       return RunEnd::interrupted;
     }
+    // Parts first, then the step, then parts again with what it did.
     for (RunPart* part : parts) part->before_step(run_, hooks);
     if (run_.stop) return RunEnd::script;
     if (scene().stop_failed && crew() != nullptr && crew()->all_failed()) return RunEnd::failed;
@@ -76,6 +84,7 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
 }
 
 std::string Simulation::state() const {
+  // Without histories of readings there is no way to bring programs back.
   assert(run_.resumable);
   BytesOut out;
   out(run_.world.checkpoint());
@@ -84,6 +93,7 @@ std::string Simulation::state() const {
 }
 
 bool Simulation::resume(std::string_view state) {
+  // A new run is filled and takes the old one's place only when all of it was good.
   RunState next(*run_.scene, run_.placed, run_.resumable, run_.controllers);
   if (!load(next, state)) return false;
   next.recorder.take_over(run_.recorder);

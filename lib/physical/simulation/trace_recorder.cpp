@@ -5,6 +5,8 @@
 #include "physical/render/show_json.h"
 #include "physical/simulation/run_state.h"
 
+// Frames are due every 20 ms of simulated time, hashes every second, in whole ticks, so that a
+// trace does not depend on when it was begun or looked at.
 namespace stig {
 
 namespace {
@@ -13,6 +15,7 @@ constexpr double kFrameSeconds = 0.02, kHashSeconds = 1;
 enum : std::uint32_t { kLedChannel, kLogChannel, kShowChannel };
 
 /// Bodies that have not come yet have left, so to speak.
+// Every frame has all bodies that may ever come, so that numbers in a trace are those of the scene.
 TraceFrame frame_of(const World& world, std::size_t bodies) {
   TraceFrame frame{world.tick(), {}};
   for (std::uint32_t i = 0; i < world.size(); ++i) {
@@ -25,6 +28,7 @@ TraceFrame frame_of(const World& world, std::size_t bodies) {
   return frame;
 }
 
+// Digits are the colours' numbers.
 /// All alike: one digit; otherwise a digit an LED.
 std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
   std::string out;
@@ -66,6 +70,7 @@ PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
   return header;
 }
 
+// The frame of tick 0 is the state before the first step; a resumed run has it already.
 void TraceRecorder::begin(const RunState& run, PoseTraceWriter& writer) {
   writer_ = &writer;
   framed_ = UINT64_MAX;
@@ -79,6 +84,7 @@ void TraceRecorder::note(const RunState& run, const CrewLine& line) {
 }
 
 void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
+  // Asked for also when there is no writer, so that lists do not grow.
   Crew* crew = run.agents.crew();
   if (crew == nullptr) return;
   const std::vector<std::size_t> changed = crew->take_changed(), stepped = crew->take_stepped();
@@ -96,6 +102,7 @@ void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
 }
 
 void TraceRecorder::after_step(RunState& run) {
+  // Events happen at the end of the step that caused them.
   if (writer_ == nullptr) return;
   for (const WorldEvent& event : run.world.events()) writer_->event({run.world.tick(), event});
   if (is_due(run, kFrameSeconds)) write_frame(run);
@@ -103,6 +110,7 @@ void TraceRecorder::after_step(RunState& run) {
 }
 
 void TraceRecorder::write_frame(const RunState& run) {
+  // A run that ends on a frame's tick has it already.
   if (framed_ == run.world.tick()) return;
   framed_ = run.world.tick();
   writer_->frame(frame_of(run.world, run.placed.bodies.size()));

@@ -8,15 +8,21 @@
 #include "physical/trace/pose_trace.h"
 #include "physical/trace/pose_trace_format.h"
 
+// Traces are files that others may have made, so nothing is taken on trust: sizes are bounded
+// before memory is taken, every number is checked before it is an index, and all chunks are decoded
+// once when a trace is opened, so that whoever asks for frames later cannot fail. docs/simulate.md
+// describes the format.
 namespace stig {
 
 namespace {
 
 constexpr std::size_t kMostHeaderBytes = std::size_t{1} << 27;
 constexpr std::size_t kMostChunkBytes = std::size_t{1} << 28;
+// Bounds for a file that unpacks to far more than its size.
 constexpr std::size_t kMostUnpacked = std::size_t{1} << 31;  ///< of all chunks together
 constexpr std::size_t kMostRecords = std::size_t{1} << 24;   ///< kept: events, hashes, values
 constexpr std::size_t kMostBodies = 1'000'000;
+// 2^40 quanta, beyond any arena; far from overflow when summed.
 constexpr std::int64_t kFarthest = std::int64_t{1} << 40;
 constexpr std::size_t kTrailerSize = 16;
 
@@ -35,6 +41,7 @@ void hand_over(const std::function<void(Record)>& sink, std::decay_t<Record> rec
 
 class ChunkDecoder {
  public:
+  // Poses are kept as differences to the frame before, from zero at the chunk's start.
   ChunkDecoder(std::string_view payload, std::size_t bodies, const RecordSinks& sinks)
       : in_(payload), sinks_(sinks) {
     frame_.bodies.resize(bodies);
@@ -55,8 +62,10 @@ class ChunkDecoder {
   bool record() {
     const std::uint8_t tag = in_.u8();
     const std::uint64_t ticks = in_.varint();
+    // Limits keep the sum of ticks from wrapping round.
     if (ticks > (std::uint64_t{1} << 48) || tick_ > (std::uint64_t{1} << 60)) return false;
     tick_ += ticks;
+    // Each chunk can be decoded alone: it begins with a whole frame.
     if (!begun_ && tag != kFrameRecord) return false;
     switch (tag) {
       case kFrameRecord:
@@ -75,12 +84,14 @@ class ChunkDecoder {
 
   bool frame() {
     const std::uint64_t changed = in_.varint();
+    // The first frame of a chunk has all bodies.
     if (changed > frame_.bodies.size() || (!begun_ && changed != frame_.bodies.size()))
       return false;
     begun_ = true;
     std::uint64_t next = 0;
     for (std::uint64_t i = 0; i < changed; ++i) {
       const std::uint64_t gap = in_.varint();
+      // Gaps are between the numbers of bodies that changed; the sum must stay below their count.
       if (gap >= frame_.bodies.size() - std::min<std::uint64_t>(next, frame_.bodies.size())) {
         return false;
       }
@@ -94,6 +105,7 @@ class ChunkDecoder {
 
   bool state(TraceState& state) {
     const std::uint8_t flags = in_.u8();
+    // Flags that are not known are a newer format or damage.
     bool good = flags < 16;
     const auto add = [&](std::int64_t& part) {
       const std::int64_t delta = in_.zigzag();
@@ -101,6 +113,7 @@ class ChunkDecoder {
       if (good) part += delta;
       good = good && part >= -kFarthest && part <= kFarthest;
     };
+    // Differences in place and turn are there only where something changed.
     if ((flags & kMoved) != 0) std::for_each(state.place.begin(), state.place.end(), add);
     if ((flags & kTurned) != 0) std::for_each(state.turn.begin(), state.turn.end(), add);
     state.awake = (flags & kAwake) != 0;
@@ -108,6 +121,7 @@ class ChunkDecoder {
     return good && turn_is_unit(state);
   }
 
+  // Quantised quaternions are off by far less than 1 %.
   static bool turn_is_unit(const TraceState& state) {
     double sum = 0;
     for (const std::int64_t part : state.turn) {
@@ -121,6 +135,7 @@ class ChunkDecoder {
     const std::uint8_t kind = in_.u8();
     const std::uint64_t body = in_.varint(), other = in_.varint();
     const std::size_t bodies = frame_.bodies.size();
+    // Partners are written plus one, since 0 is the floor.
     if (kind > static_cast<std::uint8_t>(EventKind::let_go) || body >= bodies || other > bodies) {
       return false;
     }
@@ -148,6 +163,7 @@ class ChunkDecoder {
 };
 
 /// A whole number from 0; throws on anything else.
+// Exceptions of the JSON library and ours end in read_header.
 std::uint64_t whole(const nlohmann::json& json) {
   if (!json.is_number_unsigned()) throw std::range_error("whole number");
   return json.get<std::uint64_t>();
@@ -164,6 +180,7 @@ Shape shape_from(const nlohmann::json& json, const Vec3& half) {
   const ShapeKind kind = shape_from(json.at("shape").get<std::string>());
   if (kind == ShapeKind::cylinder) return Shape::cylinder(half.x, half.z * 2);
   if (kind != ShapeKind::hull) return {kind, half, {}};
+  // Checked before the hull is made: that takes time with the square of the points.
   if (json.at("points").size() > kMostHullPoints) throw std::range_error("points");
   std::vector<Vec3> points;
   for (const auto& p : json.at("points").get<std::vector<std::array<double, 3>>>()) {
@@ -219,6 +236,7 @@ class Reader {
     if (all.size() < kPoseTraceMagic.size() + kTrailerSize || !all.ends_with(kTrailerMagic)) {
       return "its end is missing";
     }
+    // The trailer says where the end section is; sections in between are read in order.
     ByteReader trailer(all.substr(all.size() - kTrailerSize));
     const std::uint64_t end_place = trailer.u64();
     ByteReader in(all.substr(0, all.size() - kTrailerSize));
@@ -226,6 +244,7 @@ class Reader {
     std::string problem = read_header(in);
     while (problem.empty()) {
       const std::size_t place = all.size() - kTrailerSize - in.left();
+      // Only at the place that the trailer names may the end begin.
       if (place == end_place) return read_end(in);
       problem = read_chunk(in, place);
     }
@@ -267,6 +286,7 @@ class Reader {
     const auto payload = frame ? unpacked(*frame, kMostChunkBytes) : std::nullopt;
     const std::string name = "chunk " + std::to_string(trace_.chunks.size() + 1);
     if (!payload) return name + " is damaged";
+    // Sums over chunks: each may be small and all together too much.
     unpacked_bytes_ += payload->size();
     if (unpacked_bytes_ > kMostUnpacked) return "it holds more than can be read";
     RecordSinks sinks;
@@ -276,6 +296,7 @@ class Reader {
     sinks.value = [this](TraceValue value) { trace_.values.push_back(std::move(value)); };
     ChunkDecoder decoder(*payload, trace_.header.bodies.size(), sinks);
     const std::uint64_t first = decoder.first_tick();
+    // Ticks rise from chunk to chunk, as frame_at's search needs.
     const bool ordered = trace_.chunks.empty() || first > trace_.chunks.back().first_tick;
     if (!ordered || !decoder.decode()) return name + " is malformed";
     if (trace_.events.size() + trace_.hashes.size() + trace_.values.size() > kMostRecords) {
@@ -297,6 +318,7 @@ class Reader {
     trace_.end.message = std::string(end.block());
     bool good = why <= static_cast<std::uint8_t>(RunEnd::script);
     trace_.end.why = good ? static_cast<RunEnd>(why) : RunEnd::duration;
+    // The index repeats what reading has found, for readers that seek; it must agree.
     good = good && end.varint() == trace_.chunks.size();
     for (const TraceChunk& chunk : trace_.chunks) {
       good = good && end.varint() == chunk.first_tick && end.varint() == chunk.begin - 5;
@@ -311,6 +333,7 @@ class Reader {
   std::size_t unpacked_bytes_ = 0;
 };
 
+// The payload was good when the trace was opened.
 void decode(const PoseTrace& trace, const TraceChunk& chunk, const RecordSinks& sinks) {
   const auto payload = unpacked(
       std::string_view(trace.bytes).substr(chunk.begin, chunk.end - chunk.begin), kMostChunkBytes);
@@ -324,6 +347,7 @@ std::optional<PoseTrace> read_pose_trace(const std::string& path, std::string by
   Reader reader(std::move(bytes));
   const std::string problem = reader.read();
   if (problem.empty()) return reader.take();
+  // Bytes have no lines to point at.
   diagnostics.add(Code::F480, {std::make_shared<SourceFile>(path, ""), 0, 0},
                   "not a readable trace of poses: " + problem);
   return std::nullopt;
@@ -336,6 +360,7 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
   const TraceChunk& chunk = later == trace.chunks.begin() ? *later : *(later - 1);
   std::optional<TraceFrame> found;
   RecordSinks sinks;
+  // Decodes to the end of the chunk: frames are differences.
   sinks.frame = [&](const TraceFrame& frame) {
     if (!found || frame.tick <= tick) found = frame;
   };
@@ -343,6 +368,8 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
   return std::move(found).value_or(TraceFrame{});
 }
 
+// A resumed run goes on in the same trace: what it had written up to its checkpoint is copied, so
+// that the bytes are those of a run that never stopped.
 void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer) {
   RecordSinks sinks;
   bool begun = false;  // a chunk begins with a frame: what comes before the first one is left out
@@ -358,6 +385,7 @@ void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& 
     if (begun && hash.tick <= up_to) writer.hash(hash);
   };
   sinks.value = [&](const TraceValue& value) {
+    // Values of the tick itself are written again by the run that goes on.
     if (begun && value.tick < up_to) writer.value(value);
   };
   for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);

@@ -8,6 +8,10 @@
 #include "physical/trace/pose_trace.h"
 #include "physical/trace/pose_trace_format.h"
 
+// Frames hold differences of quantised poses to the frame before: a body at rest costs nothing, one
+// that moves a few bytes, and zstd finds the rest. Every so many frames a chunk ends, so that a
+// reader can begin in the middle. Quantised values are what is compared and summed up, so errors do
+// not add up over a chunk.
 namespace stig {
 
 namespace {
@@ -29,6 +33,7 @@ Json body_json(const TraceBody& body) {
   return out;
 }
 
+// Files and JSON: readers need both to run the scene again.
 std::string header_bytes(const PoseTraceHeader& header) {
   Json json;
   json["title"] = header.title;
@@ -50,6 +55,7 @@ std::string header_bytes(const PoseTraceHeader& header) {
 }
 
 /// The one of q and -q that is nearer to the rotation before.
+// q and -q are the same rotation; the nearer one makes small differences.
 void choose_sign(TraceState& state, const TraceState& last) {
   double product = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -62,6 +68,7 @@ void choose_sign(TraceState& state, const TraceState& last) {
 void put_state(std::string& out, const TraceState& state, const TraceState& last) {
   const bool moved = state.place != last.place, turned = state.turn != last.turn;
   out.push_back(static_cast<char>((moved ? kMoved : 0) | (turned ? kTurned : 0) |
+                                  // The awake and left flags are said of every body that changed.
                                   (state.awake ? kAwake : 0) | (state.left ? kLeft : 0)));
   for (std::size_t i = 0; moved && i < 3; ++i) put_zigzag(out, state.place[i] - last.place[i]);
   for (std::size_t i = 0; turned && i < 4; ++i) put_zigzag(out, state.turn[i] - last.turn[i]);
@@ -94,6 +101,7 @@ TraceState trace_state(const BodyState& state) {
           state.left};
 }
 
+// The magic comes first, before anything can fail.
 PoseTraceWriter::PoseTraceWriter(const PoseTraceHeader& header, Sink sink)
     : sink_(std::move(sink)) {
   sink_(kPoseTraceMagic);
@@ -114,6 +122,7 @@ void PoseTraceWriter::put_section(char tag, std::string_view payload) {
   written_ += out.size();
 }
 
+// Ticks as differences: mostly a byte.
 void PoseTraceWriter::put_record(std::uint8_t tag, std::uint64_t tick) {
   chunk_.push_back(static_cast<char>(tag));
   put_varint(chunk_, tick - tick_);
@@ -133,6 +142,7 @@ void PoseTraceWriter::flush() {
 void PoseTraceWriter::frame(const TraceFrame& frame) {
   if (frames_ == kFramesPerChunk) flush();
   const bool first = chunk_.empty();
+  // A chunk begins anew from zero poses, and repeats what its values are, so that it stands alone.
   if (first) {
     first_tick_ = tick_ = frame.tick;
     put_varint(chunk_, first_tick_);
@@ -154,6 +164,7 @@ void PoseTraceWriter::frame(const TraceFrame& frame) {
   put_varint(chunk_, changed);
   chunk_ += changes;
   ++frames_;
+  // Values that hold are said again at the start of each chunk.
   if (!first) return;
   for (const auto& [place, bytes] : values_) {
     put_value({frame.tick, place.first, place.second, bytes});
@@ -164,6 +175,7 @@ void PoseTraceWriter::event(const TraceEvent& event) {
   put_record(kEventRecord, event.tick);
   chunk_.push_back(static_cast<char>(event.event.kind));
   put_varint(chunk_, static_cast<std::uint32_t>(event.event.body));
+  // The floor is 0xffffffff, which plus one is 0.
   put_varint(chunk_, static_cast<std::uint32_t>(static_cast<std::uint32_t>(event.event.other) + 1));
 }
 
@@ -173,6 +185,7 @@ void PoseTraceWriter::hash(const TraceHash& hash) {
 }
 
 void PoseTraceWriter::value(const TraceValue& value) {
+  // Log lines are events and never repeated; other values hold until they change.
   if (value.channel == log_) return put_value(value);
   const auto [known, fresh] = values_.try_emplace({value.channel, value.body}, value.bytes);
   if (!fresh && known->second == value.bytes) return;
@@ -195,6 +208,7 @@ void PoseTraceWriter::finish(const TraceEnd& end) {
   put(payload, end.hash);
   put_block(payload, end.message);
   put_varint(payload, chunks_);
+  // The index of chunks ends the file, and the last bytes say where it begins.
   payload += index_;
   const std::uint64_t place = written_;
   put_section(kEndTag, payload);
