@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// What a well-behaved Unix program owes its surroundings: results complete or an error, no half
+// files after a signal, no colours where nobody sees them, descriptors 0 to 2 that are what they
+// seem. Commands know nothing of all this but App.
 #include "app.h"
 
 #include <fcntl.h>
@@ -20,10 +23,13 @@ namespace {
 /// Results are written in pieces of this size, so that long ones need no memory.
 constexpr std::size_t kPiece = std::size_t{1} << 20;
 
+// Lock-free atomics of this kind may be touched by a signal handler (C++ standard,
+// [support.signal]).
 std::atomic<bool> stop_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
 /// As the signal would have ended the program by itself, but without half a file left behind.
+// Only functions that are safe in a signal handler (signal-safety(7)).
 void die_of(int signal) {
   remove_unfinished_files();
   std::signal(signal, SIG_DFL);
@@ -31,12 +37,14 @@ void die_of(int signal) {
 }
 
 void on_signal(int signal) {
+  // The first signal asks the command to stop, the second does not ask.
   if (stop_flag.exchange(true, std::memory_order_relaxed)) die_of(signal);
 }
 
 void handle(int signal, void (*handler)(int)) {
   struct sigaction action {};
   action.sa_handler = handler;
+  // Calls that a signal interrupts go on; commands look at the flag instead.
   action.sa_flags = SA_RESTART;
   sigaction(signal, &action, nullptr);
 }
@@ -50,6 +58,7 @@ bool is_terminal(int descriptor) { return isatty(descriptor) == 1; }
 
 bool color_wanted(Coloured wish, int descriptor) {
   if (wish != Coloured::automatic) return wish == Coloured::always;
+  // See no-color.org: set and not empty means none, whatever the terminal can do.
   const char* no_color = std::getenv("NO_COLOR");
   const char* term = std::getenv("TERM");
   const bool dumb = term == nullptr || std::strcmp(term, "dumb") == 0;
@@ -57,6 +66,7 @@ bool color_wanted(Coloured wish, int descriptor) {
 }
 
 /// As with "stigc fmt x >> x".
+// The shell would append to the file that is being read, which could go on for ever.
 bool stdout_is_read() {
   const auto file = file_number(STDOUT_FILENO);
   return file && was_read(*file);
@@ -84,6 +94,7 @@ App::App(const GlobalOptions& options)
 
 void App::print(std::string_view text) {
   out_ += text;
+  // Before the piece grows further; what is kept is bounded so.
   if (out_.size() >= kPiece) flush();
 }
 
@@ -92,6 +103,7 @@ bool App::flush() {
     broken_ = true;
     complain("cannot write to standard output: it is what is read");
   } else if (!broken_ && !write_all(STDOUT_FILENO, out_)) {
+    // A reader that has gone (head, less) has what it wanted: no error.
     broken_ = errno != EPIPE;
     if (broken_) complain(fmt::format("cannot write to standard output: {}", strerror(errno)));
   }
@@ -104,6 +116,7 @@ void App::say(std::string_view line) const {
 }
 
 void App::complain(std::string_view line) const {
+  // Messages are not kept: they appear where in time they belong, and also before a crash.
   write_all(STDERR_FILENO, fmt::format("stigc: {}\n", line));
 }
 
@@ -115,6 +128,7 @@ void App::report(const Diagnostics& diagnostics) const {
     TextStyle style;
     style.color = color_err_;
     write_all(STDERR_FILENO, to_text(diagnostics, style));
+    // One hint for all: the code that stands first on the screen.
     if (diagnostics.has_errors()) say("for more: stigc --explain " + first_error(diagnostics));
   }
 }
@@ -127,6 +141,8 @@ bool App::invalid(const Diagnostics& diagnostics) const {
 std::optional<RuleSet> App::read_rules(const std::string& path) const {
   Diagnostics diagnostics;
   std::optional<RuleSet> rules = read_rule_set_file(path, diagnostics);
+  // Warnings alone are one line, since commands that use a rule set are not about its style; as
+  // JSON they are shown, for editors.
   const bool bad = invalid(diagnostics);
   const std::size_t warnings = diagnostics.count(Severity::warning);
   if (bad || (options_.json_diagnostics && warnings > 0)) {
@@ -141,6 +157,7 @@ std::optional<RuleSet> App::read_rules(const std::string& path) const {
 
 bool write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
+    // write(2) may take a part, or be interrupted before any.
     const ssize_t written = write(descriptor, text.data(), text.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return false;
@@ -159,9 +176,11 @@ void prepare_process() {
   // Otherwise the next file opened would become standard output. Opened for reading,
   // so that writing to it fails and is noticed.
   for (int descriptor = 0; descriptor <= 2; ++descriptor) {
+    // POSIX gives the lowest free number to whatever is opened next.
     if (fcntl(descriptor, F_GETFD) == -1 && open("/dev/null", O_RDONLY) < 0) std::abort();
   }
   guard_files();
+  // So that write(2) fails with EPIPE and EFBIG, which are reported as any other error.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   // Where the shell has a signal ignored, as nohup does, it stays so.

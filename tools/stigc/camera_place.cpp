@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A camera is named ROBOT:CAMERA, or ROBOT alone for its first one.
 #include "camera_place.h"
 
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ std::optional<CameraPlace> camera_named(const Simulation& run, const std::string
   for (std::size_t i = 0; i < robots; ++i) {
     const auto& cameras = run.crew()->model(i).cameras;
     for (std::size_t k = 0; k < cameras.size(); ++k) {
+      // All names are collected for the message, should none fit.
       const std::string& robot = run.crew()->robot_name(i);
       names.push_back(robot + ":" + cameras[k].name);
       if (name == names.back() || (k == 0 && name == robot)) return CameraPlace{i, k};
@@ -34,6 +36,7 @@ std::optional<CameraPlace> camera_named(const Simulation& run, const std::string
 
 std::string view_png(const Simulation& run, const CameraPlace& place) {
   const Crew& crew = *run.crew();
+  // From the same snapshot that the robot's own sensors see, line of sight by line of sight.
   const CameraDevice& device = crew.model(place.robot).cameras[place.camera];
   const Pose X_WC = crew.camera_pose(run.world(), place.robot, place.camera);
   return png_of(whole_numbers(camera_picture(crew.sensor_scene(run.world()), device.intrinsics,

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // stigc build: from a drawing to robots that have built it, the three commands in a row.
+//
+// Each step is the command that a user would give, with its own checks and messages, so that build
+// cannot differ from what the three commands do, and its files can be used with any of them. Names
+// in the folder are fixed: a folder can be built into again.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,6 +41,7 @@ class BuildWork {
     if (const int code = compile(); code != kOk) return code;
     app_.say("3 of 3: robots at work");
     const int code = validate();
+    // A failed validation still leaves something to look at; a run that broke off does not.
     return code == kUsage || code == kRunFailed ? code : std::max(code, draw_built());
   }
 
@@ -45,6 +50,7 @@ class BuildWork {
 
   /// The folder, and what is wanted drawn into it.
   int prepare() {
+    // Read once here, for the picture and so that a bad file is told of before a folder is made.
     const auto target = read_structure(options_.target, std::nullopt, app_);
     if (!target) return kFailed;
     std::vector<std::string> names;
@@ -71,6 +77,7 @@ class BuildWork {
   /// Names that the user did not choose are no leave to write over files of the user's.
   int check_ownership(const std::vector<std::string>& names) const {
     FileError none;
+    // What synth writes into every file that it makes is how an earlier build is known.
     const auto rules = read_file(in_folder(kRules), kMaxRuleFileBytes, none);
     if (rules && rules->find(kMadeBySynth) != std::string::npos) return kOk;
     for (const std::string& name : names) {
@@ -87,6 +94,7 @@ class BuildWork {
   int synth() {
     SynthOptions wanted;
     wanted.target = options_.target;
+    // Rules depend on the robot: without one named it is the paper's.
     wanted.robot = options_.robot.value_or(kPaperRobot);
     wanted.sides = options_.sides;
     wanted.robots = options_.robots.value_or(1);
@@ -96,6 +104,7 @@ class BuildWork {
     wanted.effort = options_.effort;
     wanted.seconds = options_.seconds;
     wanted.output = in_folder(kRules);
+    // By name: `run` of this class would be found first.
     return stig::run(wanted, app_);
   }
 
@@ -115,6 +124,8 @@ class BuildWork {
     wanted.seed = options_.seed;
     wanted.runs = options_.runs;
     wanted.threads = options_.threads;
+    // The controller that is validated is compiled again from the rules, which takes no time next
+    // to the rest.
     wanted.output = options_.output;
     return stig::run(wanted, app_);
   }
@@ -124,6 +135,7 @@ class BuildWork {
     ReplayOptions wanted;
     wanted.trace = in_folder(trace_name(options_.seed));
     wanted.picture = in_folder(kBuilt);
+    // A second App, whose output is never flushed.
     App drawing(app_.options());
     return stig::run(wanted, drawing);
   }

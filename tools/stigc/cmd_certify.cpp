@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // stigc certify: proofs looked at again, by code that shares nothing with their makers.
+//
+// Two kinds of proof: a certificate for a rule set, and a DRAT proof for a formula, with or without
+// the check that the formula says what it should. Nothing here may use verify/ or synthesis/, so
+// that the check is worth something; the readers of rule files are shared.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -22,6 +26,7 @@
 namespace stig {
 namespace {
 
+// Large proofs are legitimate, and read into memory as a whole.
 constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 28;
 constexpr std::size_t kMostProofBytes = std::size_t{1} << 30;
 
@@ -38,6 +43,7 @@ std::string place_of(const std::optional<BoxSpec>& box) {
                      cell_text(*box->origin));
 }
 
+// An empty refusal is acceptance, in both checkers.
 void print_verdict(const std::string& path, const std::string& refusal, App& app) {
   if (refusal.empty()) {
     app.print(fmt::format("{}: {}\n", printable(path), green("accepted", app.color_out())));
@@ -84,6 +90,8 @@ void print_json(const CertifyOptions& options, const RuleSet& rules, const Check
 int certify_rules(const CertifyOptions& options, App& app) {
   std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  // Sides change what orientations rules have, and so what is proved: the check must be given the
+  // same ones as the proof.
   rules = worked_from(std::move(*rules), options.sides);
   const auto text = bytes_of(options.proof, kMostCertificateBytes, app);
   if (!text) return kFailed;
@@ -94,12 +102,14 @@ int certify_rules(const CertifyOptions& options, App& app) {
     return kFailed;
   }
   std::string problem;
+  // The box of the file unless the command line says another: the theorem is about that box.
   const std::optional<BoxSpec> box = meant_box(*rules, options.world, problem);
   if (!problem.empty()) {
     app.complain(problem);
     return kUsage;
   }
   const CheckReport report = check_certificate(*rules, *certificate, box);
+  // For comparison with what explore and measure print of the same structure.
   const std::uint64_t hash = structure_hash(Structure(rules->lattice, report.structure));
   if (options.json) {
     print_json(options, *rules, report, hash, certificate->stages.size(), app);
@@ -145,6 +155,7 @@ int certify_fewest(const CertifyOptions& options, App& app) {
   if (!problem || !formula || !proof) return kFailed;
   const FewestReport claim = derive_formula(*problem, *formula);
   DratReport drat;
+  // A proof of a formula that is not the problem's is of no use.
   if (claim.derived) drat = check_drat(*formula, *proof);
   const std::string& refusal = claim.derived ? drat.refusal : claim.refusal;
   if (options.json) {
@@ -175,6 +186,7 @@ int certify_fewest(const CertifyOptions& options, App& app) {
 }  // namespace
 
 int run(const CertifyOptions& options, App& app) {
+  // The box is part of a certificate's claim; nothing else has one.
   const bool bounded = options.world.box || options.world.origin || options.world.periodic;
   if (options.fewest && (options.drat || bounded || !options.proof.empty())) {
     app.complain("--fewest wants a folder and nothing else");

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // stigc check: every problem of every file, at once.
+//
+// Whatever the file is, all of its errors come at once; what takes work (do rules ever fire, do
+// programs load) is only asked of files that could be read.
 #include <fmt/format.h>
 
 #include "base/load.h"
@@ -20,6 +23,7 @@ void check_file(const std::string& path, Diagnostics& diagnostics) {
   switch (content_of(source->text())) {
     case FileContent::scene:
       if (const auto scene = read_scene(source, scene_loader(path), diagnostics)) {
+        // Placing finds what no key shows: overlaps, and blocks outside of the arena.
         const auto placed = place_scene(*scene, scene->seed, diagnostics);
         if (placed) check_programs(*scene, *placed, diagnostics);
       }
@@ -45,6 +49,7 @@ int run(const CheckOptions& options, App& app) {
   std::size_t good = 0;
   for (const std::string& file : options.files) {
     Diagnostics diagnostics;
+    // Each file's own, so that one bad file does not make the next one bad.
     check_file(file, diagnostics);
     if (!app.invalid(diagnostics)) ++good;
     all.append(diagnostics);
@@ -54,6 +59,7 @@ int run(const CheckOptions& options, App& app) {
     app.print(to_json(all));
   } else {
     app.report(all);
+    // The count goes to standard output: it is the result, even when all is well.
     const std::size_t count = options.files.size();
     app.print(fmt::format("{} of {} {} good\n", good, count, count == 1 ? "file is" : "files are"));
   }

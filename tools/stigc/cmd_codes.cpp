@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc --explain: what the codes of diagnostics mean.
+//
+// The texts are those of base/diagnostics.def, the same as in docs/diagnostics.md.
 #include <fmt/format.h>
 
 #include "base/diagnostic_example.h"
@@ -12,6 +14,7 @@ namespace {
 std::string_view meant(std::string_view code) {
   std::vector<std::string_view> names;
   for (const CodeInfo& known : all_codes()) {
+    // Slugs are what users remember, names what messages show: both are understood.
     names.push_back(known.name);
     names.push_back(known.slug);
   }

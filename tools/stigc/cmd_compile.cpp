@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // stigc compile: what a robot does where, or why it cannot build the structure.
+//
+// One compilation, five forms of its result. Everything that can go wrong with names of files is
+// found before the compilation, which may take minutes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,6 +22,7 @@
 namespace stig {
 namespace {
 
+// "-" as everywhere in the program.
 bool is_standard_output(const std::optional<std::string>& path) { return path && *path == "-"; }
 
 int write(const std::string& path, const std::string& text, App& app) {
@@ -30,6 +34,7 @@ int write(const std::string& path, const std::string& text, App& app) {
 constexpr std::string_view kArgosEnding = ".argos";
 
 CompileTarget target_of(const CompileFileOptions& options) {
+  // An ending that says what it is spares the option.
   if (options.target) return *options.target;
   if (options.output && options.output->ends_with(".lua")) return CompileTarget::lua;
   if (options.output && options.output->ends_with(kArgosEnding)) return CompileTarget::argos;
@@ -41,6 +46,7 @@ std::optional<int> robots_for(const CompileFileOptions& options, const RuleSet& 
                               const App& app) {
   if (target_of(options) != CompileTarget::argos) return options.robots;
   if (!options.robots && !(rules.physical && rules.physical->robots)) {
+    // Assumed, and said so: the number decides where robots stand.
     app.say(
         "assumed: one robot, since the rules do not say how many work at once; --robots N or "
         "`physical: {robots: N}` says it");
@@ -54,6 +60,7 @@ struct ArgosFiles {
 };
 std::optional<ArgosFiles> argos_files(const CompileFileOptions& options) {
   if (!options.output || target_of(options) != CompileTarget::argos) return std::nullopt;
+  // The three names begin alike, whether the ending was given or not.
   std::string name = *options.output;
   if (name.ends_with(kArgosEnding)) name.resize(name.size() - kArgosEnding.size());
   return ArgosFiles{name + ".argos", name + "_robot.lua", name + "_block.lua"};
@@ -63,6 +70,7 @@ std::optional<std::string> line_map_of(const CompileFileOptions& options) {
   if (const auto argos = argos_files(options)) return argos->robot + ".map";
   if (!options.output || is_standard_output(options.output)) return std::nullopt;
   if (target_of(options) != CompileTarget::lua) return std::nullopt;
+  // Beside the program, as its own name and .map.
   return *options.output + ".map";
 }
 
@@ -71,6 +79,7 @@ int write_argos(const CompileFileOptions& options, const CompileJob& job, App& a
   const auto library = read_runtime(app);
   const auto adapter = read_module(kArgosAdapter, app), block = read_module(kArgosBlock, app);
   const auto robot = read_own_robot(kArgosRobot, app);
+  // All are read before anything is written.
   if (!library || !adapter || !block || !robot) return kFailed;
   const ArgosFiles files = *argos_files(options);
   const ControllerText program =
@@ -79,6 +88,7 @@ int write_argos(const CompileFileOptions& options, const CompileJob& job, App& a
   SetUpRequest request;
   request.robots = robots_of(*job.rules, options.robots);
   request.side = job.robot->block.side;
+  // By plain names: ARGoS finds scripts beside the experiment.
   const std::string experiment = argos_experiment(*job.rules, *job.compiled, request,
                                                   {file_name(files.robot), file_name(files.block)});
   const std::pair<std::string, std::string> written[] = {
@@ -94,6 +104,7 @@ int write_argos(const CompileFileOptions& options, const CompileJob& job, App& a
 
 int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
   std::string text, map;
+  // The report is the table, whatever the main result is.
   const auto report = [&] {
     return options.report ? write(*options.report, compile_table(job), app) : kOk;
   };
@@ -132,6 +143,7 @@ std::string argos_problem(const CompileFileOptions& options) {
   if (target_of(options) != CompileTarget::argos) return {};
   if (options.robot) return "ARGoS brings its own robot, the BuilderBot: leave --robot out";
   if (!options.output || is_standard_output(options.output))
+    // A name goes into an XML attribute and into file names.
     return "for ARGoS several files are written: say where with -o NAME";
   const std::string name = file_name(argos_files(options)->experiment);
   if (name == kArgosEnding) return fmt::format("'{}' has no name before .argos", *options.output);
@@ -171,6 +183,7 @@ int run(const CompileFileOptions& options, App& app) {
   }
   std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  // Rules whose own `sides` narrow them are compiled for these.
   rules = worked_from_own(std::move(*rules), options.sides);
   const std::optional<Abilities> robot = read_abilities(
       options.robot, app, target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot);
@@ -180,6 +193,8 @@ int run(const CompileFileOptions& options, App& app) {
   for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
   settings.robots = robots_for(options, *rules, app);
   stop_on_signals();
+  // Without a budget the work is bounded by steps, so that the result does not depend on the
+  // machine.
   settings.verify.seconds = options.budget.value_or(kNoTimeLimit);
   settings.verify.stop = &stop_requested();
   settings.limits.states = options.states;
@@ -188,12 +203,14 @@ int run(const CompileFileOptions& options, App& app) {
   const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
   note_other_rules(*rules, compiled, *robot, options.robot, diagnostics);
   app.report(diagnostics);
+  // Asked before anything is reported as a refusal: an interrupted proof refuses too.
   if (stop_requested()) {
     app.complain("interrupted: nothing was written");
     return kRunFailed;
   }
   show_drawings(compiled, app);
   if (!compiled.decision) return compiled.proof.interrupted ? kRunFailed : kFailed;
+  // Warnings count as errors where the user wants that.
   if (app.invalid(diagnostics)) return kFailed;
   return print(options, {&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)},
                app);

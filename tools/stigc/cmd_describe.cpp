@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc describe: what a robot is made of.
+//
+// The ending decides between a picture and a model, before the robot is read.
 #include <fmt/format.h>
 
 #include "commands.h"
@@ -35,6 +37,7 @@ int run(const DescribeOptions& options, App& app) {
   Diagnostics diagnostics;
   const auto robot = read_robot_file(options.robot, diagnostics);
   app.report(diagnostics);
+  // A robot with warnings is described, unless -W error says otherwise.
   if (!robot || app.invalid(diagnostics)) return kFailed;
   if (options.picture) {
     if (const int code = check_outputs({*options.picture}, app); code != kOk) return code;

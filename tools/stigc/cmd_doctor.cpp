@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // stigc doctor: is all there that the program leans on?
+//
+// Every finding is tried rather than looked up: a picture is drawn, a file is written. What fails
+// has advice that a user can follow.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -30,6 +33,8 @@ std::string_view to_string(Health health) {
   return health == Health::ok ? "ok" : health == Health::warn ? "warn" : "fail";
 }
 
+// Which compiler: floating-point results are meant to be the same, and a report of a difference
+// needs to say this.
 Finding program() {
   return {
     Health::ok, "program",
@@ -54,10 +59,12 @@ Finding libraries() {
           {}};
 }
 
+// From the library that is loaded, not from the headers.
 Finding physics() { return {Health::ok, "physics", "DART " + dart_version(), {}}; }
 
 Finding processor() {
   const unsigned cores = std::thread::hardware_concurrency();
+  // walk_engine.cpp chooses its kernel by the same question; results do not depend on it.
   std::string features;
 #if defined(__x86_64__)
   features = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") ? ", AVX-512"
@@ -73,10 +80,12 @@ Finding memory() {
   const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
   const double gigabytes = pages * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e9;
   const std::string found = fmt::format("{:.1f} GB", gigabytes);
+  // A box of 500³ takes a byte a cell and as much again for what runs on it.
   if (gigabytes >= 2) return {Health::ok, "memory", found, {}};
   return {Health::warn, "memory", found, "boxes beyond 500×500×500 will not fit"};
 }
 
+// The smallest picture goes all the way through cairo.
 /// Can pictures be drawn? Draws one.
 Finding pictures() {
   const Structure brick(Lattice::cubic, {{{0, 0, 0}, 1}});
@@ -92,6 +101,7 @@ Finding fonts() {
   namespace fs = std::filesystem;
   std::error_code ignored;
   for (const char* folder : {"/usr/share/fonts", "/usr/local/share/fonts"}) {
+    // Errors of folders that may not be entered end the search there, and not the program.
     for (auto it = fs::recursive_directory_iterator(folder, ignored);
          !ignored && it != fs::recursive_directory_iterator(); it.increment(ignored)) {
       if (it->path().filename() == "DejaVuSans.ttf") {
@@ -106,6 +116,7 @@ Finding fonts() {
 Finding temporary_folder() {
   const char* named = std::getenv("TMPDIR");
   const std::string folder = named != nullptr && *named != 0 ? named : "/tmp";
+  // The process number keeps two doctors apart.
   const std::string path = fmt::format("{}/stigc-doctor-{}", folder, getpid());
   FileError error;
   if (!write_file(path, "a line\n", error)) {
@@ -161,9 +172,10 @@ std::string coloured(Health health, bool color) {
 }  // namespace
 
 int run(const DoctorOptions& options, App& app) {
-  const std::vector<Finding> findings = {
-      program(),  libraries(), physics(),          processor(),   memory(),
-      pictures(), fonts(),     temporary_folder(), terminal(app), rule_sets(options.files)};
+  const std::vector<Finding> findings = {program(), libraries(), physics(), processor(), memory(),
+                                         // In the order in which things build upon each other.
+                                         pictures(), fonts(), temporary_folder(), terminal(app),
+                                         rule_sets(options.files)};
   Json json = Json::array();
   bool failed = false;
   for (const Finding& finding : findings) {

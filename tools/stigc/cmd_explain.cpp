@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // stigc explain: rule by rule, why it fires at a site or why not.
+//
+// The explanation itself is made in rules/explain.h, in terms of cells and conditions; here it
+// becomes words or JSON.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,6 +31,7 @@ struct ExplainedSite {
   Cell site;
   Explanation explanation;
 
+  // The orientation that fires, or the one that fails least.
   Orientation orientation(const RuleExplanation& said) const {
     const Rule& rule = rules.rules[said.rule];
     return orientations(rules.lattice, rules.symmetry_of(rule),
@@ -36,6 +40,7 @@ struct ExplainedSite {
 };
 
 /// Why no brick can be placed in the site whatever the rules say; or empty.
+// Rules are explained all the same: why a rule would fire is a fair question of a full site.
 std::string site_problem(const ExplainedSite& scene) {
   if (scene.rules.floor && scene.site.z < 0) return "the site is below the floor";
   if (scene.box && !scene.box->contains(scene.site)) return "the site is outside the box";
@@ -45,6 +50,7 @@ std::string site_problem(const ExplainedSite& scene) {
                      printable(symbol_of(scene.rules, StateSet::of(state))));
 }
 
+// Line by line, as drawings have no indentation of their own.
 std::string indented(std::string_view drawing, std::string_view indent) {
   std::string out;
   while (!drawing.empty()) {
@@ -57,6 +63,7 @@ std::string indented(std::string_view drawing, std::string_view indent) {
 
 std::string condition_in_words(const ExplainedSite& scene, const Rule& rule,
                                const FailedCondition& failed) {
+  // Bounds as people say them: a number, a range, or one side of it.
   std::string bounds;
   if (failed.min && failed.max && *failed.min == *failed.max) {
     bounds = fmt::to_string(*failed.min);
@@ -88,6 +95,7 @@ std::string cell_in_words(const ExplainedSite& scene, const FailedCell& cell) {
 
 std::string title(const ExplainedSite& scene, const RuleExplanation& said) {
   const Rule& rule = scene.rules.rules[said.rule];
+  // A generated rule has no place in a file.
   std::string place;
   if (rule.range)
     place = fmt::format(" (line {})", rule.range.file->position(rule.range.begin).line);
@@ -110,6 +118,7 @@ std::string rule_lines(const ExplainedSite& scene, const RuleExplanation& said, 
   std::string out = fmt::format("{} {}", title(scene, said), red("does not fire", color));
   if (said.orientations > 1) out += fmt::format("; nearest{}", turn_in_words(scene, said));
   out += "\n";
+  // Conditions first: they are few, and hold in every orientation.
   for (const FailedCondition& failed : said.conditions) {
     out += fmt::format("  {}\n", condition_in_words(scene, rule, failed));
   }
@@ -119,6 +128,7 @@ std::string rule_lines(const ExplainedSite& scene, const RuleExplanation& said, 
   if (said.cells.size() > kMostCells) {
     out += fmt::format("  and {} more cells disagree\n", said.cells.size() - kMostCells);
   }
+  // The pattern as turned, so that it can be laid over the view above.
   const int size = neighbourhood(scene.rules.lattice).size;
   const Pattern pattern = oriented(rule.pattern, orientation, size);
   return out + dim(indented(draw_pattern(scene.rules, pattern), "      "), color);
@@ -139,6 +149,7 @@ void print_text(const ExplainedSite& scene, const ExplainOptions& options, App& 
   app.print(fmt::format("{} of {} rules {}\n", firing, explanation.rules.size(),
                         firing == 1 ? "fires" : "fire"));
   for (const RuleExplanation& said : explanation.rules) {
+    // The command line counts rules from 1, as files are read.
     if (options.rule && static_cast<std::uint32_t>(*options.rule) != said.rule + 1) continue;
     app.print("\n" + rule_lines(scene, said, app.color_out()));
   }
@@ -213,6 +224,7 @@ int run(const ExplainOptions& options, App& app) {
     structure = std::move(*read);
   }
   std::optional<Box> box;
+  // The file's own box: sites beyond it look like walls.
   if (rules->box) box = lay_box(*rules->box, rules->start, rules->floor);
   const RuleTable table(*rules);
   const View view = view_at(structure, table, box, options.at);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // stigc explore: a swarm on a rule set.
+//
+// One run, with pictures and files of its own, or an ensemble of which only figures are kept. A run
+// that a limit ended which nobody asked for says so: its structure may be unfinished.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,6 +21,7 @@ namespace stig {
 namespace {
 
 /// The share of a run that is done for certain: by the nearer of its limits.
+// The larger share, since the first limit that is reached ends the run.
 double fraction_done(const SwarmConfig& config, std::uint64_t steps, std::uint64_t deposits) {
   const auto share = [](std::uint64_t done, const std::optional<std::uint64_t>& limit) {
     return limit && *limit > 0 ? static_cast<double>(done) / static_cast<double>(*limit) : 0.0;
@@ -28,6 +32,7 @@ double fraction_done(const SwarmConfig& config, std::uint64_t steps, std::uint64
 /// Says that a limit nobody asked for ended a run.
 void say_default_limit(const ExploreConfig& config, const RunSummary& run, const App& app) {
   const bool steps = run.terminated == Terminated::steps && config.steps_by_default;
+  // Both are Terminated::deposits.
   // The limit of the last stage ends a run in the same way, and somebody did ask for it.
   const bool deposits = run.terminated == Terminated::deposits && config.deposits_by_default &&
                         run.deposits >= kDefaultDeposits;
@@ -45,10 +50,12 @@ void say_default_limit(const ExploreConfig& config, const RunSummary& run, const
 
 int explore_once(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
                  const ExploreOptions& options, const std::vector<Output>& outputs, App& app) {
+  // The writer before the run: a file that cannot be opened costs no work.
   OutputWriter writer(outputs, rules, config.swarm);
   Progress progress(app);
   SwarmHooks hooks;
   hooks.stop = &stop_requested();
+  // Deposits are handed on only where some output wants them: a call each costs time.
   if (writer.wants_deposits()) hooks.deposit = [&](const Deposit& d) { writer.deposit(d); };
   hooks.progress = [&](std::uint64_t steps, std::uint64_t deposits) {
     progress.show(fraction_done(config.swarm, steps, deposits),
@@ -56,6 +63,7 @@ int explore_once(const RuleSet& rules, const RuleTable& table, const ExploreConf
   };
   const SwarmResult result = run_swarm(table, rules.start, config.swarm, hooks);
   progress.clear();
+  // Also of an interrupted run: what was built so far is there.
   const int written = writer.write(result, app);
   say_default_limit(config,
                     {result.steps, result.deposits, 0, 0, result.enabled_left, result.out_of_reach,
@@ -65,12 +73,15 @@ int explore_once(const RuleSet& rules, const RuleTable& table, const ExploreConf
     app.print(dump(run_json(rules, config.swarm, result)));
   } else {
     app.print(run_lines(rules, config.swarm, result, app.color_out()));
+    // Only structures that fit onto a screen.
     const std::string drawing = small_drawing(result.structure, rules.bricks);
     if (!drawing.empty()) app.print("\n" + drawing);
   }
   return result.terminated == Terminated::interrupted ? kRunFailed : written;
 }
 
+// Runs of an ensemble would take as much memory as JSON values as they do as structures; their text
+// is put between the braces by hand.
 /// The object of --json with several runs. The runs are objects in text already.
 void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
                          const Ensemble& ensemble, App& app) {
@@ -91,6 +102,7 @@ void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
       [](const RunSummary& run) { return run.terminated == Terminated::interrupted; });
   json["distinct_structures"] = ensemble.structures.size();
   std::string text = dump(json);
+  // The object's closing brace is taken off, and put back behind the list.
   text.resize(text.rfind("\n}"));
   app.print(text + ",\n  \"runs\": [\n");
   app.print(ensemble.runs_json);
@@ -110,6 +122,7 @@ int explore_many(const RuleSet& rules, const RuleTable& table, const ExploreConf
                  const ExploreOptions& options, const std::vector<Output>& outputs, App& app) {
   const Ensemble ensemble = run_all(rules, table, config, options, outputs, app);
   const int written = std::max(ensemble.exit_code, write_runs_table(ensemble, outputs, app));
+  // The run with most left to do stands for all: one remark, not a thousand.
   const auto longest = std::max_element(
       ensemble.runs.begin(), ensemble.runs.end(),
       [](const RunSummary& a, const RunSummary& b) { return a.enabled_left < b.enabled_left; });
@@ -137,6 +150,7 @@ int run(const ExploreOptions& options, App& app) {
     app.complain(printable(config.problem));
     return kUsage;
   }
+  // Now that runs are counted: each may write files with its number.
   if (const int code = check_outputs(names_of(outputs, options.runs), app); code != kOk) {
     return code;
   }

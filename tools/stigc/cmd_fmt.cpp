@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc fmt: the canonical form of rule set files.
+//
+// Formatting is reading and printing: a file with errors has no canonical form and is left alone.
 #include <fmt/format.h>
 
 #include "base/file_guard.h"
@@ -19,11 +21,14 @@ int format(const std::string& file, const FmtOptions& options, App& app) {
     app.print(text);
     return kOk;
   }
+  // A file that is well formed is not touched, so its time of change stays.
   if (rules->file && rules->file->text() == text) return kOk;
+  // Names alone, as lists for other programs.
   if (options.check) {
     app.print(file + "\n");
     return kFailed;
   }
+  // The guard of files would refuse, since the file was read; here that is the purpose.
   let_replace(file);
   FileError error;
   if (!write_file(file, text, error)) {

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc graph: the firing graph as DOT.
+//
+// The graph is quadratic in the rules, hence the limit that firing_graph_problem tells of.
 #include "commands.h"
 #include "lattice/firing_graph.h"
 

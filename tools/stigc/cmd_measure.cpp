@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc measure and stigc draw: structure files by themselves.
+//
+// Structure files need no rule set: what they do not say of themselves the command line may.
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
@@ -25,6 +27,7 @@ int run(const MeasureOptions& options, App& app) {
   const auto loaded = read_structure(options.structure, options.lattice, app);
   if (!loaded) return kFailed;
   if (options.json) {
+    // The same figures as explore prints of a run's end (report.h).
     const Measures measures = measure(loaded->structure);
     Json json;
     json["structure"] = options.structure;
@@ -44,6 +47,7 @@ int run(const MeasureOptions& options, App& app) {
 }
 
 int run(const DrawOptions& options, App& app) {
+  // All endings first: drawing the first file is no use if the second cannot be.
   for (const std::string& path : options.outputs) {
     std::string error;
     if (can_write_structure(path, error)) continue;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // stigc replay: does a trace's run come out again, event by event? Traces of simulate are
 // for pose_replay.cpp.
+//
+// A trace carries its rule set, start and settings, so replaying needs nothing else: it shows that
+// a run was what it claims, on this machine and with this version.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -18,12 +21,14 @@
 namespace stig {
 namespace {
 
+// As large as traces get; they are read whole.
 constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
 
 /// The rule set that the trace carries.
 std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, const App& app) {
   Diagnostics diagnostics;
   auto rules = read_rule_set(
+      // Diagnostics point into the trace, which has no lines of its own to show.
       std::make_shared<const SourceFile>(path + " (its rule set)", trace.rule_set_yaml),
       diagnostics);
   if (diagnostics.has_errors()) {
@@ -66,6 +71,7 @@ int run(const ReplayOptions& options, App& app) {
     app.complain(error.message);
     return kFailed;
   }
+  // The two kinds of traces are told apart by their first bytes, as `file` would.
   if (bytes->starts_with(kPoseTraceMagic)) return replay_poses(options, std::move(*bytes), app);
   if (options.at || options.picture) {
     app.complain("--at and -o are for traces of stigc simulate");
@@ -84,11 +90,13 @@ int run(const ReplayOptions& options, App& app) {
   SwarmHooks hooks;
   hooks.stop = &stop_requested();
   hooks.progress = [&](std::uint64_t, std::uint64_t deposits) {
+    // Events are what a trace has a number of beforehand.
     const double share = static_cast<double>(deposits) / static_cast<double>(trace->events.size());
     progress.show(share, fmt::format("{} of {} events", deposits, trace->events.size()));
   };
   const ReplayReport report = replay(*trace, *rules, hooks);
   progress.clear();
+  // A difference found before the interruption is a result.
   if (stop_requested() && !report.identical) {
     app.complain(fmt::format("interrupted after {} events", report.compared));
     return kRunFailed;

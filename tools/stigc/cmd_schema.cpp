@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc schema and stigc completions: what the program knows of itself.
+//
+// Schemas are printed from the tables that the readers check by, so they cannot be out of date.
 #include "base/load.h"
 #include "base/yaml.h"
 #include "commands.h"
@@ -26,12 +28,14 @@ std::string schema_of(FileForm form) {
   return json_schema();
 }
 
+// For editors, which ask while a file is being written and is mostly not yet valid.
 /// The symbols of a file's bricks; the rest of it need not be good.
 std::vector<std::string> symbols_of(const YamlDocument& document) {
   std::vector<std::string> symbols;
   const YamlNode* bricks = document.root.find("bricks");
   if (bricks == nullptr) return symbols;
   for (const YamlPair& brick : bricks->pairs) {
+    // "." and the like mean cells in drawings and are no bricks.
     if (!is_reserved_symbol(brick.key.text)) symbols.push_back(brick.key.text);
   }
   return symbols;
@@ -48,6 +52,7 @@ int schema_with_symbols(const SchemaOptions& options, App& app) {
     document = parse_yaml(std::move(source), {}, diagnostics);
   }
   app.report(diagnostics);
+  // A file that cannot be parsed at all has no symbols to offer.
   if (!document) return kFailed;
   app.print(json_schema(symbols_of(*document)));
   return kOk;

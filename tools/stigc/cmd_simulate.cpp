@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // stigc simulate: a scene, once or for many seeds.
+//
+// One run with its files, or many for their figures. What makes one run long is resume: a run that
+// was interrupted goes on from a checkpoint and ends with the same bytes in its trace as if it had
+// not been. So a checkpoint names everything itself, and what the command line could contradict is
+// refused.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -34,6 +39,7 @@ std::string usage_problem(const SimulateOptions& o) {
   if (o.picture && !o.picture->ends_with(".png")) {
     return fmt::format("'{}': pictures of scenes are .png", *o.picture);
   }
+  // An ensemble keeps figures alone.
   if (o.runs > 1 && (o.trace || o.picture || o.checkpoint || o.resume)) {
     return "--trace, -o, --checkpoint and --resume are of one run, not of --runs";
   }
@@ -50,6 +56,7 @@ std::vector<std::string> output_names(const SimulateOptions& o) {
 }
 
 /// A resumed run goes on in its trace, and may leave its checkpoint where the last one was.
+// Files that have been read are not written over otherwise (file_guard.h).
 void let_go_on(const SimulateOptions& o) {
   if (o.trace) let_replace(*o.trace);
   if (o.checkpoint && file_identity(*o.checkpoint) == file_identity(*o.resume)) {
@@ -74,6 +81,7 @@ std::optional<LoadedScene> scene_of(const Checkpoint& checkpoint, const App& app
   return loaded;
 }
 
+// Names in order too: the scene's own comes first.
 bool same_files(const std::vector<SceneFile>& a, const std::vector<SceneFile>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& x, const auto& y) {
     return x.name == y.name && x.text == y.text;
@@ -95,8 +103,10 @@ std::optional<PoseTrace> earlier_trace(const std::string& path, const PoseTraceH
     app.report(diagnostics);
     return std::nullopt;
   }
+  // Same seed and same texts: then the run is the same.
   const bool same =
       trace->header.seed == header.seed && same_files(trace->header.files, header.files);
+  // Ticks beyond the checkpoint are left out when the trace is copied.
   if (same && trace->end.ticks >= tick) return trace;
   app.complain(fmt::format("'{}' is {}", printable(path),
                            same ? "shorter than the run was at the checkpoint"
@@ -111,6 +121,7 @@ class OneRun {
       : options_(options),
         loaded_(loaded),
         app_(app),
+        // Histories of readings are kept only where a checkpoint is wanted: they take memory.
         run_(loaded.scene, loaded.placed, options.checkpoint.has_value()) {}
 
   int run(const std::optional<Checkpoint>& checkpoint) {
@@ -118,6 +129,7 @@ class OneRun {
       app_.complain(
           fmt::format("'{}': its state is none of its scene", printable(*options_.resume)));
       return kFailed;
+      // The scene has read well, so the state must be damaged or of another version.
     }
     if (!find_camera()) return kUsage;
     if (const int code = begin_trace(); code != kOk) return code;
@@ -130,6 +142,7 @@ class OneRun {
     if (options_.checkpoint) state_ = run_.state();
     run_.end_script(hooks(progress));
     run_.finish(end);
+    // Ends the trace on the last tick, whatever ended the run.
     const int written = write_files();
     const SimulationReport report = report_of(loaded_.scene, run_, end, seconds);
     print(report);
@@ -137,6 +150,7 @@ class OneRun {
     if (end == RunEnd::interrupted) {
       app_.complain(fmt::format("interrupted after {:.3f} s", run_.world().time()));
     }
+    // 3 where the work was broken off, 1 where it came to an end that is not good.
     if (run_.script_failed() || end == RunEnd::diverged || end == RunEnd::interrupted) {
       return kRunFailed;
     }
@@ -154,6 +168,7 @@ class OneRun {
     std::optional<PoseTrace> earlier;
     if (options_.resume) {
       earlier = earlier_trace(*options_.trace, header, run_.world().tick(), app_);
+      // It may be longer than the run up to the checkpoint, never shorter.
       if (!earlier) return kFailed;
     }
     if (!trace_.open(*options_.trace)) {
@@ -161,6 +176,7 @@ class OneRun {
       return kRunFailed;
     }
     PoseTraceWriter& writer = trace_.begin(header);
+    // Copied records are re-encoded, so chunks fall as in an uninterrupted run.
     if (earlier) copy_records(*earlier, run_.world().tick(), writer);
     run_.record(writer);
     return kOk;
@@ -170,6 +186,7 @@ class OneRun {
     RunHooks hooks;
     hooks.stop = &stop_requested();
     hooks.on_line = [this, &progress](const CrewLine& line) {
+      // The line of progress must not end up in the middle of a message.
       progress.clear();
       const std::string text =
           fmt::format("{:8.2f} s  {}: {}", static_cast<double>(line.tick) * step(),
@@ -181,11 +198,13 @@ class OneRun {
       }
     };
     hooks.after_step = [this, &progress](const World& world) {
+      // Sixteen steps are a fraction of what a frame on the terminal takes.
       if (world.tick() % 16 == 0) {
         progress.show(world.time() / duration(),
                       fmt::format("{:.1f} of {} s, {} of {} awake", world.time(), duration(),
                                   world.awake_count(), world.size()));
       }
+      // Times are sums of steps, and may be a hair below the moment.
       if (options_.at && !moment_ && world.time() >= *options_.at - 1e-9) take_moment();
     };
     return hooks;
@@ -200,6 +219,7 @@ class OneRun {
   }
 
   void take_moment() {
+    // Kept, and drawn at the end: drawing takes longer than many steps.
     moment_ = {run_.world().time(), {}, {}, {}};
     if (camera_) {
       moment_->view = view_png(run_, *camera_);
@@ -217,6 +237,7 @@ class OneRun {
   }
 
   int write_moment() {
+    // A picture is wanted in any case; its caption has the time.
     if (options_.at && !moment_) {
       app_.say(fmt::format("the run ended before {} s: the picture is of its end", *options_.at));
     }
@@ -235,6 +256,7 @@ class OneRun {
   }
 
   int write_checkpoint() {
+    // The state was taken before the script's last words.
     return write_output(*options_.checkpoint,
                         checkpoint_bytes({loaded_.scene.files, loaded_.placed.seed, state_}), app_);
   }
@@ -272,6 +294,7 @@ int run(const SimulateOptions& options, App& app) {
   if (options.resume) {
     checkpoint = read_checkpoint(*options.resume, app);
     if (!checkpoint) return kFailed;
+    // Before check_outputs asks whether these names may be written.
     let_go_on(options);
   }
   const auto loaded =

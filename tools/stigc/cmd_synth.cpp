@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
 // stigc synth: from a target structure to a rule set that builds it.
+//
+// The search may be ended by its budget at any time, so each step afterwards (the proof that fewer
+// colours do not do, the proof of the rules, bricks that can be walled in) takes what time is left
+// and says when it was cut short. What is printed has been proved by verify, whatever synthesis
+// thinks of it.
 #include <fmt/format.h>
 #include <sys/stat.h>
 
@@ -33,6 +38,7 @@
 namespace stig {
 namespace {
 
+// Walking is a search through empty space for every brick.
 /// In larger structures it is not asked whether agents can walk to every site in time.
 constexpr std::size_t kMostWalkedTo = 20'000;
 /// For the proof of what was found when the time was over.
@@ -40,6 +46,7 @@ constexpr double kSecondsAfterwards = 1;
 /// What --proof writes into its folder.
 constexpr std::array<const char*, 3> kProofFiles = {"fewer.json", "fewer.cnf", "fewer.drat"};
 
+// They go into the file, which then says how it was made.
 /// The options that made a difference, as they are written.
 std::string options_in_words(const SynthOptions& o) {
   std::string out;
@@ -65,6 +72,7 @@ Wording wording(const SynthOptions& options, const Solution& solution, bool cut_
 /// Writes a file into a folder that may have to be made.
 bool write_into(const std::string& folder, const std::string& name, const std::string& bytes,
                 std::string& error) {
+  // EEXIST may be a file of that name: then the write fails, and says so.
   if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
     error = fmt::format("cannot make folder '{}': {}", printable(folder), strerror(errno));
     return false;
@@ -79,11 +87,13 @@ bool write_into(const std::string& folder, const std::string& name, const std::s
 /// from one site, make clauses that it does not derive.
 void confirm_fewest(const SynthOptions& options, const Target& target, const Deadline& deadline,
                     Solution& solution, SynthOutcome& outcome) {
+  // One colour needs no proof, and "fewest" was not claimed otherwise.
   if (!solution.fewer_refuted || solution.colour_count == 1) return;
   Effort effort(deadline);
   outcome.fewest =
       prove_fewest(solution, static_cast<int>(target.bricks.size()),
                    {&effort, static_cast<std::uint64_t>(options.effort * kStepsOfEffort)});
+  // The checker of stigc certify, not the search's own word.
   if (outcome.fewest && !derive_formula(outcome.fewest->problem, outcome.fewest->cnf).derived) {
     outcome.fewest.reset();
   }
@@ -122,6 +132,7 @@ int write_proof(const SynthOptions& options, const Solution& solution,
 /// is over a moment is left for the proof.
 void prove(const RuleSet& rules, const Deadline& deadline, SynthOutcome& outcome) {
   VerifyOptions verifying;
+  // The stop flag is set for good once it was; looked at here it would end the proof at once.
   if (deadline.passed()) {
     verifying.seconds = kSecondsAfterwards;
   } else {
@@ -146,11 +157,13 @@ int write_results(const SynthOptions& options, const Target& target, const Deadl
                                       wording(options, s, result.cut_short));
   prove(rules, deadline, outcome);
   result.cut_short = result.cut_short || deadline.passed();
+  // Interrupted before the proof was done: nothing unproved is written.
   if (result.cut_short && outcome.proof.verdict != ProofVerdict::proved) {
     app.complain(fmt::format("the rules that were found are not proved: {}", ended_early()));
     return kRunFailed;
   }
   const std::string text = print_rule_set(rules);
+  // What cannot be read back is not written.
   if (text.size() > kMaxRuleFileBytes) {
     app.complain(
         fmt::format("the rule set takes {} bytes, more than the {} that a rule file may have",
@@ -195,6 +208,7 @@ SynthesisOptions synthesis_options(const SynthOptions& options) {
 /// Every file that is written.
 std::vector<std::string> output_names(const SynthOptions& options) {
   std::vector<std::string> names;
+  // In the order in which they are written.
   if (has_file(options)) names.push_back(*options.output);
   if (options.certificate) names.push_back(*options.certificate);
   for (const char* name : kProofFiles) {
@@ -208,6 +222,8 @@ void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result
                   const SynthesisHooks& hooks, SynthOutcome& outcome) {
   SynthesisOptions searching = synthesis_options(options);
   Synthesis plain;
+  // With a bound on colours there may be no solution to learn from: one with any number shows which
+  // cells count.
   if (!result.best && options.colours) {
     searching.most_colours = kMaxColours;
     plain = synthesise(target, searching, hooks);
@@ -219,6 +235,7 @@ void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result
   const std::vector<Cell> run =
       known.best ? counting_cells(*known.best, static_cast<int>(target.bricks.size()))
                  : longest_run(target);
+  // Only fewer colours than without the scaffold are of any use.
   const int below =
       std::min(known.best ? known.best->colour_count : kMaxColours, searching.most_colours + 1);
   auto found = find_scaffold(target, run, static_cast<std::size_t>(options.scaffold), below,
@@ -256,11 +273,13 @@ int run(const SynthOptions& options, App& app) {
   const SynthesisOptions searching = synthesis_options(options);
   Synthesis result = synthesise(target, searching, hooks);
   SynthOutcome outcome;
+  // A scaffold changes the target: more bricks than were asked for, and said so.
   if (options.scaffold > 0) {
     add_scaffold(options, target, result, hooks, outcome);
     result.cut_short = result.cut_short || hooks.deadline.passed();
   }
   if (result.obstacle) {
+    // Remedies are tried, one by one: each is known to work.
     result.obstacle->remedies = find_remedies(target, searching, *result.obstacle, hooks);
     result.cut_short = result.cut_short || hooks.deadline.passed();
   }
@@ -271,6 +290,7 @@ int run(const SynthOptions& options, App& app) {
     if (has_file(options) && !options.json) app.print(synth_summary(result, outcome));
     if (!has_file(options) && !options.json) app.say(synth_summary(result, outcome));
   } else if (result.obstacle) {
+    // 1 for what is proved impossible, 3 for what was not found.
     code = result.obstacle->proved ? kFailed : kRunFailed;
     if (!options.json) app.print(synth_reason(result, app.color_out()));
     if (result.cut_short) app.say(ended_early());

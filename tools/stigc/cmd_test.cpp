@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // stigc test: rule sets held to what they expect of themselves.
+//
+// Expectations stand in the rule set's own file: bricks, structure, verdict. They are tried by
+// sampling and search first, which are quick and find most contradictions, and by proof for what is
+// still open.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,6 +18,7 @@
 namespace stig {
 namespace {
 
+// The longest word has 16 letters.
 std::string coloured(Standing standing, bool color) {
   const std::string padded = fmt::format("{:<17}", to_string(standing));
   switch (standing) {
@@ -28,6 +33,7 @@ std::string coloured(Standing standing, bool color) {
   return red(padded, color);
 }
 
+// A file with both is failed.
 /// 0, 1 or 3: see app.h. What failed counts for more than what stayed open.
 int exit_code(const ExpectationReport& report) {
   if (report.passed()) return kOk;
@@ -49,6 +55,7 @@ void print_text(const std::string& file, const ExpectationReport& report, App& a
   } else if (report.interrupted) {
     app.print("  interrupted\n");
   } else if (expects_nothing(report)) {
+    // No expectation is no failure, but no success that counts either.
     app.print("  nothing is expected\n");
   }
   for (const ExpectationItem& item : report.items) {
@@ -99,14 +106,17 @@ void settle_by_proof(const RuleSet& rules, ExpectationReport& report) {
   }
   VerifyOptions options;
   options.box = file_box(rules);
+  // The proof is bounded by work; only the user's patience bounds it in time.
   options.stop = &stop_requested();
   const VerifyResult result = verify(rules, options);
   const bool proved = result.verdict == ProofVerdict::proved;
   const bool endless = result.verdict == ProofVerdict::endless;
   for (ExpectationItem& item : report.items) {
+    // Unknown or refuted: a refutation contradicts nothing that sampling has not found, for samples
+    // are orders too.
     if (!open(item) || (!proved && !endless)) continue;
     if (endless) {
-      // Of one order; that others end is not ruled out.
+      // One order is endless; that others end is not ruled out.
       if (item.key == "verdict") item.found = "an order that never ends (a proof); " + item.found;
       continue;
     }
@@ -115,6 +125,7 @@ void settle_by_proof(const RuleSet& rules, ExpectationReport& report) {
       item.standing = expected ? Standing::held : Standing::failed;
       item.found = to_string(Verdict::coordinated);
     } else if (item.key == "bricks") {
+      // By its text, as the file says it.
       const bool same = fmt::to_string(result.structure->size()) == item.expected;
       item.standing = same ? Standing::held : Standing::failed;
     } else if (item.standing == Standing::not_contradicted) {
@@ -135,6 +146,7 @@ int run(const TestOptions& options, App& app) {
   hooks.stop = &stop_requested();
   Json all = Json::array();
   int worst = kOk;
+  // Files are tested in order, and a file's lines shown when it is done.
   std::size_t passed = 0, without = 0;
   Progress progress(app);
   for (std::size_t i = 0; i < options.files.size() && !stop_requested(); ++i) {
@@ -159,6 +171,7 @@ int run(const TestOptions& options, App& app) {
     if (worst != kFailed && code != kOk) worst = code;
     if (!options.json && rules) {
       print_text(file, report, app);
+      // A long test shows its files as they come.
       app.flush();
     }
     if (options.json) {
@@ -174,6 +187,7 @@ int run(const TestOptions& options, App& app) {
   } else {
     app.print(summary(passed, options.files.size() - without, without));
   }
+  // Interrupted: what was not tested may have failed.
   return stop_requested() ? kRunFailed : worst;
 }
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 // stigc validate: robots build the structure of a rule set in the physical world, and what they
 // build is held to the rules.
+//
+// From rules to report in five steps, each of which can refuse with a reason: compile, set up (or
+// read) the scene, run the trials, judge, write. A scene may be the user's own: then it says what
+// robots there are, and the command line must not contradict it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,6 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// Names within the output folder are fixed, so that a validation can be repeated into it.
 constexpr const char* kSceneFile = "scene.yaml";
 constexpr const char* kReport = "report.json";
 constexpr std::array kReportFiles = {"progress.csv", "progress.svg", kReport, "report.html"};
@@ -49,6 +54,7 @@ class Validation {
     if (const int code = compile(); code != kOk) return code;
     if (const int code = load(); code != kOk) return code;
     if (const int code = options_.output ? prepare_folder() : kOk; code != kOk) return code;
+    // Runs share the scene and differ by their seeds alone.
     TrialBatch batch = run_trials(target_, *scene_, options_, duration_, app_);
     if (batch.diagnostics.has_errors()) {
       app_.report(batch.diagnostics);
@@ -66,6 +72,7 @@ class Validation {
         std::any_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
           return trial.end == TrialEnd::interrupted || trial.end == TrialEnd::diverged;
         });
+    // 3 where a run broke off or a file is missing, 1 where robots have built something else.
     if (broken || written != kOk ||
         report.trials.size() < static_cast<std::size_t>(options_.runs)) {
       return kRunFailed;
@@ -85,6 +92,7 @@ class Validation {
     settings.verify.stop = settings.limits.stop = &stop_requested();
     for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
     settings.robots = options_.robots;
+    // In a scene of the user's the number of robots is known once it is read.
     if (!options_.scene) settings.robots = robots_of(*rules_, options_.robots);
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
@@ -94,6 +102,7 @@ class Validation {
       app_.complain("interrupted before the first run");
       return kRunFailed;
     }
+    // Pictures of what cannot be built go before the verdict.
     show_drawings(compiled_, app_);
     if (!compiled_.decision) return compiled_.proof.interrupted ? kRunFailed : kFailed;
     if (app_.invalid(diagnostics)) return kFailed;
@@ -112,6 +121,7 @@ class Validation {
     return set_up_scene(*rules_, compiled_, request);
   }
 
+  // The same text that stigc compile writes.
   std::optional<std::string> controller_text() const {
     const auto library = read_runtime(app_);
     if (!library) return std::nullopt;
@@ -133,6 +143,8 @@ class Validation {
     if (!text || !controller) return kFailed;
     // What is written runs as long as what was run.
     if (options_.duration) text = with_duration(std::move(*text), *options_.duration);
+    // The controller is found by its name, whatever lies on the disk; everything else where scenes
+    // have it.
     const SceneLoader others = options_.scene ? scene_loader(*options_.scene) : own_loader();
     if (options_.scene && !controller_name_is_free(*options_.scene, *controller, others, app_)) {
       return kFailed;
@@ -147,6 +159,7 @@ class Validation {
         std::make_shared<const SourceFile>(options_.scene.value_or(kSceneFile), std::move(*text));
     scene_ = read_scene(source, loader, diagnostics);
     if (scene_ && check_robots(diagnostics) > 1) check_crew(diagnostics);
+    // Placed for the first seed, to find faults; each run places for its own.
     const auto placed = scene_ ? place_scene(*scene_, options_.seed, diagnostics) : std::nullopt;
     const auto site =
         placed ? find_site(*rules_, compiled_.target->floor_level(), *scene_, *placed, diagnostics)
@@ -161,6 +174,7 @@ class Validation {
 
   /// One that robots work from, or `several`.
   bool is_side(const LuaValue& value, bool several) const {
+    // Sides are words parted by blanks: "+x -y".
     const auto* text = std::get_if<std::string>(&value);
     if (text == nullptr) return false;
     std::istringstream words(*text);
@@ -181,6 +195,7 @@ class Validation {
     for (const SceneFile& file : scene_->files) {
       const bool scene = &file == &scene_->files.front();
       const fs::path path(file.name);
+      // A name with .. would be written outside of the folder that the user named.
       const bool outside =
           path.is_absolute() || std::find(path.begin(), path.end(), "..") != path.end();
       if (scene || !outside) files.push_back(&file);
@@ -199,6 +214,7 @@ class Validation {
     };
     for (const SceneFile* file : written_scene_files()) add(written_name(*file));
     for (const char* name : kReportFiles) add(name);
+    // Traces are named by their seeds.
     for (int run = 0; run < options_.runs; ++run) {
       add(trace_name(options_.seed + static_cast<std::uint64_t>(run)));
     }
@@ -207,6 +223,7 @@ class Validation {
 
   /// The compiled program asks on which side it begins. How many robots have it?
   int check_robots(Diagnostics& diagnostics) const {
+    // Robots with other programs may stand about: only those with the compiled one are asked.
     int count = 0;
     for (const RobotSpawn& robot : scene_->robots) {
       const bool compiled = robot.program < scene_->programs.size() &&
@@ -234,6 +251,7 @@ class Validation {
   /// A scene of several robots, whatever the file says.
   void check_crew(Diagnostics& diagnostics) {
     if (!options_.scene) return;
+    // Not what the rules' file says.
     compiled_.robots = static_cast<int>(scene_->robots.size());
     report_conflict(*rules_, compiled_, diagnostics);
   }
@@ -241,6 +259,7 @@ class Validation {
   /// Names that the user did not choose are no leave to write over files of the user's.
   int check_ownership(const std::vector<std::string>& names) const {
     std::error_code ignored;
+    // An earlier report marks the folder as this command's own.
     if (fs::exists(*options_.output + "/" + kReport, ignored)) return kOk;
     for (const std::string& name : names) {
       if (!fs::exists(name, ignored)) continue;
@@ -275,6 +294,7 @@ class Validation {
     return false;
   }
 
+  // What can be written is, even if one file cannot.
   int write(const ValidationReport& report, const TrialBatch& batch) const {
     for (const std::string& complaint : batch.complaints) app_.complain(complaint);
     bool good = batch.complaints.empty();

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // stigc verify: does every order of events end in the same structure?
+//
+// The box in which a claim holds is part of the claim, so it is settled first, by the command line
+// or the file. Work is counted in steps: the same effort gives the same verdict on any machine, and
+// --budget, in seconds, is the exception that a user asks for.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -23,6 +27,7 @@ std::optional<Box> chosen_box(const RuleSet& rules, const WorldOptions& world,
   return lay_box(*spec, rules.start, rules.floor);
 }
 
+// 3 for unknown: neither yes nor no.
 int exit_code(ProofVerdict verdict) {
   switch (verdict) {
     case ProofVerdict::proved:
@@ -38,6 +43,7 @@ int exit_code(ProofVerdict verdict) {
 
 int write_certificate(const std::string& path, const VerifyResult& result, const App& app) {
   if (!result.certificate) {
+    // No failure in itself: the verdict has a code of its own.
     app.say("no certificate was written: nothing was proved");
     return kOk;
   }
@@ -68,6 +74,7 @@ int run(const VerifyFileOptions& options, App& app) {
   std::string problem;
   settings.box = chosen_box(*rules, options.world, problem);
   if (!problem.empty()) return complain(problem, app);
+  // Events in the box are what is proved; the same check as explore's.
   SwarmConfig config;
   config.motion = Motion::event;
   config.box = settings.box;
@@ -76,6 +83,7 @@ int run(const VerifyFileOptions& options, App& app) {
   stop_on_signals();
   Progress progress(app);
   const auto part = [&](std::uint64_t work) {
+    // Parts of the work in their usual proportion.
     return static_cast<std::uint64_t>(options.effort * static_cast<double>(work));
   };
   settings.work = part(settings.work);
@@ -89,6 +97,7 @@ int run(const VerifyFileOptions& options, App& app) {
   FindingOptions limits;
   limits.work = part(limits.work);
   limits.seconds = settings.seconds;
+  // Walled-in bricks, rules that never fire, repairs: what else the user will ask.
   progress.show(0, "looking at what else there is to say");
   const Findings findings = find_more(*rules, settings, result, limits);
   progress.clear();
@@ -100,6 +109,7 @@ int run(const VerifyFileOptions& options, App& app) {
     app.print(to_text(report, app.color_out()));
   }
   if (options.certificate)
+    // A failure to write is worse than a verdict of "no".
     code = std::max(code, write_certificate(*options.certificate, result, app));
   if (options.witness) code = std::max(code, write_witness(*options.witness, report, app));
   return code;

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The only file that includes CLI11, which takes seconds to compile. The parser is made anew for
+// each use; what it reads goes into Storage, and help, completions and suggestions are taken from
+// the same declarations, so that none can be out of date. Numbers and words are read by functions
+// of our own (numbers.h): CLI11's take "1e3" and " 7", and their messages are not ours.
 #include "command_line.h"
 
 #include <fmt/format.h>
@@ -15,6 +19,7 @@ namespace stig {
 namespace {
 
 /// Where the parser puts what it reads: one of each kind of options.
+// CLI11 writes into these by reference while it parses, so they must outlive the parser.
 struct Storage {
   GlobalOptions global;
   std::string code;  ///< of a diagnostic
@@ -43,6 +48,7 @@ struct Storage {
 /// An option whose text is read by `parse`, which returns what is wrong.
 CLI::Option* parsed(CLI::App* app, const std::string& names, const std::string& value,
                     const std::string& doc, std::function<std::string(const std::string&)> parse) {
+  // The long name, if there is one: what messages call the option.
   const std::string shown = names.substr(names.rfind(',') + 1);
   return app
       ->add_option_function<std::string>(
@@ -62,6 +68,7 @@ CLI::Option* integer(CLI::App* app, const std::string& names, Integer& out, std:
     std::int64_t value = 0;
     const std::string problem = parse_integer(text, low, high, value);
     if (problem.empty()) {
+      // An optional's value is set, a number assigned.
       if constexpr (std::is_arithmetic_v<Integer>) {
         out = static_cast<Integer>(value);
       } else {
@@ -106,6 +113,7 @@ CLI::Option* path(CLI::App* app, const std::string& names, std::optional<std::st
 
 /// An option that takes one value and may be given several times.
 CLI::Option* repeated(CLI::App* app, const std::string& names, std::vector<std::string>& out,
+                      // Without this CLI11 would take the next arguments too, up to an option.
                       const std::string& value, const std::string& doc) {
   return app->add_option(names, out, doc)->type_name(value)->allow_extra_args(false);
 }
@@ -141,6 +149,7 @@ void add_global(CLI::App& app, GlobalOptions& o) {
 
 CLI::App* command(CLI::App& app, const std::string& name, const std::string& summary,
                   const std::string& examples) {
+  // With fallthrough, global options may stand behind the command.
   CLI::App* sub = app.add_subcommand(name, summary)->fallthrough();
   sub->footer(examples);
   return sub;
@@ -185,6 +194,7 @@ void add_explore_swarm(CLI::App* sub, ExploreOptions& o) {
          "how agents move; event: no agents, a random order of events (default: walk)");
   integer(sub, "--agents", o.agents, 1, std::numeric_limits<int>::max(),
           "number of agents (default: 10)");
+  // At once and in order, as several values are put into one list.
   parsed(sub, "--agents-at", "X,Y,Z",
          "where the first agents start, the others anywhere; may be repeated",
          [&o](const std::string& text) { return parse_cells(text, o.agents_at); })

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The table is for people, the others for programs: DOT for Graphviz, the intermediate
+// representation and the line map as JSON, each with a version in its first key.
 #include "compile_report.h"
 
 #include <fmt/format.h>
@@ -26,9 +28,11 @@ Json node_json(const RuleSet& rules, const DecisionNode& node) {
   if (!node.question) {
     if (!node.placement) return {{"do", "nothing"}};
     const Placement& p = *node.placement;
+    // In the order of the enumeration.
     constexpr const char* kKinds[] = {"raise", "extend", "beside"};
     Json out = {{"do", kKinds[static_cast<std::size_t>(kind_of(p))]},
                 {"led", rules.brick(p.colour).led}};
+    // A raise is on top of the column: it needs no place.
     if (kind_of(p) != PlacementKind::raise) {
       out["at"] = {{"before", p.at.du}, {"left", p.at.dv}, {"level", p.at.z}};
     }
@@ -50,6 +54,7 @@ Json robots_json(const CompiledRules& compiled) {
               {"pairs", found.pairs},
               {"ways_cross", found.ways_cross}};
   out["conflicts"] = Json::array();
+  // Conflicts in words, since their structures mean nothing without the rest.
   for (const Conflict& one : found.conflicts) {
     out["conflicts"].push_back(
         {{"kind", to_string(one.kind)}, {"what", conflict_text(compiled, one)}});
@@ -70,6 +75,7 @@ Json chart_json(const Chart& chart) {
 }  // namespace
 
 void show_drawings(const CompiledRules& compiled, const App& app) {
+  // Editors that read JSON get no drawings in between.
   if (app.options().json_diagnostics) return;
   for (const RefusalDrawing& one : compiled.drawings) app.say(one.title + ":\n" + one.drawing);
 }
@@ -82,6 +88,7 @@ std::string compile_table(const CompileJob& job) {
                      counted(compiled.target->bricks(), "brick"), compiled.target->start_bricks());
   out += fmt::format("sides        {}; {}\n", sides_text(compiled), to_string(compiled.directions));
   for (const Stance& look : job.plan.looks) {
+    // In mm, as one measures on a table.
     out += fmt::format("looks from   {:.0f} mm before the column, lift at {:.0f} mm\n",
                        1e3 * look.distance, 1e3 * look.lift);
   }
@@ -91,6 +98,7 @@ std::string compile_table(const CompileJob& job) {
 }
 
 std::string compile_dot(const CompileJob& job) {
+  // Two graphs in one file: dot draws both.
   return decision_dot(*job.rules, *job.compiled->decision) + chart_dot(*job.plan.chart);
 }
 
@@ -101,6 +109,7 @@ std::string compile_ir(const CompileJob& job) {
   out["directions"] = to_string(compiled.directions);
   out["sides"] = Json::array();
   for (const ApproachSide side : compiled.sides) out["sides"].push_back(to_string(side));
+  // Those figures of the robot that the decisions depend on.
   out["robot"] = {{"levels", robot.levels},
                   {"lift_travel", robot.lift_travel},
                   {"clearance", robot.clearance},
@@ -126,6 +135,7 @@ std::string line_map_json(const CompileJob& job, const ControllerText& program) 
   Json out = {{"stigc_line_map", 1}, {"rules", job.rules->name}, {"lines", Json::array()}};
   for (const LineOrigin& one : program.lines) {
     out["lines"].push_back(
+        // By the names that the rules have for people.
         {{"line", one.line}, {"rule", job.rules->rules[one.rule].name}, {"source", one.source}});
   }
   return dump(out);

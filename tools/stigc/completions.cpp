@@ -2,6 +2,9 @@
 // Completion scripts. The value of an option says how to complete it: words parted
 // by bars are offered as they are, FILE and its like are files, the rest is not
 // completed.
+//
+// Written for each shell by hand from the tree of commands (command_line.cpp): each has a language
+// of its own, and they share nothing but what an option is called and takes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,6 +38,7 @@ std::vector<std::string> words_of(const OptionInfo& option) {
 }
 
 /// Within single quotes of bash and zsh.
+// A quote ends the quoted text, comes escaped, and begins it again.
 std::string shell_quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -52,6 +56,7 @@ std::string fish_quoted(const std::string& text) {
 }
 
 /// The options of a command and those of every command, each name once.
+// A command's own help option hides the global one.
 std::vector<OptionInfo> all_options(const CommandTree& tree, const CommandInfo& command) {
   std::vector<OptionInfo> options = command.options;
   for (const OptionInfo& option : tree.global) {
@@ -76,6 +81,7 @@ std::string bash_values(const OptionInfo& option) {
     return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", fmt::join(words, " "));
   }
   return is_file(option) ? "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$cur\"))" : ":";
+  // `:` does nothing, and is needed where a case must not be empty.
 }
 
 /// Answers for the value of the option before the cursor, if there is one.
@@ -93,6 +99,8 @@ std::string bash_command(const CommandTree& tree, const CommandInfo& command) {
   const auto options = all_options(tree, command);
   std::string positional = ":";
   for (const OptionInfo& option : options) {
+    // The last positional argument is completed everywhere; none of the commands has two of
+    // different kinds.
     if (option.names.empty()) positional = bash_values(option);
   }
   std::string out = fmt::format("    {})\n{}", command.name, bash_option_values(options));
@@ -114,6 +122,7 @@ std::string bash_script(const CommandTree& tree) {
          "  local cur=\"${COMP_WORDS[COMP_CWORD]}\" prev=\"${COMP_WORDS[COMP_CWORD-1]}\"\n"
          "  local command='' word\n"
          "  COMPREPLY=()\n"
+         // The first word that is a command, wherever global options stand.
          "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n"
          "    case \" " +
          names +
@@ -132,6 +141,7 @@ std::string bash_script(const CommandTree& tree) {
 std::string zsh_escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
+    // Quotes are for shell_quoted, which comes after.
     if (c == '[' || c == ']' || c == ':' || c == '\\') out += '\\';
     out += c;
   }
@@ -151,6 +161,7 @@ std::string zsh_options(const std::vector<OptionInfo>& options, const std::strin
   for (const OptionInfo& option : options) {
     if (option.names.empty()) {
       out += fmt::format("{}{} \\\n", indent,
+                         // `1` is the first argument, `*` all.
                          shell_quoted((option.many ? "*" : "1") + zsh_value(option)));
     }
     for (const std::string& name : option.names) {
@@ -177,6 +188,7 @@ std::string zsh_script(const CommandTree& tree) {
          "  commands=(\n" +
          commands +
          "  )\n"
+         // -C keeps the state for what follows; -> hands on.
          "  _arguments -C \\\n" +
          zsh_options(tree.global, "    ") +
          "    '1:command:->command' \\\n"
@@ -195,6 +207,7 @@ std::string zsh_script(const CommandTree& tree) {
 std::string fish_option(const std::string& condition, const OptionInfo& option) {
   std::string out = "complete -c stigc -n " + fish_quoted(condition);
   for (const std::string& name : option.names) {
+    // -l for long names, -s for letters.
     const bool is_long = name.starts_with("--");
     out += fmt::format(" -{} {}", is_long ? "l" : "s", name.substr(is_long ? 2 : 1));
   }
@@ -202,6 +215,7 @@ std::string fish_option(const std::string& condition, const OptionInfo& option) 
   if (!words.empty()) {
     out += fmt::format(" -x -a '{}'", fmt::join(words, " "));
   } else if (is_file(option)) {
+    // -r: a value is required; -F: files, against the -f that turned them off.
     out += option.names.empty() ? " -F" : " -r -F";
   } else if (!option.value.empty()) {
     out += " -x";
@@ -222,6 +236,7 @@ std::string fish_script(const CommandTree& tree) {
     const std::string condition = "__fish_seen_subcommand_from " + command.name;
     for (const OptionInfo& option : command.options) {
       const auto same = [&](const OptionInfo& global) { return global.names == option.names; };
+      // Global options were offered once for all commands.
       if (std::any_of(tree.global.begin(), tree.global.end(), same)) continue;
       out += fish_option(condition, option);
     }

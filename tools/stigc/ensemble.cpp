@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Runs go in batches, so that memory holds a batch of structures at a time; results come in the
+// order of runs whatever thread they ran in, and so all that is printed is the same for any number
+// of threads.
 #include "ensemble.h"
 
 #include <fmt/format.h>
@@ -27,6 +30,7 @@ void add_run(const RuleSet& rules, const SwarmConfig& config, const SwarmResult&
   const std::uint64_t hash = structure_hash(result.structure);
   ensemble.runs.push_back({result.steps, result.deposits, result.structure.size(), hash,
                            result.enabled_left, result.out_of_reach, result.terminated});
+  // An interrupted run's structure is not one that the rules end in.
   if (result.terminated != Terminated::interrupted) ++ensemble.structures[hash];
   for (std::size_t r = 0; r < ensemble.fired.size(); ++r) {
     ensemble.fired[r] += result.rules[r].fired;
@@ -34,9 +38,11 @@ void add_run(const RuleSet& rules, const SwarmConfig& config, const SwarmResult&
   if (!options.json) return;
   if (!ensemble.runs_json.empty()) ensemble.runs_json += ",\n";
   ensemble.runs_json += dump(run_json(rules, config, result));
+  // The line end of a text file; a comma follows.
   ensemble.runs_json.pop_back();
 }
 
+// The table is of all runs, and traces are refused before.
 std::vector<Output> of_each_run(const std::vector<Output>& outputs) {
   std::vector<Output> kept;
   std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(kept),
@@ -58,6 +64,7 @@ struct Range {
 };
 
 template <class Value>
+// At least one run.
 Range range_of(const std::vector<RunSummary>& runs, const Value& value) {
   Range range{value(runs.front()), value(runs.front()), 0};
   for (const RunSummary& run : runs) {
@@ -89,6 +96,7 @@ std::string structure_table(const Ensemble& ensemble) {
   constexpr std::size_t kMostShown = 12;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> rows;  // runs, hash
   for (const auto& [hash, runs] : ensemble.structures) rows.emplace_back(runs, hash);
+  // Ties by the hash: any order would do, but always the same.
   std::sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second < b.second;
   });
@@ -111,6 +119,7 @@ Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConf
   ensemble.fired.resize(rules.rules.size());
   const std::vector<Output> each = of_each_run(outputs);
   const int threads = thread_count(options.threads);
+  // Enough for each thread to have several, so that a long run holds nobody up.
   const int batch = std::max(32, 8 * threads);
   Progress progress(app);
   SwarmConfig own = config.swarm;
@@ -131,8 +140,10 @@ Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConf
         OutputWriter writer(each, rules, own);
         ensemble.exit_code = std::max(ensemble.exit_code, writer.write(result, app));
       }
+      // Seeds are told apart by the run's number, its place in the ensemble.
       ++own.run;
     }
+    // A stop between two batches.
     ensemble.interrupted |= stop_requested() && first + runs < options.runs;
   }
   return ensemble;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// What the command line leaves open is chosen here, and remembered as chosen, so that a limit
+// nobody asked for can be told of when it ends a run.
 #include "explore_config.h"
 
 #include "meant_box.h"
@@ -12,6 +14,7 @@ std::optional<Box> chosen_box(const RuleSet& rules, const ExploreOptions& option
   const WorldOptions& world = options.world;
   std::string unbounded;
   std::optional<BoxSpec> spec = meant_box(rules, world, unbounded);
+  // Agents need a box and get one; events may grow freely and need none.
   const bool wanted = options.motion != Motion::event || world.periodic || world.origin;
   if (!spec && !world.box && wanted) spec = BoxSpec{kDefaultSize, world.origin, world.periodic};
   if (spec) return lay_box(*spec, rules.start, rules.floor);
@@ -25,10 +28,12 @@ std::optional<Box> chosen_box(const RuleSet& rules, const ExploreOptions& option
 void set_limits(const ExploreOptions& options, ExploreConfig& config) {
   config.swarm.max_steps = options.steps;
   config.swarm.max_deposits = options.deposits;
+  // One limit given, no other is added.
   if (options.steps || options.deposits) return;
   if (options.motion != Motion::event) {
     config.swarm.max_steps = kDefaultSteps;
     config.steps_by_default = true;
+    // In a box, events end by themselves.
   } else if (!config.swarm.box) {
     config.swarm.max_deposits = kDefaultDeposits;
     config.deposits_by_default = true;
@@ -52,6 +57,7 @@ ExploreConfig explore_config(const RuleSet& rules, const RuleTable& table,
   config.swarm.motion = options.motion;
   config.swarm.box = chosen_box(rules, options, config.problem);
   const auto placed = static_cast<int>(options.agents_at.size());
+  // Naming places for agents asks for as many.
   config.swarm.agents = options.agents.value_or(std::max(kDefaultAgents, placed));
   config.swarm.moves = options.moves.value_or(neighbourhood(rules.lattice).size);
   config.swarm.agents_at = options.agents_at;

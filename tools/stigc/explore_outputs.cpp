@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The ending says what is written: structures by lattice/structure_files.h, and two kinds that only
+// a run has, the log of deposits and the trace.
 #include "explore_outputs.h"
 
 #include <fmt/format.h>
@@ -30,6 +32,7 @@ std::string classify(const std::string& path, bool ensemble, Output& output) {
   const bool numbered = path.find(kRun) != std::string::npos;
   if (path.ends_with(".csv")) {
     output.kind = OutputKind::deposits;
+    // The table of runs takes the place of the log.
     if (!ensemble || !numbered) return {};
     return fmt::format("'{}': with --runs .csv is one table of all runs: leave {{run}} out", path);
   }
@@ -40,6 +43,7 @@ std::string classify(const std::string& path, bool ensemble, Output& output) {
   if (ensemble && !numbered) {
     return fmt::format("'{}': with --runs the name needs {{run}}, or the ending .csv", path);
   }
+  // can_write_structure lists its own endings; these two are more.
   std::string error;
   if (output.kind == OutputKind::trace || can_write_structure(path, error)) return {};
   return error + " .csv .stigt";
@@ -58,6 +62,7 @@ std::string path_of_run(const std::string& path, std::uint32_t run) {
 }
 
 std::vector<std::string> names_of(const std::vector<Output>& outputs, int runs) {
+  // Ten thousand names are enough to find what is wrong with all.
   constexpr int kMostRunsNamed = 10'000;
   std::vector<std::string> names;
   for (const Output& output : outputs) {
@@ -72,6 +77,7 @@ std::vector<std::string> names_of(const std::vector<Output>& outputs, int runs) 
 int plan_outputs(const std::vector<std::string>& paths, const std::optional<std::string>& trace,
                  bool ensemble, const App& app, std::vector<Output>& outputs) {
   std::vector<std::string> problems;
+  // All problems at once, as everywhere.
   for (const std::string& path : paths) {
     problems.push_back(classify(path, ensemble, outputs.emplace_back()));
   }
@@ -99,6 +105,7 @@ OutputWriter::OutputWriter(const std::vector<Output>& outputs, const RuleSet& ru
 void OutputWriter::deposit(const Deposit& d) {
   if (trace_) trace_->deposit(d);
   if (!log_wanted_) return;
+  // Rules count from 1, as everywhere that people read; agents from 0, and -1 is none.
   fmt::format_to(std::back_inserter(log_), "{},{},{},{},{},{},{},{},{}\n", ++deposits_, d.step,
                  d.site.x, d.site.y, d.site.z, csv_field(rules_.brick(d.colour).symbol),
                  d.match.rule + 1, d.match.orientation, d.agent);
@@ -118,6 +125,7 @@ bool OutputWriter::write_one(const Output& output, const SwarmResult& result, st
 }
 
 int OutputWriter::write(const SwarmResult& result, const App& app) {
+  // Before any file is written: a trace ends with how the run ended.
   if (trace_) trace_bytes_ = trace_->finish(result.steps, result.terminated);
   int code = kOk;
   for (const Output& output : outputs_) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A scene of the user's becomes one for a validation by two lines at its end, as a user would add
+// them: the controller, and a duration that is enough. They are added to the text and not to what
+// was read, since the text is what traces carry.
 #include "given_scene.h"
 
 #include <fmt/format.h>
@@ -11,6 +14,7 @@ namespace stig {
 namespace {
 
 /// Does a line begin with the key?
+// As YAML has it at the top level of a file in block style; flow style is not used for scenes.
 bool has_key(std::string_view text, std::string_view key) {
   for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
     if (at == 0 || text[at - 1] == '\n') return true;
@@ -19,6 +23,7 @@ bool has_key(std::string_view text, std::string_view key) {
 }
 
 /// Does the scene, as it was written, ask for a file with the compiled program's name?
+// By reading the scene with a loader that listens.
 bool asks_for_controller(const SourceRef& scene, const SceneLoader& load) {
   bool asked = false;
   const SceneLoader listening = [&](const std::string& name, std::size_t most, FileError& error) {
@@ -50,6 +55,7 @@ bool controller_name_is_free(const std::string& path, const std::string& compile
                              const SceneLoader& load, const App& app) {
   FileError ignored;
   const auto found = load(std::string(kControllerFile), kMaxSceneBytes, ignored);
+  // Not found, or left by an earlier validation: no danger of a mix-up.
   if (!found || *found == compiled) return true;
   Diagnostics unread;
   const SourceRef scene = load_source(path, kMaxSceneBytes, unread);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Two columns, 98 wide: 26 for names, the rest for what they mean. Examples are run by a test, so
+// they stand here as they are typed.
 #include "help.h"
 
 #include <fmt/format.h>
@@ -33,6 +35,7 @@ std::string wrapped(std::string_view text) {
 
 std::string entry(const std::string& left, std::string_view doc) {
   std::string out = "  " + left;
+  // What does not fit beside its description stands on a line of its own.
   if (out.size() + 2 > kIndent) {
     out += '\n' + std::string(kIndent, ' ');
   } else {
@@ -59,6 +62,7 @@ std::string options_of(const std::vector<OptionInfo>& options, bool positional) 
 
 std::string usage_line(const CommandInfo& command) {
   std::string line = "Usage: stigc " + command.name;
+  // Required options are part of the usage; all others are "[options]".
   for (const OptionInfo& option : command.options) {
     const std::string shown = option.value + (option.many ? "…" : "");
     if (option.names.empty()) {
@@ -97,6 +101,7 @@ std::string help_text(const CommandTree& tree, const CommandInfo& command) {
   out += "\nOptions:\n" + options_of(command.options, false);
   out += "\nOptions of every command:\n";
   for (const OptionInfo& option : tree.global) {
+    // Not twice, where a command has its own.
     const auto named = [&](const OptionInfo& own) { return own.names == option.names; };
     if (std::none_of(command.options.begin(), command.options.end(), named)) {
       out += option_entry(option);

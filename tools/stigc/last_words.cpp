@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// For exceptions that nobody caught, in any thread. An assertion ends in abort and says its own;
+// what comes here is either the machine's limit, said as such, or a bug, of which a report is asked
+// for.
 #include "last_words.h"
 
 #include <cstdio>
@@ -22,6 +25,7 @@ void complain(const char* what, const char* detail) {
 [[noreturn]] void say_last_words() {
   constexpr const char* kBug = "a bug in stigc, please report it: ";
   try {
+    // There is none when terminate was called for another reason.
     if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
     complain(kBug, "it ended without a reason");
   } catch (const std::bad_alloc&) {
@@ -33,6 +37,7 @@ void complain(const char* what, const char* detail) {
   } catch (...) {
     complain(kBug, "an exception of no known kind");
   }
+  // No destructors and no flush: other threads may still be at work.
   std::_Exit(kStatus);
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // stigc, the command line program. See command_line.cpp for what it understands.
+//
+// In this order: streams and signals, last words, arguments. Exceptions that mean "no memory" end
+// the command with a message and its exit code, all others end the program (last_words.cpp).
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -15,6 +18,7 @@ namespace stig {
 namespace {
 
 int print_help(const Parsed& parsed, App& app) {
+  // The version is text already.
   if (parsed.help != "help") {
     app.print(parsed.help);
     return kOk;
@@ -36,6 +40,8 @@ int run_parsed(Parsed& parsed, App& app) {
   if (!parsed.problem.empty()) return complain(parsed, app);
   if (parsed.explain) return explain_code(*parsed.explain, app);
   if (!parsed.line) return print_help(parsed, app);
+  // Names of files are looked for once, for all commands: a name that leads to nothing may be that
+  // of a file which ships.
   find_shipped_files(parsed.line->command, app);
   return std::visit([&](const auto& options) { return run(options, app); }, parsed.line->command);
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// The same answer for explore, verify and certify: what is proved must be what is run.
 #include "meant_box.h"
 
 namespace stig {

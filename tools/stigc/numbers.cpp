@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// std::from_chars throughout: it knows no locale, no blanks, and says where it stopped.
 #include "numbers.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@ namespace {
 /// The whole text as a number of base 10 or 16; a leading '+' is taken too.
 template <class Number>
 bool parse_whole(std::string_view text, Number& out, int base = 10) {
+  // from_chars takes '-', but no '+'.
   if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, out, base);
@@ -20,6 +22,7 @@ bool parse_whole(std::string_view text, Number& out, int base = 10) {
 
 /// Digits with at most one point.
 bool parse_decimal(std::string_view text, double& out) {
+  // fixed would still take "inf" and "nan".
   const bool plain = text.find_first_not_of("0123456789.") == std::string_view::npos;
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, out, std::chars_format::fixed);
@@ -49,6 +52,7 @@ std::string parse_integer(std::string_view text, std::int64_t low, std::int64_t 
                           std::int64_t& out) {
   if (!parse_whole(text, out)) {
     const bool digits = text.find_first_not_of("+-0123456789") == std::string_view::npos;
+    // 19 digits may be too many for 64 bits: then it is a number, and too large.
     return digits && text.size() > 18 ? fmt::format("'{}' is not within {} to {}", text, low, high)
                                       : fmt::format("'{}' is no integer", text);
   }
@@ -63,6 +67,7 @@ std::string parse_seed(std::string_view text, std::uint64_t& out) {
 }
 
 std::string parse_seconds(std::string_view text, double& out) {
+  // An upper bound, so that sums of times stay finite.
   constexpr double kTenYears = 3.2e8;
   if (!parse_decimal(text, out)) return fmt::format("'{}' is no number of seconds", text);
   if (!(out > 0)) return "more than 0 seconds are needed";
@@ -85,6 +90,7 @@ std::string parse_cell(std::string_view text, Cell& out) {
 }
 
 std::string parse_cells(std::string_view text, std::vector<Cell>& out) {
+  // Several cells in one argument, or one each: both are typed.
   while (true) {
     const std::size_t begin = text.find_first_not_of("; ");
     if (begin == std::string_view::npos) return {};

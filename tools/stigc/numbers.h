@@ -19,7 +19,7 @@ std::string parse_integer(std::string_view text, std::int64_t low, std::int64_t 
 std::string parse_seed(std::string_view text, std::uint64_t& out);
 /// Seconds, above 0 and up to ten years: "60", "0.5".
 std::string parse_seconds(std::string_view text, double& out);
-/// Of multiples of what is done by default; more than 0.
+/// Multiples of what is done by default; more than 0.
 std::string parse_effort(std::string_view text, double& out);
 /// "X,Y,Z", coordinates within ±kMaxCoordinate.
 std::string parse_cell(std::string_view text, Cell& out);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A refusal that ends in "no" leaves its reader alone. Where the structure itself could be built by
+// other rules, or by none, a short search finds that out, and the last error says it.
 #include "other_rules.h"
 
 #include <fmt/format.h>
@@ -13,7 +15,7 @@
 namespace stig {
 namespace {
 
-/// Of synth's own: enough for what compile is usually asked about.
+/// A tenth of synth's own effort: enough for what compile is usually asked about.
 constexpr double kEffort = 0.1;
 
 /// The structure with its lowest level on the floor, whatever its colours.
@@ -27,6 +29,7 @@ Target shape_of(const Structure& structure) {
   return out;
 }
 
+// In the words of synth --robot, which has the drawings.
 std::string why_not(const Target& target, const AssemblyObstacle& obstacle) {
   const std::string all = counted(target.cells.size(), "brick");
   switch (obstacle.kind) {
@@ -46,8 +49,10 @@ std::string why_not(const Target& target, const AssemblyObstacle& obstacle) {
 std::optional<std::string> note_on_other_rules(const RuleSet& rules, const CompiledRules& compiled,
                                                const Abilities& robot,
                                                const std::optional<std::string>& robot_file) {
+  // Only of a structure that is proved there is something to say.
   if (rules.lattice != Lattice::cubic || compiled.proof.verdict != ProofVerdict::proved) return {};
   const std::size_t bricks = compiled.proof.structure->size();
+  // Beyond, synth --robot would refuse it.
   if (bricks < 2 || bricks > kMostOrderedBricks) return std::nullopt;
   AssemblyTask task;
   task.target = shape_of(*compiled.proof.structure);
@@ -55,6 +60,7 @@ std::optional<std::string> note_on_other_rules(const RuleSet& rules, const Compi
   task.robots = compiled.robots;
   task.wording.name = "other";
   AssemblyHooks hooks;
+  // No time limit: its effort is small, and counted.
   hooks.deadline.stop = &stop_requested();
   const Assembly made = assemble(task, kEffort, hooks);
   if (made.obstacle) {
@@ -73,6 +79,7 @@ std::optional<std::string> note_on_other_rules(const RuleSet& rules, const Compi
 /// The diagnostics, the last error with one note more.
 Diagnostics with_note(const Diagnostics& diagnostics, const std::string& note) {
   Diagnostics out;
+  // The list is copied, since diagnostics that were added do not change.
   std::size_t errors = diagnostics.count(Severity::error);
   for (const Diagnostic& one : diagnostics.all()) {
     Diagnostic& copy = out.add(one.code, one.range, one.message);

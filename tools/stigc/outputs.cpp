@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// All that can be told of an output before any work is done: is the name one, is it another output
+// or an input under a second name, may it be written. Files are compared by device and inode where
+// they exist, so that links and ./ make no difference.
 #include "outputs.h"
 
 #include <fmt/format.h>
@@ -35,7 +38,9 @@ bool is_within(const fs::path& folder, const fs::path& other) {
 /// What is wrong with where a file is to be, in words; empty: nothing. `made` is a folder that will
 /// be there, with those below it.
 std::string writing_problem(const std::string& path, const std::string& made) {
+  // A link is followed to what will be replaced, or made.
   const std::string target = behind_links(path);
+  // A device or a pipe would take bytes, but not be replaced by a rename.
   struct stat status {};
   if (stat(target.c_str(), &status) == 0 && !S_ISREG(status.st_mode)) {
     return fmt::format("cannot write '{}': it is {}", path,
@@ -43,6 +48,7 @@ std::string writing_problem(const std::string& path, const std::string& made) {
   }
   std::string folder = folder_of(target);
   std::error_code ignored;
+  // Up to the first folder that is there.
   while (!made.empty() && is_within(folder, made) && !fs::exists(folder, ignored)) {
     folder = folder_of(folder);
   }
@@ -54,6 +60,7 @@ std::string writing_problem(const std::string& path, const std::string& made) {
 /// Files by what they are, with the names that they were given.
 using KnownFiles = std::map<std::string, std::string>;
 
+// Standard output may be a file too, as with > on the command line.
 KnownFiles standard_output() {
   KnownFiles known;
   if (const auto file = file_number(STDOUT_FILENO)) {
@@ -92,6 +99,8 @@ int complain(const std::vector<std::string>& problems, int code, const App& app)
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
 int check_outputs(const std::vector<std::string>& paths, const App& app,
+                  // Problems with names first: with them, whether a file can be written means
+                  // nothing.
                   const std::string& folder) {
   KnownFiles known = standard_output();
   std::vector<std::string> problems;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A trace of poses is looked at, or run again: it carries its scene and programs. The poses of a
+// moment are decoded from the chunk around it (pose_trace_reader.cpp).
 #include "pose_replay.h"
 
 #include <fmt/format.h>
@@ -27,6 +29,7 @@ std::uint64_t count(const PoseTrace& trace, EventKind kind) {
                     [kind](const TraceEvent& e) { return e.event.kind == kind; }));
 }
 
+// What traces are measured by: they grow with bodies and time.
 double bytes_per_body_second(const PoseTrace& trace) {
   const double seconds = static_cast<double>(trace.end.ticks) * trace.header.step;
   const auto bodies = static_cast<double>(trace.header.bodies.size());
@@ -52,6 +55,7 @@ Json summary_json(const PoseTrace& trace, const std::string& path) {
   json["left"] = count(trace, EventKind::left_arena);
   json["hash"] = to_hex(trace.end.hash);
   json["bytes"] = trace.bytes.size();
+  // Times of 0 s give 0.
   json["bytes_per_body_second"] = bytes_per_body_second(trace);
   return json;
 }
@@ -81,6 +85,7 @@ Json frame_json(const PoseTrace& trace, const TraceFrame& frame) {
   json["time"] = static_cast<double>(frame.tick) * trace.header.step;
   json["bodies"] = Json::array();
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
+    // Blocks that have not come are in no list.
     if (!has_come(frame.bodies[i])) continue;
     const Pose pose = frame.bodies[i].pose();
     json["bodies"].push_back({{"name", trace.header.bodies[i].name},
@@ -98,6 +103,7 @@ std::string frame_lines(const PoseTrace& trace, const TraceFrame& frame) {
                                  static_cast<double>(frame.tick) * trace.header.step, frame.tick));
   out += structure_in_lines(structure_of(picture_bodies(trace, frame)));
   std::vector<std::size_t> shown;
+  // Names may be anybody's: the column has a bound.
   std::size_t more = 0, width = 16;
   for (std::size_t i = 0; i < frame.bodies.size(); ++i) {
     if (!has_come(frame.bodies[i])) continue;
@@ -133,6 +139,7 @@ int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
   RunHooks hooks;
   hooks.stop = &stop_requested();
   hooks.after_step = [&](const World& world) {
+    // As in cmd_simulate.cpp.
     if (world.tick() % 16 != 0) return;
     progress.show(static_cast<double>(world.tick()) / static_cast<double>(trace.end.ticks),
                   fmt::format("tick {} of {}", world.tick(), trace.end.ticks));
@@ -158,6 +165,7 @@ int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
 bool has_floor(const PoseTrace& trace) {
   Diagnostics ignored;
   const auto loaded = load_scene(trace.header.files, trace.header.seed, ignored);
+  // A trace whose scene cannot be read gets a floor: most have one.
   return !loaded || loaded->placed.config.floor;
 }
 
@@ -179,6 +187,7 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   }
   if (options.verify) return verify(options, *trace, app);
   const double end = static_cast<double>(trace->end.ticks) * trace->header.step;
+  // Beyond the end is the end.
   const double at = std::min(options.at.value_or(end), end);
   const auto tick = static_cast<std::uint64_t>(std::llround(at / trace->header.step));
   const TraceFrame frame = frame_at(*trace, tick);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Shown after a second and ten times a second at most: short work shows nothing, and a terminal
+// over a slow line is not flooded. Every write is one call, so lines of several threads do not mix.
 #include "progress.h"
 
 #include <fmt/format.h>
@@ -18,9 +20,11 @@ void Progress::show(double fraction, const std::string& what) {
   visible_ = true;
   std::string line = what;
   if (fraction > 0) {
+    // At the pace so far; "at most", since the fraction is of a limit that need not be reached.
     const double left = seconds() * (1 - fraction) / fraction;
     line += fmt::format(", at most {} left", duration_in_words(left));
   }
+  // Back to the line's start, and erase to its end (ECMA-48).
   write_all(STDERR_FILENO, fmt::format("\r\x1b[K{}", line));
 }
 
@@ -35,6 +39,7 @@ double Progress::seconds() const {
 }
 
 std::string duration_in_words(double seconds) {
+  // Clamped before it is rounded: lround of what no long can hold is undefined.
   const long whole = std::lround(std::fmin(std::fmax(seconds, 0), 1e9));
   if (whole < 60) return fmt::format("{} s", whole);
   if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// JSON is printed by a writer of our own, since the library's either puts everything into one line
+// or every number of a list into its own. Keys keep the order in which they were added: readers of
+// diffs want that, and bytes are the same everywhere.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -9,6 +12,7 @@
 namespace stig {
 namespace {
 
+// Bytes that are no UTF-8 are replaced rather than refused: names come from files.
 std::string in_one_line(const Json& json) {
   return json.dump(-1, ' ', false, nlohmann::detail::error_handler_t::replace);
 }
@@ -21,6 +25,7 @@ void write(const Json& json, const std::string& line_start, std::string& out) {
     out += in_one_line(json);
     return;
   }
+  // Lists of plain values stay in their line, as cells do.
   const bool spread = nested || json.is_object();
   const std::string inner = spread ? line_start + "  " : " ";
   out += json.is_object() ? '{' : '[';
@@ -48,6 +53,7 @@ Json to_json(Cell cell) { return Json::array({cell.x, cell.y, cell.z}); }
 Json to_json(Offset offset) { return Json::array({offset.x, offset.y, offset.z}); }
 
 Json to_json(const std::optional<Box>& box) {
+  // null is unbounded space, not a box that is unknown.
   if (!box) return nullptr;
   return {{"origin", to_json(box->low)}, {"size", to_json(box->size)}, {"periodic", box->periodic}};
 }
@@ -63,6 +69,7 @@ Json to_json(const Measures& measures) {
   json["components"] = measures.components;
   json["mean_neighbours"] = measures.mean_neighbours;
   json["symmetry_order"] = measures.symmetry_order;
+  // null where they were not looked for: 0 would be a result.
   json["cavities"] = nullptr;
   json["cavity_cells"] = nullptr;
   if (measures.cavities_known) {
@@ -77,6 +84,7 @@ Json colours_json(const Measures& measures, const std::vector<Brick>& bricks) {
   Json json = Json::object();
   for (std::size_t k = 0; k < bricks.size(); ++k) {
     const auto& counts = measures.bricks_by_colour;
+    // Every colour of the set, so that all runs have the same keys.
     json[bricks[k].symbol] = k < counts.size() ? counts[k] : 0;
   }
   return json;
@@ -89,6 +97,7 @@ Json setting_json(const RuleSet& rules, const SwarmConfig& config) {
   json["seed"] = config.seed;
   json["box"] = to_json(config.box);
   json["motion"] = to_string(config.motion);
+  // Event motion has no agents, whatever the config says.
   json["agents"] = config.motion == Motion::event ? 0 : config.agents;
   if (config.motion == Motion::walk) json["moves"] = config.moves;
   return json;
@@ -98,6 +107,7 @@ Json run_json(const RuleSet& rules, const SwarmConfig& config, const SwarmResult
   const Measures measures = measure(result.structure);
   Json json = setting_json(rules, config);
   json["run"] = config.run;
+  // The names are those of docs/lattice-mode.md, and stay: others read them.
   json["steps"] = result.steps;
   json["deposits"] = result.deposits;
   json["bricks"] = result.structure.size();

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// For people: one line a figure, a label of twelve columns, and an end to every list. What programs
+// want is in the JSON.
 #include <fmt/format.h>
 
 #include "app.h"
@@ -36,6 +38,7 @@ std::string motion_in_words(const SwarmConfig& config) {
 }
 
 std::string ended_in_words(const SwarmResult& result) {
+  // A step is one of the swarm's, not of an agent.
   const std::string after = fmt::format("after {}", count(result.steps, "step", "steps"));
   if (result.terminated == Terminated::saturated) {
     return fmt::format("saturated {}: no rule fits anywhere", after);
@@ -52,6 +55,7 @@ std::string bricks_in_words(const Measures& measures, const std::vector<Brick>& 
   for (std::size_t k = 0; k < measures.bricks_by_colour.size(); ++k) {
     const std::uint64_t number = measures.bricks_by_colour[k];
     if (number == 0) continue;
+    // Structure files may have colours without names.
     const std::string name = k < bricks.size() && !bricks[k].name.empty()
                                  ? printable(bricks[k].name)
                                  : fmt::format("brick {}", k + 1);
@@ -71,6 +75,7 @@ std::string levels_in_words(const Measures& measures) {
 
 std::string rule_table(const RuleSet& rules, const SwarmResult& result, bool color) {
   std::string out = bold("rules fired", color) + "\n";
+  // Rules that never fired are counted and not listed: of a large set they are most.
   std::size_t never = 0, shown = 0;
   for (std::size_t r = 0; r < rules.rules.size(); ++r) {
     const std::uint64_t fired = result.rules[r].fired;
@@ -94,6 +99,7 @@ std::string line(std::string_view label, std::string_view text) {
 }
 
 std::string structure_lines(const Structure& structure, const std::vector<Brick>& bricks) {
+  // Measured once more for the words: measures are linear in the structure.
   const Measures m = measure(structure);
   if (structure.empty()) return line("bricks", "none");
   std::string out = line("colours", bricks_in_words(m, bricks));
@@ -137,6 +143,7 @@ std::string small_drawing(const Structure& structure, const std::vector<Brick>& 
   if (structure.empty()) return {};
   const Offset size = structure.bounds()->size();
   // In 64 bits: an unbounded structure may be long.
+  // A slice more lines than its rows: the one that parts it from the next.
   const std::int64_t lines = (std::int64_t{size.y} + 1) * size.z;
   if (lines > kMostDrawnLines || size.x > kMostDrawnColumns) return {};
   return print_structure(structure, bricks);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Robots are found beside the file that names them, blocks with the program: the compiler's figures
+// are those of the block that ships.
 #include "robot_input.h"
 
 #include <fmt/format.h>
@@ -17,6 +19,7 @@ constexpr const char* kBlock = "stigmergic.yaml";
 
 SourceRef find_source(const std::string& name, const SceneLoader& load, const App& app) {
   FileError error;
+  // By the name alone, since a loader looks in folders of its own.
   auto text = load(std::filesystem::path(name).filename().string(), kMaxRobotFileBytes, error);
   if (text) return std::make_shared<const SourceFile>(name, std::move(*text));
   app.complain(error.message);
@@ -45,8 +48,10 @@ std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_
   const auto robot = read_robot(robot_source, diagnostics);
   const auto block = read_block(block_source, diagnostics);
   app.report(diagnostics);
+  // Both are reported before either ends it.
   if (!robot || !block || app.invalid(diagnostics)) return std::nullopt;
   const std::vector<std::string> missing = lacking(*robot);
+  // All that is missing, not the first thing.
   for (const std::string& sentence : missing) {
     app.complain(fmt::format("'{}' cannot build: {}", printable(robot->name), sentence));
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The tables of stigc describe and the same as JSON. Places are in the robot's frame, as somebody
+// would measure them on the robot, and not in those of its bodies.
 #include "robot_report.h"
 
 #include <fmt/format.h>
@@ -18,6 +20,7 @@ constexpr std::string_view kModes[] = {"free", "velocity", "position", "force"};
 constexpr std::string_view kCalibrations[] = {"metres", "power", "quadratic"};
 
 /// To a tenth of a micrometre, without a sign before zero.
+// So that poses which were composed do not show their last digits.
 double rounded(double x) { return std::round(x * 1e7) / 1e7 + 0.0; }
 std::string number(double x) { return fmt::format("{:.6g}", rounded(x)); }
 std::string point(const Vec3& p) {
@@ -91,6 +94,7 @@ class TextReport {
   }
 
  private:
+  // A section without rows is left out.
   void section(std::string_view title, const Table& table) {
     const std::string text = table.text();
     if (!text.empty()) out_ += "\n" + bold(title, color_) + "\n" + text;
@@ -139,6 +143,7 @@ class TextReport {
                 fmt::format("on {} at {}", body(one.body), in_robot(one.body, one.p_B)));
     }
     for (const ActuatorDevice& one : robot_.actuators) {
+      // Axes count from 1 for people.
       table.add("actuator " + printable(one.name),
                 fmt::format("axis {} of {}", one.axis.axis + 1,
                             printable(robot_.joints[one.axis.joint].name)));
@@ -171,6 +176,7 @@ class TextReport {
   }
 
   void add_camera(Table& table, const CameraDevice& one) {
+    // The camera's z axis is what it looks along.
     const Pose X_RC = robot_.bodies[one.body].X_RB * one.X_BC;
     const CameraIntrinsics& c = one.intrinsics;
     table.add("camera " + printable(one.name),

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The library of controllers is compiled into one file, in which every module must come after those
+// that it requires: a depth-first walk gives that order. A circle would end in the list as it was
+// begun, and fails in Lua, as it should.
 #include "runtime_input.h"
 
 #include <algorithm>
@@ -14,11 +17,13 @@ namespace {
 /// Adds a module after all that it requires. False where a file is missing.
 bool add_module(std::string_view name, const App& app, std::vector<std::string>& begun,
                 std::vector<std::string>& out) {
+  // Begun is enough: what it requires is on its way into the list.
   if (std::find(begun.begin(), begun.end(), name) != begun.end()) return true;
   begun.emplace_back(name);
   auto module = read_module(name, app);
   if (!module) return false;
   const std::vector<std::string> required = required_names(*module);
+  // all_of ends at the first that is missing; its message has been printed.
   const bool whole = std::all_of(required.begin(), required.end(), [&](const std::string& other) {
     return add_module(other, app, begun, out);
   });

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Where files of a scene are: beside it, in the folders next to its own, and last where the
+// program's are. A user's file so hides one of the same name that ships.
 #include "scene_input.h"
 
 #include <filesystem>
@@ -28,6 +30,7 @@ FileContent content_of(std::string_view text) {
     }
     return false;
   };
+  // The key that gives the format's version is the only one that all files of a kind have.
   if (has_key("stigc_scene:")) return FileContent::scene;
   if (has_key("stigc_robot:")) return FileContent::robot;
   return has_key("stigc_block:") ? FileContent::block : FileContent::rules;
@@ -46,6 +49,7 @@ SceneLoader scene_loader(const std::string& scene_path) {
 SceneLoader own_loader() {
   std::vector<std::string> folders;
   for (const char* kind : kSceneFolders) add_own_folders(kind, folders);
+  // A program that does not find its own files knows none.
   if (folders.empty()) return memory_loader({});
   const std::string first = folders.front();
   return disk_loader(first, std::move(folders));
@@ -56,8 +60,10 @@ std::optional<LoadedScene> read_loaded_scene(const std::string& path,
   Diagnostics diagnostics;
   std::optional<LoadedScene> loaded;
   if (SourceRef source = load_source(path, kMaxSceneBytes, diagnostics)) {
+    // The seed of the command line goes before the scene's.
     if (auto scene = read_scene(std::move(source), scene_loader(path), diagnostics)) {
       if (auto placed = place_scene(*scene, seed.value_or(scene->seed), diagnostics)) {
+        // Programs are tried before a long run, not in the middle of it.
         check_programs(*scene, *placed, diagnostics);
         loaded = LoadedScene{std::move(*scene), std::move(*placed)};
       }

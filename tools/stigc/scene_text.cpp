@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The scene that is written for a user must be the one that was run, duration included: so the text
+// is changed and not what was read. Through the parser, since "duration:" may stand in a comment.
 #include "scene_text.h"
 
 #include <fmt/format.h>
@@ -20,6 +22,7 @@ std::string with_duration(std::string text, double seconds) {
                ? text.replace(old->begin, old->end - old->begin, fmt::format("{}", seconds))
                : text;
   }
+  // {…} on one line: the key goes inside.
   if (root.style == YamlStyle::flow) {
     return text.insert(root.begin + 1, fmt::format("duration: {}, ", seconds));
   }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// An installed program and one that was built in place know their folders by where they are
+// themselves, so neither needs to be told, and both can be moved.
 #include "shipped_files.h"
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@ namespace fs = std::filesystem;
 /// Where this program's file is; empty when the system does not say.
 fs::path program_folder() {
   std::error_code error;
+  // Linux says so; elsewhere nothing is found, and names must lead somewhere themselves.
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
   return error ? fs::path() : program.parent_path();
 }
@@ -26,9 +29,11 @@ constexpr const char* kKinds[] = {"rulesets", "scenes", "robots", "blocks", "pro
 std::optional<std::string> shipped_file(const std::string& name) {
   std::error_code error;
   const fs::path path(name);
+  // What is there is meant, whatever ships under that name.
   if (path.is_absolute() || path.empty() || fs::exists(path, error)) return std::nullopt;
   const std::string kind = path.begin()->string();
   if (std::find(std::begin(kKinds), std::end(kKinds), kind) == std::end(kKinds)) return {};
+  // Within the folder of its kind, or nowhere.
   if (std::find(path.begin(), path.end(), "..") != path.end()) return std::nullopt;
   for (const std::string& folder : shipped_folders(kind)) {
     const fs::path there = fs::path(folder) / path.lexically_relative(kind);
@@ -43,6 +48,7 @@ struct Finder {
 
   void operator()(CheckOptions& o) const { find(o.files); }
   void operator()(FmtOptions& o) const {
+    // What is rewritten in place must be the user's own.
     if (!o.write) find(o.files);
   }
   void operator()(ExploreOptions& o) const { find(o.file); }
@@ -73,6 +79,7 @@ struct Finder {
   void find(std::string& name) const {
     std::optional<std::string> there = shipped_file(name);
     if (!there) return;
+    // Said always, so that nobody wonders which file it was.
     app.say(fmt::format("reading {}, which came with the program", printable(*there)));
     name = std::move(*there);
   }

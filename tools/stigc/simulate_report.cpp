@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// What is told of a run: how it ended, what moved, what the robots did, and which lattices the
+// blocks form now. A trace and a run are drawn by the same functions, so that replay's pictures are
+// those of simulate.
 #include "simulate_report.h"
 
 #include <fmt/format.h>
@@ -43,6 +46,7 @@ std::string end_in_words(const SimulationReport& r) {
       return fmt::format("asleep after {:.3f} s, {}", r.time, plural(r.ticks, "tick", "ticks"));
     case RunEnd::interrupted:
       return fmt::format("interrupted after {:.3f} s", r.time);
+    // Every end has its words, but for divergence, which has its message.
     case RunEnd::failed:
       return fmt::format("all robots' programs failed after {:.3f} s", r.time);
     case RunEnd::script:
@@ -66,6 +70,7 @@ std::string size_in_words(const ReadLattice& lattice) {
   for (const ReadBlock& block : lattice.blocks) {
     size = {std::max(size.x, block.cell.x + 1), std::max(size.y, block.cell.y + 1),
             std::max(size.z, block.cell.z + 1)};
+    // Cells count from 0, so the largest plus one is the size.
   }
   return fmt::format("{}×{}×{}", size.x, size.y, size.z);
 }
@@ -81,6 +86,7 @@ std::pair<double, double> misfit(const ReadLattice& lattice) {
 }
 
 /// Degrees to a tenth, and no minus before nothing.
+// A yaw of -0.04° is none that anybody sees.
 double tenths(double radians) { return std::round(radians / kDegree * 10) / 10 + 0.0; }
 
 Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
@@ -95,6 +101,7 @@ std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std
   std::map<std::uint32_t, const std::string*> out;
   for (const TraceValue& value : trace.values) {
     if (value.tick > tick || trace.header.channels[value.channel] != channel) continue;
+    // Values come in the order of ticks, so the last one stays.
     out[value.body] = &value.bytes;
   }
   return out;
@@ -104,6 +111,7 @@ std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std
 Led most_shown(std::string_view digits) {
   std::array<int, 5> shown{};
   for (const char digit : digits) {
+    // A trace may hold any bytes as a value.
     if (digit >= '0' && digit <= '4') ++shown[static_cast<std::size_t>(digit - '0')];
   }
   return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
@@ -128,6 +136,8 @@ std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame
 std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame) {
   std::vector<PictureLine> out;
   for (const auto& [body, json] : shown_at(trace, frame.tick, "show")) {
+    // A value's body was checked when the trace was read; a frame of an older trace may still have
+    // fewer.
     if (body >= frame.bodies.size()) continue;
     const auto lines = show_lines(*json, frame.bodies[body].pose());
     out.insert(out.end(), lines.begin(), lines.end());
@@ -140,6 +150,7 @@ StructureReading structure_of(const std::vector<PictureBody>& bodies) {
   double side = 0;
   for (const PictureBody& body : bodies) {
     if (!body.block) continue;
+    // All blocks have one side where a lattice is read; the first says which.
     if (side == 0) side = 2 * body.shape.half.x;
     blocks.push_back({body.X_WB, static_cast<std::uint8_t>(body.led)});
   }
@@ -163,10 +174,12 @@ SimulationReport report_of(const Scene& scene, const Simulation& run, RunEnd end
   r.tally = run.tally();
   for (const std::uint32_t body : r.tally.left) r.left.push_back(placed.bodies[body].name);
   for (std::size_t i = 0; i < world.size(); ++i) {
+    // What came while the scene ran was not there to be moved.
     const bool dropped = i >= placed.config.bodies.size();
     r.fixed += !dropped && placed.config.bodies[i].fixed ? 1 : 0;
     const BodyState state = world.state(BodyId{static_cast<std::uint32_t>(i)});
     if (state.left) continue;
+    // Names beside `structure`, which knows blocks by their numbers.
     if (placed.bodies[i].block) r.names.push_back(placed.bodies[i].name);
     if (dropped) continue;
     const double way = length(state.X_WB.p - placed.config.bodies[i].X_WB.p);
@@ -245,12 +258,14 @@ Json to_json(const SimulationReport& r) {
   json["structure"] = structure_json(r.structure, r.names);
   json["hash"] = to_hex(r.hash);
   json["seconds"] = r.seconds;
+  // Zero where it was too quick to be measured.
   json["real_time_factor"] = r.seconds > 0 ? r.time / r.seconds : 0;
   return json;
 }
 
 std::string structure_in_lines(const StructureReading& structure) {
   std::string out;
+  // The largest first; the rest are counted.
   for (std::size_t i = 0; i < std::min(structure.lattices.size(), kMostLattices); ++i) {
     const ReadLattice& lattice = structure.lattices[i];
     const auto [offset, turn] = misfit(lattice);
@@ -302,6 +317,7 @@ std::string lines_of(const SimulationReport& r, bool speed) {
   }
   out += structure_in_lines(r.structure);
   out += line("hash", to_hex(r.hash));
+  // Left out of what is compared: it is the only line that differs from run to run.
   if (speed && r.seconds > 0) {
     out += line("speed", fmt::format("{:.1f} times real time", r.time / r.seconds));
   }
@@ -323,6 +339,7 @@ std::string measures_of(const std::vector<SimulationReport>& runs) {
     out += fmt::format("\n{:>8}", r.seed);
     for (const std::string& name : names) {
       const auto found = r.measures.find(name);
+      // A script need not measure the same in every run.
       out += found == r.measures.end() ? fmt::format("  {:>12}", "-")
                                        : fmt::format("  {:>12g}", found->second);
     }
@@ -351,6 +368,7 @@ bool write_picture(const std::string& path, const std::vector<PictureBody>& bodi
                    double time, std::string& error) {
   PictureLook look;
   const ScenePicture picture = draw_bodies(bodies, fitted_view(bodies, look), floor, lines);
+  // The middle dot parts what the picture is of from what it shows.
   std::string caption = title.empty() ? "" : printable(title) + " · ";
   caption += fmt::format("{:.2f} s", time);
   if (floor) caption += fmt::format(" · grid {:g} m", picture.grid);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Runs differ by their seeds and share nothing, so threads take the next one that is free. Reports
+// are kept by run: what is printed does not depend on who was first.
 #include "simulate_runs.h"
 
 #include <fmt/format.h>
@@ -19,9 +21,11 @@ std::optional<SimulationReport> one_run(const Scene& scene, std::uint64_t seed, 
                                         Diagnostics& diagnostics) {
   const auto placed = place_scene(scene, seed, diagnostics);
   if (!placed) return std::nullopt;
+  // Nobody resumes one of many runs.
   Simulation run(scene, *placed, false);
   RunHooks hooks;
   hooks.stop = &stop_requested();
+  // Time by the clock is told for single runs alone.
   const auto began = std::chrono::steady_clock::now();
   const RunEnd end = run.until(duration, hooks);
   run.end_script(hooks);
@@ -57,6 +61,7 @@ Results run_all_seeds(const SimulateOptions& options, const Scene& scene, const 
   std::atomic<std::size_t> next{0}, done{0};
   Progress progress(app);
   const auto work = [&] {
+    // Each run has places of its own in both lists: no lock is needed.
     for (std::size_t i = next++; i < runs && !stop_requested(); i = next++) {
       results.reports[i] = one_run(scene, first + i, duration, results.diagnostics[i]);
       const std::size_t finished = ++done;
@@ -68,6 +73,7 @@ Results run_all_seeds(const SimulateOptions& options, const Scene& scene, const 
   const std::size_t wanted =
       options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
   std::vector<std::thread> threads;
+  // The thread that waits works too.
   for (std::size_t i = 1; i < std::min(wanted, runs); ++i) threads.emplace_back(work);
   work();
   for (std::thread& thread : threads) thread.join();
@@ -87,6 +93,7 @@ int simulate_runs(const SimulateOptions& options, const Scene& scene, App& app) 
     const auto& report = results.reports[i];
     good = good && report && report->end != RunEnd::diverged &&
            report->end != RunEnd::interrupted && !report->script_failed;
+    // An interrupted run is no sample; one that diverged is a result.
     if (!report || report->end == RunEnd::interrupted) continue;
     finished.push_back(*report);
     if (!report->programs_failed) continue;

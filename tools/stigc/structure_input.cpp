@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Two ways to read a structure: as its file has it, or in terms of a rule set, whose symbols and
+// colours decide then.
 #include "structure_input.h"
 
 #include <fmt/format.h>
@@ -19,6 +21,7 @@ std::optional<LoadedStructure> read(const std::string& path, const StructureRead
 
 /// The set's colour for a brick of the file; 0 when there is none.
 Colour counterpart(const RuleSet& rules, const Brick& brick) {
+  // Symbols first: two bricks may be painted alike, but not called alike.
   if (const Colour by_symbol = rules.colour_of(brick.symbol)) return by_symbol;
   for (std::size_t k = 0; k < rules.bricks.size(); ++k) {
     if (rules.bricks[k].color == brick.color) return static_cast<Colour>(k + 1);
@@ -35,6 +38,7 @@ std::optional<LoadedStructure> read_structure(const std::string& path,
 
 std::optional<Structure> read_structure_for(const RuleSet& rules, const std::string& path,
                                             const App& app) {
+  // The set's bricks give symbols to files that have none of their own.
   auto loaded = read(path, {rules.lattice, rules.bricks}, app);
   if (!loaded) return std::nullopt;
   if (!loaded->placed) {
@@ -43,6 +47,7 @@ std::optional<Structure> read_structure_for(const RuleSet& rules, const std::str
   }
   Structure structure(rules.lattice);
   for (const PlacedBrick& placed : loaded->structure.bricks()) {
+    // Colours count from 1.
     const Brick& brick = loaded->bricks[placed.brick - 1U];
     const Colour colour = counterpart(rules, brick);
     if (colour == 0) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A solution's claims are told with their strength: "the fewest for this order" where that was
+// proved, "perhaps" where it was not, and what verify says of the rules, which is the claim that
+// counts.
 #include "synth_report.h"
 
 #include <fmt/format.h>
@@ -99,6 +102,7 @@ std::string synth_summary(const Synthesis& result, const SynthOutcome& outcome) 
   out += line("rules", s.heights ? fmt::format("{}, with heights", s.rules.size())
                                  : fmt::format("{}, merged from {} exact ones", s.rules.size(),
                                                s.exact_rules));
+  // Skeletons with heights try no orders.
   out += line("order", result.orders_tried == 0
                            ? s.order.name
                            : fmt::format("{} (of {} tried)", s.order.name, result.orders_tried));
@@ -125,6 +129,7 @@ std::string synth_reason(const Synthesis& result, bool color) {
     out = fmt::format("{}: {}\n", red("impossible", color), obstacle.what);
   } else if (result.orders_tried == 0) {
     out = fmt::format("{}: {}\n", red("not found", color), obstacle.what);
+    // Many orders may have failed: the obstacle of one is told, which got farthest.
   } else {
     out = fmt::format("{}: {}\n  in the most telling one {}\n", red("not found", color),
                       orders_in_words(result.orders_tried), obstacle.what);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// For rules that a robot is to follow, the search is another (assembly/assemble.h): what the
+// command line says about symmetry, orders or merging has no meaning there, and is refused rather
+// than ignored.
 #include "synth_robot.h"
 
 #include <fmt/format.h>
@@ -65,6 +68,7 @@ std::string target_problem(const SynthOptions& options, const Target& target) {
   return start.z == 0 ? "" : "the start has to stand on the floor, z = 0";
 }
 
+// They go into the file, so that it says how it was made.
 std::string robot_options_in_words(const SynthOptions& o) {
   std::string out = fmt::format(" --robot {}", file_name(*o.robot));
   if (o.robots) out += fmt::format(" --robots {}", *o.robots);
@@ -149,6 +153,7 @@ int report(const SynthOptions& options, const Target& target, const Assembly& ma
     return kFailed;
   }
   if (!options.json) {
+    // A search that ran out is no proof that there is nothing: exit code 3.
     app.complain(made.cut_short ? fmt::format("not found: {}", ended_early())
                                 : fmt::format("not found: {}; --effort allows more",
                                               counts_in_words(made.counts)));
@@ -182,6 +187,7 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   const AssemblyTask task = task_of(options, target, *robot);
   const Assembly made = assemble(task, options.effort, hooks);
   std::vector<AssemblyRemedy> remedies;
+  // Other robots are tried only when the one that was named cannot: as a remedy.
   if (!made.plan) {
     progress.show(0, "what would help");
     remedies = find_remedies(task, made, other_robots(*options.robot, app), options.effort, hooks);

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What synth --robot prints.
+//
+// A plan is shown as a drawing of numbers: when each brick is put, and from which side. A refusal
+// is shown as the bricks that stand in the way of every order (assembly/remainder.h).
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +20,7 @@
 namespace stig {
 namespace {
 
-/// Of a remainder, so many bricks are spoken of; the rest looks like them.
+/// So many bricks of a remainder are spoken of; the rest looks like them.
 constexpr std::size_t kMostBarred = 4;
 constexpr std::int32_t kMostDrawnAcross = 20;
 constexpr std::size_t kMostOpenShown = 60;
@@ -37,15 +40,18 @@ std::size_t colours_of(const AssemblyPlan& plan) {
 /// Slices from the top down: of each brick when it is put and from where. Empty for what is too
 /// large to be looked at.
 std::string order_drawing(const AssemblyPlan& plan) {
+  // Start bricks are the first ones.
   std::map<Cell, std::string> text = {{plan.start, "1"}};
   Cell low = plan.start, high = plan.start;
   for (const WorkStep& step : plan.work) {
+    // The number is how many have been put, this one included.
     text[step.at] = fmt::format("{}{}", text.size() + 1, to_string(step.from));
     low = {std::min(low.x, step.at.x), std::min(low.y, step.at.y), 0};
     high = {std::max(high.x, step.at.x), std::max(high.y, step.at.y), std::max(high.z, step.at.z)};
   }
   if (high.x - low.x >= kMostDrawnAcross || high.y - low.y >= kMostDrawnAcross) return {};
   std::size_t width = 1;
+  // In bytes, which are columns here: digits and signs.
   for (const auto& [cell, word] : text) width = std::max(width, word.size());
   std::string out;
   for (int z = high.z; z >= 0; --z) {
@@ -79,6 +85,7 @@ std::string open_text(const std::vector<WorkStep>& work) {
 std::string remainder_drawing(const Target& target, const BrickSet& left) {
   Structure structure(Lattice::cubic);
   for (std::size_t i = 0; i < target.cells.size(); ++i) {
+    // Left over are drawn as #, what could be taken away as o.
     structure.place(target.cells[i], static_cast<Colour>(left.has(i) ? 1 : 2));
   }
   std::vector<Brick> bricks(2);
@@ -100,6 +107,7 @@ std::string remainder_lines(const Target& target, const Remainder& remainder) {
       out += fmt::format("    from {}: {}\n", to_string(bar.side), explain(bar.why));
     }
   }
+  // Others are barred for reasons of the same kind.
   if (remainder.barred.size() > kMostBarred) {
     out += fmt::format("  and {} more\n", remainder.barred.size() - kMostBarred);
   }
@@ -196,6 +204,7 @@ std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacl
              fmt::format(
                  "{} of {} share no face with the rest, and robots put bricks next to others\n",
                  target.cells.size() - obstacle.part.count(),
+                 // The same words as for the plan's verdict in JSON.
                  counted(target.cells.size(), "brick")) +
              remainder_drawing(target, obstacle.part);
     case AssemblyObstacle::Kind::remainder:
@@ -227,6 +236,7 @@ std::string assembly_json(const SynthOptions& options, const Target& target, con
   Json json = {{"target", options.target}, {"bricks", target.cells.size()}};
   if (made.plan) {
     json["verdict"] = "compiled";
+    // Members of the plan stand beside the verdict, not under a key.
     json.update(plan_json(*made.plan));
   } else if (made.obstacle) {
     json["verdict"] = "impossible";

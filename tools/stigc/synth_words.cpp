@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// Words that synth and synth --robot have in common.
 #include "synth_words.h"
 
 #include "base/file_io.h"
@@ -8,6 +9,7 @@ namespace stig {
 
 bool has_file(const SynthOptions& options) { return options.output && *options.output != "-"; }
 
+// What names of rule sets may have: a file's name can be anything.
 std::string set_name(const std::string& path) {
   std::string name = file_name(path);
   name = name.substr(0, name.rfind('.'));

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A trace appears under its name when it is whole (GrowingFile); until then a failure to write is
+// kept, and told once at the end.
 #include "trace_file.h"
 
 namespace stig {
@@ -10,6 +12,7 @@ bool TraceFile::open(const std::string& path) {
 
 PoseTraceWriter& TraceFile::begin(const PoseTraceHeader& header) {
   return writer_.emplace(header, [this](std::string_view bytes) {
+    // After the first failure the file is closed, and nothing more is tried.
     if (file_.is_open()) file_.append(bytes, error_);
   });
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The judge's findings as JSON and as lines. Both have the same figures; the JSON has all of them,
+// lines those that somebody wants to see first.
 #include "validate_report.h"
 
 #include <fmt/format.h>
@@ -26,6 +28,7 @@ Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
             {"brick", rules.brick(brick.wanted).name},
             {"start", brick.start},
             {"there", brick.block.has_value()}};
+  // A missing brick has no figures.
   if (!brick.block) return json;
   json["shows"] = to_string(brick.led);
   json["off_mm"] = {in_mm(brick.off.x), in_mm(brick.off.y), in_mm(brick.off.z)};
@@ -94,6 +97,7 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
          {"what", event.kind == BrickEvent::Kind::placed ? "placed" : "left"},
          {"cell", to_json(event.cell)},
          {"shows", to_string(event.led)},
+         // Nobody: it rolled there, or was pushed.
          {"by", event.robot < trial.robots.size() ? Json(trial.robots[event.robot].name)
                                                   : Json(nullptr)}});
   }
@@ -127,6 +131,7 @@ std::string bricks_in_words(const Judgement& judgement) {
 /// Seconds in each state, the longest first.
 std::string states_in_words(const RobotRecord& robot) {
   std::vector<std::pair<double, std::string>> states;
+  // Negative, so that sorting puts the longest first and equal ones by name.
   for (const auto& [state, seconds] : robot.spent) states.emplace_back(-seconds, state);
   std::sort(states.begin(), states.end());
   std::string out;
@@ -139,6 +144,7 @@ std::string states_in_words(const RobotRecord& robot) {
 std::string robot_lines(const RobotRecord& robot) {
   const auto shown = [&](const char* name) {
     const auto found = robot.shown.find(name);
+    // Other programs show other numbers; a dash is no zero.
     return found == robot.shown.end() ? std::string("-") : fmt::format("{:g}", found->second);
   };
   std::string out =
@@ -155,6 +161,7 @@ std::string attempts_in_words(const Trial& trial) {
                                     [](const Haul& haul) { return haul.placed.has_value(); });
   const auto held = std::count_if(trial.hauls.begin(), trial.hauls.end(),
                                   [](const Haul& haul) { return !haul.ended; });
+  // One that was placed may have been taken again: hauls are counted one by one.
   return fmt::format("{} taken, {} placed, {} held, {} let go elsewhere",
                      counted(trial.hauls.size(), "block"), placed, held,
                      trial.hauls.size() - static_cast<std::size_t>(placed + held));
@@ -175,6 +182,7 @@ std::string one_run(const ValidationReport& report, const Trial& trial, bool col
               fmt::format("{}, {} as the rules allow",
                           counted(static_cast<std::uint64_t>(judgement.placements), "placement"),
                           judgement.allowed));
+  // The order in which bricks came, which is what was judged.
   for (const BrickEvent& event : trial.events) {
     out += line("", fmt::format("{:8.1f} s  {}{}", event.time,
                                 brick_text(*report.target->rules, event.led, event.cell),
@@ -243,6 +251,7 @@ Json to_json(const ValidationReport& report) {
 
 std::string lines_of(const ValidationReport& report, bool color) {
   std::string out = line("rules", printable(report.target->rules->name));
+  // A single run in full; of many a table, and what went wrong in each.
   if (report.trials.size() == 1) return out + one_run(report, report.trials.front(), color);
   out += line("verdict", all_complete(report) ? green(verdict_text(report), color)
                                               : red(verdict_text(report), color));

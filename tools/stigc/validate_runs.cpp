@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Runs are independent and are taken by threads as they come free; each has a slot of its own, and
+// results are collected in the order of seeds, so that nothing depends on the number of threads.
 #include "validate_runs.h"
 
 #include <fmt/format.h>
@@ -45,6 +47,7 @@ class Batch {
     const std::size_t wanted =
         options_.threads > 0 ? static_cast<std::size_t>(options_.threads) : cores;
     std::vector<std::thread> threads;
+    // The calling thread works too, so one thread fewer is started.
     for (std::size_t i = 1; i < std::min(wanted, slots_.size()); ++i) threads.emplace_back(work);
     work();
     for (std::thread& thread : threads) thread.join();
@@ -60,6 +63,8 @@ class Batch {
     if (!placed) return;
     TrialSettings settings;
     settings.duration = duration_;
+    // Pictures are for the report: without a folder there are none, and later runs have their end
+    // alone.
     settings.pictures = !options_.output || i >= kMostEndsDrawn ? -1
                         : i == 0                                ? kPicturesOnTheWay
                                                                 : 0;
@@ -82,6 +87,7 @@ class Batch {
     const std::size_t start = target_.rules->start.size();
     const auto wanted = static_cast<double>(std::max<std::size_t>(1, target_.whole.size() - start));
     const double built = bricks > start ? static_cast<double>(bricks - start) / wanted : 0;
+    // Not quite full by bricks: ten seconds of standing are still to come.
     shares_[i] = std::clamp(std::max(built * 0.98, time / duration_), 0.0, 1.0);
     double sum = 0;
     for (const std::atomic<double>& share : shares_) sum += share;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The figures of work_summary.h in both forms. Times are null where no run was complete: 0 s would
+// be the best of all.
 #include "validate_work.h"
 
 #include <fmt/format.h>
@@ -17,6 +19,7 @@ Json to_json(const WorkSummary& all) {
             {"robots_s", all.time},
             {"idle_s", all.idle},
             {"idle_share", all.idle_share()},
+            // The share of time at work, under the name that the literature has for it.
             {"utilisation", 1 - all.idle_share()},
             {"placed", all.placed},
             {"busy", all.busy},

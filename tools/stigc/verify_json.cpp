@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Views and patterns are drawn as in rule files, since a list of 26 states tells nobody anything;
+// what a program wants to know of them it reads from traces.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -12,6 +14,7 @@ namespace {
 Json rule_json(const RuleSet& rules, std::uint32_t rule) {
   const Rule& r = rules.rules[rule];
   Json json{{"rule", r.name}};
+  // Generated rules have no line.
   if (r.range) json["line"] = r.range.file->position(r.range.begin).line;
   return json;
 }
@@ -31,6 +34,7 @@ Json deposit_json(const RuleSet& rules, const Deposit& deposit, const View& view
 }
 
 Json end_json(const Structure& structure, bool ended) {
+  // `ended` is false where the second order was stopped with a brick that the first never has.
   return {{"bricks", structure.size()},
           {"structure_hash", to_hex(structure_hash(structure))},
           {"ended", ended}};
@@ -38,6 +42,7 @@ Json end_json(const Structure& structure, bool ended) {
 
 Json refutation_json(const VerifyReport& report) {
   const DivergingOrders& found = *report.result.refutation;
+  // Both deposits are possible in the structure after `common`, and each rules the other out.
   return {{"common_deposits", found.common},
           {"stage", report.result.stage},
           {"ends", Json::array({end_json(found.first_end, true),
@@ -48,6 +53,7 @@ Json refutation_json(const VerifyReport& report) {
 }
 
 Json repair_json(const RuleSet& rules, const Repair& repair) {
+  // As drawings over the repaired set's symbols, which may have more than the file's.
   Json json{{"bricks", repair.bricks},
             {"all_stages", repair.whole},
             {"without", rules_json(rules, repair.removed)}};
@@ -66,6 +72,7 @@ Json findings_json(const VerifyReport& report) {
   json["dead_rules"] = rules_json(report.rules, f.dead);
   json["redundant_rules"] = rules_json(report.rules, f.redundant);
   json["redundant_rules_complete"] =
+      // False also where nothing was proved, since redundancy is a property of proofs.
       report.result.verdict == ProofVerdict::proved && f.untried == 0;
   json["levels"] = f.level_count;
   json["blocking"] = Json::array();
@@ -87,6 +94,7 @@ Json findings_json(const VerifyReport& report) {
   }
   json["reach_not_shown"] = f.maybe_walled_in;
   if (f.repair) json["repair"] = repair_json(report.rules, *f.repair);
+  // Only said where it is not complete.
   if (f.repair_cut_short) json["repair_search_complete"] = false;
   return json;
 }
@@ -104,6 +112,7 @@ Json to_json(const VerifyReport& report) {
     json["bricks"] = result.structure->size();
     json["structure_hash"] = to_hex(structure_hash(*result.structure));
   } else {
+    // Both keys are always there.
     json["bricks"] = nullptr;
     json["structure_hash"] = nullptr;
   }

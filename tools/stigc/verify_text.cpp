@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// The verdict comes first and in capitals; then what it is about, with the figures; then what else
+// was found. Nothing is called proved here that the result does not call so.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,10 +15,12 @@
 namespace stig {
 namespace {
 
+// More names than a line has room for.
 constexpr std::size_t kMostNames = 8;
 
 std::string rule_name(const RuleSet& rules, std::uint32_t rule) {
   const Rule& r = rules.rules[rule];
+  // In the manner of compilers, so that editors and terminals lead there.
   std::string text = fmt::format("'{}'", printable(r.name));
   if (r.range) {
     text += fmt::format(" ({}:{})", printable(r.range.file->path()),
@@ -69,6 +73,7 @@ std::string verdict_line(ProofVerdict verdict, bool color) {
 }
 
 /// A rule that does nothing is seldom meant.
+// A warning and no error: the structure is what it is without the rule.
 std::string never_fires_text(const VerifyReport& report) {
   const std::vector<std::uint32_t>& dead = report.findings.dead;
   if (dead.empty()) return {};
@@ -84,6 +89,7 @@ std::string proved_text(const VerifyReport& report) {
   out += line("bricks", fmt::format("{}: {} at the start, {} placed", result.structure->size(),
                                     report.rules.start.size(), result.run.size()));
   out += line("hash", to_hex(structure_hash(*result.structure)));
+  // The strength of the method in words: it says what the certificate lists.
   std::string method = "the order of neighbours, site by site";
   if (result.method == ProofMethod::components) {
     method = "the order of neighbours, and all orders of independent groups of bricks";
@@ -101,6 +107,7 @@ std::string deposit_in_words(const RuleSet& rules, const Deposit& deposit) {
 
 std::string end_in_words(const Structure& structure, bool ended) {
   return fmt::format("{}{}, hash {}", counted(structure.size(), "brick"),
+                     // The second order's end may be no end yet: one brick too many is enough.
                      ended ? "" : " and growing", to_hex(structure_hash(structure)));
 }
 
@@ -110,6 +117,7 @@ std::string refuted_text(const VerifyReport& report) {
   std::string out = line("world", in_box(report.box));
   out += line("one end", end_in_words(found.first_end, true));
   out += line("another", end_in_words(found.second_end, found.second_ended));
+  // Hashes do not depend on the place, and structures that differ by it differ.
   if (structure_hash(found.first_end) == structure_hash(found.second_end)) {
     out += line("", "the same shape, but in another place");
   }
@@ -141,6 +149,7 @@ std::string unknown_text(const VerifyReport& report) {
   if (report.rules.stage_count() > 1) {
     out += line("stage", fmt::format("{} of {}", report.result.stage, report.rules.stage_count()));
   }
+  // Who interrupted it knows what would have helped.
   if (report.result.interrupted) return out;
   std::string help = "more effort (--effort), time (--budget) or memory (--states)";
   if (!report.box) help += ", or a box to grow in (--box)";
@@ -152,6 +161,7 @@ std::string repair_text(const VerifyReport& report, const Repair& repair) {
   const RuleSet& rules = report.rules;
   std::string out;
   const std::string where =
+      // With several stages, the repair reaches as far as it was proved.
       repair.whole ? "" : fmt::format(" up to the end of stage {}", report.result.stage);
   if (!repair.removed.empty()) {
     out += line("repair",
@@ -193,6 +203,7 @@ std::string findings_text(const VerifyReport& report) {
     out += line("not needed?", fmt::format("not decided of {} within the effort (--effort)",
                                            counted(f.untried, "rule")));
   }
+  // Blocking is granted more than can occur where fillings are listed, so it says "may".
   if (report.result.verdict == ProofVerdict::proved) {
     for (std::size_t i = 0; i < std::min(f.blocking.size(), kMostNames); ++i) {
       const Blocking& b = f.blocking[i];
@@ -202,11 +213,13 @@ std::string findings_text(const VerifyReport& report) {
                                         printable(rules.rules[b.blocked].name), cell_text(b.site)));
     }
   }
+  // An order was found for each of these.
   for (const WalledIn& walled : f.walled_in) {
     out += line("walled in",
                 fmt::format("{} can be cut off while it is open, after {}", cell_text(walled.site),
                             counted(walled.order.size(), "deposit")));
   }
+  // Neither an order nor a proof that there is none.
   if (f.maybe_walled_in > 0) {
     out += line("walled in?", fmt::format("{} could not be shown to be in reach at all times",
                                           counted(f.maybe_walled_in, "site")));

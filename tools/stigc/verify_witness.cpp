@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A verdict can be looked at: orders of events as traces, which `stigc replay` runs, and pictures
+// of their ends. Names are fixed endings after the name given, so that all can be checked before
+// the work.
 #include <fmt/format.h>
 
 #include "lattice/picture.h"
@@ -10,10 +13,12 @@
 namespace stig {
 namespace {
 
+// Larger pictures take minutes and show nothing.
 constexpr std::size_t kMostPictured = 200'000;  ///< bricks
 
 std::string trace_of(const VerifyReport& report, const std::vector<Deposit>& order) {
   SwarmConfig config;
+  // Orders are lists of events, so the trace is one of event motion, whatever runs usually do.
   config.motion = Motion::event;
   config.box = report.box;
   TraceWriter writer(report.rules, config, "given");
@@ -38,6 +43,7 @@ class Witness {
       : name_(name), report_(report), app_(app) {}
 
   void write(const std::string& ending, const std::string& bytes) {
+    // A file that fails does not keep the next one from being written.
     code_ = std::max(code_, write_output(name_ + ending, bytes, app_));
   }
   void trace(const std::string& ending, const std::vector<Deposit>& order) {
@@ -83,6 +89,7 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
     witness.trace("-first.stigt", found.first);
     witness.trace("-second.stigt", found.second);
     witness.picture(
+        // Side by side, so that the difference is seen.
         {{&found.first_end, "one end"},
          {&found.second_end, found.second_ended ? "another" : "another, still growing"}},
         title + ": two orders, two ends");
@@ -99,6 +106,7 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
   for (std::size_t i = 0; i < report.findings.walled_in.size(); ++i) {
     witness.trace(walled_in_ending(i + 1), report.findings.walled_in[i].order);
   }
+  // A repair that reaches some stages alone is shown, and not written as if it were whole.
   if (report.findings.repair && report.findings.repair->whole) {
     witness.write("-repaired.yaml", print_rule_set(report.findings.repair->repaired));
   }
