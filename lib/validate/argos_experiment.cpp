@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The same layout as set_up.h has it, in the words of ARGoS 3's experiments (docs/argos.md). Two
+// things differ: ARGoS drops no blocks from caches, so as many as the work needs lie at the caches
+// from the start; and what a robot is told about its side goes through the parameters of its
+// controller, of which ARGoS has one per configuration and not one per robot.
 #include "validate/argos_experiment.h"
 
 #include <fmt/format.h>
@@ -9,10 +13,6 @@
 #include "base/text.h"
 #include "validate/build_site.h"
 
-// The same layout as set_up.h has it, in the words of ARGoS 3's experiments (docs/argos.md). Two
-// things differ: ARGoS drops no blocks from caches, so as many as the work needs lie at the caches
-// from the start; and what a robot is told about its side goes through the parameters of its
-// controller, of which ARGoS has one per configuration and not one per robot.
 namespace stig {
 namespace {
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// What a user should read first after a run that did not end well: each finding is one sentence,
+// with the figures that decide, in the order of how much they explain. First what was against the
+// rules, then what ended the run and where each robot was, then the bricks.
 #include "validate/findings.h"
 
 #include <fmt/format.h>
@@ -8,9 +11,6 @@
 #include "base/degree.h"
 #include "rules/cell_text.h"
 
-// What a user should read first after a run that did not end well: each finding is one sentence,
-// with the figures that decide, in the order of how much they explain. First what was against the
-// rules, then what ended the run and where each robot was, then the bricks.
 namespace stig {
 namespace {
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Two tolerances, for two questions. A block *fills* a cell when it is nearer to that cell than to
+// any other by a wide margin: which brick is it? It is *close* when it is within a few millimetres
+// and degrees of the lattice that fits all bricks best: is it a good brick? The fit takes out what
+// a start that was pushed as a whole has moved; `drift` has that.
 #include "validate/judge.h"
 
 #include <fmt/format.h>
@@ -11,10 +15,6 @@
 #include "rules/cell_text.h"
 #include "validate/replay_events.h"
 
-// Two tolerances, for two questions. A block *fills* a cell when it is nearer to that cell than to
-// any other by a wide margin: which brick is it? It is *close* when it is within a few millimetres
-// and degrees of the lattice that fits all bricks best: is it a good brick? The fit takes out what
-// a start that was pushed as a whole has moved; `drift` has that.
 namespace stig {
 namespace {
 

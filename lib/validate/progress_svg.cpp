@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Drawn by hand rather than by a library: two panels of curves with a common axis of time, as SVG
+// that is the same to the byte everywhere and that an HTML report can hold. Coordinates are in
+// SVG's user units, y downwards, with one decimal.
 #include "validate/progress_svg.h"
 
 #include <fmt/format.h>
@@ -7,9 +10,6 @@
 #include <cmath>
 #include <iterator>
 
-// Drawn by hand rather than by a library: two panels of curves with a common axis of time, as SVG
-// that is the same to the byte everywhere and that an HTML report can hold. Coordinates are in
-// SVG's user units, y downwards, with one decimal.
 namespace stig {
 namespace {
 

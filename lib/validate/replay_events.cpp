@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The rules are asked by `explain`, which tells why none fires, and not by the engine's table
+// alone: speed does not matter for some dozens of placements. Bricks that left are taken away
+// again, which no rule does; what is built upon a gap is judged in the structure as it then was.
 #include "validate/replay_events.h"
 
 #include <fmt/format.h>
@@ -13,9 +16,6 @@
 #include "rules/rule_printer.h"
 #include "rules/rule_table.h"
 
-// The rules are asked by `explain`, which tells why none fires, and not by the engine's table
-// alone: speed does not matter for some dozens of placements. Bricks that left are taken away
-// again, which no rule does; what is built upon a gap is judged in the structure as it then was.
 namespace stig {
 namespace {
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// One file that can be mailed: style, curves and pictures are in it, nothing is fetched. All that
+// comes from files or programs goes through `escaped`, since titles, names and log lines are
+// whatever their authors wrote.
 #include "validate/report_html.h"
 
 #include <fmt/format.h>
@@ -13,9 +16,6 @@
 #include "validate/findings.h"
 #include "validate/progress_svg.h"
 
-// One file that can be mailed: style, curves and pictures are in it, nothing is fetched. All that
-// comes from files or programs goes through `escaped`, since titles, names and log lines are
-// whatever their authors wrote.
 namespace stig {
 namespace {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Everything here is taken from the world's poses and joints, and from what programs show to
+// viewers (`robot.show`), never from what robots tell each other. Energy is mechanical work of
+// motors, |force · velocity| summed over steps: no motor here gives any back.
 #include "validate/robot_watch.h"
 
 #include <algorithm>
 #include <cmath>
 
-// Everything here is taken from the world's poses and joints, and from what programs show to
-// viewers (`robot.show`), never from what robots tell each other. Energy is mechanical work of
-// motors, |force · velocity| summed over steps: no motor here gives any back.
 namespace stig {
 namespace {
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// set_up.h has the figures and their reasons. All places are worked out about the start's middle
+// and moved at the end so that the origin is where scenes have it; rounding is the last step, once,
+// so that the text of a scene and the numbers handed on are the same.
 #include "validate/set_up.h"
 
 #include <fmt/format.h>
@@ -9,9 +12,6 @@
 
 #include "validate/build_site.h"
 
-// set_up.h has the figures and their reasons. All places are worked out about the start's middle
-// and moved at the end so that the origin is where scenes have it; rounding is the last step, once,
-// so that the text of a scene and the numbers handed on are the same.
 namespace stig {
 namespace {
 

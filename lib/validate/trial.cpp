@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Simulation, watch and robots' records are parts of one loop; after each fifth of a second the
+// observer looks, and the run ends by `halt_`, the same flag that an interruption sets. So a run
+// that is complete, stuck or spoilt ends between two steps like any other and its trace is whole.
 #include "validate/trial.h"
 
 #include <fmt/format.h>
@@ -10,9 +13,6 @@
 #include "physical/simulation/run_picture.h"
 #include "validate/robot_watch.h"
 
-// Simulation, watch and robots' records are parts of one loop; after each fifth of a second the
-// observer looks, and the run ends by `halt_`, the same flag that an interruption sets. So a run
-// that is complete, stuck or spoilt ends between two steps like any other and its trace is whole.
 namespace stig {
 namespace {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Hysteresis in time and none in place: a block becomes a brick after a second at rest and stays
+// one until it is out of its cell, so that a brick which a passing robot shakes is not counted
+// twice. Blocks are followed by their number; who held one last is who placed it.
 #include "validate/watch.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-// Hysteresis in time and none in place: a block becomes a brick after a second at rest and stays
-// one until it is out of its cell, so that a brick which a passing robot shakes is not counted
-// twice. Blocks are followed by their number; who held one last is who placed it.
 namespace stig {
 namespace {
 

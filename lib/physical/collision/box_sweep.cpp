@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Boxes that move against each other: by the separating-axis test over the whole of their way.
-#include <algorithm>
-
-#include "physical/collision/touch_points.h"
-
+//
 // A box that moves half its side in one step may be found deep inside another, or beyond it, where
 // the axis of least overlap points out of the wrong face. So for pairs that move fast against each
 // other the axis is taken that they came in by: the last of the 15 along which they begin to
 // overlap.
+#include <algorithm>
+
+#include "physical/collision/touch_points.h"
+
 namespace stig {
 
 namespace {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include <algorithm>
-#include <cassert>
-
-#include "physical/collision/touch_points.h"
-
 // The separating-axis test for two oriented boxes: 15 axes (three faces each, nine pairs of edges),
 // of which the one with the largest gap is the normal; then the incident face is clipped by the
 // reference face's sides (Sutherland and Hodgman 1974). Which axis wins must not flicker from step
 // to step, or points of a resting stack would lose their accumulated impulses: hence the
 // preferences, a's faces before b's before edges.
+#include <algorithm>
+#include <cassert>
+
+#include "physical/collision/touch_points.h"
+
 namespace stig {
 
 namespace {

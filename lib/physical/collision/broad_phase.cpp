@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "physical/collision/broad_phase.h"
-
-#include <algorithm>
-
 // A hashed grid without a hash: entries (cell, body) in a sorted list, in which the bodies of a
 // cell stand together. Sorting costs n log n, and gives an order that depends on nothing but the
 // cells, as results have to be the same on every machine. Cells are columns: heights do not matter
 // on a floor.
+#include "physical/collision/broad_phase.h"
+
+#include <algorithm>
+
 namespace stig {
 
 namespace {

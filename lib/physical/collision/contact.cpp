@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The dispatch over pairs of shapes, and the cases with a sphere or the floor, which have closed
+// forms. Normals point from b to a, gaps are negative when shapes overlap, and points lie midway
+// between the two surfaces.
 #include "physical/collision/contact.h"
 
 #include <algorithm>
@@ -9,9 +12,6 @@
 
 #include "physical/collision/touch_points.h"
 
-// The dispatch over pairs of shapes, and the cases with a sphere or the floor, which have closed
-// forms. Normals point from b to a, gaps are negative when shapes overlap, and points lie midway
-// between the two surfaces.
 namespace stig {
 
 namespace {

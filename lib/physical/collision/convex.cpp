@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A hull is worked out once, when a shape is made, and then only moved: its faces, its edges each
+// once, its edges' directions without parallels (all that separating axes are made of), and its
+// mass properties as a solid of density 1 (base/hull.h).
 #include "physical/collision/convex.h"
 
 #include <algorithm>
@@ -7,9 +10,6 @@
 
 #include "base/hull.h"
 
-// A hull is worked out once, when a shape is made, and then only moved: its faces, its edges each
-// once, its edges' directions without parallels (all that separating axes are made of), and its
-// mass properties as a solid of density 1 (base/hull.h).
 namespace stig {
 
 namespace {

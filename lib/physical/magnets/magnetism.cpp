@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
+// Point dipoles (docs/physics.md has the equations; Jackson, Classical Electrodynamics, section
+// 5.7). Who is near whom is asked twice: of owners (blocks) by a grid, then of their magnets one by
+// one, since all magnets of a block lie within a known radius. Free magnets turn much faster than
+// blocks move, so their directions relax towards the field at rest, sweep by sweep, in the order of
+// their numbers (Gauss and Seidel's way): each sees what those before it have just done.
 #include "physical/magnets/magnetism.h"
 
 #include <algorithm>
 #include <array>
 #include <cassert>
 
-// Point dipoles (docs/physics.md has the equations; Jackson, Classical Electrodynamics, section
-// 5.7). Who is near whom is asked twice: of owners (blocks) by a grid, then of their magnets one by
-// one, since all magnets of a block lie within a known radius. Free magnets turn much faster than
-// blocks move, so their directions relax towards the field at rest, sweep by sweep, in the order of
-// their numbers (Gauss and Seidel's way): each sees what those before it have just done.
 namespace stig {
 
 namespace {

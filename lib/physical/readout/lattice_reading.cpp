@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// In three stages: joins between pairs, clusters grown along the best joins first (as Prim's
+// algorithm grows a minimal tree), and a fit of one lattice to each cluster (Horn 1987,
+// "Closed-form solution of absolute orientation using unit quaternions"). Cells are whole numbers
+// from the start: noise in poses can only break a join, never shift a cell by rounding.
 #include "physical/readout/lattice_reading.h"
 
 #include <algorithm>
@@ -10,10 +14,6 @@
 #include <queue>
 #include <tuple>
 
-// In three stages: joins between pairs, clusters grown along the best joins first (as Prim's
-// algorithm grows a minimal tree), and a fit of one lattice to each cluster (Horn 1987,
-// "Closed-form solution of absolute orientation using unit quaternions"). Cells are whole numbers
-// from the start: noise in poses can only break a join, never shift a cell by rounding.
 namespace stig {
 
 namespace {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Cairo holds the pixels for writing letters and the PNG, and nothing else: pictures themselves are
+// filled in by Raster, whose results depend on no library. The captions' letters are drawn without
+// hinting, so that their bytes depend on the font's outlines alone.
 #include <cairo.h>
 
 #include <memory>
 
 #include "physical/render/scene_picture.h"
 
-// Cairo holds the pixels for writing letters and the PNG, and nothing else: pictures themselves are
-// filled in by Raster, whose results depend on no library. The captions' letters are drawn without
-// hinting, so that their bytes depend on the font's outlines alone.
 namespace stig {
 
 namespace {

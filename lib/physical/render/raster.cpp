@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+// A software rasteriser with a depth buffer: triangles by barycentric coordinates (Pineda 1988), as
+// precise as doubles and the same on every machine. Depth is kept as its inverse, which is linear
+// over the image where depth is not, and 0 is infinitely far.
 #include "physical/render/raster.h"
 
 #include <algorithm>
 #include <cmath>
 
-// A software rasteriser with a depth buffer: triangles by barycentric coordinates (Pineda 1988), as
-// precise as doubles and the same on every machine. Depth is kept as its inverse, which is linear
-// over the image where depth is not, and 0 is infinitely far.
 namespace stig {
 
 namespace {

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A robot as `stigc describe` shows it, as a picture and as glTF: its bodies with their real
+// shapes, and over them the lines of what no body shows, frames, axes, sight, rays and ranges.
 #include "physical/render/robot_picture.h"
 
 #include <fmt/format.h>
@@ -11,8 +13,6 @@
 #include "base/glb.h"
 #include "physical/render/scene_picture.h"
 
-// A robot as `stigc describe` shows it, as a picture and as glTF: its bodies with their real
-// shapes, and over them the lines of what no body shows, frames, axes, sight, rays and ranges.
 namespace stig {
 
 namespace {

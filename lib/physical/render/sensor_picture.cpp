@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+// The slow and sure way to a camera's picture, line of sight by line of sight, which tests compare
+// with what read_camera says and with a real detector of tags. Lines are cut with every shape that
+// may lie in their way; tiles keep that number small.
 #include "physical/render/sensor_picture.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 
-// The slow and sure way to a camera's picture, line of sight by line of sight, which tests compare
-// with what read_camera says and with a real detector of tags. Lines are cut with every shape that
-// may lie in their way; tiles keep that number small.
 namespace stig {
 
 namespace {

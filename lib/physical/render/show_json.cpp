@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+// What a robot shows travels as JSON in a trace's frames, and is read back when a picture of the
+// trace is drawn. The trace may be somebody else's, so nothing in it is believed: other shapes than
+// those written here are passed over.
 #include "physical/render/show_json.h"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-// What a robot shows travels as JSON in a trace's frames, and is read back when a picture of the
-// trace is drawn. The trace may be somebody else's, so nothing in it is believed: other shapes than
-// those written here are passed over.
 namespace stig {
 
 namespace {

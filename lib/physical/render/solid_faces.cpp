@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Convex faces with outward normals, corners counter-clockwise as seen from outside. What is round
+// gets facets that are drawn without edges (`edged`), each with the normal of its middle.
 #include "physical/render/solid_faces.h"
 
 #include <cmath>
 #include <numbers>
 
-// Convex faces with outward normals, corners counter-clockwise as seen from outside. What is round
-// gets facets that are drawn without edges (`edged`), each with the normal of its middle.
 namespace stig {
 
 namespace {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The order within a tick is what makes runs repeatable: messages are carried first, then every
+// robot that is due reads the same state of the world, and only then do controllers run and
+// command. So no controller sees what another does in the same tick, whatever their numbers.
 #include "physical/robots/crew.h"
 
 #include <algorithm>
@@ -8,9 +11,6 @@
 #include "physical/dynamics/ticks.h"
 #include "physical/robots/crew_history.h"
 
-// The order within a tick is what makes runs repeatable: messages are carried first, then every
-// robot that is due reads the same state of the world, and only then do controllers run and
-// command. So no controller sees what another does in the same tick, whatever their numbers.
 namespace stig {
 
 Crew::Crew(CrewConfig config, const WorldConfig& world)

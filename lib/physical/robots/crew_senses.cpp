@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// One snapshot of the world a tick, shared by all sensors: shapes and owners are set up once, poses
+// are filled in before each look. Rangefinders must not measure their own robot, nor may a tag be
+// hidden by its own block, so every obstacle has an owner.
 #include "physical/robots/crew_senses.h"
 
 #include <algorithm>
@@ -7,9 +10,6 @@
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/range_sensor.h"
 
-// One snapshot of the world a tick, shared by all sensors: shapes and owners are set up once, poses
-// are filled in before each look. Rangefinders must not measure their own robot, nor may a tag be
-// hidden by its own block, so every obstacle has an owner.
 namespace stig {
 
 namespace {

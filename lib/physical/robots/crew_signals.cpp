@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Radios and LEDs. Messages lie in outboxes until the next control tick, are carried all at once,
+// and lie in inboxes until their reader's next step. Most blocks say and hear nothing for most of a
+// run: `quiet` and `sends_` keep them from costing anything.
 #include "physical/robots/crew_signals.h"
 
 #include <algorithm>
@@ -6,9 +9,6 @@
 
 #include "physical/sensors/radio_medium.h"
 
-// Radios and LEDs. Messages lie in outboxes until the next control tick, are carried all at once,
-// and lie in inboxes until their reader's next step. Most blocks say and hear nothing for most of a
-// run: `quiet` and `sends_` keep them from costing anything.
 namespace stig {
 
 namespace {

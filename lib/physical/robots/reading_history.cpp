@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Everything that a controller has read in a run, compressed in chunks: similar readings follow
+// each other, and a chunk is packed once it is full, so memory grows by what zstd leaves of it. The
+// last chunk stays open.
 #include "physical/robots/reading_history.h"
 
 #include <algorithm>
 
 #include "base/packed.h"
 
-// Everything that a controller has read in a run, compressed in chunks: similar readings follow
-// each other, and a chunk is packed once it is full, so memory grows by what zstd leaves of it. The
-// last chunk stays open.
 namespace stig {
 
 namespace {

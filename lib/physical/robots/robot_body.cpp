@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// From a robot's description to bodies, joints and electromagnets of a world, and from devices'
+// commands to motors. Bodies and joints of one robot are numbered in one piece, in the order of its
+// file, so that places in the model are places in RobotBody.
 #include "physical/robots/robot_body.h"
 
 #include <algorithm>
@@ -6,9 +9,6 @@
 
 #include "robots/block.h"
 
-// From a robot's description to bodies, joints and electromagnets of a world, and from devices'
-// commands to motors. Bodies and joints of one robot are numbered in one piece, in the order of its
-// file, so that places in the model are places in RobotBody.
 namespace stig {
 
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "physical/scene/lua_programs.h"
-
 // Programs run under limits and with random streams of their own. What tells the streams of one run
 // apart is an agent's number: robots from 0, then blocks by their bodies, and the script at the
 // end.
+#include "physical/scene/lua_programs.h"
+
 namespace stig {
 
 namespace {

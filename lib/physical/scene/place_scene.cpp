@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Generators are worked out here and nowhere else: what a World gets is a plain list of bodies.
+// Everything that is random is a function of the seed, the entry and the block's number, so that an
+// entry which is added to a scene moves no block of another. Body numbers follow the file: blocks
+// entry by entry, then robots, then what caches and scripts may drop.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,10 +15,6 @@
 #include "base/text.h"
 #include "physical/scene/scene.h"
 
-// Generators are worked out here and nowhere else: what a World gets is a plain list of bodies.
-// Everything that is random is a function of the seed, the entry and the block's number, so that an
-// entry which is added to a scene moves no block of another. Body numbers follow the file: blocks
-// entry by entry, then robots, then what caches and scripts may drop.
 namespace stig {
 
 namespace {

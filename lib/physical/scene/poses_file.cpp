@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Six numbers a line, as spreadsheets write them; numbers by std::from_chars, which knows no
+// locale. A first line of column names is taken for what it is, anything else that is no row is an
+// error: a pose that is passed over in silence would be missing.
 #include "physical/scene/poses_file.h"
 
 #include <fmt/format.h>
@@ -10,9 +13,6 @@
 
 #include "base/degree.h"
 
-// Six numbers a line, as spreadsheets write them; numbers by std::from_chars, which knows no
-// locale. A first line of column names is taken for what it is, anything else that is no row is an
-// error: a pose that is passed over in silence would be missing.
 namespace stig {
 
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "physical/scene/scene_crew.h"
-
 // The crew is what acts in a world: it takes the scene's robots and blocks with what their
 // controllers, sensors and radios need, and points into the scene, which outlives it.
+#include "physical/scene/scene_crew.h"
+
 namespace stig {
 
 CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t body,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+// The one list of a scene's keys: the reader checks against it, the JSON Schema is written from it,
+// and docs/simulate.md is held to it by a test. Bounds are there so that no file can ask for more
+// than a machine has, and so that units mistaken (mm for m) are noticed.
 #include "physical/scene/scene_keys.h"
 
 #include "physical/scene/scene.h"
 
-// The one list of a scene's keys: the reader checks against it, the JSON Schema is written from it,
-// and docs/simulate.md is held to it by a test. Bounds are there so that no file can ask for more
-// than a machine has, and so that units mistaken (mm for m) are noticed.
 namespace stig {
 
 namespace {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Programs are loaded and their init run before a long simulation begins: a slip in a program, or a
+// step that is called steps, is told at its line like an error in the scene. They run in boxes that
+// are thrown away, so that the run itself begins afresh.
 #include "physical/scene/scene_programs.h"
 
 #include <fmt/format.h>
@@ -9,9 +12,6 @@
 
 #include "physical/scene/lua_programs.h"
 
-// Programs are loaded and their init run before a long simulation begins: a slip in a program, or a
-// step that is called steps, is told at its line like an error in the scene. They run in boxes that
-// are thrown away, so that the run itself begins afresh.
 namespace stig {
 
 namespace {

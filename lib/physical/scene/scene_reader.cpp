@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// From nodes to a Scene. The table of keys (scene_keys.cpp) has been checked before, so kinds and
+// ranges of values hold here; what is left are questions between keys and between files: kinds of
+// entries, keys without use, names of materials. Every file that is read is kept in `files`, by the
+// name by which the scene calls it, so that a trace or checkpoint can run the scene again without
+// any of them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,11 +18,6 @@
 #include "physical/scene/scene_keys.h"
 #include "robots/robot_reader.h"
 
-// From nodes to a Scene. The table of keys (scene_keys.cpp) has been checked before, so kinds and
-// ranges of values hold here; what is left are questions between keys and between files: kinds of
-// entries, keys without use, names of materials. Every file that is read is kept in `files`, by the
-// name by which the scene calls it, so that a trace or checkpoint can run the scene again without
-// any of them.
 namespace stig {
 
 namespace {

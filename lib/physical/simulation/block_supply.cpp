@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Blocks that are dropped become bodies of the world at once. The trace, the reader of the scene
+// and checkpoints know them in advance by their names and their order (place_scene.cpp), so only
+// counts have to be saved.
 #include "physical/simulation/block_supply.h"
 
 #include <algorithm>
 
 #include "physical/simulation/run_state.h"
 
-// Blocks that are dropped become bodies of the world at once. The trace, the reader of the scene
-// and checkpoints know them in advance by their names and their order (place_scene.cpp), so only
-// counts have to be saved.
 namespace stig {
 
 namespace {

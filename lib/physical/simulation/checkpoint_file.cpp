@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+// A checkpoint is self-contained: scene and programs as texts, the seed, and the state. It is read
+// by the same list of members that it is written by (base/byte_members.h).
 #include "physical/simulation/checkpoint_file.h"
 
 #include "base/byte_members.h"
 #include "base/packed.h"
 
-// A checkpoint is self-contained: scene and programs as texts, the seed, and the state. It is read
-// by the same list of members that it is written by (base/byte_members.h).
 namespace stig {
 
 namespace {

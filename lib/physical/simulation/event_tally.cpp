@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Every kind has its counter; the compiler warns of a new one that has none.
 #include "physical/simulation/event_tally.h"
 
 #include <algorithm>
 
 #include "physical/simulation/run_state.h"
 
-// Every kind has its counter; the compiler warns of a new one that has none.
 namespace stig {
 
 void EventTally::after_step(RunState& run) {

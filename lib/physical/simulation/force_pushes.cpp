@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+// World::push acts for a single step; what acts longer is pushed again in each.
 #include "physical/simulation/force_pushes.h"
 
 #include <algorithm>
 
 #include "physical/simulation/run_state.h"
 
-// World::push acts for a single step; what acts longer is pushed again in each.
 namespace stig {
 
 namespace {

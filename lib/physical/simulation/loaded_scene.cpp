@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The other files are found by the names that the scene calls them by, in memory alone.
 #include "physical/simulation/loaded_scene.h"
 
-// The other files are found by the names that the scene calls them by, in memory alone.
 namespace stig {
 
 std::optional<LoadedScene> load_scene(const std::vector<SceneFile>& files, std::uint64_t seed,

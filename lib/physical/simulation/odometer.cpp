@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Straight lines between looks five times a second: way on the floor, without the jitter of single
+// steps, of which a robot at rest would make metres in an hour.
 #include "physical/simulation/odometer.h"
 
 #include "physical/simulation/run_state.h"
 
-// Straight lines between looks five times a second: way on the floor, without the jitter of single
-// steps, of which a robot at rest would make metres in an hour.
 namespace stig {
 
 Odometer::Odometer(const Scene& scene) {

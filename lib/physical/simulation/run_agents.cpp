@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A scene of blocks that only fall needs no crew, and runs without its costs. Whether one is needed
+// is asked before: of robots, of a script, of programs of blocks, and of blocks that may come.
 #include "physical/simulation/run_agents.h"
 
 #include <algorithm>
@@ -6,8 +8,6 @@
 #include "physical/scene/scene_crew.h"
 #include "physical/simulation/run_state.h"
 
-// A scene of blocks that only fall needs no crew, and runs without its costs. Whether one is needed
-// is asked before: of robots, of a script, of programs of blocks, and of blocks that may come.
 namespace stig {
 
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
+// A picture of a run is made from what a trace of it would have, so that both look alike.
 #include "physical/simulation/run_picture.h"
 
 #include "physical/render/show_json.h"
 
-// A picture of a run is made from what a trace of it would have, so that both look alike.
 namespace stig {
 
 std::vector<PictureBody> picture_bodies(const Simulation& run) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A script's Lua state cannot be saved. So while a run may be resumed, each call is recorded with
+// everything that the script was answered; a resumed run calls a fresh script again with these
+// answers (script_record.h). What it did to the world is in the world's own checkpoint.
 #include "physical/simulation/run_script.h"
 
 #include "physical/scene/lua_programs.h"
@@ -6,9 +9,6 @@
 #include "physical/simulation/scene_script.h"
 #include "physical/simulation/script_record.h"
 
-// A script's Lua state cannot be saved. So while a run may be resumed, each call is recorded with
-// everything that the script was answered; a resumed run calls a fresh script again with these
-// answers (script_record.h). What it did to the world is in the world's own checkpoint.
 namespace stig {
 
 RunScript::RunScript(const Scene& scene, const PlacedScene& placed)

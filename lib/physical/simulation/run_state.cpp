@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+// Members are made in the order in which they are declared, and the world before all that looks at
+// it.
 #include "physical/simulation/run_state.h"
 
 #include "base/hash.h"
 #include "physical/dynamics/ticks.h"
 
-// Members are made in the order in which they are declared, and the world before all that looks at
-// it.
 namespace stig {
 
 namespace {

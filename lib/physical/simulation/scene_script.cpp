@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
+// The world as a script finds it. Reading all blocks, with the lattices that they form, is done
+// once a call and kept until the script changes something.
 #include "physical/simulation/scene_script.h"
 
 #include "physical/dynamics/ticks.h"
 #include "physical/readout/lattice_reading.h"
 
-// The world as a script finds it. Reading all blocks, with the lattices that they form, is done
-// once a call and kept until the script changes something.
 namespace stig {
 
 // Blocks are numbered among themselves, robots by the scene.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Each question leaves its answer in the record, and only the answer: asked again in the same order
+// the same script gets the same, and needs no world.
 #include "physical/simulation/script_record.h"
 
 #include "base/byte_members.h"
 
-// Each question leaves its answer in the record, and only the answer: asked again in the same order
-// the same script gets the same, and needs no world.
 namespace stig {
 
 namespace {

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Two orders: that in which parts work in a tick, and that in which their bytes lie. They are apart
+// since the first may have to change where the second must not. The script works before the supply,
+// so that what it drops is not dropped twice; agents after all that moves things, so that
+// controllers see a world that will stand still until the step; the recorder after agents, for what
+// they said.
 #include "physical/simulation/simulation.h"
 
 #include <fmt/format.h>
@@ -7,11 +12,6 @@
 #include <cassert>
 #include <cmath>
 
-// Two orders: that in which parts work in a tick, and that in which their bytes lie. They are apart
-// since the first may have to change where the second must not. The script works before the supply,
-// so that what it drops is not dropped twice; agents after all that moves things, so that
-// controllers see a world that will stand still until the step; the recorder after agents, for what
-// they said.
 namespace stig {
 
 namespace {

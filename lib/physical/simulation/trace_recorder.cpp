@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Frames are due every 20 ms of simulated time, hashes every second, in whole ticks, so that a
+// trace does not depend on when it was begun or looked at.
 #include "physical/simulation/trace_recorder.h"
 
 #include "physical/dynamics/ticks.h"
 #include "physical/render/show_json.h"
 #include "physical/simulation/run_state.h"
 
-// Frames are due every 20 ms of simulated time, hashes every second, in whole ticks, so that a
-// trace does not depend on when it was begun or looked at.
 namespace stig {
 
 namespace {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Inner loops for mechanisms of any size, written out by the compiler for the common sizes: with a
+// known number of degrees of freedom velocities stay in registers from point to point. All of them
+// add in the same order as row_numbers.h, so which one runs does not show in any bit.
 #include "physical/solver/mechanism_rows.h"
 
 #include <cassert>
 #include <utility>
 
-// Inner loops for mechanisms of any size, written out by the compiler for the common sizes: with a
-// known number of degrees of freedom velocities stay in registers from point to point. All of them
-// add in the same order as row_numbers.h, so which one runs does not show in any bit.
 namespace stig {
 
 namespace {

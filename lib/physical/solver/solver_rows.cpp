@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Projected Gauss and Seidel over rows of generalised velocities: J v is the velocity at a point
+// along a direction, and an impulse there changes v by W = M⁻¹ Jᵀ, both worked out once a step. The
+// order of points is that of contacts, and runs of one kind go through code of their own.
 #include "physical/solver/solver_rows.h"
 
 #include <algorithm>
@@ -9,9 +12,6 @@
 #include "physical/solver/robot_rows.h"
 #include "physical/solver/row_numbers.h"
 
-// Projected Gauss and Seidel over rows of generalised velocities: J v is the velocity at a point
-// along a direction, and an impulse there changes v by W = M⁻¹ Jᵀ, both worked out once a step. The
-// order of points is that of contacts, and runs of one kind go through code of their own.
 namespace stig {
 
 namespace {

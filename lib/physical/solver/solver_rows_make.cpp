@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Rows are made anew each step, since links move. The memory is kept (solver.cpp): `numbers` holds
+// J and W of all points in one list, in the order in which sweeps read them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,8 +9,6 @@
 #include "physical/solver/robot_rows.h"
 #include "physical/solver/row_numbers.h"
 
-// Rows are made anew each step, since links move. The memory is kept (solver.cpp): `numbers` holds
-// J and W of all points in one list, in the order in which sweeps read them.
 namespace stig {
 
 namespace {

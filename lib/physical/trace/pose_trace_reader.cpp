@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Traces are files that others may have made, so nothing is taken on trust: sizes are bounded
+// before memory is taken, every number is checked before it is an index, and all chunks are decoded
+// once when a trace is opened, so that whoever asks for frames later cannot fail. docs/simulate.md
+// describes the format.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,10 +12,6 @@
 #include "physical/trace/pose_trace.h"
 #include "physical/trace/pose_trace_format.h"
 
-// Traces are files that others may have made, so nothing is taken on trust: sizes are bounded
-// before memory is taken, every number is checked before it is an index, and all chunks are decoded
-// once when a trace is opened, so that whoever asks for frames later cannot fail. docs/simulate.md
-// describes the format.
 namespace stig {
 
 namespace {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Frames hold differences of quantised poses to the frame before: a body at rest costs nothing, one
+// that moves a few bytes, and zstd finds the rest. Every so many frames a chunk ends, so that a
+// reader can begin in the middle. Quantised values are what is compared and summed up, so errors do
+// not add up over a chunk.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -8,10 +12,6 @@
 #include "physical/trace/pose_trace.h"
 #include "physical/trace/pose_trace_format.h"
 
-// Frames hold differences of quantised poses to the frame before: a body at rest costs nothing, one
-// that moves a few bytes, and zstd finds the rest. Every so many frames a chunk ends, so that a
-// reader can begin in the middle. Quantised values are what is compared and summed up, so errors do
-// not add up over a chunk.
 namespace stig {
 
 namespace {
