@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The text form of certificates (certificate.h lists its lines, docs/proofs.md describes
+// them). A certificate comes from anywhere, so the reader treats it as hostile: every
+// number has a range, every count is backed by text that must be there, and nothing is
+// allocated ahead of the words that fill it. Printing is canonical, which makes
+// certificates comparable as bytes.
 #include "certify/certificate.h"
 
 #include <fmt/format.h>
@@ -16,6 +21,8 @@
 namespace stig {
 namespace {
 
+/// A side may span all cells that coordinates can name, from -kMaxCoordinate to
+/// kMaxCoordinate.
 constexpr std::int64_t kMostBoxSide = std::int64_t{2} * kMaxCoordinate + 1;
 
 std::size_t hex_digits_for(std::size_t bits) { return (bits + 3) / 4; }
@@ -24,6 +31,8 @@ std::size_t hex_digits_for(std::size_t bits) { return (bits + 3) / 4; }
 
 using Text = std::back_insert_iterator<std::string>;
 
+/// A certificate speaks of cells absolutely. A box is therefore printed with its lowest
+/// cell, even where the rule file leaves it to the start's middle.
 void print_box(Text out, const std::optional<BoxSpec>& box) {
   if (!box) {
     fmt::format_to(out, "box none\n");
@@ -51,6 +60,7 @@ void print_filling(Text out, const Filling& filling, std::size_t bits) {
   for (std::size_t digit = hex_digits_for(bits); digit-- > 0;) {
     fmt::format_to(out, "{:x}", filling[digit / 16] >> (digit % 16 * 4) & 15U);
   }
+  // Most significant digit first, although words and bits are stored least first.
 }
 
 void print_window(Text out, const CertifiedWindow& window) {
@@ -80,6 +90,10 @@ void print_stage(Text out, const CertifiedStage& stage, std::size_t number) {
 
 // Reading
 
+/// The format is regular enough for one word of lookahead: `word_` is the next word, and an
+/// empty one means that the line has ended. Every function leaves the reader on the word
+/// after what it took, and after a failure all of them return quickly with defaults, so
+/// callers need not test each item.
 /// Says what is wrong once; everything read afterwards is of no account.
 class Reader {
  public:
@@ -108,11 +122,14 @@ class Reader {
  private:
   bool good() const { return !failed_; }
 
+  // Only the first failure is reported: what follows it is read out of step.
   void fail(const std::string& message) {
     if (failed_) return;
     failed_ = true;
     const auto begin = static_cast<std::uint32_t>(begin_);
     const auto end = static_cast<std::uint32_t>(begin_ + word_.size());
+    // The text is copied for the diagnostic alone. Certificates can be large, and nearly
+    // all of them are well formed.
     diagnostics_.add(Code::F470, {std::make_shared<SourceFile>(path_, text_), begin, end}, message);
   }
 
@@ -128,6 +145,7 @@ class Reader {
   }
 
   void next_word() {
+    // A word's end is found from its begin, so that `begin_` is always where a caret goes.
     std::size_t at = begin_ + word_.size();
     while (at < line_end_ && text_[at] == ' ') ++at;
     std::size_t stop = at;
@@ -146,6 +164,7 @@ class Reader {
     next_word();
   }
 
+  // Returns `low` after a failure, which is in range for every caller.
   std::int64_t number(std::int64_t low, std::int64_t high) {
     std::int64_t value = low;
     const char* end = word_.data() + word_.size();
@@ -163,6 +182,7 @@ class Reader {
     std::uint64_t value = 0;
     const char* end = word_.data() + word_.size();
     const auto [stop, error] = std::from_chars(word_.data(), end, value, 16);
+    // The length is checked too, since from_chars takes any number of leading zeros.
     if (word_.size() < digits || word_.size() > hex_digits_for(bits) || error != std::errc{} ||
         stop != end || (bits < kBitsPerWord && value >> bits != 0)) {
       fail(fmt::format("a hexadecimal number of {} bits belongs here", bits));
@@ -175,6 +195,8 @@ class Reader {
   std::int32_t coordinate() {
     return static_cast<std::int32_t>(number(-kMaxCoordinate, kMaxCoordinate));
   }
+  // Evaluated one after another: the order in which function arguments are evaluated is
+  // unspecified, and the three coordinates must be read in the order of the text.
   Cell cell() {
     const std::int32_t x = coordinate(), y = coordinate(), z = coordinate();
     return {x, y, z};
@@ -200,6 +222,7 @@ class Reader {
     CertifiedStage& stage = stages.emplace_back();
     next_word();
     const auto number_of_stage = static_cast<std::int64_t>(stages.size());
+    // A bound, since the number is stored as an int and printed in messages.
     if (number_of_stage > kMaxStage) return fail("there are too many stages");
     number(number_of_stage, number_of_stage);
     expect_word("order");
@@ -226,6 +249,8 @@ class Reader {
   }
 
   std::uint32_t position(const CertifiedStage& stage) {
+    // Positions count from 0 within the stage. Without bricks the range is left at 0 to 0;
+    // the failure has been noted by then.
     if (stage.order.empty()) fail("this stage has no bricks");
     return static_cast<std::uint32_t>(
         number(0, std::max<std::int64_t>(1, static_cast<std::int64_t>(stage.order.size())) - 1));
@@ -233,6 +258,8 @@ class Reader {
 
   void read_far(CertifiedStage& stage) {
     next_word();
+    // A chain has at least two bricks, its ends. Whether its steps are `before` steps is
+    // for the check to find out (StageCheck::load_far).
     std::vector<std::uint32_t> chain{position(stage), position(stage)};
     while (good() && !word_.empty()) chain.push_back(position(stage));
     stage.far.push_back(std::move(chain));
@@ -242,6 +269,8 @@ class Reader {
   void read_window(CertifiedStage& stage) {
     next_word();
     CertifiedWindow window;
+    // A window cannot have more bricks than the stage, which bounds `bits` and with it the
+    // words of each filling.
     const auto bricks = static_cast<std::int64_t>(stage.order.size());
     const std::int64_t group = number(0, bricks), context = number(0, bricks);
     const std::int64_t fillings = number(0, UINT32_MAX);
@@ -254,6 +283,9 @@ class Reader {
     for (std::int64_t i = 0; good() && i < fillings; ++i) {
       const std::size_t begin = begin_, length = word_.size();
       window.fillings.push_back(read_filling(bits));
+      // Rising order is demanded for two reasons: no filling is listed twice, and the check
+      // finds fillings by bisection. The diagnostic points back at the filling, which has
+      // been read past by now.
       if (good() && i > 0 && !less(window.fillings.rbegin()[1], window.fillings.back())) {
         begin_ = begin;
         word_ = std::string_view(text_).substr(begin, length);
@@ -265,6 +297,8 @@ class Reader {
   }
 
   Filling read_filling(std::size_t bits) {
+    // The digits of one word each are cut off from the end, since the last digits hold the
+    // lowest bits.
     Filling filling;
     std::string_view digits = word_;
     if (digits.empty() || digits.size() != hex_digits_for(bits)) {
@@ -282,6 +316,8 @@ class Reader {
       }
       digits.remove_suffix(part.size());
     }
+    // The last word may have bits to spare; they must be zero, or equal sets would differ
+    // as words.
     if (!is_filling_of(bits, filling)) {
       fail("the filling has a brick that its window has not");
     }

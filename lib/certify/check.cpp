@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Puts the parts of the check together: does the certificate fit the rules and the box,
+// then one StageCheck after another, each starting from the structure in which the one
+// before ended. By induction over the stages the last structure is the end of every order
+// of events (docs/proofs.md, "The proof").
 #include "certify/check.h"
 
 #include <fmt/format.h>
@@ -14,6 +18,8 @@
 namespace stig {
 namespace {
 
+/// Coordinates are bounded so that adding an offset, or measuring a side, never overflows
+/// 32 bits. Bricks of the file's start pass the reader with the same bound.
 bool within_reach(Cell cell) {
   const auto near = [](std::int32_t n) { return n >= -kMaxCoordinate && n <= kMaxCoordinate; };
   return near(cell.x) && near(cell.y) && near(cell.z);
@@ -28,10 +34,14 @@ std::string text_of(const std::optional<BoxSpec>& box) {
 /// Does the certificate speak of these rules in this box at all?
 std::string misfit(const RuleSet& rules, const Certificate& certificate,
                    const std::optional<BoxSpec>& box) {
+  // The hash covers what the rules mean and nothing of their layout. The check is sound
+  // without it, since a wrong claim makes a condition fail, but the refusal would be hard
+  // to understand.
   if (certificate.rule_set_hash != rule_set_hash(rules)) {
     return fmt::format("the certificate is for rules with the hash {}, and these have {}",
                        to_hex(certificate.rule_set_hash), to_hex(rule_set_hash(rules)));
   }
+  // The box is part of the claim: in another box other sites can be filled.
   const std::optional<BoxSpec>& own = certificate.box;
   if (own && (!own->origin || !within_reach(*own->origin) || own->size.x < 1 || own->size.y < 1 ||
               own->size.z < 1)) {
@@ -50,7 +60,9 @@ std::string misfit(const RuleSet& rules, const Certificate& certificate,
   return "";
 }
 
-/// Adds the start; says what is wrong with it.
+/// Adds the start; says what is wrong with it. Two bricks in one cell, or one below the
+/// floor, make the initial structure meaningless; the conditions on stages presuppose one
+/// colour per cell.
 std::string add_start(const RuleSet& rules, const Space& space, KnownCells& cells) {
   for (const PlacedBrick& brick : rules.start) {
     if (!within_reach(brick.at) || !space.placeable(brick.at)) {
@@ -65,6 +77,8 @@ std::string add_start(const RuleSet& rules, const Space& space, KnownCells& cell
   return "";
 }
 
+/// Sorted by cell, so that reports and comparisons do not depend on the order in which the
+/// checker met the cells.
 std::vector<PlacedBrick> bricks_of(const KnownCells& cells) {
   std::vector<PlacedBrick> bricks;
   for (std::uint32_t i = 0; i < cells.size(); ++i) {
@@ -80,9 +94,13 @@ std::string refusal_of(const RuleSet& rules, const Certificate& certificate,
   const Space space{certificate.box, rules.floor};
   KnownCells cells;
   if (std::string problem = add_start(rules, space, cells); !problem.empty()) return problem;
+  // Built once: the oriented rules are the same in all stages, and the filter by stage is
+  // applied when candidates are listed.
   const ActingRules acting(rules);
   for (std::size_t i = 0; i < certificate.stages.size(); ++i) {
     const int number = static_cast<int>(i) + 1;
+    // Checked here and not in StageCheck, since Space::wrap and the hash of cells already
+    // presuppose bounded coordinates.
     for (const CertifiedBrick& brick : certificate.stages[i].order) {
       if (within_reach(brick.at)) continue;
       return fmt::format("stage {}: the brick at {} is out of reach", number, cell_text(brick.at));
@@ -94,6 +112,8 @@ std::string refusal_of(const RuleSet& rules, const Certificate& certificate,
     report.sites += stage.sites();
     report.local_states += stage.local_states();
   }
+  // After an accepted last stage `cells` holds the start and the bricks of all stages;
+  // sites that stay empty have colour 0 and are left out.
   report.structure = bricks_of(cells);
   if (report.structure.size() != certificate.bricks) {
     return fmt::format("the structure has {}, and the certificate says {}",
@@ -114,6 +134,7 @@ CheckReport check_certificate(const RuleSet& rules, const Certificate& certifica
   report.box = certificate.box;
   report.refusal = refusal_of(rules, certificate, box, report);
   report.accepted = report.refusal.empty();
+  // A structure that was only partly checked must not be mistaken for a result.
   if (!report.accepted) report.structure.clear();
   return report;
 }

@@ -1,4 +1,12 @@
 // SPDX-License-Identifier: MIT
+// Derives every clause of a minimality formula again from the problem and from the reason
+// that stands before it. What is shown is one direction alone: each colouring that builds
+// in the order fulfils every clause. A formula may say less than it could, which only makes
+// a refutation harder; it may never say more. So superfluous literals in a clause are no
+// error, and every test below asks whether the clause contains what is needed, never
+// whether it is minimal.
+//
+// The reasons are untrusted like the clauses: a wrong one derives nothing.
 #include "certify/fewest.h"
 
 #include <fmt/format.h>
@@ -32,6 +40,7 @@ std::optional<std::int64_t> number(std::string_view word) {
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  // 32 bits are enough for variables and coordinates, and keep products of them within 64.
   if (value > INT32_MAX || value < INT32_MIN) return std::nullopt;
   return value;
 }
@@ -47,17 +56,23 @@ std::optional<Clause> numbers(const std::vector<std::string_view>& words, std::s
   return out;
 }
 
+/// Variables: colour c of orbit o is o * colours + c, so 1 to orbits * colours; larger
+/// numbers stand for pairs of orbits and get their meaning from the first reason that
+/// mentions them.
 class Derivation {
  public:
   explicit Derivation(const ColourProblem& problem) : p_(problem) {}
 
-  /// Empty: every clause holds.
+  /// Empty: every clause holds. The formula is split into lines here and into clauses by
+  /// CnfReader for the DRAT check. The two readings must agree on what the clauses are,
+  /// hence the demand for a clause on a line of its own.
   std::string derive(std::string_view cnf) {
     while (!cnf.empty()) {
       const std::size_t end = std::min(cnf.find('\n'), cnf.size());
       const auto words = words_of(cnf.substr(0, end));
       cnf.remove_prefix(std::min(end + 1, cnf.size()));
       if (words.empty() || words[0] == "p") continue;
+      // A reason holds until the next one, for all clauses that follow it.
       if (words[0] == "c") {
         reason_.assign(words.begin() + 1, words.end());
         continue;
@@ -95,6 +110,8 @@ class Derivation {
     return std::find(clause.begin(), clause.end(), literal) != clause.end();
   }
 
+  // An unknown kind of reason justifies nothing; the formats stand in
+  // synthesis/proof_files.h.
   bool holds(const Clause& clause) {
     if (reason_.empty()) return false;
     const std::string_view kind = reason_[0];
@@ -112,6 +129,7 @@ class Derivation {
     return false;
   }
 
+  // Every cell has some colour: holds if the clause contains all colours that it may have.
   bool colour_holds(const Clause& clause, std::int64_t o) const {
     if (!is_orbit(o)) return false;
     for (int c = 1; c <= p_.colours; ++c) {
@@ -119,12 +137,14 @@ class Derivation {
     }
     return true;
   }
+  // No cell has two colours: two different literals, both negative, both of this orbit.
   bool one_holds(const Clause& clause, std::int64_t o) const {
     if (!is_orbit(o) || clause.size() != 2 || clause[0] == clause[1]) return false;
     return std::all_of(clause.begin(), clause.end(), [&](std::int64_t literal) {
       return -literal >= has(o, 1) && -literal <= has(o, p_.colours);
     });
   }
+  // A colour that the target excludes at this orbit.
   bool domain_holds(const Clause& clause, std::int64_t o) const {
     if (!is_orbit(o)) return false;
     for (int c = 1; c <= p_.colours; ++c) {
@@ -132,8 +152,13 @@ class Derivation {
     }
     return false;
   }
+  // The k-th listed orbit needs none but the named colours and the first k others: colours
+  // beyond are interchangeable, and numbering them by first occurrence along the list loses
+  // no colouring up to renaming. For that the list must be one list: a place has one orbit
+  // and an orbit one place.
   /// Colours beyond the named ones can be exchanged: the list's orbits take them in turn.
   bool naming_holds(const Clause& clause, std::int64_t place, std::int64_t o) {
+    // The bound on `place` only keeps the sum below from overflowing.
     if (!is_orbit(o) || place < 1 || place > 1'000'000 || orbit(o).allowed) return false;
     const auto [at, fresh] = named_.try_emplace(place, o);
     if (at->second != o || (fresh && !listed_.insert(o).second)) return false;
@@ -142,6 +167,9 @@ class Derivation {
     }
     return false;
   }
+  // Each new variable is bound to one pair. Both directions of the equivalence may be
+  // clauses, and any of them holds by definition of the variable, however the colouring is
+  // chosen.
   /// A variable of its own is, by definition, true when two orbits have one colour.
   bool pair_holds(const Clause& clause, std::int64_t p, std::int64_t a, std::int64_t b) {
     if (!is_orbit(a) || !is_orbit(b) || a == b) return false;
@@ -166,6 +194,8 @@ class Derivation {
                 static_cast<std::int32_t>(a[i + 2])};
   }
 
+  // Kind A: the site must not be filled at all in this structure. Kind B (`intended`): it
+  // is due there, so the rule may act, but with the site's own colour.
   /// Q at a cell, orientation G, S at a cell, M: see proof_files.h.
   bool clash_holds(const Clause& clause, bool intended, const Clause& a) const {
     const auto from = cell_at(a, 1), to = cell_at(a, 6);
@@ -174,16 +204,23 @@ class Derivation {
     const auto key_cell = p_.cell(*from);
     if (!key_cell || p_.orbit_of[*key_cell] != a[0] || p_.in_start(*key_cell)) return false;
     const auto site = p_.cell(*to);
+    // -1 stands for a site outside the target.
     if ((site ? static_cast<std::int64_t>(p_.orbit_of[*site]) : -1) != a[5]) return false;
+    // A site of the start is never empty, and one below the floor is no site.
     if (site ? p_.in_start(*site) : p_.floor && to->z < 0) return false;
     if (a[9] <= 0) return false;  // beside no brick no rule acts
     const auto state = static_cast<std::uint32_t>(a[9]);
     const Orientation& g = p_.group[static_cast<std::size_t>(a[4])];
+    // The conjunction is the claim: the rule of `from` looks for this set, both structures
+    // are reachable, the floor shows the same, and the clause says that some compared pair
+    // differs.
     return is_key(*key_cell, turned_back(state, g)) && p_.reachable(*to, state) &&
            same_floor(*from, *to, g) && is_intended(site, state) == intended &&
            compares_all(clause, *from, *to, g, state, intended ? site : std::nullopt);
   }
 
+  // The image under g of neighbour i is seen at index g.image[i]: the set at the site is
+  // taken back to the orientation in which the rule was written.
   std::uint32_t turned_back(std::uint32_t state, const Orientation& g) const {
     std::uint32_t key = 0;
     for (int i = 0; i < p_.neighbours().size; ++i) {
@@ -201,6 +238,8 @@ class Derivation {
     const std::uint32_t before = p_.before(*site);
     return (state & before) == before;
   }
+  // The floor is visible to rules. If the two neighbourhoods differ in where floor is, the
+  // rule does not match, whatever the colours.
   bool same_floor(Cell from, Cell to, const Orientation& g) const {
     if (!p_.floor) return true;
     for (std::size_t i = 0; i < static_cast<std::size_t>(p_.neighbours().size); ++i) {
@@ -222,6 +261,8 @@ class Derivation {
     std::set<std::pair<std::int64_t, std::int64_t>> differ;
     for (const std::int64_t literal : clause) {
       const auto found = pairs_.find(literal < 0 ? -literal : literal);
+      // A literal that is no known pair could make the clause mean anything; with it,
+      // nothing is derived.
       if (found == pairs_.end()) return false;
       if (literal < 0) {
         differ.insert(found->second);
@@ -231,9 +272,13 @@ class Derivation {
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(p_.neighbours().size); ++i) {
       const auto image = static_cast<std::size_t>(g.image[i]);
+      // Only bricks are compared; cells empty in one are empty in the other since the sets
+      // correspond.
       if ((state >> image & 1U) == 0) continue;
       const auto pair =
           pair_of(from + p_.neighbours().offsets[i], to + p_.neighbours().offsets[image]);
+      // Cells of one orbit have one colour, so the rule cannot tell them apart, and no
+      // literal is needed.
       if (pair.first != pair.second && !differ.contains(pair)) return false;
     }
     // Two sites of one orbit have one colour: they do not clash.
@@ -250,6 +295,8 @@ class Derivation {
 
 }  // namespace
 
+/// The report's counts describe the problem even if a clause fails, so that messages can
+/// say what was looked at.
 FewestReport derive_formula(std::string_view problem, std::string_view cnf) {
   FewestReport report;
   const auto read = read_colour_problem(problem, report.refusal);

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Box, floor and the table of known cells, written again for the checker: lib/lattice has
+// its own of each, and nothing of it is trusted (docs/proofs.md). Coordinates are bounded
+// by kMaxCoordinate (rules/cell.h), which keeps sums and differences of two of them within
+// 32 bits.
 #include "certify/space.h"
 
 #include <algorithm>
@@ -12,11 +16,15 @@ bool within(std::int32_t at, std::int32_t low, std::int32_t size) {
   return at >= low && at - low < size;
 }
 
+/// C++'s remainder takes the sign of the dividend; adding the size once makes it a modulus.
 std::int32_t wrapped(std::int32_t at, std::int32_t low, std::int32_t size) {
   return low + ((at - low) % size + size) % size;
 }
 
 /// The lowest coordinate of a side that has [low, high] in its middle, rounded down.
+/// Division in C++ rounds towards zero; the even part of `spare` is halved exactly, so the
+/// result is rounded down for a start larger than its box too. The convention is that of
+/// lattice/box.h: if they differed, every certificate for a centred box would be refused.
 std::int32_t centred(std::int32_t low, std::int32_t high, std::int32_t size) {
   const std::int32_t spare = size - (high - low + 1);
   return low - (spare - (spare % 2 + 2) % 2) / 2;
@@ -33,6 +41,7 @@ bool Space::placeable(Cell cell) const {
 
 Cell Space::wrap(Cell cell) const {
   if (!box || !box->periodic) return cell;
+  // With a floor, periodic boxes wrap in x and y only: there is nothing below z = 0.
   return {wrapped(cell.x, box->origin->x, box->size.x),
           wrapped(cell.y, box->origin->y, box->size.y),
           floor ? cell.z : wrapped(cell.z, box->origin->z, box->size.z)};
@@ -52,8 +61,10 @@ BoxSpec placed_box(const BoxSpec& box, const std::vector<PlacedBrick>& start, bo
   return placed;
 }
 
-/// The slot that holds the cell, or the free one where it belongs. Cells of a row are
-/// kept together, since they are asked for together.
+/// The slot that holds the cell, or the free one where it belongs. Cells of a row are kept
+/// together, since they are asked for together. Open addressing with linear probing. Eight
+/// neighbouring cells in x share a hash and differ in the last three bits, so the three
+/// cells of a neighbourhood's row mostly share a cache line.
 std::size_t KnownCells::slot_of(Cell cell) const {
   const auto bits = [](std::int32_t n) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(n));
@@ -71,6 +82,7 @@ std::uint32_t KnownCells::find(Cell cell) const {
 }
 
 std::uint32_t KnownCells::find_or_add(Cell cell) {
+  // At most half of the slots are taken, so probes stay short.
   if (cells_.size() * 2 >= slots_.size()) grow();
   std::uint32_t& number = slots_[slot_of(cell)];
   if (number == kNone) {
@@ -81,6 +93,7 @@ std::uint32_t KnownCells::find_or_add(Cell cell) {
 }
 
 void KnownCells::grow() {
+  // Cells keep their numbers; only the slots are laid out anew.
   slots_.assign(std::max<std::size_t>(64, slots_.size() * 2), kNone);
   for (std::uint32_t i = 0; i < size(); ++i) slots_[slot_of(cells_[i].at)] = i;
 }

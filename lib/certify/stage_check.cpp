@@ -24,9 +24,15 @@ StageCheck::StageCheck(const RuleSet& rules, const ActingRules& acting, const Sp
       neighbours_(neighbourhood(rules.lattice)) {}
 
 std::string StageCheck::refusal() {
+  // Conditions 1, 4 and 5 of docs/proofs.md; conditions 2, 3 and the rest of 4 need the
+  // local states and are in stage_sites.cpp. The order of the calls matters: a later one
+  // relies on positions and bits that an earlier one has checked, and untrusted numbers are
+  // used as indices only afterwards.
   if (load_order() && within_limit() && load_far() && load_windows() && check_sites()) {
     windows_progress();
   }
+  // The next stage finds these bricks as part of its initial structure, which has no
+  // positions.
   for (const std::uint32_t cell : cell_of_) cells_[cell].position = kNone;
   return refusal_;
 }
@@ -36,6 +42,8 @@ bool StageCheck::refuse(std::string why) {
   return false;
 }
 
+/// While bricks are entered one by one, `position` of a cell is set only for bricks that
+/// come earlier; load_before uses this to see whether a neighbour is one.
 bool StageCheck::load_order() {
   earlier_.resize(stage_.order.size());
   members_.resize(stage_.order.size());
@@ -63,6 +71,7 @@ bool StageCheck::load_order() {
 /// Each brick of `before` comes earlier in the order, so that `before` has no circles.
 bool StageCheck::load_before(std::uint32_t position) {
   const CertifiedBrick& brick = stage_.order[position];
+  // The mask's bits are untrusted: one beyond the neighbourhood names no neighbour.
   for (std::uint32_t rest = brick.before; rest != 0; rest &= rest - 1) {
     const int index = std::countr_zero(rest);
     std::uint32_t earlier = kNone;
@@ -80,6 +89,7 @@ bool StageCheck::load_before(std::uint32_t position) {
   return true;
 }
 
+/// Condition 5. A stage without a number of deposits ends when no rule acts any more.
 bool StageCheck::within_limit() {
   const auto found = rules_.stages.find(number_);
   if (found == rules_.stages.end() || found->second <= 0) return true;
@@ -88,12 +98,18 @@ bool StageCheck::within_limit() {
     return refuse(fmt::format("{} placed, and the stage ends with {}",
                               counted(stage_.order.size(), "brick"), limit));
   }
+  // Then the stage is over as soon as the group is full, even if rules could go on: the
+  // full filling takes no part in conditions 2 to 4. One window with all bricks is
+  // demanded, since no other claim knows when the last brick has been placed.
   spent_ = stage_.order.size() == limit && stage_.windows.size() == 1 &&
            stage_.windows.front().group.size() == limit;
   return true;
 }
 
 bool StageCheck::load_far() {
+  // Facts are added after all chains have been checked: a chain's steps must be `before`
+  // steps of the certificate and may not lean on other facts. Each fact is then a step like
+  // the others.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> facts;
   for (const std::vector<std::uint32_t>& chain : stage_.far) {
     for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -112,6 +128,8 @@ bool StageCheck::load_far() {
   return true;
 }
 
+/// Groups first, then contexts: whether a context contains a brick of some group can be
+/// seen only when all groups are known (condition 4).
 bool StageCheck::load_windows() {
   for (std::uint32_t w = 0; w < stage_.windows.size(); ++w) {
     if (stage_.windows[w].group.empty()) return refuse("a window has no group");
@@ -133,6 +151,8 @@ bool StageCheck::load_members(std::uint32_t window, const std::vector<std::uint3
     const std::uint32_t position = bricks[i];
     if (position >= stage_.order.size()) return refuse("a window names no brick");
     const std::string at = cell_text(stage_.order[position].at);
+    // The first entry of `members_` is the group's, if there is one, since groups are
+    // loaded first.
     if (in_group(position)) {
       return refuse(
           fmt::format("the brick at {} is in the group of a window and in another "
@@ -142,6 +162,7 @@ bool StageCheck::load_members(std::uint32_t window, const std::vector<std::uint3
     if (bit_in(position, window) != kNone) {
       return refuse(fmt::format("the brick at {} is twice in one window", at));
     }
+    // Bricks of a group have no `before`: what precedes them is said by the fillings alone.
     if (group && stage_.order[position].before != 0) {
       return refuse(fmt::format("the brick at {} is in a group and has bricks before it", at));
     }
@@ -159,6 +180,8 @@ bool StageCheck::fillings_well_formed(const CertifiedWindow& window) {
       return refuse("the fillings of a window do not rise");
     }
   }
+  // Rising order puts the empty filling first, if it is there. The stage begins with it
+  // (Lemma 2).
   if (window.fillings.empty() || count_bricks(window.fillings.front()) != 0) {
     return refuse("a window does not list the empty filling");
   }
@@ -183,11 +206,16 @@ std::size_t StageCheck::fillings_to_check(const CertifiedWindow& window) const {
   return window.fillings.size() - (spent_ && ends_full ? 1 : 0);
 }
 
-/// No filling is a dead end: of the window's bricks that are not in it, let the run's
-/// first be one of the group; then some brick of the group can be placed.
+/// No filling is a dead end: of the window's bricks that are not in it, let the run's first
+/// be one of the group; then some brick of the group can be placed. With check_group_brick,
+/// which notes where a group can grow, this is the last part of condition 4. If the first
+/// missing brick is one of the context, Lemma 3 speaks of its own site and nothing is asked
+/// of the window.
 bool StageCheck::windows_progress() {
   for (std::size_t w = 0; w < stage_.windows.size(); ++w) {
     const CertifiedWindow& window = stage_.windows[w];
+    // The order of the run, over group and context together; bits follow the order in the
+    // certificate instead.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> by_order;  // position, bit
     for (const auto* bricks : {&window.group, &window.context}) {
       for (const std::uint32_t position : *bricks) {

@@ -12,6 +12,8 @@
 namespace stig {
 namespace {
 
+/// Beyond this the sets of a site are not listed, and check_least_states takes over.
+/// docs/proofs.md names the bound, since it decides which certificates are accepted.
 constexpr std::size_t kMostLocalStates = std::size_t{1} << 16;
 
 template <class Seen>
@@ -43,6 +45,8 @@ bool StageCheck::check_sites() {
   return true;
 }
 
+/// Sites beside bricks of the final structure X are enough: what can be reached is a subset
+/// of X, and an event needs a brick beside its site.
 void StageCheck::add_sites_beside_bricks() {
   const std::uint32_t known = cells_.size();
   for (std::uint32_t cell = 0; cell < known; ++cell) {
@@ -92,6 +96,7 @@ void StageCheck::look(std::uint32_t cell, Site& site) const {
   acting_.candidates(site.outlook, number_, site.candidates);
 }
 
+/// Conditions 2 and 3, and of 4 what concerns the context.
 bool StageCheck::check_site(const Site& site) {
   if (site.colour == 0 && site.candidates.empty()) return true;
   if (in_group(site.position)) return check_group_brick(site);
@@ -124,6 +129,8 @@ bool StageCheck::check_local_states(const Site& site) {
   const bool brick = site.position != kNone;
   if (brick && !check_run(site)) return false;
   const NeighbourSet run = brick ? seen_in_run(site) & matters_ : 0;
+  // See acting_rules.h: such a neighbour changes no rule's answer, only whether there is an
+  // event; granting it errs on the side of more events, which is the safe one.
   // What no rule asks about may be there and make the site one beside a brick.
   Outlook outlook = site.outlook;
   outlook.beside_brick = outlook.beside_brick || (outlook.open & ~matters_) != 0;
@@ -138,6 +145,8 @@ bool StageCheck::check_local_states(const Site& site) {
                       "be there before it is not",
                       in_quotes(rules_.rules[action.rule].name), cell_text(site.at)));
     }
+    // Condition 3, last part: once the rules can place the brick as in the run, they can in
+    // every state with more around it, so it never becomes a dead end (Lemma 3).
     if (brick && !action.acts && (run & ~there) == 0) {
       return refuse(
           fmt::format("the brick at {} can be placed, and can no longer be when more "
@@ -149,7 +158,10 @@ bool StageCheck::check_local_states(const Site& site) {
 }
 
 /// For a site of whose local states there are too many to list. A rule is granted that it
-/// matches where its pattern does, whatever it counts.
+/// matches where its pattern does, whatever it counts. Each rule is looked at in its least
+/// local state, see docs/proofs.md, "The conditions". Sound since closed sets form a
+/// lattice: if a rule's pattern matches in some closed set, then in the least closed one
+/// with what it asks for.
 bool StageCheck::check_least_states(const Site& site) {
   const bool brick = site.position != kNone;
   const bool groups = std::any_of(site.locals.begin(), site.locals.end(),
@@ -182,6 +194,8 @@ bool StageCheck::check_least_states(const Site& site) {
   return stays || refuse_too_many(site);
 }
 
+/// Condition 3 for a brick of a group. The fillings are all local states there are, so
+/// nothing is closed or enumerated.
 bool StageCheck::check_group_brick(const Site& site) {
   const Member own = members_[site.position].front();
   const CertifiedWindow& window = stage_.windows[own.window];
@@ -216,6 +230,8 @@ bool StageCheck::check_context_brick(const Site& site, const Member& own) {
   for (std::size_t f = 0; f < fillings_to_check(window); ++f) {
     const Filling& filling = window.fillings[f];
     if (has(filling, own.bit) || is_listed(window, with(filling, own.bit))) continue;
+    // before(c) is not fulfilled within this filling, so by Lemma 2 the brick cannot come
+    // next.
     const bool waits = std::any_of(seen.begin(), seen.end(), [&](const Seen& brick) {
       return (brick.at & before) != 0 && !has(filling, brick.bit);
     });
@@ -232,6 +248,7 @@ bool StageCheck::list_local_states(const Site& site) {
   const NeighbourSet never = order_locals(site);
   const NeighbourSet asked = acting_.asked_about(site.outlook, site.candidates) & ~never;
   matters_ = 0;
+  // An earlier brick in several places (in a narrow box) is asked about if any of them is.
   for (const Local& local : site.locals) {
     if ((local.at & asked) != 0) matters_ |= local.at;
   }
@@ -308,7 +325,9 @@ NeighbourSet StageCheck::closed(const Site& site, NeighbourSet there) const {
   return all;
 }
 
-/// False when there are too many. Sets that claims do not rule out: of each group something that a
+/// False when there are too many. Sets that claims do not rule out: of each group something
+/// that a (iii) first, as a product over the groups in sight, then (i) and (ii) brick by
+/// brick in the order of the run, so that what precedes a brick is decided before it.
 /// filling shows, and a brick only with those that come before it and not if the site's own does.
 bool StageCheck::add_closed_sets(const Site& site) {
   states_.assign(1, 0);
