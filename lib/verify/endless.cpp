@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Looks for a period in the last deposits of a run and checks the two conditions under
+// which docs/proofs.md, "Growth without end", proves that the growth never stops: what the
+// last repetition sees is newer than the second repetition, and no rule it uses meets a
+// bound on its height. Periods are tried from 1 upwards, so the shortest is reported. The
+// cost is O(longest period x deposits) comparisons in the worst case, and far less where
+// deposits differ at once.
 #include "verify/endless.h"
 
 #include <algorithm>
@@ -6,6 +12,8 @@
 namespace stig {
 namespace {
 
+/// Three repetitions that see nothing old are what the proof asks for; before them, one may
+/// have been influenced by the start, hence four.
 constexpr std::size_t kLongestPeriod = 1000;
 constexpr std::size_t kFewestRepetitions = 4;
 
@@ -15,6 +23,8 @@ std::int64_t along(Offset step, Cell cell) {
          std::int64_t{step.z} * cell.z;
 }
 
+/// The same rule in the same orientation: equal colours and sites are not enough, since
+/// another rule could be one that a later height forbids.
 bool repeats(const Deposit& a, const Deposit& b, Offset step) {
   return b.match == a.match && b.colour == a.colour && b.site - a.site == step;
 }
@@ -48,6 +58,8 @@ std::optional<Repetition> find_repetition(const RuleSet& rules,
   for (std::size_t period = 1; period <= longest; ++period) {
     const Offset step = run[n - 1].site - run[n - 1 - period].site;
     if (step == Offset{}) continue;
+    // The deposits from `first` on repeat those a period before them; they are followed
+    // backwards as far as that holds.
     std::size_t first = n - 1;  // of the deposits that repeat the one a period before
     while (first > period && repeats(run[first - 1 - period], run[first - 1], step)) --first;
     if (n - first < (kFewestRepetitions - 1) * period) continue;
@@ -59,6 +71,9 @@ std::optional<Repetition> find_repetition(const RuleSet& rules,
     for (std::size_t i = 0; i < old_end; ++i) {
       farthest = std::max(farthest, along(step, run[i].site));
     }
+    // A neighbour's offset has no component larger than 1, so f(neighbour) differs from
+    // f(site) by this at most. The estimate may reject growth that is periodic; it never
+    // accepts other growth.
     // The neighbours of a site lie at most |x| + |y| + |z| of the step to either side.
     const std::int64_t reach = std::int64_t{std::abs(step.x)} + std::abs(step.y) + std::abs(step.z);
     std::int64_t nearest = INT64_MAX;

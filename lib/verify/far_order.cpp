@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Where a proof fails since two bricks around a site seem unordered, they may be ordered
+// through bricks that the site does not see. Such chains are found by a breadth-first
+// search backwards along `before`, which yields the shortest, and are written into the
+// certificate, since the checker does not search (docs/proofs.md, "far"). The limits bound
+// the effort; a chain that is not found costs completeness and never soundness.
 #include "verify/far_order.h"
 
 #include <algorithm>
@@ -8,6 +13,8 @@
 namespace stig {
 namespace {
 
+/// Failures come by rising site; the first ones usually lie in one region and their chains
+/// settle the others too.
 constexpr std::size_t kMostLookedAt = 50;  ///< looked at
 constexpr std::size_t kFarthest = 5000;    ///< bricks visited from one
 
@@ -40,6 +47,8 @@ std::vector<std::uint32_t> chain_to(const std::map<std::uint32_t, std::uint32_t>
 
 }  // namespace
 
+/// Only pairs of bricks around one failed site are connected: other chains would be true
+/// and of no use.
 bool add_far_chains(const StageModel& model, const std::vector<LocalFailure>& failures,
                     Invariant& invariant) {
   bool added = false;
@@ -65,6 +74,8 @@ bool add_far_chains(const StageModel& model, const std::vector<LocalFailure>& fa
   return added;
 }
 
+/// A chain is as good as its steps. After Houdini has weakened `before`, chains over
+/// dropped steps would make the checker refuse the certificate.
 bool drop_broken_chains(const StageModel& model, Invariant& invariant) {
   const Neighbourhood& n = model.table().neighbours();
   const auto is_step = [&](std::uint32_t later, std::uint32_t earlier) {

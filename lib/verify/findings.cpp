@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// What `stigc verify` reports beyond the verdict. Each item is either proved or counted as
+// open: rules that never fire and redundant rules are theorems, `untried` and
+// `maybe_walled_in` say of how many nothing is known. All searches share one budget, apart
+// from the verdict's, so that a proof is not lost to what was only asked besides.
 #include "verify/findings.h"
 
 #include <algorithm>
@@ -15,6 +19,7 @@
 namespace stig {
 namespace {
 
+/// A limit that does not depend on the budget keeps reports of large generated sets short.
 constexpr std::size_t kMostRedundancyTrials = 200;
 
 RuleSet without(const RuleSet& rules, std::size_t rule) {
@@ -23,7 +28,8 @@ RuleSet without(const RuleSet& rules, std::size_t rule) {
   return fewer;
 }
 
-/// A set without its last rule of some stage would have fewer stages.
+/// A set without its last rule of some stage would have fewer stages. Then the numbers of
+/// the stages that follow would shift, and the smaller set would be another program.
 bool has_same_stages(const RuleSet& a, const RuleSet& b) {
   return a.stage_count() == b.stage_count();
 }
@@ -31,6 +37,7 @@ bool has_same_stages(const RuleSet& a, const RuleSet& b) {
 void find_redundant(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
                     const Budget& budget, Findings& findings) {
   for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
+    // A rule that never fires can be left out of course; it is listed as dead already.
     if (std::binary_search(findings.dead.begin(), findings.dead.end(), r)) continue;
     // Each trial costs about what the proof did.
     if (r >= kMostRedundancyTrials || budget.work_left() < result.work || budget.spent()) {
@@ -48,6 +55,9 @@ void find_redundant(const RuleSet& rules, const VerifyOptions& options, const Ve
   }
 }
 
+/// The rounds are a bound for ideal agents: nobody walks or waits. Sites are taken in the
+/// order in which they opened, so the numbers are a property of the rule set and not of a
+/// seed. In a proved set any choice of matches ends alike, hence the first match.
 /// All open sites at once, as far as they do not close each other; then again.
 Parallelism parallelism_of(const RuleSet& rules, const std::optional<Box>& box) {
   Parallelism out;
@@ -94,6 +104,7 @@ void find_levels(const RuleSet& rules, Findings& findings) {
 
 }  // namespace
 
+/// The widest round tells how many agents could be of use at the same time.
 std::uint64_t Parallelism::widest() const {
   return rounds.empty() ? 0 : *std::max_element(rounds.begin(), rounds.end());
 }
@@ -112,6 +123,9 @@ Findings find_more(const RuleSet& rules, const VerifyOptions& options, const Ver
   find_levels(rules, findings);
   findings.dead = rules_that_never_fire(rules, options.box);
   if (result.verdict == ProofVerdict::proved) {
+    // Two proofs that a rule never fires, one from the certificate and one by
+    // over-approximation of all cells' states (lattice/never_fires.h); neither contains the
+    // other.
     const RuleUse use = use_of_rules(rules, options, result);
     std::vector<std::uint32_t> dead;
     std::set_union(findings.dead.begin(), findings.dead.end(), use.dead.begin(), use.dead.end(),
@@ -122,6 +136,8 @@ Findings find_more(const RuleSet& rules, const VerifyOptions& options, const Ver
     find_walled_in(rules, options, result, budget, findings);
     find_redundant(rules, options, result, budget, findings);
   }
+  // The rule of the decisive deposit closes the rival's site, or the other way round: the
+  // plainest description of why a set is refuted.
   if (result.refutation) {
     const DivergingOrders& found = *result.refutation;
     findings.blocking.push_back({found.second[found.common].match.rule, found.rival.match.rule,

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Where the order of neighbours does not settle a site, the bricks concerned are enumerated
+// jointly. The size of such a group decides everything, since its fillings can number
+// 2^size; so groups begin with single bricks and take in more only where a search with them
+// gets farther. In the worst case all bricks of the stage end in one group, which is the
+// exhaustive exploration of all orders.
 #include "verify/groups.h"
 
 #include <algorithm>
@@ -9,9 +14,13 @@
 namespace stig {
 namespace {
 
+/// The number of rounds bounds the time lost to intermediate sizes before the exhaustive
+/// search gets what is left.
 constexpr int kMostRounds = 12;  ///< of growing before a group is all of the stage
 
-/// Bricks beside each other are in one group.
+/// Bricks beside each other are in one group. Groups of different windows must not touch:
+/// the claims of a certificate say nothing of two groups jointly (docs/proofs.md, condition
+/// 4).
 Groups touching(const StageModel& model, const std::set<std::uint32_t>& bricks) {
   const Neighbourhood& n = model.table().neighbours();
   Groups groups;
@@ -67,6 +76,8 @@ std::optional<Groups> grown(const StageModel& model, const Groups& groups,
       take(site.brick[static_cast<std::size_t>(std::countr_zero(left))]);
     }
   }
+  // Nothing new was concerned, so growing step by step has come to its end: all bricks are
+  // taken.
   const bool all = bricks.size() == had || round >= kMostRounds;
   if (bricks.size() > kMostGroup || (all && model.bricks() > kMostGroup)) return std::nullopt;
   for (std::uint32_t b = 0; all && b < model.bricks(); ++b) bricks.insert(b);
@@ -80,10 +91,15 @@ void take_into_group(Invariant& invariant, std::uint32_t brick, std::uint32_t wi
   invariant.group_of[brick] = window;
 }
 
+/// Each candidate is tried for real with a small budget of fillings. How many bricks the
+/// failing filling has measures how far the search came; a search without failure beats
+/// all.
 std::uint32_t most_helpful(const StageModel& model, const Invariant& invariant,
                            std::uint32_t number, const Budget& budget) {
   constexpr std::uint64_t kAll = ~std::uint64_t{0};
   Budget little = budget;
+  // 20 000 fillings suffice to compare candidates; the winner is then searched with the
+  // whole budget.
   little.states = std::min<std::uint64_t>(little.states, 20'000);
   std::uint32_t best = StageModel::kNone;
   std::uint64_t farthest = 0;
@@ -94,6 +110,8 @@ std::uint32_t most_helpful(const StageModel& model, const Invariant& invariant,
     Window window;
     window.group = invariant.windows[number].group;
     window.group.push_back(brick);
+    // The trial shares one `before` table and puts the entry back, since copying it for
+    // each candidate would make the loop quadratic in the number of bricks.
     const Mask kept = std::exchange(trial.before[brick], 0);
     const auto failure = explore_window(model, trial, little, window);
     trial.before[brick] = kept;

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The local states that an invariant leaves possible around a site: the sets of
+// neighbouring bricks that are closed under "always there before". Their number decides
+// what a proof costs. They are enumerated depth first without being stored, in the order of
+// the run, in which every brick's predecessors have been decided before it. The definitions
+// are those of Λ in docs/proofs.md; the checker has its own implementation.
 #include "verify/invariant.h"
 
 #include <algorithm>
@@ -18,6 +23,8 @@ struct Sorted {
   std::size_t size = 0;
 };
 
+/// Numbers count the run's deposits, and `before` only ever points to smaller ones, so
+/// rising numbers are a topological order.
 Sorted by_number(const StageModel& model, const StageSite& site, Mask mask) {
   std::array<std::uint64_t, kMaxNeighbours + 1> keys{};  // number, then index
   Sorted sorted;
@@ -35,6 +42,8 @@ Sorted by_number(const StageModel& model, const StageSite& site, Mask mask) {
   return sorted;
 }
 
+/// A far chain is recorded at its first brick; it matters here only if it ends at the site
+/// itself or at one of its neighbours.
 /// Where around the site the bricks stand that far chains from a brick lead to.
 std::vector<int> far_from(const Invariant& invariant, const StageSite& site, std::uint32_t brick) {
   std::vector<int> indices;
@@ -58,6 +67,8 @@ Mask LocalOrder::closed(Mask some) const {
   return all;
 }
 
+/// Transitive closure by one pass: predecessors have smaller numbers and are complete
+/// already.
 LocalOrder local_order(const StageModel& model, const Invariant& invariant, const StageSite& site) {
   LocalOrder order;
   Mask below_self = 0;
@@ -72,6 +83,8 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
     }
     Mask below = 0;
     const std::uint32_t brick = site.brick[static_cast<std::size_t>(i)];
+    // A step from a neighbour leads to the site itself, to another neighbour, or out of
+    // sight. In the last case the chain is lost, unless a far chain names it.
     for (Mask left = invariant.before[brick]; left != 0; left &= left - 1) {
       const int there = model.two_steps(i, lowest(left));
       if (there == StageModel::kSelf) {
@@ -85,6 +98,8 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
                    ? kSelfBit | below_self
                    : bit(there) | order.below[static_cast<std::size_t>(there)];
     }
+    // The site's own brick is no member of a state, which is one of an empty site; what
+    // comes after it can never be there.
     order.below[static_cast<std::size_t>(i)] = below & ~kSelfBit;
     if ((below & kSelfBit) != 0 || (below & order.after) != 0) order.after |= bit(i);
   }
@@ -94,6 +109,7 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
 bool for_each_local_state(const StageModel& model, const StageSite& site, const LocalOrder& order,
                           Mask among, std::uint64_t most, const std::function<bool(Mask)>& visit) {
   const Sorted sorted = by_number(model, site, among);
+  // An explicit stack, since the depth is up to 26 and the branching factor 2.
   // Depth first over "leave out, take in", in an order in which what is below comes first.
   struct Step {
     std::size_t next;

@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Houdini's fixed point over sites (local_proof.h). Every look at a site does two things:
+// it finds which of the site's `before` bricks a rule does not insist on, and whether some
+// local state breaks conditions 2 or 3 of docs/proofs.md. As `before` only ever shrinks,
+// and a site is looked at again only when it or a neighbour lost something, the number of
+// looks is at most bricks x neighbours^2, and in practice a small multiple of the bricks.
+//
+// There are three ways to look, from cheap to dear: rule by rule in the least state where
+// the rule matches, the fillings of a window that shows all that is around the site, and
+// state by state.
 #include "verify/local_proof.h"
 
 #include <algorithm>
@@ -8,7 +17,11 @@
 namespace stig {
 namespace {
 
+/// A quarter of what the checker lists at most, so what passes here is not refused there
+/// for its size.
 constexpr std::uint64_t kMostLocalStates = 1U << 14U;  ///< looked at of one site
+/// After so many failures there is no hope that the order of neighbours alone proves the
+/// stage.
 constexpr std::size_t kMostFailures = 2000;
 
 /// What one look at a site gives.
@@ -30,12 +43,14 @@ class SiteChecker {
     model_.look(number, site_);
     result_.work = kStepsOfLook + kStepsOfState * site_.rules.size();
     const bool is_brick = number < model_.bricks();
+    // No rule of this stage can ever act here: fine for a border site, fatal for a brick.
     if (site_.rules.empty()) {
       if (is_brick) fail(LocalFailure::Kind::stuck, 0);
       return result_;
     }
     seen_ = 0;
     for (const LocalRule& rule : site_.rules) seen_ |= rule.sees();
+    // A window enumerates the brick's own states and checks them as condition 3 demands.
     if (in_group()) return result_;  // its window answers for it
     order_ = local_order(model_, invariant_, site_);
     run_ = is_brick ? first_[number] & site_.bricks : 0;
@@ -73,6 +88,9 @@ class SiteChecker {
   }
   bool right(const LocalRule& rule) const { return rule.colour == site_.colour; }
 
+  // Then a rule matches exactly in the states that contain `need` and avoid `forbid`, and
+  // its least state decides. Under `conflicts: first` rules of different colours hide each
+  // other, so what acts depends on the whole state.
   /// Do need and forbid say it all?
   bool only_patterns() const {
     bool counts = false, mixed = false;
@@ -92,12 +110,17 @@ class SiteChecker {
                        [&](const LocalRule& rule) { return goes_on_matching(rule); });
   }
   bool goes_on_matching(const LocalRule& rule) const {
+    // The counterpart of the checker's ActingRules::counts_stay: with nothing forbidden
+    // that could still come, and counts that more bricks cannot spoil.
     return right(rule) && (rule.need & ~run_) == 0 && (rule.forbid & ~order_.after) == 0 &&
            std::all_of(rule.counts.begin(), rule.counts.end(),
                        [&](const LocalCount& count) { return count.holds_from(run_); });
   }
 
-  /// The smallest state in which a rule matches is its needs and what is below them.
+  /// The smallest state in which a rule matches is its needs and what is below them. If
+  /// even the least closed state that contains what the rule needs is impossible, the rule
+  /// never matches. Otherwise each brick outside that least state may be missing when the
+  /// rule fires, so it cannot stay in `before`.
   void check_rules() {
     for (const LocalRule& rule : site_.rules) {
       const Mask least = order_.closed(rule.need);
@@ -112,6 +135,8 @@ class SiteChecker {
 
   /// From the state in which the run placed the brick on, some rule goes on matching.
   void check_stays_open() {
+    // Only what right rules ask about can close the site again; enumerating the rest would
+    // multiply states without effect.
     Mask matters = 0;
     for (const LocalRule& rule : site_.rules) {
       if (!right(rule)) continue;
@@ -130,7 +155,9 @@ class SiteChecker {
     });
   }
 
-  /// One state after another: for rules that count, and for groups of windows.
+  /// One state after another: for rules that count, and for groups of windows. States are
+  /// filtered and not generated from the windows' fillings: the invariant's order and the
+  /// fillings both restrict them, and filtering a few thousand masks is cheap.
   void check_states() {
     std::vector<std::vector<Mask>> parts;
     for (const std::uint32_t w : windows_) parts.push_back(projections(w, group_bricks(w) & seen_));
@@ -141,6 +168,8 @@ class SiteChecker {
       }
       return true;
     };
+    // `true`: bricks outside `seen_` can be there, so the site may have a brick beside it
+    // in any state.
     visit(seen_ & ~order_.after, [&](Mask state) {
       // Bricks that do not matter to the rules may be there all the same.
       if (fits(state)) judge(state, true);
@@ -154,7 +183,7 @@ class SiteChecker {
     for (const Mask state : states) judge(state, site_.beside);
   }
 
-  /// What a state that may occur allows.
+  /// What a state that may occur allows. Conditions 2 and 3 for one state.
   void judge(Mask state, bool beside) {
     ++result_.states;
     const std::uint64_t placed = colours_placed(model_, site_, state, beside);
@@ -203,7 +232,8 @@ class SiteChecker {
     }
     return std::nullopt;
   }
-  /// The window that shows all that is around the site, if there is one.
+  /// The window that shows all that is around the site, if there is one. Such a window is
+  /// exact about the site: no combination with the order of neighbours is needed.
   const Window* covering_window() const {
     if (windows_.size() != 1) return nullptr;
     const Window& window = invariant_.windows[windows_.front()];
@@ -229,6 +259,8 @@ class SiteChecker {
     result_.work += window.count() * kStepsOfCell;
     for (std::size_t f = 0; f < window.count(); ++f) {
       if (self && window.has(f, *self)) continue;
+      // The stage is over in a full filling, whatever the rules would still do (condition
+      // 5).
       if (invariant_.over_at > 0 && window.bricks_in(f) >= invariant_.over_at) continue;
       Mask mask = 0;
       for (const auto& [at, b] : bits) mask |= window.has(f, at) ? b : 0;
@@ -250,7 +282,9 @@ class SiteChecker {
   Look result_;
 };
 
-/// Sites that wait for a look, each once.
+/// Sites that wait for a look, each once. A queue without duplicates, first in, first out.
+/// The order of looks does not change the fixed point, which is the greatest one, but the
+/// failures' examples depend on it; so it is fixed.
 class Waiting {
  public:
   explicit Waiting(std::size_t sites) : waits_(sites, true) {
@@ -276,6 +310,8 @@ class Waiting {
 
 }  // namespace
 
+/// The masks are taken over absolute neighbours of each brick. In a periodic box `number`
+/// wraps.
 std::vector<Mask> placed_before(const StageModel& model, const std::vector<Deposit>& run) {
   const Neighbourhood& n = model.table().neighbours();
   std::vector<std::uint32_t> time(model.bricks(), 0);
@@ -304,6 +340,7 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
     const std::uint32_t number = waiting.take();
     const Look look = checker.check(number);
     budget.spend(look.work);
+    // A weaker invariant allows more states, so a failing state stays possible.
     // What fails under a strong invariant fails under a weaker one: once is enough.
     if (look.failure) failures.push_back(*look.failure);
     if (failures.size() >= kMostFailures) break;
@@ -314,12 +351,16 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
     if (kept == invariant.before[number]) continue;
     invariant.before[number] = kept;
     waiting.add(number);
+    // Only neighbours' local orders use this brick's `before`. Farther chains are rechecked
+    // by the caller.
     for (int i = 0; i < n.size; ++i) {
       const std::uint32_t other =
           model.number(model.at(number) + n.offsets[static_cast<std::size_t>(i)]);
       if (other != StageModel::kNone) waiting.add(other);
     }
   }
+  // One failure for each site is reported. The sort is not stable: which one it is, where a
+  // site failed several times, is fixed for a standard library and not beyond.
   std::sort(failures.begin(), failures.end(),
             [](const LocalFailure& a, const LocalFailure& b) { return a.site < b.site; });
   for (const LocalFailure& failure : failures) {

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// A failed local state is a guess: the invariant is an over-approximation, and what it
+// leaves possible need not occur. Before groups are enumerated at great cost, each guess is
+// tried with the real rules, as an order of events aimed at that state. An order that ends
+// differently, or that has a brick the model's run has not, refutes the stage by itself; so
+// nothing found here needs further proof.
 #include "verify/other_orders.h"
 
 #include <algorithm>
@@ -14,6 +19,8 @@ constexpr std::size_t kMostOrdersTried = 24;  ///< at orders that a failed proof
 
 }  // namespace
 
+/// An order that was cut short does not differ merely by lacking bricks. It does by a brick
+/// elsewhere or of another colour, since bricks are never taken away.
 /// Is what a run did at odds with the model's? Then it is what was looked for.
 bool OtherOrders::differs(StageRun&& run) {
   bool strange = false;
@@ -26,6 +33,8 @@ bool OtherOrders::differs(StageRun&& run) {
   return true;
 }
 
+/// Newest first and oldest first are the extremes, depth-first and breadth-first growth;
+/// the rest is random. More runs are made of small structures, in which each is cheap.
 bool OtherOrders::runs_differ(std::vector<Mask>& agreed) {
   const std::size_t runs =
       std::clamp<std::size_t>(kDepositsOfRuns / (model_.bricks() + 1), 1, kMostRuns);
@@ -39,6 +48,7 @@ bool OtherOrders::runs_differ(std::vector<Mask>& agreed) {
     const bool whole = run.ended;
     std::vector<Deposit> deposits = run.deposits;
     if (differs(std::move(run))) return true;
+    // A run that was cut short says nothing of the order of bricks it had not placed.
     if (!whole) break;
     const std::vector<Mask> placed = placed_before(model_, deposits);
     for (std::size_t b = 0; b < agreed.size(); ++b) agreed[b] &= placed[b];
@@ -59,7 +69,9 @@ bool OtherOrders::completion_differs(LatticeWorld world, std::vector<Deposit> do
   return differs(std::move(rest));
 }
 
-/// Deposits a brick if a rule that acts allows it.
+/// Deposits a brick if a rule that acts allows it. Used to follow a given order exactly.
+/// False means that the rules do not allow that deposit, and the attempt goes on from where
+/// it is.
 bool OtherOrders::deposit(LatticeWorld& world, Cell site, std::uint64_t colours,
                           std::vector<Deposit>& done) const {
   if (!world.is_site(site) || world.stage_spent()) return false;
@@ -92,6 +104,9 @@ bool OtherOrders::path_differs(const std::vector<std::uint32_t>& path, std::uint
 }
 
 /// Tries to bring a failed local state about: only bricks that are before it are placed.
+/// The structure with exactly the wanted bricks and all that must precede them is the least
+/// in which the state can occur. The random schedule then decides among orders of filling
+/// it.
 bool OtherOrders::provokes(const Invariant& invariant, const LocalFailure& failure,
                            std::uint32_t stream) {
   StageSite site;
@@ -105,6 +120,8 @@ bool OtherOrders::provokes(const Invariant& invariant, const LocalFailure& failu
     want(site.brick[static_cast<std::size_t>(std::countr_zero(left))]);
   }
   const Neighbourhood& n = model_.table().neighbours();
+  // Bounds the effort for large structures; the attempt then starts from fewer bricks, and
+  // only completeness suffers.
   while (!todo.empty() && wanted.size() < 100'000) {
     const std::uint32_t brick = todo.back();
     todo.pop_back();
@@ -113,6 +130,8 @@ bool OtherOrders::provokes(const Invariant& invariant, const LocalFailure& failu
       want(model_.number(model_.at(brick) + step));
     }
   }
+  // The failed site has to be empty in the state; it is filled afterwards, by another
+  // colour if possible.
   wanted.erase(failure.site);
   LatticeWorld world = before_;
   StageRunConfig config;
@@ -135,6 +154,7 @@ bool OtherOrders::provoked(const Invariant& invariant, const std::vector<LocalFa
     for (const Window& window : invariant.windows) {
       if (window.context.empty() && shown_by(window, failure)) return true;
     }
+    // Two random orders for each: states that need luck are left to the groups.
     for (int k = 0; k < 2; ++k) {
       if (provokes(invariant, failure, stream++)) return true;
     }
@@ -147,6 +167,8 @@ bool OtherOrders::shown_by(const Window& window, const LocalFailure& failure) {
   StageSite site;
   model_.look(failure.site, site);
   std::vector<std::pair<std::size_t, bool>> wanted;
+  // An exact window has all bricks around the site, or the filling does not determine the
+  // state.
   for (Mask left = site.bricks & failure.seen; left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = std::lower_bound(window.group.begin(), window.group.end(),

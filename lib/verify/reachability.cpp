@@ -1,4 +1,13 @@
 // SPDX-License-Identifier: MIT
+// Condition for agents that walk: a site that is due must be connected to the outside by
+// empty cells. The sufficient test works on the certificate alone: bricks that are always
+// placed later than q are empty while q is due, so a path of such bricks to the outside is
+// a way in. Where that fails, the greatest structure without q is built and flooded; if q
+// is cut off there, this is a counterexample with an order of events. The rest is counted
+// as undecided.
+//
+// The flood fill covers the bounding box of the structure and a margin of one cell:
+// O(volume) time and one bit per cell.
 #include "verify/reachability.h"
 
 #include <algorithm>
@@ -11,6 +20,7 @@
 namespace stig {
 namespace {
 
+/// 64 million cells are 8 MB of bits for each flood fill.
 constexpr std::int64_t kMostCells = std::int64_t{1} << 26;  ///< of the region looked at
 constexpr std::size_t kMostSitesTried = 24;
 constexpr std::uint64_t kAttemptWork = 2'000'000'000;  ///< steps
@@ -21,6 +31,7 @@ class Region {
   Region(const CellBounds& bounds, const std::optional<Box>& box, bool floor) {
     low_ = bounds.low + Offset{-1, -1, -1};
     high_ = bounds.high + Offset{1, 1, 1};
+    // Agents do not walk below the floor or outside the box.
     if (floor) low_.z = std::max(low_.z, 0);
     if (box) {
       low_ = {std::max(low_.x, box->low.x), std::max(low_.y, box->low.y),
@@ -67,7 +78,8 @@ class Region {
   CellBounds bounds_;
 };
 
-/// The empty cells of the region that agents from outside can walk to.
+/// The empty cells of the region that agents from outside can walk to. Breadth or depth
+/// first does not matter for a set; a stack keeps memory small.
 std::vector<bool> outside(const Structure& structure, const Region& region) {
   const Neighbourhood& n = neighbourhood(structure.lattice());
   std::vector<bool> reached(static_cast<std::size_t>(region.cells()), false);
@@ -86,6 +98,8 @@ std::vector<bool> outside(const Structure& structure, const Region& region) {
   return reached;
 }
 
+/// Numbers run on over all stages, as do those of the run, so that a later stage's bricks
+/// are after all earlier ones.
 /// The bricks of all stages in the order of the run, with what is before each.
 struct Work {
   std::vector<CertifiedBrick> bricks;
@@ -121,11 +135,14 @@ class Reachability {
         work_(work_of(*result.certificate)) {}
 
   void find(Findings& findings) {
+    // A periodic box has no outside.
     if (region_.cells() > kMostCells || (options_.box && options_.box->periodic)) return;
     const std::vector<bool> free = outside(structure_, region_);
     if (std::find(free.begin(), free.end(), true) == free.end()) return;  // the box is full
     std::vector<bool> open(work_.bricks.size(), false);
     std::vector<std::uint32_t> doubtful;
+    // From the last brick to the first: is_after leads from a brick to later ones only, so
+    // their answer is known.
     for (std::uint32_t b = static_cast<std::uint32_t>(work_.bricks.size()); b-- > 0;) {
       open[b] = has_way_out(b, free, open);
       if (!open[b]) doubtful.push_back(b);
@@ -159,7 +176,9 @@ class Reachability {
     return (work_.bricks[other].before >> n_.opposite(i) & 1U) != 0;
   }
 
-  /// Builds all that can be built without this brick, and looks whether it is cut off.
+  /// Builds all that can be built without this brick, and looks whether it is cut off. The
+  /// greatest structure without q encloses it most tightly, so it is the one that is tried.
+  /// If q is reachable there, nothing is proved, and the site counts as undecided.
   bool wall_in(std::uint32_t b, Findings& findings) const {
     const RuleTable table(rules_);
     if (budget_.spent()) return false;
@@ -169,6 +188,8 @@ class Reachability {
     attempt.done = &done;
     LatticeWorld world(table, rules_.start, options_.box);
     std::vector<Deposit> order;
+    // Earlier stages are taken from the run: in a proved set all orders agree on where they
+    // end.
     for (std::uint32_t i = 0; i < run_.size() && work_.stage[i] < work_.stage[b]; ++i) {
       world.deposit(run_[i].site, run_[i].colour, [](Cell, const View&) {});
       order.push_back(run_[i]);
@@ -183,6 +204,8 @@ class Reachability {
     budget_.spend(done);
     order.insert(order.end(), run.deposits.begin(), run.deposits.end());
     for (std::size_t i = 0; i < order.size(); ++i) order[i].step = i + 1;
+    // If the site is not open in that structure, no agent is sent there then, and being cut
+    // off is no harm.
     if (!world.is_site(site) || !table.enabled(world.view(site), site.z, world.stage())) {
       return false;
     }

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Explains a refutation by one deposit. Let E(k) be the structure that results from
+// following the second order for k deposits and then the first as far as the rules allow.
+// E(0) is the first end and E(all) is not, so bisection finds some k with E(k) equal to the
+// first end and E(k + 1) different from it: deposit k + 1 is decisive. The predicate need
+// not be monotone; bisection finds one such step in O(log n) runs, not all.
 #include "verify/refutation.h"
 
 #include <algorithm>
@@ -7,6 +12,8 @@
 namespace stig {
 namespace {
 
+/// The second order may grow without end. It is cut some way past the length of the first;
+/// by then it has a brick that the first end has not, or the comparison stays open.
 constexpr std::uint64_t kBeyond = 10'000;  ///< deposits past the first order's length
 
 /// One way to go on from a prefix of the other order.
@@ -17,6 +24,8 @@ struct Ending {
   std::size_t in_stage = 0;  ///< of the deposits
 };
 
+/// Later stages are run as well: two orders may differ after a stage and be made alike by
+/// the next, which refutes nothing.
 /// Runs a world on through all of its stages. `in_stage`: deposits of the stage it was in.
 StageRun run_to_the_end(LatticeWorld& world, const Plan& plan, std::uint64_t most,
                         const Budget& budget, std::size_t& in_stage) {
@@ -45,6 +54,8 @@ class Explainer {
       : rules_(rules), table_(table), begin_(begin), other_(other), plan_(first), budget_(budget) {}
 
   std::optional<DivergingOrders> explain(const std::vector<Deposit>& earlier) {
+    // Half of the range of integers stands for no limit and cannot overflow when more is
+    // added.
     Ending first = go_on(0, ~std::uint64_t{0} >> 1);
     if (!first.ended) return std::nullopt;
     most_ = first.deposits.size() + kBeyond;
@@ -89,6 +100,8 @@ class Explainer {
     return ending;
   }
   /// An ending that was cut short differs if it has a brick that the first end has not.
+  /// Bricks stay for ever, so one that the first end lacks, or has in another colour,
+  /// settles it even before the second order has ended.
   Comparison compare(const Ending& ending) const {
     if (ending.ended) return ending.structure == end_ ? Comparison::same : Comparison::differs;
     bool strange = false;
@@ -130,6 +143,9 @@ class Explainer {
     });
   }
 
+  // Two worlds are kept one decisive deposit apart and the first order is replayed in both.
+  // The first deposit that only one of them allows, or that makes the decisive one
+  // impossible, is the rival.
   /// The first deposit of the first order that cannot stand beside the decisive one.
   void find_rival(const std::vector<Deposit>& first, std::size_t common,
                   DivergingOrders& out) const {
@@ -159,10 +175,14 @@ class Explainer {
   Structure end_;
 };
 
+/// For orders of several stages: no bisection, since the stages after the parting depend on
+/// both. Random orders part early, so the common part is short.
 /// Two whole orders, as they are: they part where they first differ.
 DivergingOrders part(const LatticeWorld& start, Ending& first, Ending& second) {
   DivergingOrders out;
   LatticeWorld world = start;
+  // Both orders end in different structures, so they differ before either has run out; the
+  // assertion states it.
   while (first.deposits[out.common].site == second.deposits[out.common].site &&
          first.deposits[out.common].colour == second.deposits[out.common].colour) {
     const Deposit& deposit = first.deposits[out.common++];

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Searches for a small change that makes a refuted set provable. Candidates come from the
+// refutation: where one order halts and the other has a brick, a rule with exactly the
+// halted site's surroundings is added; or one of the two rules at odds is removed. Each
+// candidate is verified in full, so a printed repair is a theorem about the repaired set
+// and not a heuristic. The breadth-first search tries at most 2 x 8 additions for each
+// refutation, three levels deep, within the budget.
 #include "verify/repair.h"
 
 #include <fmt/format.h>
@@ -20,6 +26,8 @@ Structure at_stage_end(const RuleSet& rules, const std::vector<Deposit>& order, 
   return structure;
 }
 
+/// An exact pattern matches in this view alone and so disturbs as little else as possible.
+/// Users may generalise it.
 Rule rule_for(const RuleSet& rules, const View& view, Colour colour, int stage) {
   Rule rule;
   rule.place = colour;
@@ -28,6 +36,7 @@ Rule rule_for(const RuleSet& rules, const View& view, Colour colour, int stage) 
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     rule.pattern.allowed[i] = StateSet::of(view.at[i]);
   }
+  // Names must be unique in a rule set; "repair 1" could be the name of an earlier repair.
   std::size_t number = 1;
   const auto taken = [&](const std::string& name) {
     return std::any_of(rules.rules.begin(), rules.rules.end(),
@@ -54,6 +63,8 @@ class Repairer {
   }
 
  private:
+  // Removals are tried after single additions and before pairs: a set that lacks a rule is
+  // the more frequent fault.
   std::optional<Repair> search(const VerifyResult& refuted) {
     // Breadth first: fewer new rules before more.
     struct Candidate {
@@ -66,6 +77,8 @@ class Repairer {
     for (std::size_t added = 0; added < kMostAdded && !level.empty(); ++added) {
       std::vector<Candidate> next;
       for (const Candidate& candidate : level) {
+        // A candidate that is refuted again leads on, from its own refutation. One that is
+        // unknown or endless is given up.
         for (Repair& repair : additions(candidate.repair, candidate.result)) {
           if (budget_.spent()) return std::nullopt;
           VerifyResult result = verify_up_to(stage_, repair.repaired);
@@ -91,11 +104,15 @@ class Repairer {
     repair.bricks = result.structure->size();
   }
 
+  // Later stages are cut off first: whether they can be proved is another question, and
+  // proving them costs the budget that the search needs.
   VerifyResult verify_up_to(int stage, RuleSet rules) const {
     std::erase_if(rules.rules, [&](const Rule& rule) { return rule.stage > stage; });
     return verify_within(rules, options_, budget_);
   }
   /// A repair that builds less than either order did is none, nor is one that the reader
+  /// Without the bound on bricks, removing the rule that starts all growth would repair
+  /// every set.
   /// of rule sets would refuse.
   bool holds(const VerifyResult& result, Repair& repair) const {
     if (result.verdict != ProofVerdict::proved || result.structure->size() < least_) return false;
@@ -117,6 +134,7 @@ class Repairer {
   /// A rule more for each way in which an order can come to a halt before the other.
   std::vector<Repair> additions(const Repair& so_far, const VerifyResult& result) const {
     std::vector<Repair> out;
+    // An order that was cut short has no halted sites to begin from.
     if (!result.refutation || !result.refutation->second_ended) return out;
     const DivergingOrders& found = *result.refutation;
     const RuleSet& rules = so_far.repaired;
@@ -128,6 +146,8 @@ class Repairer {
       for (const PlacedBrick& brick : more->bricks()) {
         if (less->at(brick.at) != kEmpty || seen.size() >= kMostMissing) continue;
         const View view = view_at(*less, table, options_.box, brick.at);
+        // Equal views ask for the same rule; the empty view is that of a cell outside the
+        // box.
         if (view == View{} || std::find(seen.begin(), seen.end(), view) != seen.end()) continue;
         seen.push_back(view);
         Repair repair = so_far;

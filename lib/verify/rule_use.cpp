@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Reads off a certificate which rules can fire and which bricks close sites for others. The
+// invariant over-approximates what is reachable, so "never fires" is proved, while a
+// blocking pair is an example that the invariant allows. Bricks of groups are treated as
+// unordered, which again only allows more.
 #include "verify/rule_use.h"
 
 #include <algorithm>
@@ -10,6 +14,8 @@
 namespace stig {
 namespace {
 
+/// Of sites with more states only so many are looked at: blocking pairs are hints for the
+/// author of the rules.
 constexpr std::uint64_t kMostStates = 4096;    ///< of one site
 constexpr std::uint64_t kMostSites = 200'000;  ///< of a stage, for blocking pairs
 
@@ -33,6 +39,7 @@ class Uses {
       model.look(number, site);
       if (site.rules.empty()) continue;
       const LocalOrder order = local_order(model, invariant, site);
+      // Each rule's least state decides, as in local_proof.cpp.
       for (const LocalRule& rule : site.rules) {
         const Mask least = order.closed(rule.need);
         // Counts are not looked at: the rule is granted more than it can do.
@@ -58,6 +65,8 @@ class Uses {
     return found == site.rules.end() ? nullptr : &*found;
   }
 
+  // A brick closes a site if some rule acts without it and none with it, its predecessors
+  // being there. One example is kept for each pair of rules, the first by site.
   void look_for_blocking(const StageModel& model, const StageSite& site, const LocalOrder& order) {
     Mask seen = 0;
     for (const LocalRule& rule : site.rules) seen |= rule.sees();
@@ -89,6 +98,8 @@ RuleUse use_of_rules(const RuleSet& rules, const VerifyOptions& options,
   const RuleTable table(rules);
   Uses uses(rules);
   LatticeWorld world(table, rules.start, options.box);
+  // The world is carried along from stage to stage, since a stage's model describes the
+  // structure that the stage finds.
   std::size_t done = 0;
   for (std::size_t s = 0; s < result.certificate->stages.size(); ++s) {
     const auto first = result.run.begin() + static_cast<std::ptrdiff_t>(done);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Reduces the rules to functions of a site's local state. While a stage lasts, everything
+// around a site but this stage's bricks is fixed, so an oriented pattern becomes two masks
+// (needed, forbidden) and a count becomes popcounts of masks. All proofs then work on
+// 32-bit masks. The model says nothing of what is reachable; it holds whichever bricks of
+// the run are there.
 #include "verify/stage_model.h"
 
 #include <algorithm>
@@ -6,6 +11,8 @@
 
 namespace stig {
 
+/// Over layers, since in a narrow periodic box one brick can be a neighbour several times
+/// and then counts as often.
 bool LocalCount::holds(Mask state) const {
   int number = always;
   for (const Layer& layer : layers) {
@@ -14,6 +21,8 @@ bool LocalCount::holds(Mask state) const {
   return number >= min && number <= max;
 }
 
+/// Sufficient: a brick may only raise the number (no layer counts an absence alone), and
+/// all bricks together do not exceed the maximum.
 bool LocalCount::holds_from(Mask state) const {
   int most = always;
   for (const Layer& layer : layers) {
@@ -23,6 +32,7 @@ bool LocalCount::holds_from(Mask state) const {
   return holds(state) && most <= max;
 }
 
+/// Each layer holds a brick at most once; further occurrences go to further layers.
 void LocalCount::add(Mask bit, bool filled, bool empty) {
   const auto free = [&](const Layer& layer) {
     return ((layer.if_filled | layer.if_empty) & bit) == 0;
@@ -40,6 +50,7 @@ bool LocalRule::matches(Mask state) const {
                      [&](const LocalCount& count) { return count.holds(state); });
 }
 
+/// A brick that counts both filled and empty makes no difference, hence the exclusive or.
 Mask LocalRule::sees() const {
   Mask seen = need | forbid;
   for (const LocalCount& count : counts) {
@@ -56,6 +67,7 @@ StageModel::StageModel(const RuleSet& rules, const RuleTable& table, const Latti
       run_(&run),
       index_(rules, table, before.stage()) {
   const Neighbourhood& n = table.neighbours();
+  // For chains of neighbours of neighbours; -1 marks those out of sight.
   for (auto& row : two_steps_) row.fill(-1);
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     for (std::size_t j = 0; j < static_cast<std::size_t>(n.size); ++j) {
@@ -67,6 +79,8 @@ StageModel::StageModel(const RuleSet& rules, const RuleTable& table, const Latti
   number_border();
 }
 
+/// Border cells are those where a brick could be placed wrongly. Cells outside the box,
+/// floor and earlier bricks are none.
 void StageModel::number_border() {
   const Neighbourhood& n = table_->neighbours();
   for (const Deposit& deposit : *run_) {
@@ -87,6 +101,8 @@ void StageModel::look(std::uint32_t number, StageSite& out) const {
   out.colour = number < bricks() ? (*run_)[number].colour : Colour{0};
   out.bricks = 0;
   out.rules.clear();
+  // The view of the world before the stage: all of the stage's own bricks are still missing
+  // in it.
   View fixed = before_->view(out.at);
   PossibleStates possible;
   std::array<std::int8_t, kMaxNeighbours> alias{};
@@ -98,8 +114,12 @@ void StageModel::look(std::uint32_t number, StageSite& out) const {
     out.beside = out.beside || is_brick(fixed.at[i]);
     if (fixed.at[i] != kEmpty) continue;
     const std::uint32_t brick = this->number(out.at + n.offsets[i]);
+    // A cell that is its own neighbour (periodic box of side 1) stays empty while the site
+    // is.
     if (brick >= bricks() || brick == number) continue;
     possible[i] = possible[i] | StateSet::of((*run_)[brick].colour);
+    // The loop over earlier indices runs in periodic boxes alone; elsewhere neighbours are
+    // distinct.
     for (std::size_t k = 0; small && k < i; ++k) {
       if ((out.bricks & bit(static_cast<int>(k))) == 0 || out.brick[k] != brick) continue;
       alias[i] = static_cast<std::int8_t>(k);
@@ -111,6 +131,8 @@ void StageModel::look(std::uint32_t number, StageSite& out) const {
   index_.possible(possible, out.at.z, possible_);
   for (const std::uint32_t e : possible_) {
     LocalRule rule = local_rule(table_->entries()[e], out, fixed, alias);
+    // An entry that needs and forbids the same brick was admitted by the index, which looks
+    // at neighbours one by one, but matches never.
     if ((rule.need & rule.forbid) == 0) out.rules.push_back(std::move(rule));
   }
 }
@@ -149,6 +171,7 @@ LocalRule StageModel::local_rule(const Entry& entry, const StageSite& site, cons
   return rule;
 }
 
+/// Weights and probabilities are ignored on purpose: whatever may happen counts.
 std::uint64_t colours_placed(const StageModel& model, const StageSite& site, Mask state,
                              bool beside) {
   std::uint64_t colours = 0;

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Puts the parts of a stage's proof together (docs/proofs.md, "How certificates are
+// found"): runs that might differ, Houdini on the order of neighbours, far chains, groups
+// that grow. Every failure is first tried as a refutation, as one real order of events is
+// worth more than any strengthening of the proof. The result is a certificate that the
+// independent checker sees next, so faults here cost proofs and not soundness.
 #include "verify/stage_proof.h"
 
 #include <fmt/format.h>
@@ -16,6 +21,8 @@
 namespace stig {
 namespace {
 
+/// Each witness delays more bricks than the one before; the bound keeps sets that it does
+/// not help from paying for many.
 constexpr int kMostWitnesses = 6;
 constexpr int kMostFarRounds = 3;  ///< of looking for far chains
 
@@ -34,7 +41,9 @@ class StageProver {
   /// The bricks that the run finds open and other orders may find closed.
   const std::set<Cell>& stuck() const { return stuck_; }
 
-  /// `hasty`: give up as soon as the order of neighbours alone does not settle the stage.
+  /// `hasty`: give up as soon as the order of neighbours alone does not settle the stage. A
+  /// hasty attempt tests a witness run: if bricks get stuck under it, another witness is
+  /// tried before groups are.
   StageProof prove(bool hasty) {
     first_ = placed_before(model_, run_);
     agreed_ = first_;
@@ -45,6 +54,7 @@ class StageProver {
       if (failure.kind == LocalFailure::Kind::stuck) stuck_.insert(model_.at(failure.site));
     }
     if (others_.found()) return refuted();
+    // The bricks that got stuck are handed to the next witness, in which they wait.
     if (hasty && !stuck_.empty()) return std::move(proof_);
     for (int round = 0; !gave_up_ && !budget_.spent(); ++round) {
       grow(groups, round);
@@ -73,18 +83,25 @@ class StageProver {
     return number;
   }
 
+  // The fixed point over three kinds of knowledge that depend on each other: the windows'
+  // fillings depend on `before` of their contexts, `before` on the fillings, and far chains
+  // on `before`. Each pass begins with what has changed; all of them only weaken, so it
+  // ends.
   /// One round: true when the stage is proved. Otherwise another order may have been found.
   bool attempt(Groups& groups) {
     invariant_ = {};
     invariant_.before = agreed_;
     invariant_.group_of.assign(model_.bricks(), Invariant::kNoWindow);
     const std::int64_t limit = model_.table().stage_limit(before_.stage());
+    // If the stage ends by its number of deposits and the group is everything, full
+    // fillings are final (condition 5).
     if (groups.size() == 1 && groups.front().size() == model_.bricks() && limit > 0 &&
         static_cast<std::size_t>(limit) == model_.bricks()) {
       invariant_.over_at = static_cast<std::uint64_t>(limit);
     }
     for (const auto& group : groups) {
       for (const std::uint32_t brick : group) {
+        // Group bricks give up their `before`, as condition 4 asks.
         invariant_.before[brick] = 0;
         invariant_.group_of[brick] = static_cast<std::uint32_t>(invariant_.windows.size());
       }
@@ -94,6 +111,8 @@ class StageProver {
     failures_.clear();
     int far_rounds = groups.empty() ? kMostFarRounds : 0;
     while (true) {
+      // Far chains can restore claims that Houdini dropped for want of them, so it starts
+      // again from what held before.
       const std::vector<Mask> held = invariant_.before;
       for (std::uint32_t w = 0; w < groups.size(); ++w) {
         if (!fill(groups, w)) return false;
@@ -118,6 +137,8 @@ class StageProver {
     return true;
   }
 
+  // Weaker claims about a context brick let it come earlier, so windows with it in their
+  // context have to be explored again.
   bool context_changed(const std::vector<Mask>& held) const {
     for (const Window& window : invariant_.windows) {
       for (const std::uint32_t brick : window.context) {
@@ -143,9 +164,13 @@ class StageProver {
       }
       const bool wrong = failure->kind == WindowFailure::Kind::wrong;
       const std::uint32_t site = wrong ? failure->site : StageModel::kNone;
+      // A failed filling has a path to it. If the window is exact this is a real order;
+      // else it is worth one try.
       if (others_.path_differs(path_to(window, failure->filling), site)) return false;
       const std::uint32_t brick = most_helpful(model_, invariant_, number, budget_);
       if (brick == StageModel::kNone) {
+        // With no brick left to take in, all the context is marked as unsettled, which
+        // makes `grow` take it in.
         for (const std::uint32_t c : window.context) {
           failures_.push_back({LocalFailure::Kind::too_many, c, 0, 0});
         }
@@ -170,6 +195,7 @@ class StageProver {
   void write_proof(const Groups& groups) {
     proof_.kind = StageProof::Kind::proved;
     proof_.method = groups.empty() ? ProofMethod::certificate : ProofMethod::components;
+    // The method names the least local argument that was needed.
     if (groups.size() == 1 && groups.front().size() == model_.bricks()) {
       proof_.method = ProofMethod::exhaustive;
     }
@@ -191,6 +217,8 @@ class StageProver {
         const auto first = window.fillings.begin() + static_cast<std::ptrdiff_t>(f * window.words);
         out.fillings.emplace_back(first, first + static_cast<std::ptrdiff_t>(window.words));
       }
+      // The search has fillings in the order of discovery; the certificate wants them
+      // rising (docs/proofs.md, "The certificate's form").
       std::sort(out.fillings.begin(), out.fillings.end(), [](const Filling& a, const Filling& b) {
         return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
       });
@@ -212,7 +240,9 @@ class StageProver {
   StageProof proof_;
 };
 
-/// Another run, in which some bricks wait until nothing else can be done.
+/// Another run, in which some bricks wait until nothing else can be done. The plan is a
+/// preference: bricks that wait are placed when nothing else can be, so the run stays a
+/// real order of events. An empty result means that it did not end.
 std::vector<Deposit> run_with_delays(const LatticeWorld& before, const std::vector<Deposit>& run,
                                      const std::set<Cell>& late, const Budget& budget) {
   std::vector<Deposit> wish;
@@ -246,9 +276,13 @@ StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const Latti
     late.insert(prover.stuck().begin(), prover.stuck().end());
     if (late.size() == had) break;
     std::vector<Deposit> next = run_with_delays(before, witness, late, budget);
+    // Runs of different length mean different ends, which the attempts to refute have
+    // looked at.
     if (next.size() != run.deposits.size()) break;
     witness = std::move(next);
   }
+  // The original run again, now with groups: it is the witness that any later message
+  // speaks of.
   return StageProver(rules, table, before, run.deposits, budget).prove(false);
 }
 

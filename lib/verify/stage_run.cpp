@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Runs one stage under a schedule and records its deposits. In contrast to the engines of
+// lib/lattice it ignores weights and probabilities: for a proof, whatever may happen has to
+// be considered, and schedules that are unlikely at random (newest first, oldest first, a
+// given plan) find orders that random runs miss.
 #include "verify/stage_run.h"
 
 #include <deque>
@@ -9,8 +13,12 @@
 namespace stig {
 namespace {
 
+/// A constant, so verdicts do not depend on the user's seeds. Streams are told apart by
+/// `run`.
 constexpr std::uint64_t kSeed = 0x7665726966790001;  ///< of all runs made for proofs
 
+/// Sites that closed again stay in `waiting_` and are skipped when their turn comes:
+/// deleting from the middle of a deque would cost linear time.
 /// The open sites, in the order a schedule wants them.
 class OpenSites {
  public:
@@ -50,6 +58,8 @@ class OpenSites {
   std::deque<Cell> waiting_;  ///< sites once open, some no more
 };
 
+/// With a plan, the planned colour is preferred; with `conflicts: first` there is no choice
+/// to make.
 /// The rule that places what the plan says, if there is one that acts; else any of those
 /// that do, whatever their weights: what is unlikely happens too.
 Match choose(LatticeWorld& world, Cell site, const Plan* plan, Random& random) {
@@ -72,6 +82,7 @@ Plan::Plan(const std::vector<Deposit>& order) {
 StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budget& budget) {
   StageRun run;
   OpenSites open(config);
+  // Opening a world costs about a quarter of depositing its bricks.
   budget.spend(world.structure().size() * kStepsOfDeposit / 4);
   const auto allowed = [&](Cell site) { return !config.may_fill || config.may_fill(site); };
   for (const Cell site : world.enabled_sites()) {
@@ -84,6 +95,8 @@ StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budg
     }
     if (run.deposits.size() >= config.most || budget.spent_at(step)) return run;
     budget.spend(kStepsOfDeposit);
+    // A fresh stream of random numbers for each step, keyed by the step: a run continued
+    // from a prefix makes the same choices.
     Random random(kSeed, config.run, Purpose::event, 0, step);
     const Cell site = open.next(random);
     const Match match = choose(world, site, config.plan, random);
@@ -97,6 +110,7 @@ StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budg
   }
 }
 
+/// Bricks alone do not say in which stage a world is; the stages are counted off.
 LatticeWorld world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
                             const std::optional<Box>& box, int stage) {
   LatticeWorld world(rules, bricks, box);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The verdict on a rule set, stage by stage. A stage is run once; if it ends, its end is
+// the candidate X of the proof (stage_proof.h), and if it does not, a repetition in its
+// growth is looked for. Stages are proved from one structure each: if a stage ends in
+// several, only whole orders through all stages can refute the set, and otherwise it stays
+// unknown.
 #include "verify/verify.h"
 
 #include <fmt/format.h>
@@ -15,8 +20,12 @@ namespace stig {
 namespace {
 
 constexpr std::uint32_t kFirstRun = 0;  ///< its stream of random numbers
+/// Repetitions are sought in a short run, newest site first: that grows a single limb,
+/// whose period shows early, where a random order would interleave many.
 constexpr std::uint64_t kProbe = 4000;  ///< deposits in search of a repetition
 constexpr std::uint64_t kMostDeposits = 20'000'000;
+/// A set with one endless order may still end in another, which refutes it; that is tried
+/// briefly, not waited for.
 /// Deposits after which growth that is known to be able to go on for ever is not waited for.
 constexpr std::uint64_t kPatience = 20'000;
 constexpr std::uint32_t kTries = 16;  ///< to find an end of such a set
@@ -54,6 +63,8 @@ class Verification {
   }
 
  private:
+  // The last instance is the checker, which shares no code with the search. A refusal is a
+  // fault of the search and is reported as unknown, with the checker's reason.
   /// Nothing is called proved that the checker does not accept.
   void hold_to_checker() {
     say("checking the certificate");
@@ -72,10 +83,13 @@ class Verification {
     if (options_.progress) options_.progress(world_.stage(), what);
   }
 
+  // The copy of the world at the stage's beginning is what every later search starts from.
   void decide_stage() {
     const LatticeWorld begin = world_;
     StageRun probe;
     std::optional<Repetition> repetition;
+    // In a box, or with a number of deposits, every order ends; there is nothing to look
+    // for.
     if (!options_.box && table_.stage_limit(world_.stage()) == 0) {
       say("looking for growth that repeats");
       probe = probe_growth(begin, repetition);
@@ -85,6 +99,7 @@ class Verification {
     config.run = kFirstRun;
     config.most = repetition ? kPatience : kMostDeposits;
     StageRun run = run_stage(world_, config, budget_);
+    // One order ends and one grows for ever: these two are the refutation.
     if (!run.ended && repetition && end_some_way(begin, run)) {
       return refute(begin, run, probe.deposits);
     }
@@ -95,6 +110,7 @@ class Verification {
     result_.local_states += proof.local_states;
     if (proof.kind == StageProof::Kind::refuted) return refute(begin, run, proof.other.deposits);
     if (proof.kind == StageProof::Kind::unknown) return leave_open(run.deposits, proof.open);
+    // The verdict's method is the least local one that any stage needed.
     result_.method = std::max(result_.method, proof.method);
     certificate_.stages.push_back(std::move(proof.certificate));
     keep(proof.run);
@@ -151,6 +167,8 @@ class Verification {
   void leave_open(const std::vector<Deposit>& run, const std::string& why) {
     result_.verdict = ProofVerdict::unknown;
     result_.open = why;
+    // One run's end is shown, even if others may end elsewhere, but only when it went
+    // through all stages.
     keep(run);
     have_structure_ = world_.stage() == table_.stage_count();
   }
@@ -160,6 +178,8 @@ class Verification {
     result_.verdict = ProofVerdict::refuted;
     result_.refutation =
         explain_refutation(rules_, table_, begin, result_.run, run.deposits, other, budget_);
+    // Differences after one stage that a later stage levels are no refutation; random whole
+    // orders are the last attempt.
     if (!result_.refutation && table_.stage_count() > 1) {
       result_.refutation =
           find_whole_orders(LatticeWorld(table_, rules_.start, options_.box), budget_);
@@ -221,6 +241,8 @@ VerifyResult verify(const RuleSet& rules, const VerifyOptions& options) {
   return Verification(rules, options).run();
 }
 
+/// Used for trials with changed rule sets. Progress is silenced, and the work goes on the
+/// caller's account.
 VerifyResult verify_within(const RuleSet& rules, const VerifyOptions& options,
                            const Budget& budget) {
   VerifyOptions again = options;

@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Breadth-first enumeration of the fillings of a window: from each known filling, every
+// brick that can come next is added. Group bricks come when a rule acts in the filling;
+// context bricks as soon as their known predecessors are there, unless the whole of their
+// surroundings lies in the window, in which case the rules decide too. The result is closed
+// under these steps, which is condition 4 of docs/proofs.md. Time is O(fillings x bricks x
+// rules of a brick), memory one bit per brick and filling.
 #include "verify/window.h"
 
 #include <algorithm>
@@ -34,6 +40,8 @@ class Exploration {
     for (std::size_t i = 0; i < window_.size(); ++i) positions_[window_.brick(i)] = i;
     for (std::size_t i = 0; i < window_.size(); ++i) cells_.push_back(cell_view(i));
     for (std::size_t i = 0; i < window_.size(); ++i) by_run_.push_back(i);
+    // Group and context have separate positions; the order of the run is needed to find the
+    // first missing brick.
     std::sort(by_run_.begin(), by_run_.end(),
               [&](std::size_t a, std::size_t b) { return window_.brick(a) < window_.brick(b); });
   }
@@ -42,8 +50,11 @@ class Exploration {
     window_.fillings.assign(window_.words, 0);
     window_.from.assign(1, 0);
     window_.added.assign(1, 0);
+    // Slot values are one more than a filling's number, so that 0 can mean free.
     slots_.assign(1024, 0);
     insert(0);
+    // `window_.fillings` grows during the loop; numbers stay valid where pointers would
+    // not.
     for (std::size_t f = 0; f < window_.count(); ++f) {
       if (window_.count() > budget_.states || budget_.spent_at(f)) {
         return WindowFailure{WindowFailure::Kind::too_many, f, 0};
@@ -55,6 +66,8 @@ class Exploration {
   }
 
  private:
+  // The context is all bricks of the stage around the group. Sorted, so that the
+  // certificate is the same whatever the order of discovery.
   void collect_context() {
     window_.context.clear();
     std::vector<std::uint32_t> found;
@@ -99,6 +112,7 @@ class Exploration {
   }
 
   std::optional<WindowFailure> expand(std::size_t filling) {
+    // The stage is over here; see Invariant::over_at.
     if (invariant_.over_at > 0 && window_.bricks_in(filling) >= invariant_.over_at) {
       return std::nullopt;
     }
@@ -110,6 +124,8 @@ class Exploration {
       bool comes = std::all_of(cell.before.begin(), cell.before.end(),
                                [&](std::size_t at) { return window_.has(filling, at); });
       if (comes && cell.exact) {
+        // A wrong colour at a context brick is no failure of this window: the brick's own
+        // site is looked at by local_proof.cpp.
         const std::uint64_t placed =
             colours_placed(model_, cell.site, state(cell, filling), cell.site.beside);
         if ((placed & ~(std::uint64_t{1} << cell.site.colour)) != 0 && in_group) {
@@ -121,6 +137,8 @@ class Exploration {
       group_opens = group_opens || in_group;
       add(filling, i);
     }
+    // Dead end: the run would place a group brick next, and no group brick can come in this
+    // filling.
     if (!group_opens && group_brick_is_next(filling)) {
       return WindowFailure{WindowFailure::Kind::stuck, filling, 0};
     }
@@ -143,6 +161,8 @@ class Exploration {
       window_.fillings.push_back(word | (w == i / 64 ? std::uint64_t{1} << (i % 64) : 0));
     }
     if (!insert(number)) {
+      // The filling was appended provisionally to be hashed in place, and is taken back if
+      // it is known.
       window_.fillings.resize(number * window_.words);
       return;
     }
@@ -168,6 +188,7 @@ class Exploration {
     slots_[slot] = static_cast<std::uint32_t>(filling + 1);
     return true;
   }
+  // Fillings keep their numbers; only the slots are recomputed.
   void grow() {
     slots_.assign(slots_.size() * 2, 0);
     for (std::size_t f = 0; f < window_.count(); ++f) insert(f);
@@ -191,6 +212,8 @@ std::optional<WindowFailure> explore_window(const StageModel& model, const Invar
   return Exploration(model, invariant, budget, window).explore();
 }
 
+/// The search is a tree: each filling remembers the one it came from, so a path costs no
+/// search.
 std::vector<std::uint32_t> path_to(const Window& window, std::size_t filling) {
   std::vector<std::uint32_t> path;
   for (; filling != 0; filling = window.from[filling]) {
