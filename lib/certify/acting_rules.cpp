@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -26,6 +27,7 @@ Pattern turned(const Pattern& pattern, const Orientation& g, const Neighbourhood
   Pattern image;
   for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
     const int to = neighbours.index_of(g.apply(neighbours.offsets[i]));
+    assert(to >= 0);
     image.allowed[static_cast<std::size_t>(to)] = pattern.allowed[i];
   }
   return image;
@@ -66,6 +68,8 @@ ActingRules::ActingRules(const RuleSet& rules)
       oriented_.push_back({r, turned(rule.pattern, g, neighbours_)});
     }
   }
+  assert(std::is_sorted(oriented_.begin(), oriented_.end(),
+                        [](const Oriented& a, const Oriented& b) { return a.rule < b.rule; }));
   words_ = (oriented_.size() + 63) / 64;
   const auto size = static_cast<std::size_t>(neighbours_.size);
   // The transposed table: for each neighbour and state, the oriented rules that accept it,
@@ -89,6 +93,7 @@ ActingRules::ActingRules(const RuleSet& rules)
 std::uint64_t ActingRules::accepting(std::size_t word, const Outlook& site) const {
   std::uint64_t alive = ~std::uint64_t{0};
   for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size) && alive != 0; ++i) {
+    assert(site.shows[i] < kStates);
     std::uint64_t accept = accept_[(i * kStates + site.shows[i]) * words_ + word];
     if (site.open >> i & 1U) accept |= accept_[(i * kStates + kEmpty) * words_ + word];
     alive &= accept;
@@ -133,6 +138,7 @@ NeighbourSet ActingRules::asked_about(const Outlook& site,
 bool ActingRules::counts_stay(const Outlook& site, const RuleCandidate& candidate,
                               NeighbourSet there) const {
   const Rule& rule = rules_.rules[candidate.rule];
+  assert((there & ~site.open) == 0);
   if (!counts_hold(rule, site, there)) return false;
   // Sufficient, not necessary: `there` is a state in which the counts hold, and any
   // superset must keep them. A minimum is safe when no open neighbour that is still empty
@@ -169,6 +175,7 @@ bool ActingRules::counts_hold(const Rule& rule, const Outlook& site, NeighbourSe
 /// reporting; if all agree on the colour it does not matter which rule is named.
 Action ActingRules::act(const Outlook& site, const std::vector<RuleCandidate>& candidates,
                         NeighbourSet there, Colour expected) const {
+  assert((there & ~site.open) == 0);
   Action action;
   // The definition of an event asks for a brick beside the site (docs/proofs.md, "The
   // claim"), so that agents that walk on the structure can get there at all.

@@ -57,6 +57,7 @@ void print_numbers(Text out, const std::vector<std::uint32_t>& numbers) {
 /// All fillings of a window have as many digits as it has bricks for, so that a
 /// certificate is no smaller than what it unfolds to.
 void print_filling(Text out, const Filling& filling, std::size_t bits) {
+  assert(is_filling_of(bits, filling));
   for (std::size_t digit = hex_digits_for(bits); digit-- > 0;) {
     fmt::format_to(out, "{:x}", filling[digit / 16] >> (digit % 16 * 4) & 15U);
   }

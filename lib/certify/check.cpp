@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/hash.h"
 #include "base/text.h"
@@ -27,6 +28,7 @@ bool within_reach(Cell cell) {
 
 std::string text_of(const std::optional<BoxSpec>& box) {
   if (!box) return "unbounded space";
+  assert(box->origin);
   return fmt::format("{}box {}x{}x{} at {}", box->periodic ? "the periodic " : "the ", box->size.x,
                      box->size.y, box->size.z, cell_text(*box->origin));
 }

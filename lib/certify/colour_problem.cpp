@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -186,6 +187,7 @@ std::optional<std::uint32_t> ColourProblem::cell(Cell at) const {
 
 /// Cells of equal rank are not before each other: the order leaves open which comes first.
 std::uint32_t ColourProblem::before(std::uint32_t of) const {
+  assert(of < cells.size());
   std::uint32_t mask = 0;
   for (int i = 0; i < neighbours().size; ++i) {
     const auto beside = cell(cells[of] + neighbours().offsets[static_cast<std::size_t>(i)]);

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -87,6 +88,7 @@ std::uint64_t hash_of(const Literals& clause) {
 }
 
 void ClauseSet::assign(Literal literal, std::uint32_t reason) {
+  assert(value_[literal] == 0);
   value_[literal] = 1;
   value_[negated(literal)] = -1;
   reason_[literal / 2] = reason;
@@ -96,6 +98,7 @@ void ClauseSet::assign(Literal literal, std::uint32_t reason) {
 /// Watches are left as they are. That is what makes the scheme cheap: undoing assignments
 /// never breaks the invariant of watched literals.
 void ClauseSet::take_back(std::size_t trail) {
+  assert(trail <= trail_.size());
   for (std::size_t i = trail; i < trail_.size(); ++i) {
     value_[trail_[i]] = value_[negated(trail_[i])] = 0;
   }
@@ -170,6 +173,7 @@ bool ClauseSet::propagate() {
 /// another watch leave the list; after a contradiction the rest is only kept, so that the
 /// list stays complete for later.
 bool ClauseSet::propagate_false(Literal literal) {
+  assert(is_false(literal));
   std::vector<Watch>& watches = watches_[literal];
   std::size_t kept = 0;
   bool contradiction = false;
@@ -203,6 +207,7 @@ bool ClauseSet::move_watch(std::uint32_t number, Literal from) {
   const Clause& clause = clauses_[number];
   Literal* literals = &literals_[clause.begin];
   if (literals[0] == from) std::swap(literals[0], literals[1]);
+  assert(literals[1] == from);
   if (is_true(literals[0])) return false;
   for (std::uint32_t k = 2; k < clause.size; ++k) {
     if (is_false(literals[k])) continue;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "certify/certificate.h"
 
@@ -13,9 +14,11 @@ inline constexpr std::size_t kBitsPerWord = 64;
 
 inline std::size_t words_for(std::size_t bits) { return (bits + kBitsPerWord - 1) / kBitsPerWord; }
 inline bool has(const Filling& filling, std::size_t bit) {
+  assert(bit / kBitsPerWord < filling.size());
   return (filling[bit / kBitsPerWord] >> bit % kBitsPerWord & 1U) != 0;
 }
 inline Filling with(Filling filling, std::size_t bit) {
+  assert(bit / kBitsPerWord < filling.size());
   filling[bit / kBitsPerWord] |= std::uint64_t{1} << bit % kBitsPerWord;
   return filling;
 }

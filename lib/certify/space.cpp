@@ -6,6 +6,7 @@
 #include "certify/space.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/hash.h"
 
@@ -33,6 +34,7 @@ std::int32_t centred(std::int32_t low, std::int32_t high, std::int32_t size) {
 }  // namespace
 
 bool Space::placeable(Cell cell) const {
+  assert(!box || box->origin);
   if (is_floor(cell)) return false;
   return !box || (within(cell.x, box->origin->x, box->size.x) &&
                   within(cell.y, box->origin->y, box->size.y) &&
@@ -66,6 +68,7 @@ BoxSpec placed_box(const BoxSpec& box, const std::vector<PlacedBrick>& start, bo
 /// neighbouring cells in x share a hash and differ in the last three bits, so the three
 /// cells of a neighbourhood's row mostly share a cache line.
 std::size_t KnownCells::slot_of(Cell cell) const {
+  assert(std::has_single_bit(slots_.size()));
   const auto bits = [](std::int32_t n) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(n));
   };

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "base/text.h"
 #include "certify/filling.h"
@@ -202,6 +203,7 @@ std::uint32_t StageCheck::bit_in(std::uint32_t position, std::uint32_t window) c
 
 /// With a spent stage the full filling is left out: nothing happens there any more.
 std::size_t StageCheck::fillings_to_check(const CertifiedWindow& window) const {
+  assert(!window.fillings.empty());
   const bool ends_full = count_bricks(window.fillings.back()) == window.group.size();
   return window.fillings.size() - (spent_ && ends_full ? 1 : 0);
 }

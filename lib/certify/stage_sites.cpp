@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/text.h"
 #include "certify/filling.h"
@@ -111,6 +112,7 @@ bool StageCheck::check_site(const Site& site) {
 
 /// The bricks around a site when the run places its own.
 NeighbourSet StageCheck::seen_in_run(const Site& site) {
+  assert(site.position != kNone);
   NeighbourSet there = 0;
   for (const Local& local : site.locals) {
     if (local.position < site.position) there |= local.at;
@@ -197,6 +199,7 @@ bool StageCheck::check_least_states(const Site& site) {
 /// Condition 3 for a brick of a group. The fillings are all local states there are, so
 /// nothing is closed or enumerated.
 bool StageCheck::check_group_brick(const Site& site) {
+  assert(in_group(site.position));
   const Member own = members_[site.position].front();
   const CertifiedWindow& window = stage_.windows[own.window];
   if (!all_within(site, own.window)) {
@@ -223,6 +226,7 @@ bool StageCheck::check_group_brick(const Site& site) {
 
 /// Where the brick of a context can be placed, the filling with it is listed.
 bool StageCheck::check_context_brick(const Site& site, const Member& own) {
+  assert(!own.group);
   const CertifiedWindow& window = stage_.windows[own.window];
   const std::vector<Seen> seen = seen_of(site, own.window, false);
   const bool sees_all = all_within(site, own.window);
