@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <map>
 
 namespace stig {
@@ -39,6 +40,7 @@ std::map<std::uint32_t, std::uint32_t> all_before(const StageModel& model,
 
 std::vector<std::uint32_t> chain_to(const std::map<std::uint32_t, std::uint32_t>& from,
                                     std::uint32_t brick) {
+  assert(from.contains(brick));
   std::vector<std::uint32_t> chain{brick};
   while (from.at(chain.back()) != chain.back()) chain.push_back(from.at(chain.back()));
   std::reverse(chain.begin(), chain.end());

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <set>
 #include <utility>
 
@@ -85,6 +86,8 @@ std::optional<Groups> grown(const StageModel& model, const Groups& groups,
 }
 
 void take_into_group(Invariant& invariant, std::uint32_t brick, std::uint32_t window) {
+  assert(window < invariant.windows.size());
+  assert(brick < invariant.before.size());
   std::vector<std::uint32_t>& group = invariant.windows[window].group;
   group.insert(std::lower_bound(group.begin(), group.end(), brick), brick);
   invariant.before[brick] = 0;
@@ -97,6 +100,7 @@ void take_into_group(Invariant& invariant, std::uint32_t brick, std::uint32_t wi
 std::uint32_t most_helpful(const StageModel& model, const Invariant& invariant,
                            std::uint32_t number, const Budget& budget) {
   constexpr std::uint64_t kAll = ~std::uint64_t{0};
+  assert(number < invariant.windows.size());
   Budget little = budget;
   // 20 000 fillings suffice to compare candidates; the winner is then searched with the
   // whole budget.

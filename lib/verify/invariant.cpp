@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -70,6 +71,7 @@ Mask LocalOrder::closed(Mask some) const {
 /// Transitive closure by one pass: predecessors have smaller numbers and are complete
 /// already.
 LocalOrder local_order(const StageModel& model, const Invariant& invariant, const StageSite& site) {
+  assert(invariant.before.size() == model.bricks());
   LocalOrder order;
   Mask below_self = 0;
   const Sorted sorted = by_number(model, site, site.bricks);

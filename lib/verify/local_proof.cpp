@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <deque>
 
 namespace stig {
@@ -39,6 +40,7 @@ class SiteChecker {
       : model_(model), first_(first), invariant_(invariant) {}
 
   Look check(std::uint32_t number) {
+    assert(number < model_.sites());
     result_ = {};
     model_.look(number, site_);
     result_.work = kStepsOfLook + kStepsOfState * site_.rules.size();
@@ -292,11 +294,13 @@ class Waiting {
   }
   bool empty() const { return queue_.empty(); }
   void add(std::uint32_t site) {
+    assert(site < waits_.size());
     if (waits_[site]) return;
     waits_[site] = true;
     queue_.push_back(site);
   }
   std::uint32_t take() {
+    assert(!queue_.empty());
     const std::uint32_t site = queue_.front();
     queue_.pop_front();
     waits_[site] = false;
@@ -313,6 +317,7 @@ class Waiting {
 /// The masks are taken over absolute neighbours of each brick. In a periodic box `number`
 /// wraps.
 std::vector<Mask> placed_before(const StageModel& model, const std::vector<Deposit>& run) {
+  assert(run.size() == model.bricks());
   const Neighbourhood& n = model.table().neighbours();
   std::vector<std::uint32_t> time(model.bricks(), 0);
   for (std::uint32_t t = 0; t < run.size(); ++t) time[model.number(run[t].site)] = t;
@@ -329,6 +334,7 @@ std::vector<Mask> placed_before(const StageModel& model, const std::vector<Depos
 
 LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first,
                          Invariant& invariant, const Budget& budget) {
+  assert(first.size() == model.bricks());
   LocalProof proof;
   SiteChecker checker(model, first, invariant);
   const Neighbourhood& n = model.table().neighbours();

@@ -11,6 +11,7 @@
 #include "verify/reachability.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <vector>
 
@@ -55,6 +56,7 @@ class Region {
            c.x > bounds_.high.x || c.y > bounds_.high.y || c.z > bounds_.high.z;
   }
   std::size_t index(Cell c) const {
+    assert(contains(c));
     const Offset s = high_ - low_ + Offset{1, 1, 1}, o = c - low_;
     return (static_cast<std::size_t>(o.z) * static_cast<std::size_t>(s.y) +
             static_cast<std::size_t>(o.y)) *
@@ -132,7 +134,9 @@ class Reachability {
         structure_(*result.structure),
         run_(result.run),
         region_(*structure_.bounds(), options.box, rules.floor),
-        work_(work_of(*result.certificate)) {}
+        work_(work_of(*result.certificate)) {
+    assert(run_.size() == work_.bricks.size());
+  }
 
   void find(Findings& findings) {
     // A periodic box has no outside.
@@ -228,6 +232,7 @@ class Reachability {
 
 void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
                     const Budget& budget, Findings& findings) {
+  assert(result.verdict == ProofVerdict::proved);
   if (result.structure->empty()) return;
   Reachability(rules, options, result, budget).find(findings);
 }

@@ -83,6 +83,7 @@ class Explainer {
 
  private:
   LatticeWorld after(std::size_t prefix) const {
+    assert(prefix <= other_.size());
     LatticeWorld world = begin_;
     budget_.spend(prefix * kStepsOfDeposit);
     for (std::size_t i = 0; i < prefix; ++i) {

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "rules/rule_checks.h"
 
@@ -21,6 +22,7 @@ constexpr std::size_t kMostMissing = 8;  ///< sites tried where an order came to
 
 /// A structure at the end of the stage in which two orders part.
 Structure at_stage_end(const RuleSet& rules, const std::vector<Deposit>& order, std::size_t end) {
+  assert(end <= order.size());
   Structure structure(rules.lattice, rules.start);
   for (std::size_t i = 0; i < end; ++i) structure.place(order[i].site, order[i].colour);
   return structure;

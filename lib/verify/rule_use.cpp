@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <map>
 
 #include "verify/invariant.h"
@@ -95,6 +96,7 @@ class Uses {
 
 RuleUse use_of_rules(const RuleSet& rules, const VerifyOptions& options,
                      const VerifyResult& result) {
+  assert(result.certificate);
   const RuleTable table(rules);
   Uses uses(rules);
   LatticeWorld world(table, rules.start, options.box);

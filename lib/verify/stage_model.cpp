@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace stig {
 
@@ -95,6 +96,7 @@ void StageModel::number_border() {
 }
 
 void StageModel::look(std::uint32_t number, StageSite& out) const {
+  assert(number < sites());
   const Neighbourhood& n = table_->neighbours();
   out.at = at(number);
   out.number = number;

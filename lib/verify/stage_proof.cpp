@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <utility>
 
@@ -266,6 +267,7 @@ std::vector<Deposit> run_with_delays(const LatticeWorld& before, const std::vect
 StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
                        const StageRun& run, const Budget& budget) {
   // A witness in which bricks come as late as they can leaves less to be shown of them.
+  assert(run.ended);
   std::set<Cell> late;
   std::vector<Deposit> witness = run.deposits;
   for (int i = 0; i < kMostWitnesses; ++i) {

@@ -5,6 +5,7 @@
 // given plan) find orders that random runs miss.
 #include "verify/stage_run.h"
 
+#include <cassert>
 #include <deque>
 #include <set>
 
@@ -80,6 +81,7 @@ Plan::Plan(const std::vector<Deposit>& order) {
 }
 
 StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budget& budget) {
+  assert(config.schedule != RunOrder::planned || config.plan != nullptr);
   StageRun run;
   OpenSites open(config);
   // Opening a world costs about a quarter of depositing its bricks.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <map>
 
 #include "base/hash.h"
@@ -208,6 +209,8 @@ class Exploration {
 
 std::optional<WindowFailure> explore_window(const StageModel& model, const Invariant& invariant,
                                             const Budget& budget, Window& window) {
+  assert(std::none_of(window.group.begin(), window.group.end(),
+                      [&](std::uint32_t brick) { return brick >= model.bricks(); }));
   std::sort(window.group.begin(), window.group.end());
   return Exploration(model, invariant, budget, window).explore();
 }
@@ -215,6 +218,7 @@ std::optional<WindowFailure> explore_window(const StageModel& model, const Invar
 /// The search is a tree: each filling remembers the one it came from, so a path costs no
 /// search.
 std::vector<std::uint32_t> path_to(const Window& window, std::size_t filling) {
+  assert(filling < window.count());
   std::vector<std::uint32_t> path;
   for (; filling != 0; filling = window.from[filling]) {
     path.push_back(window.brick(window.added[filling]));
