@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The search leaves many colourings (solutions); merging exact rules into general ones is
+// the dear part, so it is spent where it promises most. Solutions are sorted by colours and
+// exact rules, a few of each number of colours are merged once, and the best is merged
+// again from many random beginnings with the effort that is left. What is kept is the
+// Pareto front of colours against rules.
 #include "synthesis/best_rules.h"
 
 #include <fmt/format.h>
@@ -28,6 +33,8 @@ constexpr std::uint64_t kStepsOfView = 500;
 class RuleChooser {
  public:
   RuleChooser(const Target& target, const SynthesisOptions& options, const MergingLimits& limits,
+              // A ready solution (by a skeleton) is compared with the others and never
+              // merged again: its rules ask for heights.
               const SynthesisHooks& hooks, Synthesis& result)
       : target_(target), options_(options), limits_(limits), hooks_(hooks), result_(result) {}
 
@@ -41,6 +48,7 @@ class RuleChooser {
     if (ready) done.push_back(std::move(*ready));
     for (Solution& solution : solutions) {
       const bool enough = merged[solution.colour_count] >= kMergedOfEach && limits_.quick.passed();
+      // At least one solution gets rules, however little effort is left.
       if (!done.empty() && (enough || limits_.many.passed())) continue;
       // Exact rules alone, too, take their time.
       if (limits_.whole.out_of_time() && solution.frame->cells.size() > kMostCellsAfterwards) {
@@ -81,6 +89,9 @@ class RuleChooser {
     }
     const RuleSet rules = make_rule_set(*solution.frame, solution.colours, solution.colour_count,
                                         target_.bricks, solution.rules, {});
+    // The last check asks the compiled rules themselves, at every local state
+    // (check_rules.h). A fault here would be one of the merging, so it is asserted and not
+    // reported.
     [[maybe_unused]] const auto fault = find_fault(*schedule, solution.colours, rules);
     assert(!fault);
   }
@@ -95,6 +106,8 @@ class RuleChooser {
       return std::pair(ka.second, ka.first) < std::pair(kb.second, kb.first);
     };
     std::stable_sort(done.begin(), done.end(), better);
+    // Sorted by the preferred measure, a solution joins the front only if no earlier one is
+    // as good in both.
     std::vector<Solution> front;
     for (Solution& s : done) {
       const bool worse = std::any_of(front.begin(), front.end(), [&](const Solution& f) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Of the colourings that were found: rules for the most promising, and the best of those.
+// Makes rules for the most promising of the colourings that were found, and chooses the best.
 #pragma once
 
 #include "synthesis/effort.h"

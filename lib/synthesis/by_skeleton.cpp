@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Tries skeletons (skeleton.h) from the likely starts of a target and keeps the one with
+// the fewest colours or rules. Fills with few needs come first, since their rules are short
+// and plain; fills above or below one brick alone are the last resort. Works for free
+// colours, one start and no symmetry; other cases are left to the search among orders.
 #include "synthesis/by_skeleton.h"
 
 #include <fmt/format.h>
@@ -14,10 +18,11 @@ namespace {
 
 /// Fills of so many needs are tried, few at first.
 constexpr int kFewNeeds = 2, kManyNeeds = 3;
-/// Of larger targets so many colours are good enough.
+/// For larger targets so many colours are good enough.
 constexpr std::size_t kLargeTarget = 1500;
 constexpr int kGoodEnough = 6;
 
+/// Corners are natural ends of rays; a start in the middle of a face suits flat targets.
 /// The outermost cells of bottom and top, and those nearest to their middles.
 std::vector<Cell> outermost(const Target& target) {
   Cell low = target.cells.front(), high = low;
@@ -95,6 +100,7 @@ class SkeletonSolver {
     const auto colours = static_cast<std::size_t>(found.made.colour_count);
     return options_.fewest == Fewest::colours ? std::pair(colours, found.made.rules.size())
                                               : std::pair(found.made.rules.size(), colours);
+    // A lexicographic pair, so that the second measure decides among equals.
   }
 
   void look_at(Cell start, const std::vector<Fill>& fills) {
@@ -107,6 +113,8 @@ class SkeletonSolver {
     if (!best_ || score(found) < score(*best_)) best_ = std::move(found);
   }
 
+  // Solutions of both methods have the same form: the order of growth that was checked
+  // becomes the rank, each cell an orbit of its own.
   Solution solution() {
     Solution out;
     const auto frame = std::make_shared<Frame>(
@@ -124,6 +132,7 @@ class SkeletonSolver {
     }
     out.frame = frame;
     out.colour_count = best_->made.colour_count;
+    // One colour cannot be undercut, so this is "the fewest" without a proof.
     out.fewer_refuted = out.colour_count == 1;
     out.heights = true;
     out.rules = std::move(best_->made.rules);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The orders that are worth a solver's time. Each family's orders are turned into
+// schedules; those with a clash that no colours prevent are dropped, and the rest are
+// sorted by a lower bound on their colours. Schedules are too large to be kept by the
+// hundred, so a candidate is the recipe of its order, and its schedule is made anew when it
+// is needed.
 #include "synthesis/candidates.h"
 
 #include <fmt/format.h>
@@ -18,6 +23,8 @@ constexpr std::size_t kBeginnings = 24;
 /// Up to this many orbits beside the start every order is tried, if there are not more than …
 constexpr std::size_t kFewOrbits = 8, kMostOrders = 1000, kMostOrdersWithTies = 20'000;
 
+/// Two orders with the same masks of earlier and equal neighbours are the same to rules,
+/// whatever their ranks are. A collision would lose a candidate, and costs no soundness.
 std::uint64_t hash_of(const Schedule& schedule) {
   std::uint64_t h = 0;
   for (const std::uint32_t mask : schedule.before) h = combine(h, mask);
@@ -43,6 +50,8 @@ bool Candidates::all_given() const {
                      [](StateSet colours) { return colours.is_single(); });
 }
 
+/// Families are tried plan by plan and not start by start, so that every start gets its
+/// chance at the most promising plans before the effort is spent.
 void Candidates::look_at_families(const Allowance& looking, const Allowance& whole) {
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     if (frames_[f]->orbits.size() > kFewOrbits + 1 || options_.family) continue;
@@ -85,6 +94,8 @@ bool Candidates::starts_are_all() const {
   return !options_.start.empty() || frames_.size() == target_.cells.size();
 }
 
+/// The basis of every claim that a target cannot be built: all starts, all orders, ties
+/// included. It is affordable for up to eight orbits beside the start.
 bool Candidates::look_at_every_order(const Allowance& allowance) {
   if (options_.family || options_.strict_only) return false;
   if (frames_.front()->orbits.size() > kFewOrbits + 1) return false;
@@ -95,6 +106,8 @@ bool Candidates::look_at_every_order(const Allowance& allowance) {
                            [&](const Orbit& orbit) { return orbit.start && orbit.at == c; });
       });
       if (!known) add_start({c});
+      // Set again by look_at when an order could not be decided, and then nothing may be
+      // claimed.
     }
   }
   gave_up_ = false;
@@ -140,6 +153,8 @@ void Candidates::look_at(std::size_t frame, const Maker& make, const Allowance& 
     gave_up_ = gave_up_ || bad.kind != BadOrder::Kind::nothing_before;
     return;
   }
+  // The frame belongs to the identity: the same masks about another start are another
+  // order.
   if (!seen_.insert(combine(frame, hash_of(*schedule))).second) return;
   ++tried_;
   const ColouringSearch search(*schedule, static_cast<int>(target_.bricks.size()), allowance);

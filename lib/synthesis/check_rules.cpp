@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The final check of a synthesised set, by the definition: at every site, in every local
+// state, the compiled rules must place the right brick when it is due and nothing otherwise
+// (docs/synthesis.md, "What must hold"). It uses the rule table that engines use and none
+// of the synthesiser's own matching. Stage 1 is the only stage of such a set.
 #include "synthesis/check_rules.h"
 
 #include <fmt/format.h>
@@ -33,6 +37,8 @@ std::optional<std::string> find_fault(const Schedule& schedule, const Colouring&
       }
     }
   }
+  // Sites that see no brick of the target at all, on the floor or in the air, stand for
+  // everything farther away.
   for (const bool on_floor : {false, true}) {
     Site bare;
     bare.on_floor = on_floor;

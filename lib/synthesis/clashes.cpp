@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Finds where a key looks like a wrong local state, conditions A and B of
+// docs/synthesis.md. All keys in all orientations go into a hash table; every local state
+// is one look-up. So a check is linear in keys x group + states, and not in their product.
+// Hashes are sums over bricks: turning a key permutes its terms, and a state's hash is
+// accumulated bit by bit.
 #include "synthesis/clashes.h"
 
 #include <algorithm>
@@ -9,7 +14,9 @@
 namespace stig {
 namespace {
 
-/// What one brick adds to the hash of a view: a sum, so that turning is re-indexing.
+/// What one brick adds to the hash of a view: a sum, so that turning is re-indexing. A
+/// colour takes six bits, so neighbour and colour together are one small number before
+/// mixing.
 std::uint64_t term(std::size_t neighbour, Colour colour) {
   return mix(0x9e3779b97f4a7c15ULL * (neighbour * 64 + colour + 1));
 }
@@ -27,6 +34,7 @@ class KeyIndex {
   KeyIndex(const Schedule& schedule, const Colouring& colours) {
     const Frame& frame = *schedule.frame;
     images_.reserve(schedule.keys.size() * frame.group.size());
+    // At most half full, plus a little for targets of a few cells.
     slots_.assign(std::bit_ceil(schedule.keys.size() * frame.group.size() * 2 + 16), -1);
     last_.assign(slots_.size(), -1);
     for (std::size_t k = 0; k < schedule.keys.size(); ++k) {
@@ -75,6 +83,7 @@ class KeyIndex {
   std::vector<std::int32_t> slots_, last_;
 };
 
+/// Equal sums are only a hint; clauses must rest on real likeness.
 /// Not the hash alone: cell by cell.
 bool looks_alike(const Schedule& schedule, const Colouring& colours, const Clash& clash) {
   const Frame& frame = *schedule.frame;
@@ -119,6 +128,8 @@ class ClashFinder {
                    std::vector<Clash>& out) const {
     const bool intended = schedule_.intended(site, mask);
     std::size_t found = 0;
+    // Several keys may look like one state, and each is a demand of its own; some of each
+    // state suffice for a solver that is asked again.
     for (std::int32_t i = first; i >= 0 && found < most_; i = keys_.image(i).next) {
       const Clash clash{keys_.image(i).key, keys_.image(i).orientation,
                         static_cast<std::int32_t>(number), mask, intended};
@@ -139,6 +150,8 @@ class ClashFinder {
 
 }  // namespace
 
+/// Bit i of the mask moves to the index at which the turned neighbourhood shows neighbour
+/// i.
 std::uint32_t turned(std::uint32_t mask, const Orientation& orientation) {
   std::uint32_t out = 0;
   for (; mask != 0; mask &= mask - 1) {
@@ -153,6 +166,8 @@ std::vector<Clash> find_clashes(const Schedule& schedule, const Colouring& colou
   std::vector<Clash> out;
   const ClashFinder finder(schedule, colours, most_of_state);
   for (std::size_t s = 0; s < schedule.frame->sites.size() && out.size() < most; ++s) {
+    // The clock ends the search; so callers ask whether the time was over before they take
+    // an empty result for an answer.
     if (s % kSitesBetweenLooks == 0 && allowance.out_of_time()) break;
     finder.look_at(s, out);
   }

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Counterexample-guided colouring: the solver proposes colours, the linear check finds the
+// clashes they have, and their clauses are added, until there are no clashes or no
+// solution. Most of the possible clauses are never needed. CaDiCaL (A. Biere et al., SAT
+// competition 2020) is limited by conflicts and decisions, not by time, so that the same
+// call does the same work on every machine.
 #include "synthesis/colouring.h"
 
 #include <algorithm>
@@ -14,12 +19,15 @@
 namespace stig {
 namespace {
 
+/// The values that CaDiCaL's solve() returns; 0 means that a limit was met.
 constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
 /// Clashes asked for in a round: of one state, and in all.
 constexpr std::size_t kClashesOfState = 4, kClashesOfRound = 200'000;
 /// Clauses on straight runs that are added at once.
 constexpr std::size_t kSingleBrickClauses = 300'000;
 
+/// Rough averages of what the solver takes. They set how long an effort of 1 lasts, and
+/// decide nothing about correctness.
 /// Steps that a conflict and a decision are taken for, with so many literals in the clauses.
 constexpr std::uint64_t kStepsOfConflict = 15'000, kLiteralsToAStepOfConflict = 20,
                         kStepsOfDecision = 300;
@@ -28,8 +36,9 @@ constexpr std::size_t kClausesBetweenLooks = 4096, kOrbitsBetweenLooks = 256,
                       kClashesBetweenLooks = 1024;
 constexpr std::uint64_t kStepsOfLiteral = 60, kStepsOfState = 30, kStepsOfClash = 1'000;
 
-/// A solver that does as much as is allowed, counted by conflicts and decisions, and
-/// that spends for what it did.
+/// A solver that does as much as is allowed, counted by conflicts and decisions, and that
+/// spends for what it did. CaDiCaL calls back through two interfaces: terminate() is polled
+/// for the deadline, and learning() is called for each conflict.
 class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
  public:
   Meter(CaDiCaL::Solver& solver, const Allowance& allowance)
@@ -61,6 +70,7 @@ class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
     if (ended_ || allowance_.passed()) return 0;
     const std::uint64_t each = kStepsOfConflict + literals_ / kLiteralsToAStepOfConflict;
     solver_.limit("conflicts", within_int(allowance_.left() / each));
+    // A conflict costs more the more literals there are to propagate.
     solver_.limit("decisions", within_int(allowance_.left() / kStepsOfDecision));
     learnt_ = 0;
     const int result = solver_.solve();
@@ -77,6 +87,7 @@ class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
   void learn(int) override {}
 
  private:
+  // One more than is left, since a limit of 0 would mean none at all.
   static int within_int(std::uint64_t n) {
     return static_cast<int>(std::min<std::uint64_t>(n + 1, std::numeric_limits<int>::max()));
   }
@@ -98,6 +109,7 @@ class Solver {
         allowance_(allowance),
         meter_(solver_, allowance) {
     solver_.set("quiet", 1);
+    // The phases are the solver's preferred values; both techniques would overwrite them.
     // Both would drop the colours that decisions are to lean towards.
     solver_.set("lucky", 0);
     solver_.set("walk", 0);
@@ -124,6 +136,8 @@ class Solver {
   Colouring colours() {
     Colouring colours(differences_.schedule().frame->orbits.size());
     for (std::size_t i = 0; i < colours.size(); ++i) {
+      // A cell may have several colours where the clauses that forbid this were left out
+      // for being many; the first will do.
       int c = 1;
       while (solver_.val(encoding_.has(static_cast<int>(i), c)) < 0) ++c;
       colours[i] = static_cast<Colour>(c);
@@ -156,6 +170,9 @@ ColouringSearch::ColouringSearch(const Schedule& schedule, int named, const Allo
   if (!allowance.out_of_time()) update_naming();
 }
 
+/// Orbits that pairwise differ may be given the colours beyond the named ones in turn: that
+/// removes the symmetry between interchangeable colours (docs/synthesis.md, "Fewest
+/// colours").
 void ColouringSearch::update_naming() {
   named_at_ = differences_.clauses().size();
   naming_.clear();
@@ -178,6 +195,7 @@ int ColouringSearch::at_least() const {
 Answered ColouringSearch::colour(int k, const ColouringLimits& limits, Colouring& colours) {
   std::optional<Solver> solver;
   while (true) {
+    // A clique of more than k orbits refutes k without the solver.
     if (differences_.hopeless() || at_least() > k) return Answered::no;
     if (limits.progress) limits.progress(k, rounds_);
     if (!solver) {
@@ -201,10 +219,14 @@ Answered ColouringSearch::colour(int k, const ColouringLimits& limits, Colouring
     }
     limits.allowance.spend(differences_.schedule().states.masks.size() * kStepsOfState +
                            clashes.size() * kStepsOfClash);
+    // Recomputing the clique costs about as much as the clauses there are, so it is done
+    // when their number has doubled.
     if (differences_.clauses().size() > 2 * named_at_) {
       const std::size_t before = naming_.size();
       update_naming();
       if (naming_.size() > before) {
+        // The solver's clauses name colours by the old clique, so a larger one needs a new
+        // solver.
         solver.reset();
         continue;
       }
@@ -214,6 +236,8 @@ Answered ColouringSearch::colour(int k, const ColouringLimits& limits, Colouring
   }
 }
 
+/// A second, plain run of the solver on all clauses met, this time with a trace: proofs of
+/// the incremental runs would mix numbers of colours.
 std::optional<Refutation> refute(const ColouringSearch& search, int named, int k,
                                  const Allowance& allowance) {
   Refutation refutation;
@@ -223,6 +247,7 @@ std::optional<Refutation> refute(const ColouringSearch& search, int named, int k
   std::FILE* memory = open_memstream(&bytes, &size);
   if (memory == nullptr) return std::nullopt;
   int result = 0;
+  // The braces end the solver before the stream that it writes to is closed.
   {
     CaDiCaL::Solver solver;
     Meter meter(solver, allowance);
@@ -258,6 +283,8 @@ std::optional<std::vector<std::size_t>> contradicting(const ColouringSearch& sea
   Meter meter(solver, allowance);
   solver.set("quiet", 1);
   Encoding encoding(differences, named, k);
+  // One selector variable for each clash: assuming it switches the clash's clause on, and
+  // the failed assumptions are a core.
   const int first = encoding.variables() + 1;
   const auto sink = [&](std::span<const int> literals, ClauseKind kind) {
     meter.add(literals);
@@ -287,6 +314,8 @@ std::vector<Clash> unsatisfiable_core(ColouringSearch& search, int named, int k,
   std::iota(all.begin(), all.end(), std::size_t{0});
   auto core = contradicting(search, named, k, all, allowance);
   if (!core) return {};
+  // Deletion-based minimisation: at most one call of the solver for each clause of the
+  // first core. The result is irreducible, and not necessarily the smallest.
   for (std::size_t i = 0; i < core->size() && !allowance.passed();) {
     std::vector<std::size_t> without = *core;
     without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));

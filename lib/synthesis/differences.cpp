@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The clauses that clashes add, over variables "orbits a and b have the same colour". They
+// hold for any number of colours, and what unit propagation derives from them does too; so
+// pairs that must differ, and the cliques of such pairs, bound the number of colours from
+// below before a solver has been asked.
 #include "synthesis/differences.h"
 
 #include <algorithm>
@@ -24,12 +28,15 @@ bool always_equal(const Schedule& schedule, int a, int b) {
   return colours.is_single() && colours == colours_of(schedule, b);
 }
 
+/// Finding the largest clique is NP-hard; a greedy one from each of the 64 orbits of
+/// highest degree is good enough for a bound, and is the same on every run.
 /// Greedy: the orbit with the most differences first, then those that differ from all taken.
 std::vector<int> greedy_clique(const std::vector<std::vector<int>>& differ) {
   std::vector<int> best;
   std::vector<int> by_degree;
   for (std::size_t i = 0; i < differ.size(); ++i) {
     if (!differ[i].empty()) by_degree.push_back(static_cast<int>(i));
+    // Orbits without differences are in no clique of two and would only cost time.
   }
   const auto degree = [&](int i) { return differ[static_cast<std::size_t>(i)].size(); };
   std::stable_sort(by_degree.begin(), by_degree.end(),
@@ -69,6 +76,7 @@ bool Differences::add(const Clash& clash) {
   const Frame& frame = *schedule_->frame;
   const int from = schedule_->keys[static_cast<std::size_t>(clash.key)].site;
   const int to = frame.sites[static_cast<std::size_t>(clash.site)].orbit;
+  // A pair that always differs makes the clause true, one that never does drops out of it.
   DifferenceClause clause{clash, {}, -1};
   if (clash.intended && always_equal(*schedule_, from, to)) return false;
   std::uint64_t hash = clash.intended ? 1 : 0;
@@ -82,12 +90,17 @@ bool Differences::add(const Clash& clash) {
     clause.equal = pair(from, to);
     hash = combine(hash, static_cast<std::uint64_t>(clause.equal) << 32);
   }
+  // Equal hashes are taken for equal clauses. A collision would lose a clause, which the
+  // next round of the search finds violated and cannot add, so it goes on until its effort
+  // is spent, without an answer and never with a wrong one.
   if (!known_.try_emplace(hash, 0).second) return false;
   if (clause.differ.empty() && clause.equal < 0) hopeless_ = clash;
   clauses_.push_back(std::move(clause));
   return true;
 }
 
+/// States and keys of one brick are those of straight runs. There are few of them, and they
+/// force most differences, which a solver would find one by one.
 void Differences::add_single_bricks(std::size_t most, const Allowance& allowance) {
   const Frame& frame = *schedule_->frame;
   struct Seen {
@@ -119,6 +132,8 @@ void Differences::add_single_bricks(std::size_t most, const Allowance& allowance
   }
 }
 
+/// Unit propagation over pairs: O(literals), by counting for each clause the literals that
+/// are not false yet.
 std::vector<bool> Differences::forced_differences() const {
   std::vector<bool> differ(pairs_.size(), false), equal(pairs_.size(), false);
   std::vector<std::vector<std::int32_t>> uses(pairs_.size());

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Turns patterns and colours into a rule set as a person would write it: bricks get symbols
+// that line up in drawings, and rules get names that say what they look for. The expected
+// structure and the verdict are written too, so that `stigc check` and `stigc verify` can
+// compare.
 #include "synthesis/emit.h"
 
 #include <fmt/format.h>
@@ -45,9 +49,11 @@ std::vector<Brick> complete(std::vector<Brick> bricks, int count) {
     brick.symbol = free_symbol(bricks);
     brick.color = free_colour(bricks);
     brick.name = brick.symbol;
+    // Up to four colours are what the LEDs of the blocks can show.
     if (all_ours && count <= 4) brick.led = brick.name = "Q" + brick.symbol;
     bricks.push_back(brick);
   }
+  // The target's own bricks may have variants by range, which synthesised rules do not use.
   for (Brick& brick : bricks) brick.range = {};
   return bricks;
 }
@@ -77,6 +83,8 @@ Around around_of(const Neighbourhood& n) {
   Around places;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     const Offset o = n.offsets[i];
+    // The words of a name: bricks below are "on", at the sides "beside", above "under";
+    // edges and corners only when nothing else is asked for.
     if (!n.is_face[i]) {
       places.behind.push_back(i);
     } else if (o.z != 0) {
@@ -133,6 +141,7 @@ RuleSet make_rule_set(const Frame& frame, const Colouring& colours, int colour_c
     expect.structure.push_back({frame.cells[i], colours[orbit]});
     if (frame.orbits[orbit].start) set.start.push_back({frame.cells[i], colours[orbit]});
   }
+  // Files list a structure from the origin, whatever cells the target had.
   expect.structure = to_origin(Structure(frame.lattice, expect.structure)).bricks();
   set.expect = expect;
   std::map<std::string, int> times;
@@ -143,6 +152,7 @@ RuleSet make_rule_set(const Frame& frame, const Colouring& colours, int colour_c
     rule.height_min = merged.height_min;
     rule.height_max = merged.height_max;
     rule.name = name_of(set, merged);
+    // Names must be unique; repetitions are counted.
     if (const int n = ++times[rule.name]; n > 1) rule.name += fmt::format(" ({})", n);
     set.rules.push_back(std::move(rule));
   }

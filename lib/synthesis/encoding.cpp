@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The propositional encoding, direct: one variable for each orbit and colour, one for each
+// pair that is compared. Solver and proof file share it, so what is proved is what was
+// solved. The definition of a pair's variable is emitted in the direction in which clauses
+// use it (Plaisted and Greenbaum 1986), which halves it.
 #include "synthesis/encoding.h"
 
 #include <algorithm>
@@ -7,6 +11,7 @@
 namespace stig {
 
 namespace {
+/// Quadratic in the number of colours: beyond 16 the clauses cost more than they help.
 constexpr std::size_t kMostForPairs = 16;
 }  // namespace
 
@@ -33,6 +38,7 @@ void Encoding::emit_domains(const std::vector<int>& naming, const Sink& sink) co
       }
     }
   }
+  // Orbit i of the naming list may have the named colours and the first i + 1 beyond.
   for (std::size_t i = 0; i < naming.size(); ++i) {
     for (int c = named_ + static_cast<int>(i) + 2; c <= k_; ++c) {
       sink(std::array{-has(naming[i], c)}, {ClauseKind::Kind::naming, static_cast<int>(i)});

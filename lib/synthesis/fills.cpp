@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Enumerates the conditions under which a brick can be placed wherever they are met: sets
+// of up to three neighbours, with the ranges of heights in which no empty site beside the
+// target meets them. Only neighbourhoods that differ are looked at, by height; a solid has
+// few of them, so the search hardly depends on its size.
 #include "synthesis/fills.h"
 
 #include <algorithm>
@@ -43,7 +47,7 @@ class FillSearch {
     }
   }
 
-  /// Of every set of so many neighbours, above `last`, together with those chosen.
+  /// Looks at every set of so many more neighbours from `from` on, together with those chosen.
   void look(std::uint32_t chosen, std::size_t from, int more) {
     if (more == 0) return add(chosen);
     for (std::size_t i = from; i < grid_.step.size() && !allowance_.passed(); ++i) {
@@ -65,6 +69,8 @@ class FillSearch {
                                     [&](auto z) { return z >= fill.low && z <= fill.high; });
       if (used && !says_nothing_new(fill)) found.push_back(fill);
     };
+    // Heights at which an outside site meets the needs divide the rest into ranges; each is
+    // a fill of its own if some cell of the target can use it.
     for (const std::int32_t z : bad) {
       fill.high = z - 1;
       close();
@@ -92,6 +98,7 @@ std::vector<Fill> safe_fills(const SolidGrid& grid, int most_needs, const Allowa
   FillSearch search(grid, allowance);
   for (int needs = 1; needs <= most_needs; ++needs) search.look(0, 0, needs);
   const Neighbourhood& n = grid.neighbours();
+  // Plain means few needs, faces before edges before corners, and a wide range.
   const auto rank = [&](const Fill& fill) {
     int behind = 0;
     for (std::uint32_t m = fill.needs; m != 0; m &= m - 1) {
@@ -134,6 +141,7 @@ void FilledGrid::place(std::int32_t at) {
     open_.pop_back();
     for (std::size_t i = 0; i < grid_->step.size(); ++i) {
       const std::int32_t site = from - grid_->step[i];
+      // `from` is neighbour i of `site`, the step taken backwards.
       std::uint32_t& there = beside_[static_cast<std::size_t>(site)];
       there |= 1U << i;
       if (!grid_->is_solid(site) || has(site)) continue;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Orbits of the target's cells under the group about the start, and one site of each orbit
+// with what is around it. All later work is done per orbit: it divides the work by the
+// order of the group, and guarantees that rules and colours have the symmetry.
 #include "synthesis/frame.h"
 
 #include <algorithm>
@@ -32,6 +35,8 @@ class Turning {
   Offset middle_;
 };
 
+/// Rules can fire at empty cells beside the target only: an event needs a brick beside its
+/// site.
 /// Every empty cell that a cell of the target is a neighbour of, sorted.
 std::vector<Cell> border_of(const Frame& frame) {
   const Neighbourhood& n = frame.neighbours();
@@ -89,6 +94,8 @@ void add_orbits(const Target& target, const Placing& placing, const Turning& tur
 
 }  // namespace
 
+/// Bisection: cells are sorted, and a hash table would take more memory than it saves time
+/// here.
 int index_in(const std::vector<Cell>& cells, Cell cell) {
   const auto at = std::lower_bound(cells.begin(), cells.end(), cell);
   return at == cells.end() || *at != cell ? -1 : static_cast<int>(at - cells.begin());
@@ -126,6 +133,8 @@ Frame make_frame(const Target& target, const Placing& placing) {
   std::vector<Cell> border = border_of(frame);
   std::vector<bool> seen(border.size(), false);
   for (std::size_t i = 0; i < border.size(); ++i) {
+    // Border cells are visited in sorted order and each marks its images, so every orbit is
+    // represented by its least cell.
     if (seen[i]) continue;
     for (const Orientation& g : frame.group) {
       seen[static_cast<std::size_t>(index_in(border, *turning.image(g, border[i])))] = true;

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Starting colours for the solver's decisions. Random colours have few clashes from the
+// outset and lead to the fewest colours; regular ones (by distance from the start, by depth
+// in the solid) repeat themselves, so their solutions need fewer different rules. The
+// random numbers are the same on every run.
 #include "synthesis/hints.h"
 
 #include <algorithm>
@@ -8,6 +12,7 @@
 namespace stig {
 namespace {
 
+/// Breadth-first from the surface: orbits with a missing neighbour have depth 0.
 /// How deep orbits lie in the target: 0 where a neighbour is missing.
 std::vector<std::int32_t> depths(const Frame& frame) {
   std::vector<std::int32_t> depth(frame.orbits.size(), -1);

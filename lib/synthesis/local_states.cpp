@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Enumerates the local states of every site under an order (docs/synthesis.md, "What must
+// hold"): sets of placed neighbours that are closed under "comes before". Closure is
+// demanded between neighbours of the site alone, which may admit states that never occur;
+// that is the safe side. The number of states is what the whole synthesis costs, and it is
+// bounded here.
 #include "synthesis/local_states.h"
 
 #include <algorithm>
@@ -13,6 +18,8 @@ constexpr std::uint64_t kStepsOfCell = 2'500, kStepsOfLocalState = 50, kStepsOfK
 
 using Masks = std::array<std::uint32_t, kMaxNeighbours>;
 
+/// Adjacency within the neighbourhood is what closure is about: of two neighbours that do
+/// not touch, neither is before the other.
 /// For each neighbour of a site: which others are neighbours of it.
 Masks adjacency(const Neighbourhood& n) {
   Masks masks{};
@@ -42,6 +49,8 @@ class Enumerator {
     for_each_bit(site.present, [&](std::size_t i) {
       if (of(site, i).start) {
         always |= 1U << i;
+        // Of a cell of the target, neighbours of higher rank come after it and are never
+        // there while it is empty. Of a site outside, all neighbours may be.
       } else if (site.orbit < 0 || rank(site, i) <= rank_[static_cast<std::size_t>(site.orbit)]) {
         possible |= 1U << i;
         list_.push_back({rank(site, i), i, 0});
@@ -111,6 +120,8 @@ void add_before_and_beside(const Frame& frame, std::size_t orbit, Schedule& sche
 void add_keys(std::size_t orbit, Schedule& schedule) {
   const std::uint32_t free = schedule.beside[orbit];
   std::uint32_t subset = 0;
+  // The subsets of a mask in rising order, by the usual trick: subtracting the mask carries
+  // through its zeros.
   do {
     schedule.keys.push_back({static_cast<std::int32_t>(orbit), schedule.before[orbit] | subset});
     subset = (subset - free) & free;
@@ -125,6 +136,8 @@ std::uint64_t cost_of(const Schedule& schedule) {
          schedule.keys.size() * schedule.frame->group.size() * kStepsOfKey;
 }
 
+/// An order fails early: every non-start orbit needs an earlier neighbour, or its rule
+/// would have to fire beside nothing.
 std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder& problem,
                                       const ScheduleLimits& limits) {
   Schedule schedule;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// What the merging of rules is checked against: every view that can occur, in every
+// orientation, with the brick that belongs there. Views are compared as bytes, which makes
+// sorting fast and the order of the result the same everywhere.
 #include "synthesis/local_views.h"
 
 #include <algorithm>
@@ -10,6 +13,7 @@
 namespace stig {
 namespace {
 
+/// Byte order of states is an arbitrary order; what counts is that it is total and cheap.
 bool less(const View& a, const View& b) {
   return std::memcmp(a.at.data(), b.at.data(), a.at.size()) < 0;
 }
@@ -50,11 +54,13 @@ View view_of(const Frame& frame, const Site& site, std::uint32_t mask, const Col
   return view;
 }
 
+/// Memory is one view per state and orientation: this is the largest array of a synthesis.
 std::optional<std::vector<LocalView>> local_views(const Schedule& schedule,
                                                   const Colouring& colours,
                                                   const Allowance& allowance) {
   const Frame& frame = *schedule.frame;
   std::vector<LocalView> views;
+  // The bare views stand for everything farther from the target than its border.
   for (const bool on_floor : {false, true}) {
     Site bare;
     bare.on_floor = on_floor;
@@ -73,6 +79,8 @@ std::optional<std::vector<LocalView>> local_views(const Schedule& schedule,
     }
   }
   std::sort(views.begin(), views.end(),
+            // Views that are equal demand the same brick, or the colouring would have a
+            // clash.
             [](const LocalView& a, const LocalView& b) { return less(a.view, b.view); });
   const auto last = std::unique(views.begin(), views.end(), [](const auto& a, const auto& b) {
     assert(!(a.view == b.view) || a.wanted == b.wanted);
@@ -84,6 +92,7 @@ std::optional<std::vector<LocalView>> local_views(const Schedule& schedule,
 
 std::vector<ExactRule> exact_rules(const Schedule& schedule, const Colouring& colours) {
   const Frame& frame = *schedule.frame;
+  // Keys that are turns of each other need one rule: the least image names the class.
   std::map<View, ExactRule, LessView> classes;
   for (const Key& key : schedule.keys) {
     const Site& site = frame.sites[static_cast<std::size_t>(key.site)];

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Covering by separate-and-conquer, after FOIL (J. R. Quinlan, "Learning logical
+// definitions from relations", Machine Learning 5, 1990): take an exact rule that is not
+// covered yet, add the most telling demand until no wrong view matches, take away demands
+// that turn out to be needless, and count what else the pattern covers.
 #include "synthesis/merge.h"
 
 #include <algorithm>
@@ -22,7 +26,7 @@ struct Demand {
   StateSet states;
 };
 
-/// Of very many views this number is worked on at first.
+/// At most about so many views are worked on at first.
 constexpr std::size_t kWorkingViews = 20'000;
 constexpr std::size_t kViolatedAtOnce = 500;
 /// Steps for looking at one view or pattern: at all its cells, at one, at those asked for.
@@ -57,6 +61,8 @@ class Merger {
         exact_(exact),
         all_views_(views),
         allowance_(allowance) {
+    // A sample of every n-th view is worked on; when a finished rule violates others, those
+    // join the sample. So soundness is against all views, at the cost of the sample.
     const std::size_t step = std::max<std::size_t>(1, views.size() / kWorkingViews);
     for (std::size_t i = 0; i < views.size(); i += step) work_on(views[i]);
   }
@@ -129,6 +135,8 @@ class Merger {
     return rule;
   }
 
+  // A demand is one state, or "any brick": intermediate sets would be hard to read in a
+  // drawing.
   /// What may be asked of a cell so that the seed still matches.
   void for_each_demand(const View& seed, const auto& visit) const {
     for (std::size_t i = 0; i < size_; ++i) {
@@ -137,6 +145,7 @@ class Merger {
     }
   }
 
+  // Information gain in bits, weighted by the views that remain matched.
   /// The gain of a demand that leaves p of p0 views to be matched and n of n0 others.
   static double gain(double p0, double n0, double p, double n) {
     return p * (std::log2(p / (p + n)) - std::log2(p0 / (p0 + n0)));
@@ -172,11 +181,13 @@ class Merger {
         n += untouched ? all_.showing[demand.at][s] - of_colour_[place].showing[demand.at][s]
                        : bad.showing[demand.at][s];
       }
+      // Patterns for other bricks have to stay disjoint from this one, as `stigc check`
+      // demands; they count like views.
       for (const Pattern* other : active.other) {
         n += (other->allowed[demand.at] & demand.states).none() ? 0 : 1;
       }
       if (n >= active.bad.size() + active.other.size()) return;  // tells nothing
-      // Of demands that tell the same, those on faces are the plainest to read.
+      // Among demands that tell the same, those on faces are the plainest to read.
       const double value = gain(p0, n0, p, n) + (frame_.neighbours().is_face[demand.at] ? 1e-6 : 0);
       if (value > most) {
         most = value;
@@ -245,6 +256,8 @@ class Merger {
     return asked;
   }
 
+  // A pattern stays sound as long as every wrong view is kept out by some remaining demand,
+  // so relaxing is a hitting-set problem over these masks; minimal masks suffice.
   /// Which demands keep out what must be kept out: for each view and pattern the set of
   /// those that do, sets that hold another left out.
   std::vector<std::uint32_t> keepers(const MergedRule& rule,
@@ -333,6 +346,8 @@ class Merger {
     rules_.push_back(std::move(rule));
   }
 
+  // A rule is needless when each exact rule that it covers is covered by another that is
+  // kept.
   void leave_out_the_needless() {
     if (allowance_.out_of_time()) return;
     allowance_.spend(rules_.size() * exact_.size() * frame_.group.size() * kStepsOfAsking);
@@ -400,6 +415,8 @@ std::vector<MergedRule> merge_rules(const Frame& frame, int colours,
   std::vector<std::size_t> order(exact.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::vector<MergedRule> best = merger.cover(order);
+  // Covers depend on the order in which seeds are taken; random orders are drawn from fixed
+  // seeds.
   for (int again = 1; again < restarts && !allowance.passed(); ++again) {
     Random random(1, static_cast<std::uint32_t>(again), Purpose::order, 0, 0);
     for (std::size_t i = order.size(); i > 1; --i) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Orders of placement: breadth-first ranks, orders grown by a key along a frontier, and the
+// enumeration of all orders of a few orbits. In each, every orbit has a neighbour of lower
+// rank, so it is never placed beside nothing.
 #include "synthesis/order.h"
 
 #include <fmt/format.h>
@@ -27,6 +30,7 @@ void for_each_beside(const Frame& frame, std::size_t orbit, const Visit& visit) 
   }
 }
 
+/// An orbit is sorted by the least key of its cells, so the order has the group's symmetry.
 std::vector<std::vector<std::int32_t>> keys_of_orbits(const Frame& frame, const SortKey& key) {
   std::vector<std::vector<std::int32_t>> least(frame.orbits.size());
   for (std::size_t i = 0; i < frame.cells.size(); ++i) {
@@ -61,6 +65,8 @@ std::vector<std::int32_t> distances(const Frame& frame, Steps steps) {
   return distance;
 }
 
+/// Neighbours at one distance are ties: each may come first, and rules must do in every
+/// case.
 Order breadth_first(const Frame& frame, Steps steps) {
   static constexpr std::array<const char*, 3> kNames = {"faces", "edges", "corners"};
   return {fmt::format("breadth-first by {}, ties free", kNames[static_cast<std::size_t>(steps)]),
@@ -80,6 +86,8 @@ Order listed(const Frame& frame, const std::string& name, const std::vector<int>
 
 Order grown(const Frame& frame, const std::string& name, const SortKey& key) {
   const auto keys = keys_of_orbits(frame, key);
+  // A set serves as a priority queue: O(n log n), and equal keys are resolved by the
+  // orbit's number.
   std::set<std::pair<std::vector<std::int32_t>, std::size_t>> frontier;
   std::vector<bool> known(frame.orbits.size(), false);
   const auto reach = [&](std::size_t orbit) {
@@ -120,6 +128,8 @@ class Lister {
   }
 
  private:
+  // The enumeration is depth first over levels; `rank_` is shared and undone on the way
+  // back.
   bool has_beside(std::size_t orbit, const auto& wanted) const {
     bool found = false;
     for_each_beside(frame_, orbit, [&](std::size_t other) { found |= wanted(other); });
@@ -137,6 +147,8 @@ class Lister {
     return out;
   }
 
+  // Ties matter only within a connected set of orbits: orbits that do not touch see nothing
+  // of each other's order.
   /// Those of a few orbits that have a bit in `chosen`, when they hang together.
   std::vector<std::size_t> connected(const std::vector<std::size_t>& of, std::size_t chosen) const {
     std::vector<std::size_t> level, reached;
@@ -193,6 +205,8 @@ class Lister {
 
 }  // namespace
 
+/// More than `most` orders give none at all: an incomplete list would be of no use to a
+/// claim.
 std::vector<Order> all_orders(const Frame& frame, std::size_t most, Ties ties) {
   return Lister(frame, most, ties).list();
 }

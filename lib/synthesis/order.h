@@ -32,9 +32,9 @@ std::vector<std::int32_t> distances(const Frame& frame, Steps steps);
 /// What cells are sorted by, lexicographically.
 using SortKey = std::function<std::vector<std::int32_t>(Cell)>;
 
-/// Of the orbits beside what is there, the one with the least key is placed next, each
-/// with a rank of its own: a cell always has something before it. An orbit's key is the
-/// least of its cells'. All orbits must be connected to the start (asserted).
+/// Grows an order from the start: the orbit beside what is there with the least key comes next,
+/// each with a rank of its own: a cell always has something before it. An orbit's key is the least
+/// of its cells'. All orbits must be connected to the start (asserted).
 Order grown(const Frame& frame, const std::string& name, const SortKey& key);
 /// Rank by distance, ties left free.
 Order breadth_first(const Frame& frame, Steps steps);

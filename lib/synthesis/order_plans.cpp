@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The families of orders that are tried, each in all 48 ways to read coordinates (3! axes,
+// 2^3 directions). Why these: docs/synthesis.md, "Orders, and counting". Plans are recipes;
+// orders of large targets are made when their turn comes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -29,6 +32,7 @@ std::string words(const Axes& axes) {
   return out;
 }
 
+/// Sorted first, so that next_permutation goes through all.
 std::vector<Axes> all_axes() {
   std::vector<Axes> all;
   std::array<int, 3> axis{2, 1, 0};
@@ -44,6 +48,8 @@ std::vector<Axes> all_axes() {
 /// Rounds towards minus infinity.
 std::int32_t quotient(std::int32_t a, std::int32_t b) { return (a - (((a % b) + b) % b)) / b; }
 
+/// Distance first, so shells are completed one after another; coordinates only break ties
+/// within a shell.
 Order by_distance(const Frame& frame, Steps steps, const Axes& axes, const std::string& name) {
   const std::vector<std::int32_t> distance = distances(frame, steps);
   return grown(frame, name, [&](Cell c) {
@@ -54,7 +60,9 @@ Order by_distance(const Frame& frame, Steps steps, const Axes& axes, const std::
   });
 }
 
-/// Cells with the most neighbours there come first; ties by distance, then coordinates.
+/// Cells with the most neighbours there come first; ties by distance, then coordinates. A
+/// priority queue with stale entries: an orbit is pushed again whenever its crowd grows,
+/// and entries with an old crowd are skipped. O(n x neighbours x log n).
 Order by_crowd(const Frame& frame, const Axes& axes, const std::string& name) {
   const std::vector<std::int32_t> distance = distances(frame, Steps::corners);
   const Neighbourhood& n = frame.neighbours();
@@ -119,6 +127,7 @@ void add_rasters(std::vector<OrderPlan>& plans) {
   }
 }
 
+/// Rows within a ribbon advance together, which lets them count in digits.
 /// Slabs `high` thick along the first axis, in them ribbons `wide` along the second,
 /// which grow along the third.
 void add_ribbons(std::vector<OrderPlan>& plans) {
@@ -148,6 +157,8 @@ void add_crowded(std::vector<OrderPlan>& plans) {
 
 }  // namespace
 
+/// The order of plans decides what a small effort gets to see, and with it results: it is
+/// part of the definition of `--effort`.
 std::vector<OrderPlan> order_plans() {
   std::vector<OrderPlan> plans;
   add_breadth_first(plans);

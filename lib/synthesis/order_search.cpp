@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Stochastic hill climbing over orders, for targets with all colours given. An order is a
+// place for each orbit, realised by growing along the frontier; a step moves one orbit that
+// takes part in a clash. Steps that do not increase the number of clashes are kept, so
+// plateaus are crossed; when none helps for a while, the next beginning is tried.
 #include "synthesis/order_search.h"
 
 #include <algorithm>
@@ -10,6 +14,8 @@ namespace {
 
 /// Changes without gain after which the next beginning is tried.
 constexpr int kPatience = 400;
+/// Enough to compare orders; counting all clashes of a hopeless order would take most of
+/// the time.
 constexpr std::size_t kMostClashes = 5000;
 
 struct Judged {
@@ -47,6 +53,7 @@ class Searcher {
   OrderSearch result;
 
  private:
+  // Gaps between places leave room to move an orbit between two others.
   static constexpr std::int32_t kSpread = 4;
 
   Judged judge() {

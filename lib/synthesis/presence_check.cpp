@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The check of docs/synthesis.md for rules that ask only for presence: linear in cells x
+// rules, without local states, and so fit for solids of any size. Soundness rests on
+// monotonicity: what matches goes on matching as the structure grows, so it is enough to
+// look at the whole target once and to follow one order of growth.
 #include "synthesis/presence_check.h"
 
 #include <algorithm>
@@ -35,6 +39,8 @@ AskingRule asking(const MergedRule& merged, std::size_t neighbours) {
   return rule;
 }
 
+/// For "nothing wrong is ever placed" an absence is granted, since the cell may still be
+/// empty; for "this can be placed" it must hold in the finished target.
 /// Is what must not be there taken as absent, or held to the finished target?
 enum class Absences : std::uint8_t { granted, held };
 
@@ -53,6 +59,7 @@ class GrowthJudge {
     placed_[static_cast<std::size_t>(start_)] = 1;
     for (std::size_t next = 0; next < order_.size() && !allowance_.passed(); ++next) {
       allowance_.spend(grid_.step.size() * rules_.size() * kStepsOfRule);
+      // Neighbours of the newest brick are the only sites whose view has changed.
       for (const std::int32_t step : grid_.step) {
         const std::int32_t site = order_[next] - step;
         if (!grid_.is_solid(site) || has(site) || !any_rule(site)) continue;

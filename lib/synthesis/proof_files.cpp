@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Writes the problem and the formula of a minimality proof; the header has the form, and
+// docs/proofs.md says how it is checked. Every clause is preceded by its reason, equal
+// reasons in a row being written once.
 #include "synthesis/proof_files.h"
 
 #include <fmt/format.h>
@@ -46,6 +49,8 @@ std::string print_cnf(const Differences& differences, int named, int k,
   Encoding encoding(differences, named, k);
   std::string body, last;
   std::size_t clauses = 0;
+  // Clauses are counted while they are written, since the header comes before them and
+  // needs their number.
   const auto sink = [&](std::span<const int> literals, ClauseKind kind) {
     std::string reason = reason_of(differences, naming, encoding, kind);
     if (reason != last) fmt::format_to(std::back_inserter(body), "c {}\n", reason);
@@ -59,6 +64,8 @@ std::string print_cnf(const Differences& differences, int named, int k,
   return fmt::format("p cnf {} {}\n", encoding.variables(), clauses) + body;
 }
 
+/// Written by hand and not by a JSON library, so that the bytes are the same with every
+/// version of one.
 std::string print_problem(const Schedule& schedule, int named, int k) {
   const Frame& frame = *schedule.frame;
   std::string out = fmt::format(

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Says and draws why a target cannot be built. Obstacles that hold for every order (a start
+// outside the target, separate parts, a missing symmetry) are proved; look-alike sites and
+// too few colours are said of the orders that were tried, unless all were.
 #include "synthesis/reasons.h"
 
 #include <fmt/format.h>
@@ -14,6 +17,8 @@ namespace {
 
 using Kind = Obstacle::Kind;
 
+/// Connected by neighbours, corners included: what a rule cannot see it cannot continue
+/// from.
 /// Cells reached from the start by steps between neighbours.
 std::vector<bool> reached(const Target& target, const std::vector<Cell>& start) {
   const Neighbourhood& n = neighbourhood(target.lattice);
@@ -47,6 +52,7 @@ std::optional<Obstacle> start_problem(const Target& target, const Placing& placi
     return Obstacle{Kind::bad_start, true, "the target reaches below the floor (z = 0)", "", {}};
   }
   return std::nullopt;
+  // Order matters: later checks presuppose a start that lies in the target.
 }
 
 }  // namespace
@@ -85,6 +91,8 @@ std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placi
   return std::nullopt;
 }
 
+/// Greedy: a cell of each part that is still cut off, so the parts decide how many starts
+/// there are.
 std::vector<Cell> one_of_each_part(const Target& target, const std::vector<Cell>& start) {
   std::vector<Cell> starts = start.empty() ? std::vector<Cell>{target.cells.front()} : start;
   while (true) {
@@ -97,6 +105,8 @@ std::vector<Cell> one_of_each_part(const Target& target, const std::vector<Cell>
 
 namespace {
 
+/// The drawing is laid out like those of rule files: slices from above to below, rows from
+/// the back.
 /// What a site shows, slices as in a rule set's drawings: a given colour by its symbol,
 /// any other brick as #.
 std::string draw_site(const Frame& frame, const Site& site, std::uint32_t mask,
@@ -125,6 +135,8 @@ std::string draw_site(const Frame& frame, const Site& site, std::uint32_t mask,
   return out;
 }
 
+/// Cells of a clique that form a straight run have the most instructive reason: a run has
+/// to count.
 bool in_a_row(const std::vector<Cell>& cells) {
   if (cells.size() < 3) return false;
   const Offset step = cells[1] - cells[0];
@@ -173,6 +185,8 @@ Obstacle describe_look_alikes(const Schedule& schedule, const Clash& clash, cons
           {}};
 }
 
+/// The reason is sought where it is shortest: a clique that is too large, else an
+/// irreducible set of clashes that cannot all be avoided.
 Obstacle describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
                               const Allowance& allowance) {
   Obstacle out{Kind::colours,

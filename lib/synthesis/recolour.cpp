@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Finds few cells whose given colours stand in the way. First all cells are free; then as
+// many as possible are bound to their given colours again, one after the other. The result
+// is minimal in that no change can be taken back, for one order; finding the least number
+// of changes would be a MaxSAT problem.
 #include "synthesis/recolour.h"
 
 namespace stig {
@@ -31,6 +35,8 @@ std::optional<Colouring> least_changed(const Schedule& schedule, int named,
   }
   Colouring colours = given;
   if (!can_keep(schedule, allowed, named, allowance, colours)) return std::nullopt;
+  // Cells that kept their colour without being asked are bound at once, which saves a
+  // question each.
   for (std::size_t i = 0; i < orbits.size(); ++i) {
     if (colours[i] == given[i]) allowed[i] = orbits[i].colours & StateSet::bricks(named);
   }

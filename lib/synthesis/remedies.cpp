@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Tries what a user could change and reports only what worked. Each trial is a synthesis of
+// its own with a sixth of the effort, so an answer costs at most about as much as the
+// failed search. Remedies are phrased as options of `stigc synth`, ready to be used.
 #include "synthesis/remedies.h"
 
 #include <fmt/format.h>
@@ -57,6 +60,7 @@ class RemedyFinder {
         counted(solution.rules.size(), "rule")));
   }
 
+  // The start that was given may be the obstacle; the likely ones are tried in its place.
   void other_start() {
     if (options_.start.empty()) return;
     SynthesisOptions options = options_;
@@ -74,6 +78,7 @@ class RemedyFinder {
     add(starts, *solution);
   }
 
+  // A subgroup asks for less symmetry of the target, at the price of more rules.
   void smaller_group() {
     SynthesisOptions options = options_;
     for (const Symmetry smaller : {Symmetry::rotations, Symmetry::none}) {
@@ -85,6 +90,8 @@ class RemedyFinder {
     }
   }
 
+  // Under a symmetry the start has to be mapped to itself, which one cell of each part is
+  // not.
   void start_in_each_part() {
     if (options_.symmetry != Symmetry::none) return;
     SynthesisOptions options = options_;
@@ -109,6 +116,8 @@ class RemedyFinder {
     }
   }
 
+  // Colours that a file gives are a demand on the rules; without them the shape may well be
+  // buildable.
   void free_colours() {
     if (target_.bricks.empty()) return;
     Target free = target_;
@@ -137,7 +146,9 @@ class RemedyFinder {
     add(fmt::format("colour {}", changes), *solution);
   }
 
-  /// Cells beside those that have to count, or on them: three times as many at most.
+  /// Cells beside those that have to count, or on them: three times as many at most. The
+  /// plain target is solved with all colours first: its clique shows which cells have to
+  /// count.
   void scaffold() {
     SynthesisOptions options = options_;
     options.most_colours = kMaxColours;

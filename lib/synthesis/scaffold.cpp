@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Extra cells that let a straight run count in digits or by height (docs/synthesis.md,
+// "Orders, and counting"). Candidates are rows moved to one or two sides of the run, and a
+// zigzag wall on a level run; each is tried as a target of its own.
 #include "synthesis/scaffold.h"
 
 #include <algorithm>
@@ -18,6 +21,7 @@ std::optional<Offset> step_of(const std::vector<Cell>& run) {
   return step;
 }
 
+/// Two sides come with the row across, so that the run becomes two by two.
 /// Rows beside a run: the run moved to one side, or to two sides and across. Moved along
 /// itself it would only be longer.
 std::vector<std::vector<Offset>> rows_beside(const Neighbourhood& n, std::optional<Offset> step) {
@@ -54,6 +58,8 @@ std::vector<Cell> cells_beside(const Target& target, const std::vector<Cell>& ru
 }
 
 /// A run as long as the target makes it, when the cells are in a row; otherwise themselves.
+/// The clique may be a part of the run only; a scaffold along all of it leaves no end
+/// without digits.
 std::vector<Cell> lengthened(const Target& target, std::vector<Cell> run) {
   const std::optional<Offset> step = step_of(run);
   if (!step) return run;
@@ -64,6 +70,8 @@ std::vector<Cell> lengthened(const Target& target, std::vector<Cell> run) {
   return run;
 }
 
+/// The height of the top identifies the position within a slope, so slopes need one colour
+/// each.
 /// A wall on a level run whose top rises and falls by one cell a step, up to `high`.
 std::vector<Cell> wall_on(const Target& target, const std::vector<Cell>& run, std::int32_t high) {
   std::vector<Cell> cells;

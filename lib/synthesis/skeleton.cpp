@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Greedy search for a skeleton: of the likeliest rays, the one is taken whose fills place
+// the most cells for each rule it costs. The fills' closure is recomputed for each trial on
+// a copy of the grid, which is what most of the time goes into. In the end fills that are
+// not needed are left out, first by bisection on the plainest prefix, then one by one.
 #include "synthesis/skeleton.h"
 
 #include <algorithm>
@@ -9,7 +13,7 @@ namespace stig {
 namespace {
 
 constexpr Colour kFillColour = 1, kFirstRay = 2;
-/// Of all rays that could be next, so many are grown to see what follows.
+/// So many of the rays that could be next are grown to see what follows.
 constexpr std::size_t kGrown = 16;
 /// Steps of placing a brick, for each fill.
 constexpr std::uint64_t kStepsOfBrick = 100, kStepsOfFill = 3;
@@ -49,6 +53,8 @@ class SkeletonSearch {
 
   bool is_level(std::size_t along) const { return grid_.neighbours().offsets[along].z == 0; }
 
+  // A level ray cannot tell where to end, having one height throughout, so it is one brick
+  // long.
   /// Cells ahead that nothing fills yet; of a level ray the next alone.
   std::size_t open_ahead(const Joint& joint, std::size_t along) const {
     std::size_t length = 0;
@@ -110,6 +116,7 @@ class SkeletonSearch {
       std::vector<std::int32_t> grown = grow(joints_[sprout.joint], sprout.along, trial);
       charge(trial.count() - filled_.count());
       const std::size_t gained = trial.count() - filled_.count();
+      // Gains per rule are compared by cross-multiplication, in integers.
       if (best && gained * cost(places) <= gain * cost(grown)) continue;
       gain = gained;
       best = std::move(trial);
@@ -123,6 +130,8 @@ class SkeletonSearch {
     return true;
   }
 
+  // The first ray continues in the start's colour if it rises or falls; a level one in that
+  // colour would match itself again and never end.
   void add(const Joint& from, std::size_t along, std::vector<std::int32_t> places) {
     const bool goes_on = skeleton_.rays.empty() && !is_level(along);
     if (skeleton_.rays.empty()) skeleton_.colours = kFirstRay;

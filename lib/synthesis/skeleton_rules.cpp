@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The rules of a skeleton. Rays look behind themselves for a colour; a fill asks for the
+// colours that its bricks actually have beside them. Rules that place different bricks must
+// not match together anywhere, so a draft that meets an earlier one is parted from it by a
+// cell's states or by heights. Whether the result builds the target is decided by
+// presence_check.h, which makes all of this heuristic.
 #include "synthesis/skeleton_rules.h"
 
 #include <algorithm>
@@ -60,9 +65,11 @@ class SkeletonDrafts {
     return static_cast<Colour>(skeleton_.colours + static_cast<int>(fill));
   }
 
-  /// The rays, and then what each fill places, one fill after the other, in a colour of its own:
-  /// so a fill's rule can ask for the colours that its bricks have beside them, and
-  /// matches where these are and nowhere else.
+  /// The rays, and then what each fill places, one fill after the other, in a colour of its
+  /// own: so a fill's rule can ask for the colours that its bricks have beside them, and
+  /// matches where these are and nowhere else. Fills are painted in turn until nothing
+  /// changes; the colours a fill sees depend on which fill came first, and that order is
+  /// fixed.
   void paint() {
     colours_[static_cast<std::size_t>(skeleton_.start)] = skeleton_.rays.front().from_colour;
     for (const Ray& ray : skeleton_.rays) {
@@ -109,6 +116,8 @@ class SkeletonDrafts {
     return any;
   }
 
+  // A fill's rule asks for the very colours that its bricks have beside them, the union
+  // over all of them.
   void add_fill(std::size_t f) {
     Draft draft;
     draft.rule.place = colour_of_fill(f);
@@ -138,6 +147,8 @@ class SkeletonDrafts {
     const bool from_start = ray.from_colour == ray.colour;
     if (!from_start) {
       Draft first = behind(ray, ray.from_colour);
+      // A colour that occurs once identifies its brick; otherwise the height says where on
+      // the older ray this one begins.
       if (!is_single(ray.from_colour)) first.low = first.high = grid_.height(ray.places.front());
       drafts_.push_back(first);
     }
@@ -161,6 +172,8 @@ class SkeletonDrafts {
     return false;
   }
 
+  // Two drafts meet if some height and, at each neighbour, some state satisfies both; cells
+  // are independent of each other, so this is exact.
   bool meet(const Draft& a, const Draft& b) const {
     if (a.low > b.high || b.low > a.high) return false;
     for (std::size_t i = 0; i < grid_.step.size(); ++i) {
@@ -203,6 +216,8 @@ class SkeletonDrafts {
     if (other.high != kHighest && above.low <= above.high) out.push_back(above);
   }
 
+  // The states that can occur here; a set of other bits would be no pattern that can be
+  // written.
   StateSet all_states() const {
     const StateSet all = StateSet::empty_cell() | bricks();
     return floor_ ? all | StateSet::floor() : all;
@@ -226,7 +241,8 @@ class SkeletonDrafts {
   std::vector<Draft> drafts_;
 };
 
-/// Numbers the colours from 1 when nothing is left to fill.
+/// Numbers the colours from 1 when nothing is left to fill. Colours must be numbered
+/// without a gap in the file.
 void close_gap(const SolidGrid& grid, SkeletonRules& out) {
   const auto filled = [&](std::int32_t cell) {
     return out.colours[static_cast<std::size_t>(cell)] == 1;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A dense box around the target with a margin, so that neighbours are fixed steps in an
+// index and need no test of bounds. Dense is right here: fills and rays touch all cells of
+// a solid many times. The limit keeps a grid within some tens of megabytes.
 #include "synthesis/solid_grid.h"
 
 #include <algorithm>
@@ -39,6 +42,7 @@ std::optional<SolidGrid> make_solid_grid(const Target& target, bool floor) {
     return std::nullopt;
   }
   const Neighbourhood& n = grid.neighbours();
+  // A step is the difference of two places, the same everywhere in the box.
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     grid.step.push_back(grid.place_of(grid.low + n.offsets[i]));
   }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Likely starts: the lowest corner, from which all growth is one-sided, and the middle of
+// the lowest level, which halves the runs that have to count. Under a symmetry the start
+// has to lie on the axis, or around it where the axis passes between cells.
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -18,6 +21,7 @@ std::vector<std::vector<Cell>> likely_starts(const Target& target, Symmetry symm
     // The cells on the axis, or nearest to it, level by level from the lowest.
     for (std::int32_t z = low.z; z <= high.z && starts.empty(); ++z) {
       std::vector<Cell> middle;
+      // One cell where the extent is odd, two where it is even.
       for (std::int32_t x = (low.x + high.x) >> 1; x <= (low.x + high.x + 1) >> 1; ++x) {
         for (std::int32_t y = (low.y + high.y) >> 1; y <= (low.y + high.y + 1) >> 1; ++y) {
           if (index_in(target.cells, {x, y, z}) >= 0) middle.push_back({x, y, z});

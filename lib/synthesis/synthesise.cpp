@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The search for a rule set, by shares of one effort: a skeleton first, then orders, then
+// colours (few questions to the solver for every order, then longer ones for the orders
+// that remain), then more solutions with as many colours, then merging. All limits are
+// counted work, so the same input gives the same result; only the deadline depends on the
+// machine, and `cut_short` says when it did.
 #include "synthesis/synthesise.h"
 
 #include <fmt/format.h>
@@ -130,13 +135,16 @@ class Synthesiser {
     }
   }
 
+  // A refused question is remembered only when it was answered: a given-up one may succeed
+  // with a longer slice.
   /// The fewest colours of an order, up to `most`: by halving, a slice of the effort for
   /// each question. What is not answered within it counts as no, but is not remembered so.
   void halve(ColouringSearch& search, Candidate& candidate, int most, std::uint64_t slice,
              const Allowance& allowance) {
     int low = candidate.least();
     int high = std::min(most, std::max(low, kFirstColours));
-    // More and more until so many do, then halve.
+    // More and more until so many do, then halve. Growing by factors of four finds a
+    // feasible number after few questions; feasible ones are mostly quick.
     while (high < most &&
            ask(search, candidate, high, slice, allowance, Hint::random) != Answered::yes) {
       if (given_up(search, candidate) || allowance.passed()) return;
@@ -156,7 +164,8 @@ class Synthesiser {
     }
   }
 
-  /// Other solutions with as many colours: the more regular, the fewer rules.
+  /// Other solutions with as many colours: the more regular, the fewer rules. Regular
+  /// starting colours give solutions with repeating views, and with them fewer rules.
   void gather(double until) {
     const Allowance allowance = share(until);
     const int more = options_.fewest == Fewest::rules || large() ? kMoreColours : 0;
@@ -232,6 +241,8 @@ class Synthesiser {
 
   void explain_failure() {
     const std::vector<Candidate>& list = candidates_.list;
+    // Nothing may be claimed unless every candidate has been refuted, and no clock has
+    // interfered.
     const bool all_refuted = std::all_of(list.begin(), list.end(), [&](const Candidate& c) {
       return c.least() > options_.most_colours;
     });
@@ -250,6 +261,7 @@ class Synthesiser {
           describe_few_colours(*schedule, named_, options_.most_colours, easiest->least(),
                                Allowance{&effort_, effort_.spent() + steps(kExplaining)});
     }
+    // "Proved" says: for all starts, all orders, and heights included.
     if (result_.obstacle) result_.obstacle->proved = every_order_ && heights_do_not_help();
   }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Takes cells and colours from a structure file. Colours that no brick has are dropped and
+// the rest are numbered anew, since rule sets have no bricks without use. The bricks "?"
+// and "#" stand for any colour, as in drawings of rules.
 #include "synthesis/target.h"
 
 namespace stig {
