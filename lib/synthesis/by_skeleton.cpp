@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "base/text.h"
@@ -25,6 +26,7 @@ constexpr int kGoodEnough = 6;
 /// Corners are natural ends of rays; a start in the middle of a face suits flat targets.
 /// The outermost cells of bottom and top, and those nearest to their middles.
 std::vector<Cell> outermost(const Target& target) {
+  assert(!target.cells.empty());
   Cell low = target.cells.front(), high = low;
   for (const Cell c : target.cells) {
     low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};

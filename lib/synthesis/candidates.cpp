@@ -169,6 +169,7 @@ void Candidates::look_at(std::size_t frame, const Maker& make, const Allowance& 
 
 std::optional<Schedule> Candidates::schedule_of(const Candidate& candidate,
                                                 const Allowance& allowance) const {
+  assert(candidate.frame < frames_.size());
   const Frame& frame = *frames_[candidate.frame];
   if (allowance.out_of_time()) return std::nullopt;
   BadOrder bad;

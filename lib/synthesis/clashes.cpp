@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 #include "base/hash.h"
 
@@ -176,6 +177,7 @@ std::vector<Clash> find_clashes(const Schedule& schedule, const Colouring& colou
 
 std::vector<std::pair<int, int>> compared_orbits(const Schedule& schedule, const Clash& clash) {
   const Frame& frame = *schedule.frame;
+  assert(static_cast<std::size_t>(clash.key) < schedule.keys.size());
   const Key& key = schedule.keys[static_cast<std::size_t>(clash.key)];
   const Site& from = frame.sites[static_cast<std::size_t>(key.site)];
   const Site& to = frame.sites[static_cast<std::size_t>(clash.site)];

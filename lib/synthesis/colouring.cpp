@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cadical.hpp>
+#include <cassert>
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
@@ -140,6 +141,7 @@ class Solver {
       // for being many; the first will do.
       int c = 1;
       while (solver_.val(encoding_.has(static_cast<int>(i), c)) < 0) ++c;
+      assert(c <= k_);
       colours[i] = static_cast<Colour>(c);
     }
     return colours;

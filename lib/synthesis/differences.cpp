@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 
 #include "base/hash.h"
 
@@ -65,6 +66,7 @@ std::vector<int> greedy_clique(const std::vector<std::vector<int>>& differ) {
 }  // namespace
 
 std::int32_t Differences::pair(int a, int b) {
+  assert(a != b);
   if (a > b) std::swap(a, b);
   const std::uint64_t key = static_cast<std::uint64_t>(a) << 32 | static_cast<std::uint32_t>(b);
   const auto [at, added] = pair_index_.try_emplace(key, static_cast<std::int32_t>(pairs_.size()));

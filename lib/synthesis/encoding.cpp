@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace stig {
 
@@ -48,6 +49,7 @@ void Encoding::emit_domains(const std::vector<int>& naming, const Sink& sink) co
 
 void Encoding::emit_pair(std::int32_t pair, bool as_equal, const Sink& sink) {
   const auto p = static_cast<std::size_t>(pair);
+  assert(p < d_.pairs().size());
   if (differ_defined_.size() < d_.pairs().size()) {
     differ_defined_.resize(d_.pairs().size());
     equal_defined_.resize(d_.pairs().size());

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <map>
 #include <set>
 
@@ -128,6 +129,7 @@ FilledGrid::FilledGrid(const SolidGrid& grid, const std::vector<Fill>& fills, st
 }
 
 void FilledGrid::add(std::int32_t at) {
+  assert(static_cast<std::size_t>(at) < placed_.size());
   if (at == never_ || placed_[static_cast<std::size_t>(at)] != 0) return;
   placed_[static_cast<std::size_t>(at)] = 1;
   ++count_;

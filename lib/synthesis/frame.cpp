@@ -81,6 +81,7 @@ void add_orbits(const Target& target, const Placing& placing, const Turning& tur
     const int number = static_cast<int>(frame.orbits.size());
     for (const Orientation& g : frame.group) {
       const int image = index_in(frame.cells, *turning.image(g, orbit.at));
+      assert(image >= 0);
       int& of = frame.orbit_of[static_cast<std::size_t>(image)];
       if (of < 0) ++orbit.cells;
       of = number;

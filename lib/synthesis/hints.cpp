@@ -6,6 +6,7 @@
 #include "synthesis/hints.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/random.h"
 
@@ -37,6 +38,7 @@ std::vector<std::int32_t> depths(const Frame& frame) {
 }  // namespace
 
 Colouring hint_of(const Frame& frame, Hint hint, int k) {
+  assert(k >= 1);
   Colouring colours(frame.orbits.size(), 1);
   Random random(1, 0, Purpose::order, 0, 0);
   std::vector<std::int32_t> value(frame.orbits.size(), 0);

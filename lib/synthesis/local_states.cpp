@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -143,6 +144,7 @@ std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder&
   Schedule schedule;
   schedule.frame = &frame;
   schedule.order = std::move(order);
+  assert(schedule.order.rank.size() == frame.orbits.size());
   for (std::size_t orbit = 0; orbit < frame.orbits.size(); ++orbit) {
     add_before_and_beside(frame, orbit, schedule);
     problem.at = frame.orbits[orbit].at;

@@ -13,6 +13,7 @@
 // lower rank are there, and any of those of equal rank.
 #pragma once
 
+#include <cassert>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -28,6 +29,7 @@ struct LocalStates {
   std::vector<std::uint32_t> masks;
   std::vector<std::size_t> first;
   std::span<const std::uint32_t> of(std::size_t site) const {
+    assert(site + 1 < first.size());
     return {masks.data() + first[site], first[site + 1] - first[site]};
   }
 };

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -148,6 +149,7 @@ class Merger {
   // Information gain in bits, weighted by the views that remain matched.
   /// The gain of a demand that leaves p of p0 views to be matched and n of n0 others.
   static double gain(double p0, double n0, double p, double n) {
+    assert(p > 0);
     return p * (std::log2(p / (p + n)) - std::log2(p0 / (p0 + n0)));
   }
 
@@ -194,6 +196,7 @@ class Merger {
         best = demand;
       }
     });
+    assert(most > -std::numeric_limits<double>::infinity());
     return best;
   }
 

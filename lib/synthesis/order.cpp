@@ -74,6 +74,7 @@ Order breadth_first(const Frame& frame, Steps steps) {
 }
 
 Order listed(const Frame& frame, const std::string& name, const std::vector<int>& orbits) {
+  assert(orbits.size() <= frame.orbits.size());
   Order order{name, std::vector<std::int32_t>(frame.orbits.size(), 0)};
   std::int32_t rank = 0;
   for (const int orbit : orbits) {

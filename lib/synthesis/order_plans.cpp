@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 #include "synthesis/order.h"
 
@@ -46,7 +47,10 @@ std::vector<Axes> all_axes() {
 }
 
 /// Rounds towards minus infinity.
-std::int32_t quotient(std::int32_t a, std::int32_t b) { return (a - (((a % b) + b) % b)) / b; }
+std::int32_t quotient(std::int32_t a, std::int32_t b) {
+  assert(b > 0);
+  return (a - (((a % b) + b) % b)) / b;
+}
 
 /// Distance first, so shells are completed one after another; coordinates only break ties
 /// within a shell.

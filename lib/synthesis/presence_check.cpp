@@ -6,6 +6,7 @@
 #include "synthesis/presence_check.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -49,6 +50,7 @@ class GrowthJudge {
   GrowthJudge(const SolidGrid& grid, const PlaceColours& colours, std::int32_t start,
               const std::vector<MergedRule>& rules, const Allowance& allowance)
       : grid_(grid), colours_(colours), start_(start), allowance_(allowance) {
+    assert(colours.size() == grid.solid.size());
     for (const MergedRule& rule : rules) rules_.push_back(asking(rule, grid.step.size()));
   }
 

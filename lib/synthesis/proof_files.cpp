@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <iterator>
 
 #include "synthesis/encoding.h"
@@ -67,6 +68,7 @@ std::string print_cnf(const Differences& differences, int named, int k,
 /// Written by hand and not by a JSON library, so that the bytes are the same with every
 /// version of one.
 std::string print_problem(const Schedule& schedule, int named, int k) {
+  assert(schedule.order.rank.size() == schedule.frame->orbits.size());
   const Frame& frame = *schedule.frame;
   std::string out = fmt::format(
       "{{\"stigc_colouring\": 1, \"lattice\": \"{}\", \"symmetry\": \"{}\", \"floor\": {},\n"

@@ -5,6 +5,8 @@
 // of changes would be a MaxSAT problem.
 #include "synthesis/recolour.h"
 
+#include <cassert>
+
 namespace stig {
 namespace {
 
@@ -14,6 +16,7 @@ constexpr auto kStepsOfOrder = static_cast<std::uint64_t>(kStepsOfEffort / 20);
 /// Asks for a colouring of a schedule in which some orbits must keep their colours.
 bool can_keep(Schedule schedule, const std::vector<StateSet>& allowed, int named,
               const Allowance& allowance, Colouring& colours) {
+  assert(allowed.size() == schedule.frame->orbits.size());
   Frame frame = *schedule.frame;
   for (std::size_t i = 0; i < allowed.size(); ++i) frame.orbits[i].colours = allowed[i];
   schedule.frame = &frame;

@@ -74,6 +74,7 @@ std::vector<Cell> lengthened(const Target& target, std::vector<Cell> run) {
 /// each.
 /// A wall on a level run whose top rises and falls by one cell a step, up to `high`.
 std::vector<Cell> wall_on(const Target& target, const std::vector<Cell>& run, std::int32_t high) {
+  assert(high >= 1);
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < run.size(); ++i) {
     const auto phase = static_cast<std::int32_t>(i % (2 * static_cast<std::size_t>(high)));

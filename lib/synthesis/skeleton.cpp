@@ -29,6 +29,7 @@ class SkeletonSearch {
   SkeletonSearch(const SolidGrid& grid, std::int32_t start, const std::vector<Fill>& fills,
                  const SkeletonLimits& limits)
       : grid_(grid), fills_(fills), limits_(limits), filled_(grid, fills) {
+    assert(grid.is_solid(start));
     skeleton_.start = start;
     filled_.place(start);
     joints_.push_back({start, kFirstRay});

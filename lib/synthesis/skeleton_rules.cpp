@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -61,6 +62,7 @@ class SkeletonDrafts {
   Colour colour(std::int32_t at) const { return colours_[static_cast<std::size_t>(at)]; }
 
   Colour colour_of_fill(std::size_t fill) const {
+    assert(fill < skeleton_.fills.size());
     if (skeleton_.rays.empty() || fill == 0) return 1;
     return static_cast<Colour>(skeleton_.colours + static_cast<int>(fill));
   }

@@ -5,6 +5,7 @@
 #include "synthesis/solid_grid.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -34,6 +35,7 @@ std::uint32_t SolidGrid::solid_beside(std::int32_t place) const {
 }
 
 std::optional<SolidGrid> make_solid_grid(const Target& target, bool floor) {
+  assert(!target.cells.empty());
   SolidGrid grid;
   grid.lattice = target.lattice;
   lay_box(target, grid);

@@ -4,6 +4,7 @@
 // has to lie on the axis, or around it where the axis passes between cells.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdlib>
 
 #include "synthesis/synthesise.h"
@@ -11,6 +12,7 @@
 namespace stig {
 
 std::vector<std::vector<Cell>> likely_starts(const Target& target, Symmetry symmetry, bool) {
+  assert(!target.cells.empty());
   Cell low = target.cells.front(), high = low;
   for (const Cell c : target.cells) {
     low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};

@@ -4,6 +4,8 @@
 // and "#" stand for any colour, as in drawings of rules.
 #include "synthesis/target.h"
 
+#include <cassert>
+
 namespace stig {
 namespace {
 
@@ -26,6 +28,7 @@ Target target_of(const LoadedStructure& structure, ColourUse use) {
     }
   }
   for (const PlacedBrick& brick : bricks) {
+    assert(brick.brick < meaning.size());
     target.cells.push_back(brick.at);
     target.colours.push_back(meaning[brick.brick]);
   }
