@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Boxes are laid in one of two ways: at the origin that a file names, or around the start.
+// The rounding is part of the format: certificates speak of absolute cells, and the checker
+// has the same convention of its own (certify/space.cpp).
 #include "lattice/box.h"
 
 #include <algorithm>
@@ -6,6 +9,8 @@
 namespace stig {
 namespace {
 
+/// C++'s remainder takes the sign of the dividend, a cell's image has to lie within the
+/// box.
 std::int32_t wrap_one(std::int32_t value, std::int32_t low, std::int32_t size) {
   const std::int32_t rest = (value - low) % size;
   return low + (rest < 0 ? rest + size : rest);
@@ -14,6 +19,8 @@ std::int32_t wrap_one(std::int32_t value, std::int32_t low, std::int32_t size) {
 /// Lowest coordinate of a side of `size` with [low, high] in its middle.
 std::int32_t centred(std::int32_t low, std::int32_t high, std::int32_t size) {
   const std::int32_t spare = size - (high - low + 1);
+  // Rounds down for a negative spare as well, that is, for a start larger than the box;
+  // such a box is refused later, but by a message that needs its place.
   return low - (spare >= 0 ? spare / 2 : -((1 - spare) / 2));
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The thin layer over cairo. Everything that makes cairo's output depend on more than its
+// input is switched off here: hinting, metrics of a target, and identifiers that count
+// through the whole program. All other code draws in units of the page.
 #include "lattice/canvas.h"
 
 #include <cairo-svg.h>
@@ -14,6 +17,7 @@ namespace {
 
 constexpr const char* kFont = "DejaVu Sans";
 
+/// Cairo's streams hand out parts of a file as they come, which a string collects.
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
   static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), size);
   return CAIRO_STATUS_SUCCESS;
@@ -80,6 +84,8 @@ struct Canvas::Page {
   Page(const Page&) = delete;
   Page& operator=(const Page&) = delete;
 
+  // In this order: a context holds a reference to its surface. Called twice at most, from
+  // finish() and the destructor.
   void close() {
     if (cairo != nullptr) cairo_destroy(cairo);
     if (surface != nullptr) cairo_surface_destroy(surface);
@@ -88,6 +94,7 @@ struct Canvas::Page {
   }
 };
 
+/// Widths are needed to lay out a page before there is one, hence the one-pixel surface.
 double text_width(const std::string& text, const TextLook& look) {
   cairo_surface_t* surface = cairo_image_surface_create(CAIRO_FORMAT_A8, 1, 1);
   cairo_t* cairo = cairo_create(surface);
@@ -120,6 +127,8 @@ void Canvas::polygon(const PagePoint* corners, std::size_t count, Rgb fill, Rgb 
 }
 
 void Canvas::line(PagePoint from, PagePoint to, Rgb colour, double width) {
+  // A path that was begun before is discarded, so that drawing functions do not depend on
+  // each other.
   cairo_t* cairo = page_->cairo;
   cairo_new_path(cairo);
   cairo_move_to(cairo, from.x, from.y);
@@ -150,6 +159,8 @@ std::string Canvas::finish() {
       status = cairo_surface_write_to_png_stream(page_->surface, append, &page_->bytes);
     }
   } else {
+    // An .svg is complete only when its surface is finished; a .png is written from the
+    // surface as it stands.
     cairo_surface_finish(page_->surface);
     if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(page_->surface);
     page_->bytes = renumbered(page_->bytes);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// A hash table with linear probing over a dense list. Both are needed: engines ask for
+// membership at every neighbour of a deposit, and draw a site uniformly, which takes an
+// index. Deletion moves the last entry into the gap; so the order of the list, and with it
+// what a random index means, is a function of the history of changes alone and not of
+// addresses or of the standard library.
 #include "lattice/cell_marks.h"
 
 #include <algorithm>
@@ -10,6 +15,7 @@ namespace {
 
 constexpr std::size_t kFewestSlots = 64;
 
+/// Unsigned sums wrap, so far cells are as good as near ones.
 std::size_t home(Cell c, std::size_t mask) {
   const auto word = [](std::int32_t v) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v));
@@ -49,6 +55,7 @@ bool CellMarks::set(Cell cell, std::uint64_t marks) {
   return true;
 }
 
+/// Constant time. References to positions in the list do not survive it.
 void CellMarks::erase(std::size_t slot) {
   const std::uint32_t number = slots_[slot];
   free_slot(slot);
@@ -60,11 +67,15 @@ void CellMarks::erase(std::size_t slot) {
 }
 
 /// Frees a slot and moves later ones of its run back, so that no search breaks off.
+/// Backward-shift deletion (D. Knuth, TAOCP 3, 6.4, algorithm R): no tombstones, so probes
+/// stay short in tables that change all the time.
 void CellMarks::free_slot(std::size_t slot) {
   const std::size_t mask = slots_.size() - 1;
   std::size_t hole = slot;
   for (std::size_t next = (slot + 1) & mask; slots_[next] != 0; next = (next + 1) & mask) {
     const std::size_t wanted = home(entries_[slots_[next] - 1].cell, mask);
+    // The entry at `next` may move into the hole if its home does not lie between hole and
+    // `next`, cyclically.
     if (((next - wanted) & mask) >= ((next - hole) & mask)) {
       slots_[hole] = slots_[next];
       hole = next;
@@ -85,6 +96,7 @@ std::vector<Cell> CellMarks::cells_with(std::uint64_t marks) const {
   for (const Entry& entry : entries_) {
     if ((entry.marks & marks) != 0) cells.push_back(entry.cell);
   }
+  // Sorted, as a set has no order of its own that results could depend on.
   std::sort(cells.begin(), cells.end());
   return cells;
 }

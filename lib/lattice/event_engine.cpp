@@ -27,13 +27,18 @@ class EventRun {
  private:
   std::uint64_t present() const { return 1 | std::uint64_t{1} << world_.stage(); }
 
+  // A deposit changes the views of at most 26 sites, which world_.deposit reports; all
+  // other marks stay right. The cost of an event is therefore independent of the
+  // structure's size.
   void mark(Cell site, const View& view) {
     const std::uint64_t stages = world_.rules().open_stages(view, site.z, world_.stage());
+    // With one stage alone, a second record would only repeat the first.
     if (staged_ && !all_.set(site, stages)) return;  // nothing before, nothing now
     open_.set(site, stages & present());
   }
 
-  /// Goes on to the next stage that has something open, if the present one has not.
+  /// Goes on to the next stage that has something open, if the present one has not. A stage
+  /// that has nothing open when it begins ends at once, so several may be passed over.
   void settle() {
     while ((open_.size() == 0 || world_.stage_spent()) && world_.next_stage()) {
       open_.clear();
@@ -52,10 +57,14 @@ class EventRun {
 
   void step() {
     const std::uint64_t step = log_.begin_step();
+    // One stream of random numbers for each step, addressed by its number: the choice of a
+    // site, of a rule and of its firing come from it in this order, which traces and their
+    // replay rely on.
     Random random(config_->seed, config_->run, Purpose::event, 0, step);
     const Cell site = open_[random.below(open_.size())];
     const Match match = world_.choose(site, random);
     const double probability = world_.rules().probability(match.rule);
+    // A rule that does not fire leaves the site open; the step counts all the same.
     if (probability < 1 && random.unit() >= probability) return;
     const Colour colour = world_.rules().place(match.rule);
     open_.set(site, 0);

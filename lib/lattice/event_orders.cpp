@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Exhaustive search over the orders of events, breadth first by the number of bricks. A
+// state is a sorted list of events in one array per layer, found again by a hash and
+// compared in full, so that merging states is exact. The enabled events of a state are
+// inherited from its parent and corrected around the new brick only; views are read from
+// one shared array of cell states, into which the present state is written and taken back.
 #include "lattice/event_orders.h"
 
 #include <algorithm>
@@ -14,6 +19,8 @@ namespace {
 
 /// A site and a colour in one word: the site's number shifted by six bits.
 using Event = std::uint32_t;
+/// 62 colours fit six bits, which leaves 2^26 sites; the search is given up before that
+/// many are numbered.
 constexpr int kColourBits = 6;
 constexpr std::uint32_t kMaxSites = std::uint32_t{1} << (32 - kColourBits);
 
@@ -25,6 +32,8 @@ struct CellHash {
     const auto word = [](std::int32_t v) { return std::uint64_t{static_cast<std::uint32_t>(v)}; };
     return static_cast<std::size_t>(combine(word(c.x) << 32 | word(c.y), word(c.z)));
   }
+  // 26 neighbours may be numbered in one step, hence the margin before the limit of an
+  // event's bits.
 };
 
 /// The cells met so far, numbered, with the states they have in the structure
@@ -38,6 +47,7 @@ class Sites {
     cells_.resize(kFirst);
     around_.resize(kFirst);
     states_ = {kEmpty, kFloor};
+    // Cells outside get shared numbers: they never change, and need no entry of their own.
   }
 
   std::uint32_t number(Cell cell) {
@@ -55,6 +65,7 @@ class Sites {
   Cell cell(std::uint32_t site) const { return cells_[site]; }
   State state(std::uint32_t site) const { return states_[site]; }
   void set(std::uint32_t site, State state) { states_[site] = state; }
+  // Neighbours' numbers are cached: a site is looked at in many states.
   bool full() const { return cells_.size() + kMaxNeighbours >= kMaxSites; }
 
   /// Numbers of the neighbours, by index.
@@ -88,7 +99,8 @@ class Sites {
 /// A state as its events in rising order.
 using Events = std::vector<Event>;
 
-/// The states of one size: events, enabled events, and an index by hash.
+/// The states of one size: events, enabled events, and an index by hash. Arrays of
+/// structures would cost an allocation for each state; these vectors cost none.
 class Layer {
  public:
   explicit Layer(std::size_t depth) : depth_(depth), slots_(64, 0) {}
@@ -106,6 +118,8 @@ class Layer {
   /// the caller with add_open, before the next insert.
   bool insert(const Events& events) {
     assert(events.size() == depth_);
+    // A sum, so it does not depend on the order; events are sorted anyway, and the
+    // comparison is exact.
     std::uint64_t hash = 0;
     for (const Event e : events) hash += mix(e + 0x9e3779b97f4a7c15ULL);
     if (2 * size() >= slots_.size()) grow();
@@ -136,6 +150,7 @@ class Layer {
   }
   void grow() {
     slots_.assign(2 * slots_.size(), 0);
+    // Rehashing knows that all states differ, so it only looks for free slots.
     for (std::uint32_t state = 0; state < size(); ++state)
       find(hashes_[state], nullptr) = state + 1;
   }
@@ -163,6 +178,7 @@ class Search {
   }
 
   EventOrders run() {
+    // The empty state is the start; its bricks are in `sites_` throughout.
     std::vector<Events> states{{}};
     for (int stage = 1; stage <= rules_.stage_count() && !given_up_; ++stage) {
       stage_ = stage;
@@ -181,6 +197,8 @@ class Search {
     result_.states_by_stage.push_back(0);
     ends_.clear();
     const std::int64_t limit = rules_.stage_limit(stage_);
+    // States of one size form a layer; a stage may begin with states of several sizes,
+    // which join the search when their layer is reached.
     std::map<std::size_t, std::vector<Events>> by_depth;
     for (Events& state : begin) by_depth[state.size()].push_back(std::move(state));
     if (limit == 0) {
@@ -201,6 +219,7 @@ class Search {
                   std::optional<std::size_t> last_depth) {
     Layer layer(waiting.begin()->first);
     while (!given_up_ && (layer.size() > 0 || !waiting.empty())) {
+      // Gaps between sizes are skipped.
       if (layer.size() == 0) layer = Layer(waiting.begin()->first);
       if (const auto it = waiting.find(layer.depth()); it != waiting.end()) {
         for (const Events& state : it->second) add_first(layer, state);
@@ -236,6 +255,7 @@ class Search {
   void expand(const Layer& layer, std::size_t state, Layer& next) {
     const Event* events = layer.events(state);
     apply(events, layer.depth());
+    // A stop in the middle of a state is harmless: an incomplete search makes no claims.
     for (const Event* open = layer.open_begin(state); open != layer.open_end(state); ++open) {
       if (given_up_) break;
       child_.assign(events, events + layer.depth());
@@ -247,8 +267,9 @@ class Search {
     undo(events, layer.depth());
   }
 
-  /// The events open after `event`: those of the parent, except around the site,
-  /// where all is looked at afresh.
+  /// The events open after `event`: those of the parent, except around the site, where all
+  /// is looked at afresh. `layer` and `next` grow while pointers into `layer` are held:
+  /// only `next` is written here.
   void open_after(const Layer& layer, std::size_t state, Event event, Layer& next) {
     const std::uint32_t site = site_of(event);
     const auto& around = sites_.around(site);
@@ -273,6 +294,7 @@ class Search {
     if (site < Sites::kFirst || sites_.state(site) != kEmpty) return;
     const View view = sites_.view(site);
     rules_.matches(view, sites_.cell(site).z, stage_, matches_);
+    // Under `conflicts: random` every match may act; otherwise the first in the file does.
     if (rules_.conflicts() != Conflicts::random && matches_.size() > 1) matches_.resize(1);
     std::uint64_t added = 0;
     for (const Match& match : matches_) {
@@ -287,6 +309,8 @@ class Search {
     ++result_.states;
     ++result_.states_by_stage.back();
     const std::size_t last = layer.size() - 1;
+    // Words written measure time, words held measure memory; both are counted and not
+    // measured, so the search ends alike on every machine.
     words_written_ += layer.depth() +
                       static_cast<std::uint64_t>(layer.open_end(last) - layer.open_begin(last)) + 1;
     const std::uint64_t held = layer.words() + held_elsewhere + end_words_;
@@ -303,6 +327,7 @@ class Search {
   void add_end(Events state) {
     end_words_ += state.size() + 8;
     ends_.push_back(std::move(state));
+    // In stages before the last, ends are states to go on from and none may be dropped.
     if (last_stage_ && ends_.size() > limits_.ends) given_up_ = true;
   }
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Compares what a rule set does with what its file expects of it, and says by which method.
+// Sampling can refute "coordinated" and prove "order-dependent"; only an exhausted search
+// proves the former. The words of the report are chosen so that no sample passes for a
+// proof.
 #include "lattice/expectation.h"
 
 #include <fmt/format.h>
@@ -30,11 +34,13 @@ struct Findings {
   }
 };
 
+/// A box bounds growth by its cells, so every order ends within it.
 /// A box needs no limit: it is full one day. Without one, growth has to be given up on.
 std::optional<std::uint64_t> deposit_limit(const RuleSet& rules, const ExpectationLimits& limits) {
   return rules.box ? std::nullopt : std::optional(limits.deposits);
 }
 
+/// Few ends are ever kept, so a linear search is enough.
 void add_end(Findings& findings, Structure structure) {
   for (const Structure& end : findings.ends) {
     if (end == structure) return;
@@ -52,13 +58,15 @@ SwarmConfig event_config(const RuleSet& rules, const ExpectationLimits& limits) 
   return config;
 }
 
-/// Two ends are enough to refute. Orders that come to no end prove nothing, be they ever
-/// so many; after eight of them more would cost time and say nothing new.
+/// Two ends are enough to refute. Orders that come to no end prove nothing, be they ever so
+/// many; after eight of them more would cost time and say nothing new. The number is fixed
+/// and counted in orders, so reports do not depend on the machine.
 bool sampled_enough(const Findings& findings) {
   constexpr std::uint32_t kEnoughWithoutEnd = 8;
   return findings.ends.size() >= 2 || findings.growing + findings.cut_short >= kEnoughWithoutEnd;
 }
 
+/// A stage that ends by its own number of deposits has come to its end.
 /// Was the run still growing at the limit on deposits? The limit of the last stage
 /// is an end that the set itself has.
 bool still_growing(const SwarmResult& result, const SwarmConfig& config) {
@@ -120,7 +128,8 @@ std::string ends_in_words(const Findings& findings, const ExpectationLimits& lim
                      findings.ends.size(), bricks);
 }
 
-/// A claim about every end, all of those found agreeing with it.
+/// A claim about every end, all of those found agreeing with it. If a sample was cut short,
+/// it may have been on its way to another end.
 Standing standing_of_agreement(const Findings& findings) {
   if (findings.exhausted) return Standing::held;
   if (findings.ends.empty() || findings.growing > 0 || findings.cut_short > 0) {
@@ -129,6 +138,7 @@ Standing standing_of_agreement(const Findings& findings) {
   return Standing::not_contradicted;
 }
 
+/// Two different ends settle two of the verdicts at once, each in its own direction.
 void judge_verdict(Verdict expected, const Findings& findings, const ExpectationLimits& limits,
                    ExpectationItem& item) {
   item.found = ends_in_words(findings, limits);
@@ -145,6 +155,8 @@ void judge_verdict(Verdict expected, const Findings& findings, const Expectation
         item.standing = findings.exhausted ? Standing::failed : Standing::undecided;
       }
       return;
+    // "Endless" is never proved here; `stigc verify` can (docs/proofs.md, "Growth without
+    // end").
     case Verdict::endless:
       item.standing = !findings.ends.empty() ? Standing::failed
                       : findings.growing > 0 ? Standing::not_contradicted
@@ -165,6 +177,8 @@ void judge_bricks(std::int64_t expected, const Findings& findings, const Expecta
                       : Standing::failed;
 }
 
+/// The first difference in cell order is the same on every run, and usually enough to see
+/// what went wrong.
 /// Where two structures at the origin differ first, in words.
 std::string first_difference(const RuleSet& rules, const Structure& wanted, const Structure& got) {
   const auto name = [&](State state) {
@@ -185,6 +199,7 @@ std::string first_difference(const RuleSet& rules, const Structure& wanted, cons
 
 void judge_structure(const RuleSet& rules, const Findings& findings,
                      const ExpectationLimits& limits, ExpectationItem& item) {
+  // Structures are compared up to translation, as files draw them at the origin.
   const Structure wanted = to_origin(Structure(rules.lattice, rules.expect->structure));
   item.method = findings.method();
   for (const Structure& end : findings.ends) {
@@ -258,6 +273,8 @@ ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLim
   if (!report.problem.empty()) return report;
   Findings findings;
   sample(table, rules, config, limits, hooks, findings);
+  // Growth has no finite set of states, and two ends have settled the matter: no search
+  // then.
   if (!findings.interrupted && findings.ends.size() < 2 && findings.growing == 0) {
     search(table, rules, config, limits, hooks, findings);
   }

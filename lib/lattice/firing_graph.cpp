@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The graph of which rule's brick another can need, by colours and stages alone. It
+// over-approximates: an edge may exist without ever being used, but what lies outside is
+// impossible. Levels are the rounds of a least fixed point, cycles the strongly connected
+// components (R. Tarjan 1972, from Boost Graph).
 #include "lattice/firing_graph.h"
 
 #include <fmt/format.h>
@@ -20,6 +24,8 @@ struct Needs {
   StateSet any;  ///< their union
 };
 
+/// A cell that accepts "empty" (or floor) can be satisfied without a brick, so it asks for
+/// nothing.
 Needs needs_of(const RuleSet& rules, const Rule& rule) {
   const StateSet bricks = StateSet::bricks(rules.colours());
   const StateSet given =
@@ -40,7 +46,8 @@ Needs needs_of(const RuleSet& rules, const Rule& rule) {
   return needs;
 }
 
-/// Can a brick of a rule of stage `from` stand when one of stage `to` fires?
+/// Can a brick of a rule of stage `from` stand when one of stage `to` fires? A brick stays
+/// for good, so one of an earlier stage can serve any later one.
 bool in_time(int from, int to) { return from == 0 || to == 0 || from <= to; }
 
 /// Colours that may stand in each stage, given the rules that have a level;
@@ -48,6 +55,8 @@ bool in_time(int from, int to) { return from == 0 || to == 0 || from <= to; }
 std::vector<StateSet> at_hand(const RuleSet& rules, const FiringGraph& graph) {
   StateSet start;
   for (const PlacedBrick& brick : rules.start) start = start | StateSet::of(brick.brick);
+  // Index 0 collects all colours, for rules that act in every stage: they can wait until
+  // the last.
   std::vector<StateSet> by_stage(static_cast<std::size_t>(rules.stage_count()) + 1, start);
   for (std::size_t r = 0; r < rules.rules.size(); ++r) {
     if (!graph.nodes[r].level) continue;
@@ -57,6 +66,7 @@ std::vector<StateSet> at_hand(const RuleSet& rules, const FiringGraph& graph) {
     const std::size_t first = std::max<std::size_t>(stage, 1);
     by_stage[first] = by_stage[first] | placed;
   }
+  // What stands in a stage still stands in the next.
   for (std::size_t s = 2; s < by_stage.size(); ++s) by_stage[s] = by_stage[s] | by_stage[s - 1];
   return by_stage;
 }
@@ -64,6 +74,7 @@ std::vector<StateSet> at_hand(const RuleSet& rules, const FiringGraph& graph) {
 /// Levels as the rounds of a fixed point: colours at hand, then rules they satisfy.
 void set_levels(const RuleSet& rules, const std::vector<Needs>& needs, FiringGraph& graph) {
   bool more = true;
+  // At most as many rounds as rules; in practice few.
   for (int level = 0; more; ++level) {
     more = false;
     const std::vector<StateSet> colours = at_hand(rules, graph);
@@ -78,6 +89,7 @@ void set_levels(const RuleSet& rules, const std::vector<Needs>& needs, FiringGra
   }
 }
 
+/// An edge from a rule to itself makes a component of one cyclic too.
 void set_cycles(FiringGraph& graph) {
   boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> g(graph.nodes.size());
   for (const FiringEdge& edge : graph.edges) boost::add_edge(edge.from, edge.to, g);
@@ -91,6 +103,8 @@ void set_cycles(FiringGraph& graph) {
       cyclic[static_cast<std::size_t>(component[edge.from])] = true;
     }
   }
+  // Numbered by the lowest rule, so that output does not depend on the order in which
+  // components are found.
   std::map<int, int> number;  // component -> cycle, counted by lowest rule
   for (std::uint32_t r = 0; r < graph.nodes.size(); ++r) {
     if (!cyclic[static_cast<std::size_t>(component[r])]) continue;
@@ -164,6 +178,7 @@ bool feeds(const Rule& a, const Rule& b, const Needs& needs_of_b) {
 
 }  // namespace
 
+/// The size is tested before anything quadratic is stored.
 std::string firing_graph_problem(const RuleSet& rules) {
   const std::size_t count = rules.rules.size();
   if (count > kMostGraphRules) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Groups the polygons of a mesh by colour into the primitives of one glTF node. Polygons
+// are convex, so a fan from the first corner triangulates them. glTF wants y up and
+// right-handed axes: (x, y, z) becomes (x, z, -y), a rotation and no mirror.
 #include "base/glb.h"
 
 #include <map>
@@ -42,6 +45,7 @@ std::string print_glb(const Mesh& mesh, const std::vector<Brick>& bricks, double
     primitive.rgb = rgb_of(bricks, colour);
     node.primitives.push_back(std::move(primitive));
   }
+  // An empty structure is a file without nodes: glTF forbids a mesh without primitives.
   if (node.primitives.empty()) return glb_file({});
   return glb_file({node});
 }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The limits that all readers of structures share. A brick of a file takes a few bytes and
+// may touch a chunk of 512 cells of its own, so the number of chunks is what memory depends
+// on, and it is counted before anything is built.
 #include "lattice/loaded_structure.h"
 
 #include <fmt/format.h>
@@ -13,6 +16,7 @@ namespace {
 
 bool in_range(std::int32_t value) { return value >= -kMaxCoordinate && value <= kMaxCoordinate; }
 
+/// The shift is arithmetic and rounds down for negative coordinates too, as Structure does.
 Cell chunk_of(Cell cell) {
   static_assert(Structure::kChunkSide == 8);
   return {cell.x >> 3, cell.y >> 3, cell.z >> 3};
@@ -21,6 +25,8 @@ Cell chunk_of(Cell cell) {
 std::size_t count_chunks(const std::vector<PlacedBrick>& bricks) {
   std::vector<Cell> chunks;
   chunks.reserve(bricks.size());
+  // Neighbours in the list mostly share a chunk, so the list stays short before it is
+  // sorted.
   for (const PlacedBrick& brick : bricks) {
     const Cell chunk = chunk_of(brick.at);
     if (chunks.empty() || chunks.back() != chunk) chunks.push_back(chunk);
@@ -39,6 +45,8 @@ std::optional<BrickListProblem> find_problem(std::vector<PlacedBrick>& bricks) {
       return BrickListProblem{Kind::coordinate, brick.at};
     }
   }
+  // Sorting serves three ends: finding repeated cells, counting chunks, and a fixed order
+  // of insertion.
   std::sort(bricks.begin(), bricks.end());
   const auto same_cell = [](const PlacedBrick& a, const PlacedBrick& b) { return a.at == b.at; };
   const auto twice = std::adjacent_find(bricks.begin(), bricks.end(), same_cell);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Measures of shape, each by its textbook definition (measures.h). All are O(n log n) in
+// the bricks but for cavities, which need the bounding box as a bit field and are left out
+// for large ones, and the symmetry order, which compares up to 24 images.
 #include "lattice/measures.h"
 
 #include <algorithm>
@@ -37,6 +40,7 @@ void measure_contacts(const Structure& structure, const std::vector<PlacedBrick>
                       Measures& out) {
   Islands islands(bricks.size());
   std::uint64_t contacts = 0;
+  // Contacts are symmetric; of each direction and its opposite one is looked at.
   std::uint64_t components = bricks.size();
   for (const Offset o : faces(structure.lattice())) {
     if (o < Offset{}) continue;  // each pair once
@@ -63,10 +67,12 @@ class CavityFlood {
         faces_(faces(structure.lattice())),
         taken_(static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                static_cast<std::size_t>(size_.z)) {
+    // Bricks are walls of the flood, like cells that have been visited.
     structure.for_each([&](Cell cell, Colour) { taken_[index(cell)] = true; });
   }
 
   void run(Measures& out) {
+    // The corner of the padding is outside by construction.
     flood(low_);
     for (std::int32_t z = 0; z < size_.z; ++z) {
       for (std::int32_t y = 0; y < size_.y; ++y) {
@@ -99,6 +105,7 @@ class CavityFlood {
   /// Takes the empty cells connected with `from`; returns their number.
   std::uint64_t flood(Cell from) {
     std::uint64_t number = 0;
+    // Indices of 32 bits suffice, as the box has at most 2^26 cells.
     std::vector<std::uint32_t> open{static_cast<std::uint32_t>(index(from))};
     taken_[index(from)] = true;
     while (!open.empty()) {
@@ -146,6 +153,7 @@ std::uint64_t image_hash(const std::vector<PlacedBrick>& bricks, const Orientati
 
 int symmetry_order(const Structure& structure, const std::vector<PlacedBrick>& bricks) {
   const auto group = orientations(structure.lattice(), Symmetry::rotations_mirrors, true);
+  // Group element 0 is the identity, which always maps the structure onto itself.
   const std::uint64_t own = image_hash(bricks, group.front(), structure.bounds()->low);
   int order = 1;
   for (std::size_t g = 1; g < group.size(); ++g) {
@@ -165,6 +173,7 @@ Measures measure(const Structure& structure) {
   m.bounds = structure.bounds();
   if (!m.bounds) return m;
   const std::vector<PlacedBrick> bricks = structure.bricks();
+  // The profile counts from the lowest brick and not from the floor.
   m.height_profile.resize(static_cast<std::size_t>(m.bounds->size().z));
   for (const PlacedBrick& b : bricks) {
     if (b.brick > m.bricks_by_colour.size()) m.bricks_by_colour.resize(b.brick);
@@ -175,6 +184,7 @@ Measures measure(const Structure& structure) {
   m.symmetry_order = symmetry_order(structure, bricks);
 
   const Offset size = m.bounds->size();
+  // The product is taken in two steps so that it cannot overflow.
   const std::int64_t slice = (std::int64_t{size.x} + 2) * (std::int64_t{size.y} + 2);
   m.cavities_known =
       slice <= kMostCavityCells && slice * (std::int64_t{size.z} + 2) <= kMostCavityCells;

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The visible surface as polygons with integer corners. Faces are found cell by cell
+// against the empty neighbours; for merging, those of one direction are sorted by plane,
+// row and column, joined to runs along a row, and equal runs of neighbouring rows are
+// stacked to rectangles. That greedy scheme is linear after sorting and close to the fewest
+// rectangles on blocky shapes.
 #include "lattice/mesh.h"
 
 #include <algorithm>
@@ -21,6 +26,8 @@ CellFace cube_face(int axis, int sign) {
                  static_cast<double>(towards[2])};
   constexpr std::array<std::array<int, 2>, 4> kRound = {{{-1, -1}, {1, -1}, {1, 1}, {-1, 1}}};
   for (std::size_t i = 0; i < 4; ++i) {
+    // Reversing the corners for the far side keeps them counter-clockwise as seen from
+    // outside.
     const auto& [u, v] = kRound[sign > 0 ? i : 3 - i];
     std::array<int, 3> at{};
     at[static_cast<std::size_t>(axis)] = sign;
@@ -48,6 +55,8 @@ Corner hexagon_corner(std::size_t k, int z) { return {kHexagon[k % 6][0], kHexag
 
 std::vector<CellFace> prism_faces() {
   constexpr std::array<Offset, 6> kSides = {
+      // The order of the sides is that of rising angle, which kHexagon's corners
+      // presuppose.
       {{1, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, -1, 0}}};
   std::vector<CellFace> faces;
   for (std::size_t k = 0; k < 6; ++k) {
@@ -95,6 +104,7 @@ struct Rectangle {
 
 std::vector<Rectangle> runs_along_rows(const std::vector<FlatFace>& faces) {
   std::vector<Rectangle> runs;
+  // Faces come sorted, so a run can only be continued by the next face.
   for (const FlatFace& f : faces) {
     if (!runs.empty()) {
       Rectangle& run = runs.back();
@@ -150,6 +160,8 @@ Polygon grown(Lattice lattice, std::size_t face, const Rectangle& rectangle) {
   for (std::size_t i = 0; i < polygon.corners; ++i) {
     std::array<std::int32_t, 3> at = {shape.corner[i].x, shape.corner[i].y, shape.corner[i].z - 1};
     const auto grow = [&](std::size_t axis, std::int32_t cells) {
+      // Only the corners on the positive side move: the face keeps its foot and grows along
+      // its axes.
       if (at[axis] > 0) at[axis] += 2 * (cells - 1);
     };
     if (lattice == Lattice::hexagonal) {
@@ -166,6 +178,7 @@ Polygon grown(Lattice lattice, std::size_t face, const Rectangle& rectangle) {
 }  // namespace
 
 const std::vector<CellFace>& cell_faces(Lattice lattice) {
+  // Built once; the tables are constant and shared by all threads.
   static const std::vector<CellFace> cube = cube_faces();
   static const std::vector<CellFace> prism = prism_faces();
   return lattice == Lattice::cubic ? cube : prism;
@@ -176,6 +189,8 @@ Corner foot_of(Lattice lattice, Cell cell) {
   return {2 * cell.x + cell.y, 3 * cell.y, 2 * cell.z};
 }
 
+/// Hexagonal corners are stored in units of 1/2 and 1/(2 sqrt 3), in which all of them are
+/// integers.
 Point position(Lattice lattice, Corner corner) {
   const double y = lattice == Lattice::cubic ? corner.y / 2.0 : corner.y / (2 * kSqrt3);
   return {corner.x / 2.0, y, corner.z / 2.0};

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// An abstract interpretation of growth: each cell has the set of states that it may ever
+// have, and rules add to these sets until nothing changes. Any reachable structure is
+// contained cell by cell, by induction over events; so a rule that matches nowhere in the
+// closure never fires. The closure forgets which states occur together, which is why it is
+// cheap, and why rules that it lets fire may still be dead.
 #include "lattice/never_fires.h"
 
 #include <fmt/format.h>
@@ -22,6 +27,8 @@ using MayShow = std::array<StateSet, kMaxNeighbours>;
 /// Cells with all that may be in them, stage after stage.
 class Closure {
  public:
+  // The limit counts looks at oriented rules, not time, so the answer is the same on every
+  // machine.
   Closure(const RuleSet& rules, const std::optional<Box>& box, std::uint64_t most_looks)
       : rules_(rules),
         box_(box),
@@ -38,6 +45,8 @@ class Closure {
   /// False when there was more to look at than is allowed.
   bool close() {
     for (int stage = 1; stage <= rules_.stage_count() && !all_fire(); ++stage) {
+      // Every stage begins from all bricks there may be: a site that was closed before may
+      // be open to the new stage's rules.
       const std::vector<Cell> stand = bricks_;
       for (const Cell cell : stand) wake_around(cell);
       while (!waiting_.empty() && !all_fire()) {
@@ -94,6 +103,7 @@ class Closure {
     StateSet here = before;
     for (const Entry& entry : table_.entries()) {
       const Rule& rule = rules_.rules[entry.source.rule];
+      // A rule that is known to fire is looked at again only where its colour could be new.
       if (fires_[entry.source.rule] && here.contains(rule.place)) continue;
       if (rule.stage != 0 && rule.stage != stage) continue;
       if (looks_left_-- <= 1) return false;
@@ -105,6 +115,8 @@ class Closure {
     if (here == before) return true;
     if (before == StateSet::empty_cell()) bricks_.push_back(site);
     may_be_[site] = here.bits();
+    // Neighbours have to be looked at again only when the set of this cell has grown; sets
+    // have at most 62 colours, so the closure ends wherever the space is bounded.
     wake_around(site);
     return true;
   }
@@ -124,6 +136,7 @@ class Closure {
     return beside && std::all_of(rule.counts.begin(), rule.counts.end(),
                                  [&](const CountCondition& count) { return can_be(count, both); });
   }
+  // The bounds of the number over all choices of one state for each neighbour.
   bool can_be(const CountCondition& count, const MayShow& shows) const {
     int least = 0, most = 0;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_.size); ++i) {
@@ -148,6 +161,8 @@ class Closure {
   std::deque<Cell> waiting_;
 };
 
+/// The fallback when the closure was too much: the firing graph knows no geometry and is
+/// always finite.
 /// By their colours alone.
 std::vector<std::uint32_t> without_level(const RuleSet& rules) {
   std::vector<std::uint32_t> never;

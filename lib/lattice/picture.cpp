@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Lays out and draws a page: title, panels, axes, legend and caption. All measures are in
+// units of the canvas, two pixels each in a .png. The layout is computed in full before
+// anything is drawn, so the page has the size that it needs, and text that is too wide is
+// scaled and never cut.
 #include "lattice/picture.h"
 
 #include <fmt/format.h>
@@ -16,6 +20,8 @@ namespace stig {
 
 namespace {
 
+/// Lengths in units of the canvas. They were chosen by eye, and pictures in the
+/// documentation depend on them.
 constexpr double kMargin = 28;
 constexpr std::size_t kManyFaces = 20000;  // then it pays to find the covered ones
 constexpr double kGap = 24;                // between panels
@@ -32,6 +38,7 @@ struct LegendItem {
   double width = 0;  // swatch and gap included
 };
 
+/// Counts are shown for a single panel; for several they would be sums of no interest.
 // Symbol, name and number of each colour that shows up.
 std::vector<LegendItem> legend_items(const std::vector<PicturePanel>& panels,
                                      const std::vector<Brick>& bricks) {
@@ -63,7 +70,9 @@ struct Layout {
   double width = 0, height = 0;
 };
 
-// The number of rows that lets cells be largest; the fewer where it is nearly equal.
+// The number of rows that lets cells be largest; the fewer where it is nearly equal. Tries
+// every number of rows and keeps the largest scale; one per cent better is not worth
+// another row.
 void fit_panels(Layout& layout, std::size_t panels, PagePoint content, PagePoint room,
                 double most_scale) {
   layout.scale = 0;
@@ -129,6 +138,8 @@ class Picture {
   }
 
  private:
+  // The scale depends on the room that the legend leaves, and the legend's rows on the
+  // page's width: the number of rows is estimated first from its total length.
   void lay_out() {
     const double most = options_.most_pixels / static_cast<double>(Canvas::kDensity);
     PagePoint content{1e-9, 1e-9};
@@ -166,6 +177,7 @@ class Picture {
     layout_.height = std::ceil(bottom + kMargin - 8);
   }
 
+  // A smaller font keeps one line, which the layout has reserved.
   // Text that is too long for the page is written smaller.
   void write_fitting(Canvas& canvas, const std::string& text, PagePoint at, TextLook look) const {
     const double room = layout_.width - 2 * kMargin;
@@ -187,6 +199,8 @@ class Picture {
                                  {left + layout_.panel_width / 2 -
                                       layout_.scale * (scene.frame.low.x + scene.frame.high.x) / 2,
                                   bottom - layout_.scale * scene.frame.high.y}};
+    // Hidden faces cost time to paint, and more in an .svg; for small scenes finding them
+    // costs more.
     if (scene.faces.size() > kManyFaces) {
       drop_covered(scene, place, layout_.width, layout_.height);
     }
@@ -203,6 +217,8 @@ class Picture {
     constexpr double kLength = 26;
     const Lattice lattice = scenes_.front().lattice;
     const PagePoint centre{kMargin + 32, layout_.legend_top + 34};
+    // The axes turn with the structure, so that they name its directions and not the
+    // page's.
     const auto group = orientations(lattice, Symmetry::rotations, false);
     const auto count = static_cast<int>(group.size());
     const Orientation& turn =

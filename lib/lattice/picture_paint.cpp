@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Paints a scene back to front (the painter's algorithm); faces come sorted by view.h.
+// Shadows are projections on the ground along one direction of light; three sheets of
+// slightly different directions make them softer the higher their bricks are.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,7 +35,8 @@ void paint(Canvas& canvas, const PicturePlacement& place, const Outline& outline
   canvas.polygon(corners.data(), outline.count, fill, edge, width);
 }
 
-// Cells between two lines of the ground: 1, 2, 5, 10, … so that lines stay apart.
+// Cells between two lines of the ground: 1, 2, 5, 10, … so that lines stay apart. 1, 2, 5,
+// 10, …: the factor 5/2 follows each 2.
 int line_step(double scale) {
   constexpr double kClosest = 4;
   int step = 1;
@@ -41,6 +45,7 @@ int line_step(double scale) {
   return step;
 }
 
+/// Lines are drawn in corner coordinates, which count half cells, hence twice the step.
 void paint_cubic_ground(Canvas& canvas, const PictureScene& scene, const PicturePlacement& place) {
   const auto corners = ground_corners(scene.box);
   const auto at = [&](std::int32_t x, std::int32_t y) {
@@ -74,6 +79,8 @@ double cross(PagePoint o, PagePoint a, PagePoint b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
+/// A. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (Information
+/// Processing Letters, 1979).
 // Monotone chain (Andrew 1979).
 std::vector<PagePoint> convex_hull(std::vector<PagePoint> points) {
   const auto before = [](PagePoint a, PagePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
@@ -115,6 +122,9 @@ void paint_shadows(Canvas& canvas, const PictureScene& scene, const PicturePlace
   }
 }
 
+/// A coverage buffer at the resolution of the picture. A face is dropped only if all pixels
+/// within its box are covered, so it may keep a hidden face, and drops a visible one only
+/// where less than a pixel of it shows.
 // Which pixels of the canvas have their centre in a face already.
 class CoverMap {
  public:
@@ -167,6 +177,7 @@ class CoverMap {
   std::vector<char> covered_;
 };
 
+/// Fixed shades for three sides give the impression of light without computing any.
 Rgb shaded(Rgb colour, Side side) {
   switch (side) {
     case Side::top:
@@ -193,6 +204,7 @@ EdgeLook edge_look(double scale) {
 void drop_covered(PictureScene& scene, const PicturePlacement& place, double width, double height) {
   CoverMap map(width, height);
   std::vector<ShownFace> kept;
+  // From the nearest face to the farthest, against the order of painting.
   for (auto face = scene.faces.rbegin(); face != scene.faces.rend(); ++face) {
     Outline outline = outline_of(scene.lattice, face->at, face->face);
     for (std::size_t i = 0; i < outline.count; ++i) {
@@ -217,6 +229,7 @@ void paint_scene(Canvas& canvas, const PictureScene& scene, const PicturePlaceme
   }
 }
 
+/// The swatch is a small picture of one brick, painted by the same code as the structure.
 void paint_swatch(Canvas& canvas, Lattice lattice, PagePoint centre, double radius, Rgb colour) {
   const Structure cell(lattice, {{{0, 0, 0}, 1}});
   const PagePoint middle = project(lattice, {0, 0, 0.5});

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Gathers what will be drawn of a structure and the rectangle that it takes up on the page.
+// Limits leave out shadows and tiles of very large scenes, where they would not be seen and
+// would cost more than the bricks.
 #include "lattice/picture_scene.h"
 
 #include <algorithm>
@@ -19,6 +22,7 @@ constexpr int kFarthestShadow = 6;               // cells that the ground grows 
 std::vector<Cell> tiles_under(const std::vector<PlacedBrick>& bricks) {
   std::vector<Cell> tiles;
   for (const PlacedBrick& brick : bricks) {
+    // Shadows of high bricks fall far; the ground grows with them up to a limit.
     const int shadow = std::min(brick.at.z * 3 / 10, kFarthestShadow);
     for (const int r : {0, shadow}) tiles.push_back({brick.at.x, brick.at.y + r, 0});
   }
@@ -42,6 +46,8 @@ void add_outline(PictureFrame& frame, const Outline& outline) {
   for (std::size_t i = 0; i < outline.count; ++i) frame.add(outline.at[i]);
 }
 
+/// The frame contains what may be painted and nothing else, so pages have no empty margins
+/// but the intended ones.
 void find_frame(PictureScene& scene) {
   for (const ShownFace& face : scene.faces) {
     add_outline(scene.frame, outline_of(scene.lattice, face.at, face.face));
@@ -58,6 +64,7 @@ void find_frame(PictureScene& scene) {
   }
 }
 
+/// Both bounds are inclusive; the union of two boxes is their common bounding box.
 void extend(CellBounds& box, const CellBounds& other) {
   box.low = {std::min(box.low.x, other.low.x), std::min(box.low.y, other.low.y),
              std::min(box.low.z, other.low.z)};
@@ -78,6 +85,8 @@ Outline outline_of(Lattice lattice, Cell cell, std::size_t face) {
   return outline;
 }
 
+/// The faces' order is that of cell_faces: -z is the last of six, the bottom the last of
+/// eight.
 std::size_t bottom_face(Lattice lattice) { return lattice == Lattice::cubic ? 5 : 7; }
 
 PagePoint on_page(Lattice lattice, Corner corner) {
@@ -121,6 +130,8 @@ PictureScene make_scene(const Structure& structure, bool floor) {
 }
 
 void share_frame(std::vector<PictureScene>& scenes) {
+  // A common frame and ground keep several panels comparable: equal cells have equal sizes
+  // and places.
   PictureScene all = scenes.front();
   for (const PictureScene& scene : scenes) {
     extend(all.box, scene.box);

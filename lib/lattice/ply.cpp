@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Binary PLY with a vertex for each corner of each polygon: normals and colours belong to
+// faces, so corners cannot be shared. A hexagon is cut into two quadrilaterals.
 #include <fmt/format.h>
 
 #include "base/bytes.h"
@@ -9,6 +11,7 @@ namespace stig {
 
 namespace {
 
+/// PLY's header is text whatever the body is; it names each property and its order.
 constexpr std::string_view kHeader =
     "ply\n"
     "format binary_little_endian 1.0\n"
@@ -47,6 +50,7 @@ std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double
   }
   std::int32_t first = 0;
   for (const Polygon& polygon : mesh.polygons) {
+    // A fan of quadrilaterals: corners 0, 1, 2, 3 and then 0, 3, 4, 5.
     for (int i = 3; i < polygon.corners; i += 2) {
       put(out, std::uint8_t{4});
       for (const int corner : {0, i - 2, i - 1, i}) put(out, first + corner);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Colours of bricks for all writers. A file may leave colours out or give more bricks than
+// the palette has; every brick has some colour all the same, and the same one in every
+// format.
 #include "lattice/rgb.h"
 
 #include <array>
@@ -21,6 +24,7 @@ constexpr std::array<Rgb, 8> kPalette = {{{0x00, 0x72, 0xb2},
 // Past the palette: hues by the golden angle, so that near numbers look different.
 Rgb palette_colour(int index) {
   if (index < static_cast<int>(kPalette.size())) return kPalette[static_cast<std::size_t>(index)];
+  // The golden angle, 137.508°, never repeats a hue; lightness alternates as a second cue.
   const double hue = std::fmod(index * 137.508, 360.0) / 60.0;
   const double light = index % 2 == 0 ? 0.55 : 0.42;
   const double chroma = 0.55 * (1 - std::abs(2 * light - 1));

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Binary STL has no colours and no shared corners: each triangle carries its normal and
+// three corners. Slicers want closed surfaces edge to edge, so the mesh must not have
+// T-junctions (Merging::none).
 #include <cassert>
 #include <limits>
 

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// A sparse array of bricks in chunks of 8 x 8 x 8 bytes. Chunks lie in a deque and never
+// move; an open-addressing index finds them. 512 bytes are eight cache lines, and growth
+// touches few chunks at a time; a hash entry for each brick would take several times the
+// memory of compact structures. Bricks are never removed, so there is no deletion.
 #include "lattice/structure.h"
 
 #include <algorithm>
@@ -15,6 +19,7 @@ namespace {
 constexpr int kShift = 3;
 static_assert(1 << kShift == Structure::kChunkSide);
 
+/// Two's complement makes the mask round down for negative coordinates as well.
 constexpr Cell chunk_origin(Cell c) {
   constexpr std::int32_t mask = ~(Structure::kChunkSide - 1);
   return {c.x & mask, c.y & mask, c.z & mask};
@@ -38,6 +43,7 @@ std::uint64_t chunk_hash(Cell c) {
   return mix((part(c.x) << 42 | part(c.y) << 21 | part(c.z)) + kSalt * 0x9e3779b97f4a7c15ULL);
 }
 
+/// The canonical place of a structure; hashes and files that ignore translation use it.
 std::vector<PlacedBrick> shifted_to_origin(std::vector<PlacedBrick> bricks) {
   if (bricks.empty()) return bricks;
   Cell low = bricks.front().at;
@@ -84,9 +90,11 @@ const Structure::Chunk* Structure::find(Cell cell) const {
 
 Structure::Chunk& Structure::find_or_make(Cell cell) {
   if (const Chunk* chunk = find(cell)) {
+    // The cast saves a second copy of the search; the chunk belongs to this object.
     return const_cast<Chunk&>(*chunk);  // of this object, which is not const here
   }
   chunks_.push_back({chunk_origin(cell), {}});
+  // At most half of the index is taken.
   if (chunks_.size() * 2 > index_.size()) {
     grow_index();
   } else {
@@ -124,6 +132,7 @@ void Structure::place(Cell cell, Colour colour) {
                   std::max(bounds_.high.z, cell.z)};
 }
 
+/// Kept up to date by `place`, since bounds are asked for at every picture and measure.
 std::optional<CellBounds> Structure::bounds() const {
   if (empty()) return std::nullopt;
   return bounds_;
@@ -137,11 +146,13 @@ std::vector<PlacedBrick> Structure::bricks() const {
   return all;
 }
 
+/// The engines' inner loop: 125 states around a cell, as 25 words of a row each. Rows of a
+/// chunk are eight bytes along x, so a row is at most two loads and a shift.
 void Structure::gather(Cell centre, Surroundings& out) const {
   static_assert(std::endian::native == std::endian::little, "rows are moved as words");
   static_assert(kChunkSide == 8);
   const Cell low = centre - Offset{2, 2, 2};
-  // Of a row's five cells those from 8 - inside on lie in the next chunk.
+  // Those of a row's five cells from 8 - inside on lie in the next chunk.
   const int inside = low.x & 7;
   const auto row = [](const Chunk* chunk, std::int32_t y, std::int32_t z) {
     std::uint64_t word = 0;
@@ -186,6 +197,8 @@ Structure canonical(const Structure& structure, Symmetry symmetry, bool inversio
   return {structure.lattice(), best};
 }
 
+/// Absolute places; a sum of these is invariant under the order of placement and can be
+/// maintained brick by brick.
 std::uint64_t placement_hash(Cell cell, Colour colour) {
   const auto word = [](std::int32_t v) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(v));
@@ -200,6 +213,8 @@ std::uint64_t structure_hash(const Structure& structure) {
   return finish_hash(structure.lattice(), structure.size(), sum);
 }
 
+/// The least hash over the images is a canonical one without building a canonical
+/// structure.
 std::uint64_t structure_hash(const Structure& structure, Symmetry symmetry, bool inversion) {
   std::optional<std::uint64_t> least;
   for_each_image(structure, symmetry, inversion, [&](const std::vector<PlacedBrick>& image) {
@@ -208,6 +223,7 @@ std::uint64_t structure_hash(const Structure& structure, Symmetry symmetry, bool
     const std::uint64_t h = finish_hash(structure.lattice(), image.size(), sum);
     least = std::min(least.value_or(h), h);
   });
+  // There is always an image: the group has the identity, also for no bricks.
   return *least;
 }
 

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Dispatch by the ending of a name. Readers report by diagnostics with places in the file;
+// writers by one message, since what can go wrong is the size of the structure or the disk.
+// Limits here are those of the formats and of what other programs can open.
 #include "lattice/structure_files.h"
 
 #include <fmt/format.h>
@@ -23,6 +26,7 @@ constexpr std::array<std::string_view, 8> kWritten = {"txt", "json", "vox", "stl
 constexpr std::int64_t kMostTextCells = std::int64_t{1} << 28;
 constexpr std::size_t kMostGlbPolygons = 25'000'000;  // 4 GB is the format's limit
 
+/// Endings of names from other systems come in capitals.
 // What stands behind the last dot of the last part of the path, in lower case.
 std::string ending_of(std::string_view path) {
   const std::size_t slash = path.rfind('/');
@@ -33,7 +37,8 @@ std::string ending_of(std::string_view path) {
   return ending;
 }
 
-// A structure on the lattice that is wanted, or a diagnostic.
+// A structure on the lattice that is wanted, or a diagnostic. Only .json states a lattice
+// that may contradict what is wanted; the other readers are told it.
 std::optional<LoadedStructure> on_lattice(std::optional<LoadedStructure> loaded,
                                           std::optional<Lattice> wanted, const SourceRef& source,
                                           Diagnostics& diagnostics) {
@@ -44,6 +49,8 @@ std::optional<LoadedStructure> on_lattice(std::optional<LoadedStructure> loaded,
   return std::nullopt;
 }
 
+/// A drawing takes a character for each cell of the bounding box, empty ones too; two far
+/// bricks can make it huge.
 bool print_text(const Structure& structure, const std::vector<Brick>& bricks, std::string& bytes,
                 std::string& error) {
   const Offset size = structure.empty() ? Offset{1, 1, 1} : structure.bounds()->size();
@@ -56,6 +63,7 @@ bool print_text(const Structure& structure, const std::vector<Brick>& bricks, st
   return true;
 }
 
+/// An empty result of draw_structure has two causes; the format tells which.
 bool print_picture(const Structure& structure, const std::vector<Brick>& bricks,
                    const PictureOptions& options, std::string& bytes, std::string& error) {
   bytes = draw_structure(structure, bricks, options);
@@ -67,6 +75,7 @@ bool print_picture(const Structure& structure, const std::vector<Brick>& bricks,
   return false;
 }
 
+/// Surfaces for slicers are unmerged, those for viewers merged (see Merging).
 bool print_kind(const std::string& ending, const Structure& structure,
                 const std::vector<Brick>& bricks, const StructureWriteOptions& options,
                 std::string& bytes, std::string& error) {
@@ -102,6 +111,7 @@ std::optional<LoadedStructure> read_structure_file(const std::string& path,
                     "structures are read from .txt, .json and .vox files");
     return std::nullopt;
   }
+  // The size is bounded before reading: a limit on bricks alone would come too late.
   FileError error;
   std::optional<std::string> bytes = read_file(path, kMostFileBytes, error);
   if (!bytes) {
@@ -126,6 +136,7 @@ bool can_write_structure(const std::string& path, std::string& error) {
   return false;
 }
 
+/// Bytes are complete before the file is opened: a failure leaves an old file as it was.
 bool write_structure_file(const std::string& path, const Structure& structure,
                           const std::vector<Brick>& bricks, const StructureWriteOptions& options,
                           std::string& error) {

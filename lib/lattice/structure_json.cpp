@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Reads the JSON form by a SAX parser. Files can be large, and hostile ones deep; without a
+// tree the memory is that of the bricks. The states of `Where` are the grammar: each event
+// is allowed in few of them, and everything else is an error at the place that the parser
+// has reached.
 #include "lattice/structure_json.h"
 
 #include <fmt/format.h>
@@ -17,6 +21,7 @@ namespace {
 
 using nlohmann::json;
 
+/// The parser itself reports places of errors in form only.
 // Walks the text for the parser and tells how far it has come, so that errors in
 // meaning, which the parser does not know, have a place too.
 struct CountingIterator {
@@ -39,6 +44,8 @@ struct CountingIterator {
   bool operator!=(const CountingIterator& o) const { return at != o.at; }
 };
 
+/// Members hold what has been read so far; nothing is handed out before `finish` has seen
+/// all of it.
 // Takes the parser's events one by one: no tree is built, so neither depth nor
 // width of a hostile file costs anything. Each handler returns false to stop.
 class Handler : public nlohmann::json_sax<json> {
@@ -53,6 +60,7 @@ class Handler : public nlohmann::json_sax<json> {
   bool boolean(bool) override { return fail("true and false have no place here"); }
   bool binary(binary_t&) override { return fail("binary data has no place here"); }
   bool number_integer(number_integer_t value) override { return number(value); }
+  // Larger numbers have no meaning in the form, and the conversion would be undefined.
   bool number_unsigned(number_unsigned_t value) override {
     return value > (std::uint64_t{1} << 62) ? fail("number too large")
                                             : number(static_cast<std::int64_t>(value));
@@ -74,6 +82,7 @@ class Handler : public nlohmann::json_sax<json> {
  private:
   enum class Where { outside, top, bricks, brick, cells, cell, after };
 
+  // Names from a hostile file may hold control characters, which a message must not.
   static std::string printable(std::string text) {
     text.resize(std::min<std::size_t>(text.size(), 40));
     for (char& c : text) c = c >= ' ' && c <= '~' ? c : '?';
@@ -100,6 +109,7 @@ class Handler : public nlohmann::json_sax<json> {
 
 bool Handler::fail(const std::string& message, Code code) {
   const std::size_t size = source_->text().size();
+  // The parser has taken the offending character already, so the place is one back.
   const std::size_t begin = std::min(count_ == 0 ? 0 : count_ - 1, size);
   diagnostics_.add(code,
                    {source_, static_cast<std::uint32_t>(begin),
@@ -108,6 +118,8 @@ bool Handler::fail(const std::string& message, Code code) {
   return false;
 }
 
+/// The same function serves both kinds of objects; `where_` says which keys are known and
+/// which were seen.
 bool Handler::key(string_t& key) {
   static const std::vector<std::string_view> top = {"stigc_structure", "lattice", "bricks",
                                                     "cells"};
@@ -195,6 +207,7 @@ bool Handler::start_array(std::size_t) {
   return true;
 }
 
+/// The last closing bracket of "cells" and that of "bricks" both lead back to the top.
 bool Handler::end_array() {
   if (where_ == Where::cell) return end_cell();
   where_ = Where::top;
@@ -202,6 +215,7 @@ bool Handler::end_array() {
 }
 
 bool Handler::end_cell() {
+  // A cell is checked when it is complete, so the caret stands at its end.
   if (cell_size_ != 4) return fail("a cell is four numbers: x, y, z, brick");
   for (std::size_t i = 0; i < 3; ++i) {
     if (cell_[i] < -kMaxCoordinate || cell_[i] > kMaxCoordinate) {
@@ -225,6 +239,7 @@ bool Handler::end_cell() {
 }
 
 std::optional<LoadedStructure> Handler::finish() {
+  // A missing lattice means cubic; the other keys have no default.
   for (const char* key : {"stigc_structure", "bricks", "cells"}) {
     if (std::find(top_keys_.begin(), top_keys_.end(), key) == top_keys_.end()) {
       fail(fmt::format("key '{}' is missing", key));
@@ -243,6 +258,7 @@ std::optional<LoadedStructure> Handler::finish() {
   return LoadedStructure{Structure(lattice_, cells_), std::move(bricks_)};
 }
 
+/// Names come from rule files, which may hold any bytes; a .json file must be UTF-8.
 // Invalid UTF-8 in a name becomes U+FFFD.
 std::string quoted(const std::string& text) {
   return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
@@ -259,6 +275,8 @@ std::optional<LoadedStructure> read_structure_json(SourceRef source, Diagnostics
   return handler.finish();
 }
 
+/// Printed by hand: one cell a line keeps the file readable, and cell order makes it
+/// comparable.
 std::string print_structure_json(const Structure& structure, const std::vector<Brick>& bricks) {
   const std::vector<PlacedBrick> cells = structure.bricks();
   std::size_t colours = bricks.size();

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The drawing of slices, in files and in string literals of tests. Slices are listed from
+// the top down and rows from the back, as in rule sets, so that a drawing of a structure
+// reads like the drawings of rules.
 #include "lattice/structure_text.h"
 
 #include <fmt/format.h>
@@ -18,6 +21,7 @@ namespace {
 constexpr std::size_t kMostErrors = 100;  // then reading stops: a wrong file is wrong all over
 constexpr std::string_view kSpaces = " \t\r";
 
+/// Without bricks, symbols are numbers, as in literals of tests.
 std::map<std::string, State, std::less<>> states_by_symbol(const std::vector<Brick>& bricks) {
   std::map<std::string, State, std::less<>> states{{".", kEmpty}};
   const int count = bricks.empty() ? kMaxColours : static_cast<int>(bricks.size());
@@ -35,6 +39,7 @@ class TextReader {
 
   std::optional<Structure> read(Lattice lattice, Offset corner) {
     const std::string& text = source_->text();
+    // After a hundred errors the rest would only repeat them.
     for (std::size_t begin = 0; begin < text.size() && errors_ < kMostErrors;) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       read_line(begin, end);
@@ -54,6 +59,8 @@ class TextReader {
     const std::size_t first = line.find_first_not_of(kSpaces);
     if (first == std::string_view::npos) return;
     const std::size_t last = line.find_last_not_of(kSpaces) + 1;
+    // Comments are skipped within the drawing too; the head's keys are read by
+    // text_file.cpp.
     const std::string_view body = line.substr(first, last - first);
     if (body.starts_with("//")) return;
     if (body == "---") {
@@ -63,6 +70,8 @@ class TextReader {
     }
   }
 
+  // A symbol may be any run of characters without spaces, so several-character symbols are
+  // read as they are printed.
   void read_row(std::size_t begin, std::size_t end) {
     const std::string_view text = source_->text();
     const std::size_t cells_before = cells_.size();
@@ -73,6 +82,8 @@ class TextReader {
     }
     const std::size_t width = cells_.size() - cells_before;
     if (width_ == 0) width_ = width;
+    // The row is read in full although its width is wrong: all unknown symbols are
+    // reported.
     if (width != width_) {
       error(Code::F403, begin, end,
             fmt::format("row has {} cells, the rows before have {}", width, width_));
@@ -80,6 +91,7 @@ class TextReader {
     ++rows_;
   }
 
+  // The nearest known symbol is suggested, by edit distance, as for keys of rule files.
   State state_of(std::size_t begin, std::size_t end) {
     const std::string_view symbol = std::string_view(source_->text()).substr(begin, end - begin);
     const auto found = states_.find(symbol);
@@ -90,6 +102,7 @@ class TextReader {
     for (const auto& [name, state] : states_) known.push_back(name);
     const std::string_view near = nearest(symbol.substr(0, 40), known);
     if (!near.empty()) diagnostic.suggest(std::string(near));
+    // Entering the unknown symbol as empty silences it from now on.
     states_.emplace(std::string(symbol), kEmpty);  // say it once
     return kEmpty;
   }
@@ -113,6 +126,7 @@ class TextReader {
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       if (cells_[i] == kEmpty) continue;
       const std::size_t row = i / width_;
+      // Reading order is x rising, y falling, z falling.
       const Cell drawn{static_cast<std::int32_t>(i % width_),
                        static_cast<std::int32_t>(height_ - 1 - row % height_),
                        static_cast<std::int32_t>(slices_ - 1 - row / height_)};
@@ -148,6 +162,7 @@ std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
       .read(lattice, {corner.x, corner.y, corner.z});
 }
 
+/// A malformed literal is a fault of a test, so it is asserted and not reported.
 Structure structure_literal(std::string_view text, Lattice lattice) {
   Diagnostics diagnostics;
   const auto source = std::make_shared<SourceFile>("literal", std::string(text));
@@ -159,6 +174,7 @@ Structure structure_literal(std::string_view text, Lattice lattice) {
 std::string print_structure(const Structure& structure, const std::vector<Brick>& bricks) {
   const std::optional<CellBounds> bounds = structure.bounds();
   if (!bounds) return ".\n";
+  // Symbols of several characters are padded to one width, so that columns line up.
   std::vector<std::string> symbols{"."};
   std::size_t width = 1;
   for (const PlacedBrick& brick : structure.bricks()) {

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// What all engines share of a run: the checks of its configuration, the record of steps and
+// deposits with its limits, and ensembles. Limits are looked at before each step; the clock
+// is never asked, so a run is a function of its configuration.
 #include "lattice/swarm.h"
 
 #include <algorithm>
@@ -16,6 +19,8 @@ namespace {
 constexpr std::int64_t kMostBoxCells = std::int64_t{1} << 30;
 constexpr std::uint64_t kWorkBetweenHooks = 1U << 14;
 
+/// 6, 18 and 26 are the neighbours by faces, by faces and edges, and all; of the hexagonal
+/// lattice 8 and 20.
 bool moves_exist(Lattice lattice, int moves) {
   return lattice == Lattice::cubic ? moves == 6 || moves == 18 || moves == 26
                                    : moves == 8 || moves == 20;
@@ -24,7 +29,8 @@ bool moves_exist(Lattice lattice, int moves) {
 bool box_fits(const Box& box) {
   const auto side = [](std::int32_t s) { return s >= 1 && s <= kMaxCoordinate; };
   if (!side(box.size.x) || !side(box.size.y) || !side(box.size.z)) return false;
-  // Engines pad a box by one cell all round.
+  // Engines pad a box by one cell all round. The padded box is an array of one byte per
+  // cell in the walk engine, which bounds its size.
   const std::int64_t slice = (std::int64_t{box.size.x} + 2) * (std::int64_t{box.size.y} + 2);
   return slice <= kMostBoxCells && slice * (std::int64_t{box.size.z} + 2) <= kMostBoxCells;
 }
@@ -42,6 +48,8 @@ std::string start_problem(const RuleTable& rules, const std::vector<PlacedBrick>
   return {};
 }
 
+/// Agents are placed by rejection later on, so it has to be certain that there is room for
+/// all.
 std::string agents_problem(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                            const SwarmConfig& config) {
   if (!config.box) return "agents need a box to move in";
@@ -51,6 +59,7 @@ std::string agents_problem(const RuleTable& rules, const std::vector<PlacedBrick
                ? "on the cubic lattice an agent has 6, 18 or 26 moves"
                : "on the hexagonal lattice an agent has 8 or 20 moves";
   }
+  // Cells below the floor count to the box and hold no agents.
   const std::int64_t below =
       rules.floor() && config.box->low.z < 0
           ? std::min<std::int64_t>(-std::int64_t{config.box->low.z}, config.box->size.z) *
@@ -117,10 +126,14 @@ void RunLog::record(const Deposit& deposit) {
 }
 
 bool RunLog::limit_reached(std::uint64_t work) {
+  // The order matters where several limits are met at once: the number of steps is named
+  // first.
   if (config_->max_steps && result_.steps >= *config_->max_steps) {
     why_ = Terminated::steps;
     return true;
   }
+  // Hooks are called every few milliseconds, by counted work: a look at the clock would
+  // cost more than a step of few agents.
   work_since_hooks_ += work;
   if (work_since_hooks_ < kWorkBetweenHooks) return false;
   work_since_hooks_ = 0;
@@ -142,6 +155,8 @@ SwarmResult RunLog::finish(LatticeWorld& world, Terminated terminated, std::uint
 
 std::string config_problem(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                            const SwarmConfig& config) {
+  // The stream of random numbers has 24 bits for the run, and counts steps in blocks
+  // (base/random.h).
   if (config.run >= 1U << 24) return "the number of a run is at most 16777215";
   if (config.max_steps && *config.max_steps >= std::uint64_t{1} << 43) {
     return "a run has at most 2^43 steps";
@@ -167,6 +182,8 @@ std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<
                                       const std::function<void(int)>& done,
                                       const std::atomic<bool>* stop) {
   std::vector<SwarmResult> results(static_cast<std::size_t>(runs));
+  // Runs are handed out by a counter. Each writes its own slot of the results, so their
+  // order does not depend on threads.
   std::atomic<int> next{0};
   std::mutex mutex;
   int finished = 0;
@@ -177,6 +194,7 @@ std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<
       SwarmHooks hooks;
       hooks.stop = stop;
       results[static_cast<std::size_t>(run)] = run_swarm(rules, start, own, hooks);
+      // `done` runs under the lock, so callers need no other.
       const std::lock_guard lock(mutex);
       ++finished;
       if (done) done(finished);
@@ -189,6 +207,7 @@ std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<
   return results;
 }
 
+/// Builds a world for one look: meant for single questions, not for loops.
 View view_at(const Structure& structure, const RuleTable& rules, const std::optional<Box>& box,
              Cell site) {
   return LatticeWorld(rules, structure.bricks(), box).view(site);

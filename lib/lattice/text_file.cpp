@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The head of a structure's text file. It consists of comments with known keys before the
+// first row, so that files remain readable as plain drawings and older ones without a head
+// keep their meaning.
 #include "lattice/text_file.h"
 
 #include <fmt/format.h>
@@ -39,12 +42,15 @@ std::optional<int> number_of(std::string_view word, int low, int high) {
   return value < low || value > high ? std::nullopt : std::optional(value);
 }
 
+/// A symbol must survive printing and reading: it can be no comment, no separator and no
+/// empty cell.
 // Can a row of symbols be read back that has this one in it?
 bool drawable(std::string_view symbol) {
   return !symbol.empty() && symbol != "." && symbol != "---" && !symbol.starts_with("//") &&
          symbol.find_first_of(" \t\r\n") == std::string_view::npos;
 }
 
+/// Names are the symbols: nothing better is known of bricks that are only drawn.
 std::vector<Brick> bricks_of(const std::vector<std::string_view>& symbols) {
   std::vector<Brick> bricks = numbered_bricks(static_cast<int>(symbols.size()));
   for (std::size_t i = 0; i < symbols.size(); ++i) bricks[i].symbol = bricks[i].name = symbols[i];
@@ -61,6 +67,7 @@ struct Head {
   std::optional<std::vector<Brick>> bricks;
 };
 
+/// Errors in known keys are reported; unknown keys are comments like any other.
 // Reads the comments before the first row; those without a key of ours are passed over.
 class HeadReader {
  public:
@@ -70,6 +77,7 @@ class HeadReader {
   /// False when something in the head is malformed.
   bool read(Head& head) {
     std::string_view rest = source_->text();
+    // The head ends at the first row; comments further down are only comments.
     while (!rest.empty()) {
       const std::size_t end = std::min(rest.find('\n'), rest.size());
       const std::string_view line = trimmed(rest.substr(0, end));
@@ -128,6 +136,7 @@ class HeadReader {
 
   void error(std::string_view where, std::string message) {
     const std::string_view shown = trimmed(where);
+    // The word may be empty, and then the place of the value's begin is all there is.
     const char* begin = shown.empty() ? where.data() : shown.data();
     const auto at = static_cast<std::uint32_t>(begin - source_->text().data());
     diagnostics_.add(Code::F411, {source_, at, at + static_cast<std::uint32_t>(shown.size())},
@@ -140,6 +149,7 @@ class HeadReader {
   bool good_ = true;
 };
 
+/// Numbers mean colours by their value; letters mean them by the order of appearance.
 // The bricks of slices that nobody has named: none, for numbers, when all symbols are
 // numbers; otherwise the symbols as they appear, as many as a structure has room for.
 std::vector<Brick> bricks_drawn(std::string_view text) {
@@ -160,6 +170,8 @@ std::vector<Brick> bricks_drawn(std::string_view text) {
   return numbers ? std::vector<Brick>{} : bricks_of(symbols);
 }
 
+/// Colours that are declared and not used are kept in the head of a printed file, so that
+/// numbers stay what they were.
 int highest_colour(const Structure& structure) {
   int highest = 0;
   for (const PlacedBrick& brick : structure.bricks()) highest = std::max<int>(highest, brick.brick);

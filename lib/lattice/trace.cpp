@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Writes and reads traces. Events are coded as differences of sites and steps in
+// variable-length integers, which with zstd takes few bytes per event. A trace may come
+// from anywhere: lengths are bounded by what is left, numbers by what they mean, and the
+// decompressed size by a limit, before anything is allocated for them.
 #include "lattice/trace.h"
 
 #include <nlohmann/json.hpp>
@@ -16,6 +20,7 @@ constexpr std::size_t kMostTraceBytes = std::size_t{1} << 29;  ///< decompressed
 constexpr std::size_t kMostTraceEvents = std::size_t{1} << 25;
 enum Tag : std::uint8_t { kEvent = 1, kHash = 2, kEnd = 3 };
 
+/// Short keys in a fixed order: headers are compared as text by some tests.
 nlohmann::json to_json(Cell c) { return {c.x, c.y, c.z}; }
 
 nlohmann::json header_of(const RuleSet& rules, const SwarmConfig& config, const std::string& kind) {
@@ -39,6 +44,7 @@ nlohmann::json header_of(const RuleSet& rules, const SwarmConfig& config, const 
   return h;
 }
 
+/// Fractions and numbers beyond 64 bits would otherwise be converted silently.
 /// An integer within bounds; throws on anything else, fractions included.
 std::int64_t integer(const nlohmann::json& j, std::int64_t low, std::int64_t high) {
   if (!j.is_number_integer()) throw std::range_error("integer");
@@ -63,6 +69,7 @@ Cell cell_from(const nlohmann::json& j) {
   return {at(0), at(1), at(2)};
 }
 
+/// Names are compared with those that are printed, so reader and writer cannot drift apart.
 Motion motion_from(const std::string& name) {
   for (const Motion m : {Motion::walk, Motion::teleport, Motion::event}) {
     if (name == to_string(m)) return m;
@@ -70,6 +77,8 @@ Motion motion_from(const std::string& name) {
   throw std::range_error("motion");
 }
 
+/// nlohmann's exceptions and ours end in the same diagnostic; a header is machine-made, so
+/// its exact fault is of little use.
 /// Throws on anything that is not a header; read_trace turns that into a diagnostic.
 void read_header(const std::string& text, Trace& trace) {
   const auto h = nlohmann::json::parse(text);
@@ -94,6 +103,8 @@ void read_header(const std::string& text, Trace& trace) {
   if (h.contains("max_deposits")) c.max_deposits = unsigned_integer(h["max_deposits"]);
 }
 
+/// Coordinates are sums of differences and may leave the range of a hostile file; they are
+/// tested before they are stored.
 bool read_event(ByteReader& in, Deposit& last) {
   const auto add = [&](std::int32_t& value) {
     constexpr std::int64_t kFarthest = 2147483647;
@@ -130,6 +141,7 @@ std::string read_payload(const std::string& payload, Trace& trace) {
   } catch (const std::exception&) {
     return "its header is malformed";
   }
+  // Events are relative to the one before, so one record is updated in place.
   Deposit event;
   while (true) {
     const std::uint8_t tag = in.u8();
@@ -155,6 +167,8 @@ std::string read_payload(const std::string& payload, Trace& trace) {
 
 }  // namespace
 
+/// The payload is compressed as it comes, so the writer holds little more than the
+/// compressed bytes.
 struct TraceWriter::State {
   PackedStream stream;
   std::string pending;  ///< not yet packed
@@ -191,6 +205,7 @@ void TraceWriter::deposit(const Deposit& d) {
     out.push_back(static_cast<char>(kHash));
     put(out, s.hash);
   }
+  // 64 KB at a time: large enough to compress well, small next to the rest of a run.
   if (out.size() > 1U << 16) {
     s.stream.add(out, s.bytes);
     out.clear();

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// An orthographic view from a fixed camera; other corners are shown by turning the
+// structure. Faces are ordered by an integer depth that is monotone along every line of
+// sight, so the painter's algorithm needs no splitting and no tests of geometry.
 #include "lattice/view.h"
 
 #include <algorithm>
@@ -36,10 +39,12 @@ int depth(Lattice lattice, Cell c) {
 
 PagePoint project(Lattice lattice, Point point) {
   return {dot(point, camera(lattice).right), -dot(point, camera(lattice).up)};
+  // The page's y points down.
 }
 
 std::optional<int> turns_for_view(std::string_view corner, Lattice lattice) {
   constexpr std::array<std::string_view, 4> kCorners = {"+x-y", "-x-y", "-x+y", "+x+y"};
+  // Six turns of 60° have no quarter among them; the nearest ones stand for the corners.
   constexpr std::array<int, 4> kSixths = {0, 2, 3, 5};
   const auto found = std::find(kCorners.begin(), kCorners.end(), corner);
   if (found == kCorners.end()) return std::nullopt;
@@ -59,6 +64,7 @@ std::vector<ShownFace> shown_faces(const Structure& structure) {
   const Lattice lattice = structure.lattice();
   const auto& faces = cell_faces(lattice);
   std::vector<PlacedBrick> bricks = structure.bricks();
+  // Stable, so bricks of one depth keep the order of cells and pictures are reproducible.
   std::stable_sort(bricks.begin(), bricks.end(), [&](const PlacedBrick& a, const PlacedBrick& b) {
     return depth(lattice, a.at) < depth(lattice, b.at);
   });

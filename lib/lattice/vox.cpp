@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Reads MagicaVoxel files. Sizes, counts and nesting come from the file and are checked
+// against what is left of it before they are used (ByteReader). A small file can place one
+// model many times, so the sum of placed voxels is bounded before any is read.
 #include "lattice/vox.h"
 
 #include <fmt/format.h>
@@ -28,6 +31,7 @@ struct Model {
 
 using Palette = std::array<Rgb, 256>;  // entry 0 is not used
 
+/// Computed and not stored as a table of 256: the standard palette is regular.
 // What a file without a palette means: the web-safe colours by falling blue, green
 // and red, black left out, then ramps of red, green, blue and grey.
 Palette standard_palette() {
@@ -94,6 +98,7 @@ bool VoxReader::read_chunks() {
   }
   if (in.take(4) != "MAIN") return error("the chunk 'MAIN' is missing");
   const std::uint32_t content = in.u32();
+  // The number is not relied on: the chunks end where the file ends.
   in.u32();  // size of the children: the rest, whatever it says
   in.take(content);
   while (in.good() && in.left() > 0) {
@@ -121,6 +126,7 @@ bool VoxReader::read_chunk(std::string_view id, ByteReader content) {
   return true;
 }
 
+/// SIZE and XYZI come in pairs; nothing else links a model's size to its cells.
 bool VoxReader::read_size(ByteReader content) {
   std::array<std::uint32_t, 3> size{};
   for (std::uint32_t& side : size) {
@@ -137,6 +143,7 @@ bool VoxReader::read_size(ByteReader content) {
 bool VoxReader::read_voxels(ByteReader content) {
   if (sizes_.size() != models_.size() + 1) return error("chunk 'XYZI' without 'SIZE'");
   const std::uint32_t count = content.u32();
+  // Four bytes a voxel: the count is checked by division, which cannot overflow.
   if (!content.good() || count > content.left() / 4) {
     return error(fmt::format("model {} has fewer cells than it says", sizes_.size()));
   }
@@ -146,6 +153,8 @@ bool VoxReader::read_voxels(ByteReader content) {
 
 bool VoxReader::read_palette(ByteReader content) {
   for (std::size_t i = 1; i <= 256; ++i) {
+    // The file lists 256 entries from index 1 on. A voxel's index is a byte, and 0 means
+    // empty, so the last entry cannot be named.
     const Rgb rgb{content.u8(), content.u8(), content.u8()};
     content.u8();
     if (i < 256) palette_[i] = rgb;  // the last one is never used
@@ -203,6 +212,8 @@ bool VoxReader::collect(const PlacedModel& placed) {
       if (at >= model.size[i]) {
         return error(fmt::format("model {} has a cell outside of its size", placed.model + 1));
       }
+      // Twice the centre of a cell relative to the pivot is odd, so rotations stay
+      // integral.
       twice[i] = 2 * at + 1 - 2 * static_cast<std::int64_t>(model.size[i] / 2);
     }
     const std::uint8_t index = in.u8();
@@ -216,6 +227,8 @@ bool VoxReader::collect(const PlacedModel& placed) {
   return true;
 }
 
+/// MagicaVoxel shows overlapping models; a structure has one brick in a cell. A warning is
+/// enough, and the order of the file decides.
 // Cells that several models fill: the first keeps it.
 void VoxReader::keep_first() {
   const auto by_cell = [](const PlacedBrick& a, const PlacedBrick& b) { return a.at < b.at; };
@@ -248,6 +261,8 @@ bool VoxReader::number_colours(std::vector<Brick>& bricks) {
         fmt::format("the models use {} colours, the most is {}", indices.size(), kMaxColours),
         Code::F408);
   }
+  // Low indices are kept as they are, so that files written by this program give back their
+  // colours.
   if (!indices.empty() && indices.back() <= kMaxColours) {
     const std::size_t last = indices.back();
     indices.clear();

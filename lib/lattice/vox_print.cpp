@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Writes MagicaVoxel files: the structure is cut into blocks of 256 cells a side, each a
+// model, and a scene of transforms puts them in place. A structure that fits one model has
+// a scene too, since without one its place would be lost.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,6 +16,7 @@ namespace stig {
 
 namespace {
 
+/// Chunks without children; only MAIN has any.
 void put_chunk(std::string& out, std::string_view id, std::string_view content) {
   out += id;
   put(out, static_cast<std::uint32_t>(content.size()));
@@ -27,6 +31,7 @@ void put_attribute(std::string& out, std::string_view key, std::string_view valu
   }
 }
 
+/// The reserved fields are what other programs write: -1 twice for the layer of the root.
 std::string transform_node(std::uint32_t id, std::uint32_t child, std::int32_t layer,
                            const std::string& shift) {
   std::string out;
@@ -45,6 +50,7 @@ struct Block {
   std::string voxels;
 };
 
+/// The sort is stable, so voxels of a model stay in cell order and files are reproducible.
 std::vector<PlacedBrick> sorted_by_block(const Structure& structure, Cell low) {
   std::vector<PlacedBrick> bricks = structure.bricks();
   const auto block = [low](const PlacedBrick& b) {
@@ -67,6 +73,8 @@ CellBounds bounds_of(const PlacedBrick* begin, const PlacedBrick* end) {
   return bounds;
 }
 
+/// Two passes of division are cheaper than a map of blocks, and keep blocks in a fixed
+/// order.
 std::vector<Block> blocks_of(const Structure& structure) {
   std::vector<Block> blocks;
   if (structure.empty()) return blocks;
@@ -100,6 +108,7 @@ std::string size_content(Offset size) {
 
 std::string palette_content(const std::vector<Brick>& bricks) {
   std::string out;
+  // All 62 colours are written, used or not: the palette is the rule set's.
   for (int i = 1; i <= 256; ++i) {
     const Rgb rgb = i <= kMaxColours ? rgb_of(bricks, static_cast<Colour>(i)) : Rgb{128, 128, 128};
     for (const std::uint8_t value : {rgb.r, rgb.g, rgb.b, std::uint8_t{255}}) put(out, value);
@@ -119,6 +128,7 @@ void put_scene(std::string& out, const std::vector<Block>& blocks) {
   for (std::uint32_t k = 0; k < blocks.size(); ++k) {
     const CellBounds& b = blocks[k].bounds;
     const Offset size = b.size();
+    // A transform places the middle of its model, rounded down (see VoxReader::collect).
     const std::string shift =
         fmt::format("{} {} {}", b.low.x + size.x / 2, b.low.y + size.y / 2, b.low.z + size.z / 2);
     put_chunk(out, "nTRN", transform_node(2 * k + 2, 2 * k + 3, 0, shift));

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Parses the scene graph of a MagicaVoxel file and flattens it with an explicit stack,
+// since depth is up to the file. Rotations are signed permutations, so composing them is
+// exact.
 #include "lattice/vox_scene.h"
 
 #include <algorithm>
@@ -41,7 +44,8 @@ bool parse_int(std::string_view& text, std::int64_t& value) {
   return true;
 }
 
-// "x y z" in decimal.
+// "x y z" in decimal. Shifts of one node are bounded, and the sums along a path are bounded
+// again in flatten_scene.
 bool parse_shift(std::string_view text, VoxTransform& transform) {
   for (std::int64_t& value : transform.shift) {
     if (!parse_int(text, value) || too_far(value)) return false;
@@ -76,6 +80,7 @@ std::array<std::int64_t, 3> VoxTransform::rotated(const std::array<std::int64_t,
   return {sign[0] * v[axis[0]], sign[1] * v[axis[1]], sign[2] * v[axis[2]]};
 }
 
+/// A composition of matrices: first `inner`, then this.
 VoxTransform VoxTransform::after(const VoxTransform& inner) const {
   VoxTransform both;
   for (std::size_t row = 0; row < 3; ++row) {
@@ -94,6 +99,7 @@ bool add_transform_node(ByteReader content, VoxScene& scene) {
   node.children.push_back(content.u32());
   content.take(8);  // reserved, layer
   const std::uint32_t frames = content.u32();
+  // Later frames of an animation are ignored.
   if (frames > 0) {
     const Attributes frame = read_attributes(content);
     const auto rotation = frame.find("_r");
@@ -142,6 +148,7 @@ std::optional<std::vector<PlacedModel>> flatten_scene(const VoxScene& scene) {
       if (too_far(value)) return std::nullopt;
     }
     if (node.model) models.push_back({*node.model, here});
+    // In reverse, so that children are visited in the order of the file.
     for (auto child = node.children.rbegin(); child != node.children.rend(); ++child) {
       stack.push_back({*child, here});
     }

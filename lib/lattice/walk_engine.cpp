@@ -20,6 +20,8 @@ struct Field {
   explicit Field(const Box& b) : box(b), row(b.size.x + 2), slice(row * (b.size.y + 2)) {
     size = slice * (b.size.z + 2);
   }
+  // The padding makes every move from a cell of the box a valid index, without a test of
+  // bounds.
   std::int32_t index(Cell c) const {
     const Offset o = c - box.low;
     return (o.z + 1) * slice + (o.y + 1) * row + o.x + 1;
@@ -31,7 +33,9 @@ struct Field {
 };
 
 /// Numbers coprime to `count`: all below it, or 4096 spread over the range where it is
-/// large.
+/// large. A stride coprime to the number of agents visits each agent once, so an order is
+/// two numbers and not a permutation. 4096 strides are random enough, and all of them would
+/// be a long list for a million agents.
 std::vector<std::uint32_t> coprimes(std::uint32_t count) {
   constexpr std::uint32_t kEnough = 4096;
   if (count == 1) return {0};
@@ -55,7 +59,8 @@ Moves moves_of(const Field& field, const Neighbourhood& n, int count) {
   return moves;
 }
 
-/// The empty cells of the box, for teleport: a list, and each cell's place in it.
+/// The empty cells of the box, for teleport: a list, and each cell's place in it. Swap with
+/// the last: the order of the list depends on the history alone.
 class EmptyCells {
  public:
   void add(std::int32_t cell, std::size_t field_size) {
@@ -163,6 +168,7 @@ void AgentRun::mark_sides() {
   }
 }
 
+/// A portal stands for the cell across a periodic side.
 /// The flag of a cell of the padding, or of one below the floor.
 std::uint8_t AgentRun::side_flag(Cell cell) const {
   const Cell inside = world_.wrap(cell);
@@ -192,6 +198,8 @@ std::int32_t AgentRun::random_free_cell(std::uint32_t agent) const {
   const auto below = [&](std::int32_t size) {
     return static_cast<std::int32_t>(random.below(static_cast<std::uint64_t>(size)));
   };
+  // Rejection sampling is uniform; after 64 failures few cells are free, and they are
+  // counted.
   for (int attempt = 0; attempt < 64; ++attempt) {
     const Offset o{below(box.size.x), below(box.size.y), below(box.size.z)};
     const std::int32_t cell = field_.index(box.low + o);
@@ -215,6 +223,7 @@ void AgentRun::set_enabled(std::int32_t index, bool enabled) {
 /// Enables the sites of the present stage, or of the next that has any.
 void AgentRun::fill() {
   do {
+    // Every enabled flag is cleared by searching until none is left; stages are few.
     for (std::int32_t i = 0; enabled_ > 0; ++i) set_enabled(i, false);
     for (const Cell site : world_.enabled_sites()) set_enabled(field_.index(site), true);
   } while ((enabled_ == 0 || world_.stage_spent()) && world_.next_stage());
@@ -244,6 +253,7 @@ void AgentRun::draw_order(std::uint64_t step) {
     order_words_ = philox(random_address(config_->run, Purpose::order, 0, step / 2),
                           random_key(config_->seed));
   }
+  // Four words of one Philox block serve the orders of two steps.
   const std::size_t half = step % 2 * 2;
   const auto below = [](std::uint32_t word, std::size_t bound) {
     return static_cast<std::uint32_t>((std::uint64_t{word} * bound) >> 32);
@@ -259,6 +269,8 @@ bool AgentRun::sweep_walk() {
   move_ = steps_[step_ % 4].data();
   std::uint32_t agent = order_.base;
   for (std::uint32_t left = order_.count; left > 0; --left) {
+    // The kernel moves agents until one is on an enabled site or at a portal; these two
+    // cases are handled here, and the loop goes on.
     left -= walk_some(flags_.data(), position_.data(), move_, order_, agent, left);
     if (left == 0) break;
     if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
@@ -308,6 +320,8 @@ void AgentRun::walk(std::uint32_t agent) {
   position_[agent] = to;
 }
 
+/// Jumps are drawn by rejection among empty cells; staying put is allowed, so the loop ends
+/// even if agents fill all of them.
 void AgentRun::jump(std::uint32_t agent) {
   const std::int32_t from = position_[agent];
   const bool in_brick = is(from, kSolidCell);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The scalar kernel; walk_kernel.h says what it has to be equal to. Moves of one agent in
+// four consecutive steps come from one Philox block, so drawing costs a quarter of a block
+// for each move.
 #include "lattice/walk_kernel.h"
 
 #include "base/random.h"
@@ -17,6 +20,7 @@ void draw_moves(std::uint64_t seed, std::uint32_t run, std::uint64_t block, cons
   for (; agent < agents; ++agent) {
     const auto words =
         philox({counter[0], counter[1], static_cast<std::uint32_t>(agent), counter[3]}, key);
+    // Lemire's multiplication in place of a remainder: biased by at most count / 2^32.
     for (std::size_t w = 0; w < 4; ++w) {
       out[w][agent] = moves.step[(std::uint64_t{words[w]} * moves.count) >> 32];
     }

@@ -20,7 +20,9 @@ namespace {
 
 STIG_AVX512 __m512i all(std::uint32_t word) { return _mm512_set1_epi32(static_cast<int>(word)); }
 
-/// Low and high halves of the lanes' products with a constant.
+/// Low and high halves of the lanes' products with a constant. There is no instruction for
+/// 32-bit high products: even and odd lanes are multiplied to 64 bits and woven together
+/// again.
 struct Product {
   __m512i low, high;
 };
@@ -53,6 +55,8 @@ STIG_AVX512 void draw_moves_vector(std::array<std::uint32_t, 4> counter,
   const __m512i lane = _mm512_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
   __m512i c0 = all(counter[0]), c1 = all(counter[1]), c3 = all(counter[3]);
   __m512i c2 = _mm512_add_epi32(all(static_cast<std::uint32_t>(agent)), lane);
+  // Ten rounds, with the constants of J. Salmon et al., "Parallel random numbers: as easy
+  // as 1, 2, 3" (SC 2011).
   for (int round = 0; round < 10; ++round) {
     const Product p0 = product(c0, 0xD2511F53), p1 = product(c2, 0xCD9E8D57);
     c0 = exclusive_or(p1.high, c1, key[0]);

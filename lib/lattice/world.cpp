@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Views and stages for all engines. The hot path is a deposit: the 5 x 5 x 5 cells around
+// it are gathered once, and all 26 neighbours' views are cut out of them. Near the sides of
+// a periodic box and in narrow ones cells repeat, so views are read there cell by cell; the
+// two paths give the same views.
 #include "lattice/world.h"
 
 #include <algorithm>
@@ -52,6 +56,7 @@ bool LatticeWorld::is_site(Cell site) const {
                      is_brick);
 }
 
+/// Two cells from a side, since a neighbour's neighbour is two away.
 bool LatticeWorld::wraps_near(Cell cell) const {
   if (!box_ || !box_->periodic) return false;
   const Offset from_low = cell - box_->low;
@@ -63,7 +68,8 @@ bool LatticeWorld::wraps_near(Cell cell) const {
 void LatticeWorld::gather(Cell cell, Surroundings& out) const {
   structure_.gather(cell, out);
   if (!rules_->floor() || cell.z >= 2) return;
-  // Levels of the 5×5×5 below z = 0; they are the first in memory.
+  // Levels of the 5×5×5 below z = 0; they are the first in memory. Floor is no brick and is
+  // stored nowhere; it is painted into what is read.
   const int below = std::min(5, 2 - cell.z);
   std::fill_n(out.at.begin(), below * Surroundings::kLevel, kFloor);
 }
@@ -80,6 +86,8 @@ bool LatticeWorld::next_stage() {
   return true;
 }
 
+/// Linear in the structure; engines call it at the beginning and keep the set up to date
+/// themselves.
 std::vector<Cell> LatticeWorld::candidates() const {
   const Neighbourhood& n = rules_->neighbours();
   CellMarks sites;
@@ -110,6 +118,8 @@ Match LatticeWorld::choose(Cell site, Random& random) {
   rules_->matches(wraps ? view(site) : view_within(around_, kCentre), site.z, stage_, matches_);
   assert(!matches_.empty());
   if (rules_->conflicts() != Conflicts::random || matches_.size() == 1) return matches_.front();
+  // Weights choose among the matches of one site; rounding may leave a rest of zero, and
+  // the last match then takes it.
   double total = 0;
   for (const Match& m : matches_) total += rules_->weight(m.rule);
   double rest = random.unit() * total;
