@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The sink and the two renderings as data. Codes, severities and explanations come from one
+// list (diagnostics.def), expanded here into a table; an enumerator's value is its index in
+// it. Suggestions use the edit distance of F. Damerau (1964) in its restricted form, in
+// which no part is edited twice.
 #include "base/diagnostic.h"
 
 #include <algorithm>
@@ -20,6 +24,7 @@ const std::vector<CodeInfo>& all_codes() {
   return codes;
 }
 
+/// The assertion ties the order of the enumeration to that of the table.
 const CodeInfo& info(Code code) {
   const auto index = static_cast<std::size_t>(code);
   assert(index < all_codes().size() && all_codes()[index].code == code);
@@ -40,6 +45,8 @@ Diagnostic& Diagnostics::add(Code code, SourceRange range, std::string message) 
   const Severity severity = info(code).severity;
   ++(severity == Severity::error ? errors_ : warnings_);
   Diagnostic diagnostic{code, severity, std::move(range), std::move(message), {}, {}};
+  // Past the limit a diagnostic is built all the same and thrown away, so that callers can
+  // add notes to it without asking.
   if (all_.size() >= kMostKept) return spare_ = std::move(diagnostic);
   return all_.emplace_back(std::move(diagnostic));
 }
@@ -52,6 +59,8 @@ void Diagnostics::append(const Diagnostics& other) {
   warnings_ += other.warnings_;
 }
 
+/// Stable: diagnostics of one place keep the order in which they were found. A file without
+/// a path sorts first.
 std::vector<const Diagnostic*> sorted_by_place(const Diagnostics& diagnostics) {
   std::vector<const Diagnostic*> sorted;
   for (const Diagnostic& d : diagnostics.all()) sorted.push_back(&d);
@@ -100,6 +109,7 @@ nlohmann::ordered_json as_json(const Diagnostic& diagnostic) {
 
 }  // namespace
 
+/// Editors and CI read this form; its keys are part of the program's interface.
 std::string to_json(const Diagnostics& diagnostics) {
   nlohmann::ordered_json out = nlohmann::ordered_json::array();
   for (const Diagnostic* d : sorted_by_place(diagnostics)) out.push_back(as_json(*d));
@@ -107,6 +117,8 @@ std::string to_json(const Diagnostics& diagnostics) {
   return out.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
+/// Rows are cut off as soon as all their entries exceed `most`, so a comparison of unlike
+/// words costs little.
 std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t most) {
   if (a.size() > b.size()) std::swap(a, b);
   if (b.size() - a.size() > most) return most + 1;
@@ -129,6 +141,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b, std::size_t mo
 }
 
 std::string_view nearest(std::string_view word, const std::vector<std::string_view>& candidates) {
+  // Long words are hardly misspelt keys, and comparing them with every key would be
+  // quadratic in hostile input.
   if (word.empty() || word.size() > 64) return {};
   // One slip in a word of two or three letters, one more for every three letters.
   std::size_t best = word.size() < 2 ? 0 : 1 + (word.size() - 1) / 3;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Examples for every code, taken from base/examples_*.def, and small good files into which
+// they fit. A static_assert demands one example for each code in the same order, so adding
+// a code without one does not compile.
 #include "base/diagnostic_example.h"
 
 #include <fmt/format.h>
@@ -113,6 +116,7 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
+/// Only top-level keys count: they are what an example replaces.
 /// "rules" of the line "rules:"; empty for a line that goes on with what came before.
 std::string_view key_of(std::string_view line) {
   const bool begins = !line.empty() && line.front() >= 'a' && line.front() <= 'z';
@@ -148,6 +152,7 @@ std::string_view word_of(Severity severity) {
 
 const CodeExample& example_of(Code code) { return kExamples[static_cast<std::size_t>(code)]; }
 
+/// Keys that the example gives replace those of the good file, lines below them included.
 std::string example_file(ExampleForm form, std::string_view keys) {
   std::vector<std::string_view> given;
   for (const std::string_view line : lines_of(keys)) given.push_back(key_of(line));
@@ -161,6 +166,7 @@ std::string example_file(ExampleForm form, std::string_view keys) {
   return fmt::format("{}{}\n", out, keys);
 }
 
+/// Codes are accepted in lower case, slugs as they are.
 const CodeInfo* find_code(std::string_view name) {
   const auto same = [](char a, char b) { return a == b || (b >= 'A' && b <= 'Z' && a == b + 32); };
   for (const CodeInfo& code : all_codes()) {

@@ -13,6 +13,8 @@ struct Group {
   std::string_view prefix, title, about;
 };
 
+/// Groups are in the order of the page. A code whose prefix is in no group would be missing
+/// from the page.
 constexpr Group kGroups[] = {
     {"R0", "R0xx: the file as bytes and YAML", "Found before any key is looked at."},
     {"R1", "R1xx: keys and values",
@@ -61,6 +63,8 @@ bool has_prefix(const CodeInfo& code, std::string_view prefix) {
 
 }  // namespace
 
+/// The page is written by a test's update and compared by it otherwise, so it cannot lag
+/// behind the list.
 std::string diagnostics_markdown() {
   std::string out(kHead);
   for (const Group& group : kGroups) {

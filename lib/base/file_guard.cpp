@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Identifies files by device and inode, as the system does, and keeps a ledger of what the
+// program has read and written. The ledger is global: a program is guarded as a whole,
+// whichever library opens a file. A mutex serves threads; none of this is on a hot path.
 #include "base/file_guard.h"
 
 #include <fmt/format.h>
@@ -43,12 +46,14 @@ std::optional<FileNumber> file_number(const std::string& path) {
   return number_in(status);
 }
 
+/// Pipes and terminals have numbers too and are no files that could be written over.
 std::optional<FileNumber> file_number(int descriptor) {
   struct stat status {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   return number_in(status);
 }
 
+/// The limit of hops is the kernel's own for symbolic links, which also ends cycles.
 std::string behind_links(const std::string& path) {
   fs::path target = path;
   std::error_code error;
@@ -64,6 +69,8 @@ std::string file_identity(const FileNumber& file) {
   return fmt::format("{}:{}", file.device, file.inode);
 }
 
+/// A file that does not exist has no inode; its folder's and its name identify it, unless
+/// the folder is missing too.
 std::string file_identity(const std::string& path) {
   if (const auto there = file_number(path)) return file_identity(*there);
   const fs::path target = behind_links(path);
@@ -84,6 +91,8 @@ void let_replace(const std::string& path) {
   if (const auto file = file_number(path)) note(&Ledger::replaceable, *file);
 }
 
+/// Replacing what was read is allowed only where a program has said so, for files that it
+/// rewrites in place or continues.
 bool was_read(const FileNumber& file) {
   Ledger& all = ledger();
   const std::lock_guard lock(all.mutex);

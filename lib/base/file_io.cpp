@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Reading with limits and atomic writing. A write goes to a temporary file in the target's
+// directory (a rename must not cross file systems), is synced, renamed, and the directory
+// synced as well: after a crash there is the old file or the new one. Names of unfinished
+// files stand in static memory, where a signal handler can remove them with
+// async-signal-safe calls alone.
 #include "base/file_io.h"
 
 #include <fcntl.h>
@@ -29,10 +34,13 @@ class Descriptor {
   explicit Descriptor(int fd) : fd_(fd) {}
   Descriptor(const Descriptor&) = delete;
   Descriptor& operator=(const Descriptor&) = delete;
+  // Standard streams are not ours to close.
   ~Descriptor() {
     if (fd_ > STDERR_FILENO) ::close(fd_);
   }
   int get() const { return fd_; }
+  // Errors of delayed writes (quotas, network file systems) may only be reported when a
+  // file is closed.
   /// Closes now; false when the system reports a delayed error of writing.
   bool close() {
     const int fd = fd_;
@@ -64,6 +72,8 @@ bool too_large(FileError& error, const std::string& path, std::size_t most) {
   return false;
 }
 
+/// The size that the system reported is no limit: a file may grow while it is read, and
+/// /proc has files of size 0.
 /// Reads to the end, one byte past `most` at the furthest.
 bool read_all(int fd, const std::string& path, std::size_t most, std::string& out,
               FileError& error) {
@@ -102,6 +112,7 @@ struct Unfinished {
   std::atomic<bool> taken{false}, valid{false};
   std::array<char, PATH_MAX> name{};
 };
+/// A lock could be held by the thread that the signal interrupts.
 static_assert(std::atomic<bool>::is_always_lock_free, "read by a signal handler");
 /// More files than are written at a time; those beyond are not cleaned up.
 std::array<Unfinished, 64> unfinished;
@@ -111,6 +122,8 @@ int note_unfinished(const std::string& name) {
   if (name.size() >= PATH_MAX) return -1;
   for (std::size_t i = 0; i < unfinished.size(); ++i) {
     if (unfinished[i].taken.exchange(true)) continue;
+    // The name is complete before `valid` is set; a handler that comes in between leaves it
+    // alone.
     std::memcpy(unfinished[i].name.data(), name.c_str(), name.size() + 1);
     unfinished[i].valid.store(true);
     return static_cast<int>(i);
@@ -118,6 +131,7 @@ int note_unfinished(const std::string& name) {
   return -1;
 }
 
+/// In this order: a slot that another thread takes must not be valid yet.
 void forget_unfinished(int slot) {
   if (slot < 0) return;
   unfinished[static_cast<std::size_t>(slot)].valid.store(false);
@@ -179,6 +193,7 @@ std::optional<std::string> read_file(const std::string& path, std::size_t most, 
   }
   if (!check_regular(status, "read", path, error)) return std::nullopt;
   note_open(fd.get());
+  // Refused by its size before it is read, where the size is known.
   if (status.st_size > 0 && static_cast<std::uintmax_t>(status.st_size) > most) {
     too_large(error, path, most);
     return std::nullopt;
@@ -207,6 +222,7 @@ bool GrowingFile::open(const std::string& path, FileError& error) {
   if (replaces && !check_regular(status, "write", path, error)) return false;
   if (!check_unguarded(target_, path, error)) return false;
   fd_ = open_temporary(target_, temporary_, slot_);
+  // A replaced file keeps its permissions; a new one gets those of the process's mask.
   const bool good = fd_ >= 0 && (!replaces || ::fchmod(fd_, status.st_mode & 07777U) == 0);
   if (!good) {
     fail(error, "write", path_);
@@ -222,6 +238,7 @@ bool GrowingFile::append(std::string_view bytes, FileError& error) {
   return false;
 }
 
+/// From here on the old file exists until the moment of the rename.
 bool GrowingFile::commit(FileError& error) {
   // Another may have been written there, or read, since this one was begun.
   if (!check_unguarded(target_, path_, error)) {
@@ -251,6 +268,7 @@ void GrowingFile::discard() {
   forget_unfinished(std::exchange(slot_, -1));
 }
 
+/// Called from a signal handler: no allocation, no lock, no destructor.
 void remove_unfinished_files() {
   for (const Unfinished& one : unfinished) {
     if (one.valid.load()) ::unlink(one.name.data());

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Checks a file against a form, and reads from it what is sound. The two are apart on
+// purpose: check_form reports every problem once and marks bad nodes; FormView then hands
+// out defaults for what is marked, so that readers need no error handling and later checks
+// can still say something useful about the rest.
 #include "base/form.h"
 
 #include <fmt/format.h>
@@ -82,6 +86,8 @@ class Checker : public NodeChecks {
     return sound || mark(node);
   }
 
+  // The version is the key's upper bound; another one is reported as such and not as a
+  // number out of range.
   bool check_version(const YamlNode& node, const FormKey& key) {
     const std::optional<double> value = number_of(node);
     if (!value) return wrong(node, fmt::format("the version {}", key.high));
@@ -91,6 +97,7 @@ class Checker : public NodeChecks {
 
 }  // namespace
 
+/// Stricter than from_chars: no infinities, no quoted numbers, and a sign of either kind.
 std::optional<double> number_of(const YamlNode& node) {
   if (node.kind != YamlKind::scalar || node.style != YamlStyle::plain) return std::nullopt;
   std::string_view text = node.text;
@@ -112,6 +119,7 @@ bool check_form(const YamlDocument& document, const YamlNode& node, const Form& 
   return Checker(document, diagnostics, bad).check_form(node, form);
 }
 
+/// The document's root is the usual case.
 BadNodes check_form(const YamlDocument& document, const Form& form, Diagnostics& diagnostics) {
   BadNodes bad;
   check_form(document, document.root, form, diagnostics, bad);
@@ -162,6 +170,7 @@ std::vector<std::string> FormView::names(std::string_view key) const {
 }
 
 FormView FormView::form(std::string_view key) const {
+  // A static empty mapping serves for absent forms, since views hold pointers.
   static const YamlNode kEmpty{.kind = YamlKind::mapping, .text = {}, .items = {}, .pairs = {}};
   const YamlNode* value = find(key);
   return {value == nullptr ? kEmpty : *value, *bad_};

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Prints forms as JSON Schema draft 7, the version that editors support. Forms that refer
+// to each other become definitions, numbered by first mention; the walk over them reaches
+// those mentioned by others.
 #include <algorithm>
 #include <cassert>
 #include <nlohmann/json.hpp>
@@ -14,6 +17,7 @@ using Json = nlohmann::ordered_json;
 Json range_json(const FormKey& key) {
   const bool whole = key.kind == FormKind::integer || key.kind == FormKind::integers;
   Json out = {{"type", whole ? "integer" : "number"}};
+  // Draft 7 has exclusive bounds as numbers of their own.
   const char* low = key.above_low ? "exclusiveMinimum" : "minimum";
   if (whole) {
     out[low] = static_cast<std::int64_t>(key.low);
@@ -25,6 +29,7 @@ Json range_json(const FormKey& key) {
   return out;
 }
 
+/// A definition is named after the form's title, which is unique among the forms of a file.
 std::string definition(const Form& form) {
   std::string title(form.title);
   std::replace(title.begin(), title.end(), ' ', '_');
@@ -67,6 +72,8 @@ class Printer {
   }
 
   Json value_json(const FormKey& key) {
+    // YAML scalars such as 1 or true are texts where a text is wanted, so editors must
+    // accept them.
     const Json scalar = {{"type", {"string", "number", "boolean"}}};
     switch (key.kind) {
       case FormKind::text:

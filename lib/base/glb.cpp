@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Writes binary glTF: a JSON chunk that describes, and a binary chunk with all numbers.
+// Each primitive has an accessor for positions, normals and indices; bounds of positions
+// are mandatory in the format. Everything is in the order of the nodes, so equal input
+// gives equal bytes.
 #include "base/glb.h"
 
 #include <algorithm>
@@ -54,6 +58,7 @@ class Document {
   std::string finish() {
     if (!binary_.empty()) json_["buffers"] = json::array({{{"byteLength", binary_.size()}}});
     std::string text = json_.dump(-1, ' ', false, json::error_handler_t::replace);
+    // Chunks are padded to four bytes, JSON with spaces.
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t total = 12 + 8 + text.size() + (binary_.empty() ? 0 : 8 + binary_.size());
     assert(total <= std::numeric_limits<std::uint32_t>::max());
@@ -89,7 +94,8 @@ class Document {
 
   std::size_t last() const { return json_["accessors"].size() - 1; }
 
-  // All parts are of whole 4-byte numbers, so every view starts aligned.
+  // All parts are of whole 4-byte numbers, so every view starts aligned. `target` tells
+  // viewers whether a view holds vertices or indices.
   json& accessor(const std::string& bytes, int target, int type, std::uint32_t count,
                  const char* shape) {
     json_["bufferViews"].push_back({{"buffer", 0},
@@ -104,6 +110,7 @@ class Document {
     return json_["accessors"].back();
   }
 
+  // glTF's base colours are linear; the palette's are sRGB.
   static json material(const GlbPrimitive& of) {
     return {{"name", of.material},
             {"pbrMetallicRoughness",

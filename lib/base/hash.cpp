@@ -3,6 +3,8 @@
 
 namespace stig {
 
+/// Written digit by digit: a formatting library would be more than it takes, and hashes are
+/// compared as text.
 std::string to_hex(std::uint64_t value) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   std::string text(16, '0');

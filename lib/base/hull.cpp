@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The hull by brute force: O(n^4) in the number of points, for bodies of at most some dozen
+// corners that are read once. It needs no careful ordering of cases, and coplanar triangles
+// become one face without further work. Tolerances are relative to the largest distance
+// between points.
 #include "base/hull.h"
 
 #include <algorithm>
@@ -24,6 +28,8 @@ class Hull {
       for (std::size_t j = i + 1; j < n; ++j) {
         for (std::size_t k = j + 1; k < n; ++k) {
           const Vec3 across = cross(points_[j] - points_[i], points_[k] - points_[i]);
+          // Three points in a line define no plane. Written so that NaN is rejected as
+          // well.
           if (!(length(across) > slack_ * size_)) continue;
           const Vec3 normal = normalised(across);
           try_plane(points_[i], normal);
@@ -43,6 +49,7 @@ class Hull {
       if (above > slack_) return;
       if (above > -slack_) face.corners.push_back(i);
     }
+    // A plane is found by each of its triples; the first one counts.
     for (const HullFace& known : faces_) {
       if (dot(known.normal, normal) > 1 - 1e-9) return;
     }
@@ -50,6 +57,8 @@ class Hull {
     faces_.push_back(std::move(face));
   }
 
+  // Gift wrapping (R. Jarvis 1973) within the plane; of points in a line the farthest is
+  // taken, so that none is left in the middle of an edge.
   /// The outline of the points of a plane, from its lowest place in the list: each time the
   /// point that all others are to the left of.
   std::vector<std::size_t> go_round(const HullFace& face) const {
@@ -92,6 +101,9 @@ Vec3 products(const Vec3& a) { return {a.y * a.z, a.z * a.x, a.x * a.y}; }
 
 }  // namespace
 
+/// Integrals over tetrahedra are exact for polynomials of degree two. They are taken about
+/// the first point to keep numbers small, and then moved to the centre of mass by the
+/// parallel-axis theorem.
 HullMass hull_mass(const std::vector<Vec3>& points) {
   // Tetrahedra from the first point; a tetrahedron's integral of x² is its volume over 20 times
   // the sum of its corners' squares and the square of their sum.

@@ -10,6 +10,7 @@ namespace stig {
 SourceRef load_source(const std::string& path, std::size_t most, Diagnostics& diagnostics) {
   FileError error;
   auto text = read_file(path, most, error);
+  // The source exists even when reading failed: the diagnostic needs a file to point at.
   auto source = std::make_shared<const SourceFile>(path == "-" ? "<stdin>" : path,
                                                    text ? std::move(*text) : std::string());
   if (text) return source;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The wording of everything that can be wrong with one value. Messages say what is expected
+// and what was found, and suggest a replacement where the intention is plain: a colour by
+// its name, a number in quotes, `yes` for true.
 #include "base/node_checks.h"
 
 #include <fmt/format.h>
@@ -29,6 +32,7 @@ std::string_view spoken(YamlKind kind) {
   return "something broken";
 }
 
+/// Quoted texts are named as such, because their quotes are mostly what is wrong.
 std::string found(const YamlNode& node) {
   if (node.kind != YamlKind::scalar) return std::string(spoken(node.kind));
   return node.style == YamlStyle::quoted ? "the quoted text " + in_quotes(node.text)
@@ -116,6 +120,7 @@ std::string unquoted_number(const YamlNode& node) {
 
 }  // namespace
 
+/// By the first letter, which is right for the nouns of the forms.
 std::string with_article(std::string_view noun) {
   return (std::string_view("aeiou").find(noun[0]) != std::string_view::npos ? "an " : "a ") +
          std::string(noun);
@@ -131,6 +136,8 @@ bool NodeChecks::mark(const YamlNode& node) {
   return false;
 }
 
+/// A broken node has been reported where it was read; reporting what it is not would only
+/// repeat that.
 bool NodeChecks::wrong(const YamlNode& node, std::string_view wanted, std::string instead) {
   if (node.kind == YamlKind::broken) return mark(node);
   if (const SourceRange word = swallowed_word(document_, node)) {
@@ -175,6 +182,8 @@ bool NodeChecks::unknown_key(const YamlPair& pair, std::string_view title,
 
 void NodeChecks::missing_key(const YamlNode& mapping, std::string_view title, std::string_view key,
                              std::string_view doc, const std::vector<std::string_view>& known) {
+  // The missing key is not reported a second time when an unknown key is probably the same
+  // one misspelt.
   const auto misspelt = [&](const YamlPair& pair) {
     const bool unknown = std::find(known.begin(), known.end(), pair.key.text) == known.end();
     return unknown && nearest(pair.key.text, known) == key;
@@ -205,6 +214,8 @@ bool NodeChecks::check_colour(const YamlNode& node) {
                   colour_meant(node.text));
 }
 
+/// YAML 1.1 has many words for truth; only two are accepted, since readers disagree on the
+/// others.
 bool NodeChecks::check_boolean(const YamlNode& node) {
   const bool plain = node.kind == YamlKind::scalar && node.style == YamlStyle::plain;
   return (plain && (node.text == "true" || node.text == "false")) ||

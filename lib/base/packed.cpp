@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Compression by zstd, in one piece or as a stream. The level trades time against size;
+// both were set for traces, which compress to a few bytes per event at either.
 #include "base/packed.h"
 
 #include <zstd.h>
@@ -32,6 +34,8 @@ void compress(ZSTD_CCtx* context, std::string_view bytes, ZSTD_EndDirective mode
     const std::size_t rest = ZSTD_compressStream2(context, &piece, &in, mode);
     assert(!ZSTD_isError(rest));
     out.append(chunk, 0, piece.pos);
+    // With ZSTD_e_end the call has to be repeated until nothing is left to flush; with
+    // ZSTD_e_continue until all input is taken.
     if (mode == ZSTD_e_end ? rest == 0 : in.pos == in.size) return;
   }
 }
@@ -48,6 +52,8 @@ std::string packed(std::string_view bytes) {
   return out;
 }
 
+/// The size in the frame's header is not believed: output is bounded as it grows, so a
+/// small frame cannot fill the memory.
 std::optional<std::string> unpacked(std::string_view frame, std::size_t most) {
   const std::unique_ptr<ZSTD_DCtx, std::size_t (*)(ZSTD_DCtx*)> context{ZSTD_createDCtx(),
                                                                         ZSTD_freeDCtx};
@@ -58,6 +64,7 @@ std::optional<std::string> unpacked(std::string_view frame, std::size_t most) {
     const std::size_t rest = ZSTD_decompressStream(context.get(), &piece, &in);
     if (ZSTD_isError(rest) || out.size() + piece.pos > most) return std::nullopt;
     out.append(chunk, 0, piece.pos);
+    // Bytes after the frame are an error: a file holds one frame and nothing else.
     if (rest == 0) return in.pos == in.size ? std::optional(std::move(out)) : std::nullopt;
     if (in.pos == in.size && piece.pos == 0) return std::nullopt;  // cut short
   }

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Philox4x32-10 from the Random123 library, addressed by (seed, run, purpose, agent, step).
+// Results are part of the program's interface: traces and golden files hold random numbers,
+// so neither addresses nor the way in which words become numbers can change.
 #include "base/random.h"
 
 #include <Random123/philox.h>
@@ -31,6 +34,8 @@ Random::Random(std::uint64_t seed, std::uint32_t run, Purpose purpose, std::uint
                std::uint64_t step)
     : counter_(random_address(run, purpose, agent, step)), key_(random_key(seed)) {}
 
+/// Four words per block; a stream moves on by incrementing the block's number within its
+/// address.
 std::uint32_t Random::next() {
   if (used_ == 4) {
     words_ = philox(counter_, key_);
@@ -50,6 +55,8 @@ std::uint64_t Random::below(std::uint64_t bound) {
   __extension__ using Wide = unsigned __int128;
   Wide product = static_cast<Wide>(draw()) * bound;
   if (static_cast<std::uint64_t>(product) < bound) {
+    // The rejection is needed for few values; its threshold costs a division, so it is
+    // computed only then.
     const std::uint64_t threshold = (0 - bound) % bound;
     while (static_cast<std::uint64_t>(product) < threshold) {
       product = static_cast<Wide>(draw()) * bound;
@@ -59,6 +66,7 @@ std::uint64_t Random::below(std::uint64_t bound) {
 }
 
 double Random::unit() {
+  // 53 bits are all that a double's fraction holds, so every value is equally likely.
   const std::uint64_t high = next();
   const std::uint64_t bits = (high << 32 | next()) >> 11;
   return static_cast<double>(bits) * 0x1p-53;

@@ -10,6 +10,7 @@ namespace stig {
 
 namespace {
 
+/// Clamped before rounding: the conversion of values out of range is undefined.
 std::uint8_t to_byte(double value) {
   return static_cast<std::uint8_t>(std::lround(std::fmin(std::fmax(value, 0), 255)));
 }
@@ -37,6 +38,7 @@ std::optional<Rgb> parse_color(std::string_view text) {
 
 std::string to_color(Rgb rgb) { return fmt::format("#{:02x}{:02x}{:02x}", rgb.r, rgb.g, rgb.b); }
 
+/// Blended in sRGB and not in linear light: what pictures need are evenly spaced shades.
 Rgb blend(Rgb a, Rgb b, double t) {
   const auto channel = [t](std::uint8_t from, std::uint8_t to) {
     return to_byte(from + t * (to - from));

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// UTF-8 and safe display of bytes from outside. Decoding follows RFC 3629 to the letter,
+// since lenient decoders are a known way around checks; display escapes whatever could move
+// the cursor, hide text or reverse its direction on a terminal ("Trojan Source", N. Boucher
+// and R. Anderson 2021).
 #include "base/text.h"
 
 #include <fmt/format.h>
@@ -25,6 +29,7 @@ CodePoint decode_utf8(std::string_view text) {
   if (lead < 0x80) return {lead, 1, true};
   const CodePoint bad{lead, 1, false};
   const std::size_t length = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
+  // C0 and C1 could only begin overlong forms, F5 to FF values beyond Unicode.
   if (lead < 0xC2 || lead > 0xF4 || text.size() < length) return bad;
   char32_t value = lead & (0x7FU >> length);
   for (std::size_t i = 1; i < length; ++i) {
@@ -46,6 +51,8 @@ std::size_t find_invalid_utf8(std::string_view text) {
   return std::string_view::npos;
 }
 
+/// Continuation bytes are not counted, which is right for valid text and harmless for
+/// other.
 std::size_t count_code_points(std::string_view text) {
   const auto continues = std::count_if(text.begin(), text.end(), is_continuation);
   return text.size() - static_cast<std::size_t>(continues);
@@ -72,6 +79,7 @@ std::string printable(std::string_view text) {
   return out;
 }
 
+/// Cut by characters and not by bytes, so that none is torn.
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t kMost = 60;
   std::size_t end = 0;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Its events are turned into a tree whose nodes have both ends; yaml-cpp marks only where
+// things begin, so ends are found in the text (yaml_places.h).
+//
 // The one file that knows yaml-cpp. Its exceptions end here.
 #include "base/yaml.h"
 
@@ -46,6 +49,8 @@ class TreeBuilder : public YAML::EventHandler {
   }
   void OnDocumentEnd() override {}
 
+  // A null has no text of its own. It is placed at the next sign of punctuation, where a
+  // value is missing, or after what came before.
   void OnNull(const YAML::Mark&, YAML::anchor_t) override {
     std::size_t at = last_end_;
     while (at < text_.size() &&
@@ -93,6 +98,7 @@ class TreeBuilder : public YAML::EventHandler {
     open(YamlKind::mapping, mark, tag, style);
   }
   void OnSequenceEnd() override { close(']'); }
+  // Duplicates are looked for when a mapping is complete.
   void OnMapEnd() override {
     const bool in_list =
         stack_.size() > 1 && stack_[stack_.size() - 2].node.kind == YamlKind::sequence;
@@ -190,6 +196,8 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode node = std::move(stack_.back().node);
     stack_.pop_back();
     const std::size_t inner = std::max<std::size_t>(last_end_, node.begin);
+    // Depth and number of nodes are bounded while the tree grows, so hostile input cannot
+    // exhaust stack or memory.
     node.end = narrow(node.style == YamlStyle::flow ? flow_end(text_, inner, bracket) : inner);
     --nodes_;  // counted when opened
     put(std::move(node));
@@ -253,7 +261,8 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<ScalarSpan> spans_;
 };
 
-/// Bytes that no YAML text has; yaml-cpp would even take some for the end.
+/// Bytes that no YAML text has; yaml-cpp would even take some for the end. The encoding is
+/// checked first: afterwards every offset points at valid UTF-8.
 bool check_bytes(const SourceRef& source, const YamlLimits& limits, Diagnostics& diagnostics) {
   const std::string& text = source->text();
   if (text.size() > limits.bytes) {
@@ -286,6 +295,8 @@ bool check_bytes(const SourceRef& source, const YamlLimits& limits, Diagnostics&
 bool run_parser(const SourceRef& source, std::size_t base, TreeBuilder& builder,
                 Diagnostics& diagnostics) {
   try {
+    // The stream begins after a byte order mark; marks from the parser are shifted back by
+    // `base`.
     std::istringstream stream(source->text().substr(base));
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
@@ -339,6 +350,8 @@ SourceRange YamlDocument::head(const YamlNode& node) const {
           static_cast<std::uint32_t>(std::min<std::size_t>(node.end, line_end))};
 }
 
+/// Literal blocks map line by line; other texts only if they stand in the file just as they
+/// are.
 YamlTextMap::YamlTextMap(const YamlDocument& document, const YamlNode& scalar)
     : whole_(document.range(scalar)) {
   const std::string_view all = document.source->text();

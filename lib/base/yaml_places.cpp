@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Ends of values and comments, found in the text alone. Each function assumes what the
+// parser has established (a scalar begins here and has this value), so it can be simple; on
+// text that does not fit it returns a short range and never reads beyond the end.
 #include "base/yaml_places.h"
 
 #include <algorithm>
@@ -27,6 +30,8 @@ bool is_blank(std::string_view line) {
 
 }  // namespace
 
+/// Line ends within a plain scalar are folded to spaces in its value, so all white space is
+/// skipped on both sides.
 std::size_t plain_end(std::string_view source, std::size_t begin, std::string_view value) {
   std::size_t at = begin;
   for (const char c : value) {
@@ -39,6 +44,8 @@ std::size_t plain_end(std::string_view source, std::size_t begin, std::string_vi
   return std::max(at, std::min(begin + 1, source.size()));
 }
 
+/// In double quotes a backslash escapes the next character; in single quotes a quote is
+/// doubled.
 std::size_t quoted_end(std::string_view source, std::size_t begin) {
   const char quote = source[begin];
   for (std::size_t i = begin + 1; i < source.size(); ++i) {
@@ -56,6 +63,7 @@ std::size_t quoted_end(std::string_view source, std::size_t begin) {
 BlockContent block_content(std::string_view source, std::size_t begin, std::string_view value) {
   BlockContent content;
   content.begin = next_line(source, begin);
+  // Blank lines say nothing about indentation.
   content.end = content.begin;
   // The first line with something in it tells how far all are indented.
   bool found = false;
@@ -95,6 +103,8 @@ std::size_t skip_properties(std::string_view source, std::size_t begin) {
   return at < source.size() ? at : begin;
 }
 
+/// A '#' begins a comment only at the start of a line or after white space, and nowhere
+/// within a scalar.
 std::vector<YamlComment> find_comments(std::string_view source,
                                        const std::vector<ScalarSpan>& scalars) {
   std::vector<YamlComment> comments;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Guesses at the slip behind a syntax error. The parser reports where it could not go on;
+// the heuristics below look upwards from there for the mistakes that people make most, and
+// add a note. None of them changes what is an error, so a wrong guess costs a line of text.
 #include "base/yaml_syntax.h"
 
 #include <fmt/format.h>
@@ -17,6 +20,8 @@ constexpr const char* kNoKey = "end of map not found";
 constexpr const char* kNoEntry = "end of sequence not found";
 constexpr const char* kTab = "illegal tab when looking for indentation";
 
+/// The keys are yaml-cpp's own messages, compared as text: an unknown message is shown as
+/// it is.
 /// The parser's words for what users get wrong most, in plainer ones.
 std::string plainer(const std::string& message) {
   static const std::unordered_map<std::string_view, const char*> kWords = {
@@ -100,6 +105,7 @@ std::size_t swallowing_hash(std::string_view line) {
   return std::string_view::npos;
 }
 
+/// The order of the guesses is from the most certain to the least.
 /// Each of these says what went wrong above the fault and returns true, or does not know.
 struct Fault {
   const SourceRef& source;
@@ -128,6 +134,7 @@ bool explain_hash(Fault& fault) {
 /// key, the block was taken to end there.
 bool explain_short_block(Fault& fault) {
   for (std::size_t number = fault.line.number; number-- > 1 && fault.line.number - number < 40;) {
+    // Forty lines up are enough for any drawing, and bound the work.
     const Line head = line_at(fault.source, number);
     if (head.blank() || (head.text.back() != '|' && head.text.back() != '>')) continue;
     const Line row = line_at(fault.source, number + 1);

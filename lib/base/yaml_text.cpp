@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// When a text can be written without quotes. The answer is conservative: YAML 1.1 and 1.2
+// and their readers disagree about many words and characters, and a text in quotes means
+// the same to all of them.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -53,6 +56,7 @@ bool is_plain(std::string_view text, bool inside_flow) {
   return !looks_like_another_type(text);
 }
 
+/// Double quotes are the only style of YAML with escapes, so any text fits on one line.
 std::string escaped(std::string_view text, const CodePoint& point) {
   switch (point.value) {
     case '"':
