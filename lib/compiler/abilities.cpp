@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Derives from the robot's and the block's files the few figures that decide what can be
+// built. Magnets are taken for dipoles: the force of two aligned ones at distance d is 6
+// (mu0/4 pi) m^2 / d^4, an approximation that is best at a distance. All geometry is read
+// from bodies' extents, so a changed robot needs no change here.
 #include "compiler/abilities.h"
 
 #include <algorithm>
@@ -14,13 +18,16 @@ namespace {
 constexpr double kGravity = 9.8;
 constexpr double kDipoleForce = 6e-7;  ///< N m⁴/(A m²)²: 6 μ0/4π, two aligned dipoles on an axis
 
+/// Four magnets near the corners of a face attract their counterparts across the gap.
 /// The force of four aligned pairs at a gap between faces.
 double face_force(const BlockFigures& block, double gap) {
   const double distance = block.look.side - 2 * block.magnet_offset + gap;
   return 4 * kDipoleForce * block.magnet_moment * block.magnet_moment / std::pow(distance, 4);
 }
 
-/// The gap at which the magnets' pull is the floor's friction on a block.
+/// The gap at which the magnets' pull is the floor's friction on a block. A loose block
+/// slides into place as long as the pull exceeds the friction of the floor. Bisection over
+/// 4 cm; the force falls monotonically.
 double reach_of(const BlockFigures& block) {
   const double friction = block.floor_friction * block.mass * kGravity;
   double low = 0, high = 0.04;
@@ -31,6 +38,8 @@ double reach_of(const BlockFigures& block) {
   return low;
 }
 
+/// What is lifted together with the block and lies over it can stand above a structure;
+/// everything else is a part of the body, which needs free cells (approach.h).
 /// Bodies over the carried block are the effector, the rest stands behind it.
 void measure_bodies(const RobotModel& robot, Abilities& out) {
   const std::vector<bool> lifted = lifted_bodies(robot);
@@ -54,12 +63,14 @@ void measure_bodies(const RobotModel& robot, Abilities& out) {
     }
   }
   out.lowest = underside - out.block.side;
+  // A level counts if the lift raises a block over its bricks with some clearance.
   out.levels = 0;
   while (out.lift_for(out.levels) <= out.lift_travel) ++out.levels;
 }
 
 }  // namespace
 
+/// All that is missing is listed, so that a robot's author sees it at once.
 std::vector<std::string> lacking(const RobotModel& robot) {
   std::vector<std::string> out;
   if (!robot.drive) out.emplace_back("it has no differential drive");

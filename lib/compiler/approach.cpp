@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Geometry of one placement, on the grid: which cells must be free for body, block and
+// effector, and whether the block is held afterwards. Checks come in the order in which an
+// author can do something about them: height, way, site, effector, support. `reach` answers
+// for one structure, `reach_between` for all structures between two, by taking for every
+// condition the structure that is worst for it.
 #include "compiler/approach.h"
 
 #include <fmt/format.h>
@@ -52,6 +57,10 @@ struct Overhang {
   int blocks = 0;
   double moments = 0;
 };
+/// The bricks that hang together with the site are found by a flood over bricks that no
+/// column bears; then each one's distance in steps from the nearest column is relaxed until
+/// nothing changes, as in Bellman and Ford. The moment of a brick n steps out is 2n - 1
+/// times that of the first.
 Overhang overhang(const View3& view, const SideCell& site) {
   std::map<SideCell, int> from_column;  // steps aside from the nearest column
   std::vector<SideCell> hanging = {site};
@@ -96,12 +105,14 @@ Overhang overhang(const View3& view, const SideCell& site) {
 ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   if (grounded(view, site)) return {};
   const Cell below = cell_from(view.side, {site.u, site.v, site.z - 1});
+  // The inset is the distance of the magnets from the edge, in m.
   const double side = robot.block.side, inset = 0.005;
   // The moment of the block's weight about the lower edge of the joint.
   const double moment = robot.block_weight * side / 2;
   if (!view.filled(site.u - 1, site.v, site.z) && !view.filled(site.u, site.v, site.z - 1)) {
     return {Obstruction::unsupported, below, moment, 0};
   }
+  // A joint opens about an edge, so the magnets' moments about that edge are what holds it.
   // Let down against the face behind it, or on what hangs so, it hangs on a joint: half of the
   // magnets near the upper edge, half near the lower; friction must bear it too.
   const Overhang hangs = overhang(view, site);
@@ -117,6 +128,8 @@ ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   return {};
 }
 
+/// Bricks only get more from `least` to `view`: what stops the effector has to be there for
+/// certain, what obstructs it need only be possible.
 /// In every structure between two, the smaller of which says what stops the effector behind.
 ReachResult effector(const View3& least, const View3& view, SideCell site, const Abilities& robot) {
   const double half = robot.block.side / 2;
@@ -152,6 +165,7 @@ std::optional<ApproachSide> parse_side(std::string_view text) {
   return static_cast<ApproachSide>(found - kSideNames.begin());
 }
 
+/// The four cases are the quarter turns about the vertical; cell_from inverts each.
 // A robot at +x looks along -x: its left is -y.
 SideCell seen_from(ApproachSide side, Cell c) {
   switch (side) {
@@ -183,6 +197,8 @@ Cell cell_from(ApproachSide side, SideCell c) {
 
 bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot) {
   const double side = robot.block.side;
+  // The gap is that between the block's near face and the body's front, so cells closer
+  // than it stay free of the body.
   // Cells that the body reaches into, beyond the block's near face, in rows as far as its half
   // width goes.
   const double gap = robot.carried_x - side / 2 - robot.body_front;
@@ -199,6 +215,7 @@ bool behind_robot(const SideCell& site, const SideCell& brick, const Abilities& 
   return to_face >= robot.carried_x + robot.body_back;
 }
 
+/// The first obstruction is returned, with the figures that explain it.
 ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, ApproachSide side,
                   const Abilities& robot) {
   const View3 view{target, state, side};
@@ -224,6 +241,7 @@ ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, 
   return support(view, site, robot);
 }
 
+/// Overhangs are left out: whether one holds depends on what else hangs there.
 bool reach_between(const TargetBricks& target, const BrickSet& least, const BrickSet& most,
                    const BrickSet& lane, Cell cell, ApproachSide side, const Abilities& robot) {
   const View3 few{target, least, side}, many{target, most, side};
@@ -245,6 +263,8 @@ BrickSet lane_to(const TargetBricks& target, Cell cell, ApproachSide side, const
   return out;
 }
 
+/// Figures are printed in mm and with the limit that they exceed, so that the message tells
+/// by how much a robot would have to differ.
 std::string explain(const ReachResult& result) {
   const double mm = 1e3;
   switch (result.obstruction) {

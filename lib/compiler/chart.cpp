@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The mission's state chart as data. Lua executes what is emitted from this table, so its
+// events are those that the behaviours of programs/mission return; a behaviour's ends and
+// its state's transitions have to agree.
 #include "compiler/chart.h"
 
 #include <fmt/format.h>
@@ -44,6 +47,7 @@ const Chart& building_chart() {
   return chart;
 }
 
+/// For the documentation: Graphviz lays the chart out.
 std::string chart_dot(const Chart& chart) {
   std::string out =
       "digraph chart {\n  node [shape=box, style=rounded, fontname=\"DejaVu Sans\"];\n";

@@ -8,6 +8,8 @@ namespace stig {
 
 namespace {
 
+/// Only the foremost brick of a row can be driven up to; those behind it are out of sight
+/// and reach.
 /// By row: the foremost column.
 std::map<int, int> foremost(const TargetBricks& target, const BrickSet& state, ApproachSide side) {
   std::map<int, int> out;
@@ -22,6 +24,8 @@ std::map<int, int> foremost(const TargetBricks& target, const BrickSet& state, A
 
 }  // namespace
 
+/// A robot is wider than a block, so rows on both sides must leave its body room: no column
+/// there may stand further out than one cell before this one.
 std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, const BrickSet& state,
                                                 ApproachSide side) {
   const std::map<int, int> rows = foremost(target, state, side);
@@ -37,6 +41,8 @@ std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, cons
   return out;
 }
 
+/// A robot before a column can serve the column itself, the cell before it, and the two
+/// beside it.
 std::vector<std::uint32_t> bricks_about(const TargetBricks& target, ApproachSide side, int u,
                                         int v) {
   std::vector<std::uint32_t> out;
@@ -50,6 +56,7 @@ std::vector<std::uint32_t> bricks_about(const TargetBricks& target, ApproachSide
   return out;
 }
 
+/// A place is next to the column if there is a brick to put the block against or on.
 std::optional<WindowCell> next_to_column(const TargetBricks& target, const BrickSet& state,
                                          ApproachSide side, int u, int v, std::uint32_t brick) {
   const SideCell site = seen_from(side, target.cell(brick));

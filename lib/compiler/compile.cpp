@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// The order of the compiler's steps and the diagnostics of each (compile.h). Everything
+// that can be refused without walking structures is refused first: the proof, the form of
+// the rules, colours, heights. Then a policy is sought, by the local proof first where
+// structures are many, and by the walk first where they are few: the walk finds more, and
+// its number of structures can double with each brick.
 #include "compiler/compile.h"
 
 #include <fmt/format.h>
@@ -18,6 +23,7 @@ namespace {
 
 SourceRange whole(const RuleSet& rules) { return {rules.file, 0, 0}; }
 
+/// A box of the file plays no part: robots cannot perceive where it ends.
 bool report_proof(const RuleSet& rules, const VerifyResult& proof, Diagnostics& out) {
   if (proof.verdict == ProofVerdict::proved) return true;
   const char* what =
@@ -33,7 +39,8 @@ bool report_proof(const RuleSet& rules, const VerifyResult& proof, Diagnostics& 
   return false;
 }
 
-/// What no robot of this kind could do, whatever its measures.
+/// What no robot of this kind could do, whatever its measures. Every such reason is
+/// reported, not only the first, except for stages, of which one says it all.
 bool report_form(const RuleSet& rules, Diagnostics& out) {
   bool sound = true;
   if (rules.lattice != Lattice::cubic) {
@@ -78,6 +85,8 @@ bool report_colours(const RuleSet& rules, Diagnostics& out) {
   return sound;
 }
 
+/// The proof's run has every brick with the rule that placed it, so the message can point
+/// at that rule.
 bool report_height(const RuleSet& rules, const Abilities& robot, const TargetStates& target,
                    const VerifyResult& proof, Diagnostics& out) {
   if (rules.floor && target.floor_level() > 0) {
@@ -99,11 +108,13 @@ bool report_height(const RuleSet& rules, const Abilities& robot, const TargetSta
   return true;
 }
 
+/// Rules that hold in all quarter turns make the sides interchangeable.
 bool turns(const RuleSet& rules) {
   return std::all_of(rules.rules.begin(), rules.rules.end(),
                      [&](const Rule& rule) { return rules.symmetry_of(rule) != Symmetry::none; });
 }
 
+/// The sides' order is part of the program that is emitted, and therefore fixed.
 void choose_sides(const RuleSet& rules, const CompileOptions& options, CompiledRules& out) {
   std::vector<ApproachSide> wanted = options.sides;
   if (wanted.empty() && rules.physical) {
@@ -145,6 +156,7 @@ std::string_view to_string(KnownDirections directions) {
   return {};
 }
 
+/// Examples of structures that a local proof has collected are not counted as all.
 std::size_t structures_on_the_way(const CompiledRules& compiled) {
   if (compiled.local_situations > 0) return 0;
   return static_cast<std::size_t>(
@@ -173,6 +185,8 @@ std::vector<PolicyScope> policy_scopes(const CompiledRules& compiled) {
 
 namespace {
 
+/// A scope that knows less is better, since robots then need less; so the first that gives
+/// a decision is taken.
 /// By a walk over all structures; false when there are too many.
 bool walk_structures(const Abilities& robot, const CompileOptions& options, CompiledRules& out) {
   for (const PolicyScope& scope : policy_scopes(out)) {
@@ -191,7 +205,8 @@ bool walk_structures(const Abilities& robot, const CompileOptions& options, Comp
 /// for either.
 bool find_decision(const Abilities& robot, const CompileOptions& options, CompiledRules& out) {
   const bool large = out.target->bricks() > kMostWalkedFirst;
-  // A walk may find several robots no harm where this does.
+  // A walk may find several robots no harm where this does. The local proof errs on the
+  // side of conflicts between robots, the walk is exact.
   const auto good_enough = [&] { return out.robots == 1 || out.concurrency.conflicts.empty(); };
   if (large && settle_locally(robot, options.limits, out) && good_enough()) return true;
   out.decision.reset();
@@ -217,6 +232,7 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
     return out;
   }
   const bool known = find_decision(robot, options, out);
+  // An interruption is no refusal: nothing is reported.
   if (options.limits.stop != nullptr && options.limits.stop->load()) {
     out.decision.reset();
     return out;

@@ -62,7 +62,7 @@ struct CompiledRules {
   std::optional<int> robots;  ///< that will work at once; none: nobody said
   KnownDirections directions = KnownDirections::symmetric;
   Policy policy;
-  /// Of a proof column by column (local_policy.h): how many situations it looked at; the policy's
+  /// A proof column by column (local_policy.h) looked at so many situations; the policy's
   /// structures are examples then. 0: all structures were walked.
   std::size_t local_situations = 0;
   std::shared_ptr<Visibility> visibility;  ///< of such a proof

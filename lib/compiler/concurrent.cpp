@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Walks the structures that several robots can bring about and carries along what may be
+// pending: decisions made and not yet carried out, and places where robots may stand. Sets
+// of these are joined over all ways to a structure, so combinations that no single history
+// has are checked as well; what passes holds for every number of robots. Cost: structures x
+// pairs of pending decisions.
 #include "compiler/concurrent.h"
 
 #include <algorithm>
@@ -17,6 +22,7 @@ struct Stand {
   auto operator<=>(const Stand&) const = default;
 };
 
+/// Lanes of one or of opposite sides are parallel and never cross.
 bool across(ApproachSide a, ApproachSide b) {
   const auto along_x = [](ApproachSide side) {
     return side == ApproachSide::plus_x || side == ApproachSide::minus_x;
@@ -24,8 +30,9 @@ bool across(ApproachSide a, ApproachSide b) {
   return along_x(a) != along_x(b);
 }
 
-/// Can a robot in lane `b` be in the way of one that leaves by lane `a`? The sides are at a right
-/// angle.
+/// Can a robot in lane `b` be in the way of one that leaves by lane `a`? The sides are at a
+/// right angle. Distances along lane a, in m, between the robot that leaves and the one
+/// that stands in lane b.
 bool can_bar(const Stand& a, const Stand& b, const Abilities& robot) {
   const double side = robot.block.side, wide = robot.body_half_width;
   const SideCell at = seen_from(a.side, cell_from(b.side, b.deepest));
@@ -44,6 +51,7 @@ class Checker {
       : target_(target), robot_(robot), policy_(policy), decision_(decision) {
     for (std::uint32_t s = 0; s < policy.states.size(); ++s) numbers_.emplace(policy.states[s], s);
     for (const Situation& at : policy.situations) sides_.insert(at.side);
+    // The start has number 0.
     met_.resize(policy.states.size());
     met_[0].met = true;
   }
@@ -80,6 +88,7 @@ class Checker {
     for (const auto& [work, since] : here.pending) place(s, here, {work, since});
   }
 
+  // One example of each kind is enough for a report.
   void report(const Conflict& conflict) {
     const auto same = [&](const Conflict& one) { return one.kind == conflict.kind; };
     if (std::none_of(out_.conflicts.begin(), out_.conflicts.end(), same)) {
@@ -102,7 +111,8 @@ class Checker {
     return cell_from(side, {u, v, target_.floor_level()});
   }
 
-  /// What robots that come to the structure decide there.
+  /// What robots that come to the structure decide there. A decision that is not among the
+  /// situation's placements is one that the policy never checked here.
   void look(std::uint32_t s) {
     const BrickSet& state = policy_.states[s];
     bool something = false;
@@ -146,6 +156,7 @@ class Checker {
   }
 
   void look_for_crossings(const std::set<Stand>& stands) {
+    // With two sides, robots wait for each other at most in one direction.
     if (sides_.size() < 3) return;  // no circle closes
     for (const Stand& a : stands) {
       for (const Stand& b : stands) {
@@ -155,6 +166,8 @@ class Checker {
   }
 
   /// One robot puts its brick, while others stand about and have decided what is pending.
+  /// Placing leads to a structure with a higher number, so every structure is complete when
+  /// its turn comes.
   void place(std::uint32_t s, const Met& here, const Pending& one) {
     BrickSet after = policy_.states[s];
     after.add(one.work.brick);
@@ -186,6 +199,8 @@ class Checker {
     }
   }
 
+  // A pending decision survives if it is still allowed and in reach; otherwise it is a
+  // conflict.
   void keep_pending(const Met& here, const Pending& one, const BrickSet& after, Met& next,
                     Conflict conflict) {
     for (const auto& [work, since] : here.pending) {

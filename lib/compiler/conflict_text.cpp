@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Words and drawings for conflicts between robots. A conflict is reported at the rule that
+// the second robot follows, with the structures at the moments of both decisions, since the
+// point of most conflicts is that a decision was right when it was made.
 #include "compiler/conflict_text.h"
 
 #include <fmt/format.h>
@@ -11,6 +14,7 @@ namespace stig {
 
 namespace {
 
+/// "the brick at (1, 0, 0) from +x": how all messages name a piece of work.
 std::string work_text(const TargetStates& target, const Work& work) {
   return fmt::format("the brick at {} from {}", cell_text(target.cell(work.brick)),
                      to_string(work.side));
@@ -26,6 +30,7 @@ SourceRange range_of(const RuleSet& rules, const CompiledRules& compiled) {
   return rules.rules[rule.value_or(0)].range;
 }
 
+/// Drawings are collected and printed after the diagnostic.
 void draw(const RuleSet& rules, CompiledRules& compiled, std::string title, std::uint32_t state) {
   compiled.drawings.push_back(
       {std::move(title),
@@ -53,6 +58,7 @@ void add_drawings(const RuleSet& rules, CompiledRules& compiled) {
 
 }  // namespace
 
+/// Every kind of conflict says what both robots do, in the order in which they do it.
 std::string conflict_text(const CompiledRules& compiled, const Conflict& conflict) {
   const TargetStates& target = *compiled.target;
   const auto placed = [&] { return work_text(target, *conflict.placed); };
@@ -83,6 +89,7 @@ std::string conflict_text(const CompiledRules& compiled, const Conflict& conflic
   return {};
 }
 
+/// A refusal, a warning or a plain report have the same wording.
 std::string robots_text(const CompiledRules& compiled) {
   const Concurrency& found = compiled.concurrency;
   if (!found.conflicts.empty()) {
@@ -98,6 +105,7 @@ std::string robots_text(const CompiledRules& compiled) {
   return out;
 }
 
+/// One robot alone never meets a conflict; with an unknown number it is a warning.
 bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics& diagnostics) {
   if (compiled.robots == 1 || compiled.concurrency.conflicts.empty()) return false;
   const Conflict& conflict = compiled.concurrency.conflicts.front();

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Emits the program. It is meant to be read: decisions come first, each with the rule's
+// name and place in the file, then the chart and the task, then the library's modules. The
+// same input gives the same bytes, and a map from lines to rules lets tools show which rule
+// a robot follows.
 #include "compiler/controller_lua.h"
 
 #include <fmt/format.h>
@@ -13,6 +17,7 @@ namespace stig {
 
 namespace {
 
+/// Names come from a file and must not end a comment.
 /// For a comment: one line.
 std::string plain(std::string_view text) {
   std::string out(text);
@@ -28,7 +33,8 @@ std::string cell_text(const WindowCell& cell) {
   return fmt::format("{}, {}, {}", cell.du, cell.dv, cell.z);
 }
 
-/// What the last line of a module returns.
+/// What the last line of a module returns. By convention a module's last line returns its
+/// table; the convention is checked when the library is built into the program.
 std::string_view returned_name(std::string_view text) {
   constexpr std::string_view kReturn = "\nreturn ";
   const std::size_t at = text.rfind(kReturn);
@@ -53,6 +59,8 @@ class Printer {
     lines_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   }
 
+  // Requires are dropped because all modules stand in one file, each after those that it
+  // needs.
   /// A file of the library as a table of this one; what it requires is here already.
   void module(std::string_view module) {
     line(fmt::format("local {} = (function()", returned_name(module)));
@@ -77,6 +85,8 @@ class Printer {
   }
 
  private:
+  // The tree becomes nested ifs; a branch that leads to nothing is left out, so falling
+  // through means that nothing is done.
   void node(const DecisionNode& one, int depth) {
     const std::string space(static_cast<std::size_t>(3 * depth), ' ');
     if (!one.question) {
@@ -126,6 +136,8 @@ class Printer {
                     led_number(rules_, p.colour));
     if (kind_of(p) != PlacementKind::raise) text += fmt::format(", level = {}", p.at.z);
     if (p.at.dv != 0) text += fmt::format(", left = {}", p.at.dv);
+    // A leaf may stand for several rules; each is named, and both its comment and its
+    // return are mapped.
     const std::vector<std::uint32_t> names = rules_of(compiled_, one);
     for (const std::uint32_t rule : names) {
       const std::size_t source = source_line(rule);
@@ -166,6 +178,8 @@ void print_chart(Printer& out, const Chart& chart) {
   out.line();
 }
 
+/// Figures with fixed digits, so that the text does not depend on how a number is printed
+/// shortest.
 void print_task(Printer& out, const ControllerPlan& plan) {
   out.line("local TASK = {");
   out.line("   decide = decide,");
@@ -201,6 +215,7 @@ void print_head(Printer& out, const RuleSet& rules, std::string_view file,
   print_task(out, plan);
 }
 
+// Simulator and ARGoS share the head; only what stands around the library differs.
 }  // namespace
 
 ControllerText controller_lua(const RuleSet& rules, std::string_view file,

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Collects what a program consists of, apart from its text. Whatever does not depend on the
+// rules (chart, library) is only referred to.
 #include "compiler/controller_plan.h"
 
 #include <algorithm>
@@ -17,6 +19,8 @@ void gather_asks(const DecisionNode& node, std::set<WindowCell>& out) {
   for (const auto& [answers, child] : node.branches) gather_asks(*child, out);
 }
 
+/// A block in transport needs a colour that no brick has, or another robot could take it
+/// for one. If all four are in use it is left dark.
 /// In the paper a block on its way is Q4. Where bricks are, another colour that none is.
 int transport_colour(const RuleSet& rules) {
   for (int colour = kColours; colour > 0; --colour) {
@@ -43,10 +47,14 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   out.turns = compiled.directions != KnownDirections::declared;
   out.levels = compiled.target->levels();
   out.transport = transport_colour(rules);
+  // Robots wait a random time before they approach, so that two that saw the same do not
+  // act at the same moment.
   out.longest_wait = compiled.robots == 1 ? 0 : kLongestWait;
   return out;
 }
 
+/// For comments and the map of lines alone: the decision itself does not depend on rules'
+/// names.
 std::vector<std::uint32_t> rules_of(const CompiledRules& compiled, const DecisionNode& leaf) {
   std::set<std::uint32_t> out;
   const Policy& policy = compiled.policy;

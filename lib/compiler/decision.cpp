@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Learns a decision tree from the policy's cases, each an observation with the set of
+// placements that are allowed there. It is exact: every case ends in a leaf that it allows,
+// or the tree does not exist. Questions about the column's top come first, as in Allwright
+// et al. 2017; then the question that leaves the fewest cases mixed is taken, greedily,
+// since the smallest tree is NP-hard to find. What cannot be told apart is handed back to
+// the policy, which withdraws it and starts again.
 #include "compiler/decision.h"
 
 #include <algorithm>
@@ -20,6 +26,8 @@ struct Case {
   Choices choices;
 };
 
+/// Among several allowed placements the choice decides how a structure grows; raising first
+/// keeps lanes free.
 /// Raise before extend, low before high.
 auto preference(const std::optional<Placement>& placement) {
   if (!placement) return std::tuple(3, 0, Placement{});
@@ -63,6 +71,8 @@ std::vector<Question> all_questions(std::size_t cells) {
 
 using Parts = std::map<int, std::vector<Case>>;
 
+/// A case that does not see the answer can take the branch "nothing is done", if it allows
+/// that.
 /// Where the answer is not seen, only nothing can be done.
 constexpr int kNotSeen = -1;
 
@@ -87,6 +97,8 @@ std::size_t mixed(const Parts& parts) {
   return out;
 }
 
+/// Trees are compared as they are built, from the leaves up, so equal branches can share
+/// one.
 bool same(const DecisionNode& a, const DecisionNode& b) {
   if (a.question != b.question || a.placement != b.placement) return false;
   if (a.branches.size() != b.branches.size()) return false;
@@ -138,6 +150,7 @@ class Builder {
   std::vector<Case> stuck;
 
  private:
+  // Ties go to the earlier question in all_questions, that is, to the nearer cell.
   /// The top's colour and level are asked first, since they say which column this is; after
   /// that whatever leaves the fewest cases open.
   std::optional<std::pair<Question, Parts>> best_split(const std::vector<Case>& cases) const {
@@ -196,6 +209,7 @@ Decision make_decision(const Policy& policy) {
   std::vector<Case> cases;
   std::map<std::uint32_t, std::uint32_t> example;  // a situation of each observation
   for (std::uint32_t i = 0; i < policy.situations.size(); ++i) {
+    // One case for each observation: situations that look the same are one to a robot.
     const Situation& situation = policy.situations[i];
     if (!policy.reached[situation.state]) continue;
     if (!example.emplace(situation.observation, i).second) continue;
@@ -213,6 +227,7 @@ Decision make_decision(const Policy& policy) {
   return out;
 }
 
+/// Each withdrawal makes the policy smaller, so this ends.
 std::unique_ptr<DecisionNode> settle(const TargetBricks& target, Policy& policy, Pruning pruning) {
   prune(target, policy, pruning);
   while (policy.complete) {
@@ -239,7 +254,8 @@ bool asks_more(const DecisionNode& node) {
                      [](const auto& branch) { return asks_more(*branch.second); });
 }
 
-/// Observations under nodes below the questions about the top, where more is asked.
+/// Observations under nodes below the questions about the top, where more is asked. Groups
+/// are sets of observations with one top, so each can be simplified by itself.
 void gather_groups(const DecisionNode& node, std::vector<std::vector<std::uint32_t>>& out) {
   if (!node.question || !asks_more(node)) return;
   if (!is_of_top(*node.question)) {
@@ -267,6 +283,8 @@ Policy only_where(const Policy& policy, const std::vector<std::uint32_t>& group,
   return out;
 }
 
+/// Tried for all cells and all contents; each trial settles the whole policy, so that it
+/// stays complete. This costs much, hence the limit on structures.
 /// The best of all single questions for a group; false when none makes the tree smaller.
 bool ask_once(const TargetBricks& target, Policy& policy, std::unique_ptr<DecisionNode>& root,
               const std::vector<std::uint32_t>& group) {
@@ -307,6 +325,7 @@ std::unique_ptr<DecisionNode> simplify(const TargetBricks& target, Policy& polic
   return root;
 }
 
+/// Nothing is done wherever an answer is not known, so an unforeseen view is harmless.
 std::optional<Placement> decide(const DecisionNode& root, const Observation& seen) {
   const DecisionNode* node = &root;
   while (node->question) {

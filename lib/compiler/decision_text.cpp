@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Decisions as text and as a graph. Colours are named as the blocks' LEDs show them, so
+// that a reader can compare with what robots do.
 #include "compiler/decision_text.h"
 
 #include <fmt/format.h>
@@ -9,11 +11,13 @@ namespace stig {
 
 namespace {
 
+/// A set that was never given LED colours is named by its symbols.
 std::string led(const RuleSet& rules, Colour colour) {
   const Brick& brick = rules.brick(colour);
   return brick.led.empty() ? brick.symbol : brick.led;
 }
 
+/// Places are described as seen by the robot: before is towards it, left is its left.
 std::string place_text(const WindowCell& cell) {
   const char* depth = cell.du < 0 ? "behind" : cell.du > 0 ? "before" : "";
   const char* side = cell.dv > 0 ? "left of" : cell.dv < 0 ? "right of" : "";
@@ -22,6 +26,7 @@ std::string place_text(const WindowCell& cell) {
   return fmt::format("the cell {} the column, level {}", where, cell.z);
 }
 
+/// Depth-first, answers in the order of the tree, so the text has the tree's shape.
 void print(const RuleSet& rules, const DecisionNode& node, int indent, std::string& out) {
   const std::string space(static_cast<std::size_t>(indent), ' ');
   if (!node.question) {
@@ -35,6 +40,7 @@ void print(const RuleSet& rules, const DecisionNode& node, int indent, std::stri
   }
 }
 
+/// Numbers are given in order of visits; each run prints the same graph.
 /// Returns the node's number.
 int print_dot(const RuleSet& rules, const DecisionNode& node, int& next, std::string& out) {
   const int number = next++;

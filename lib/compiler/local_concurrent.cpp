@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Conflicts between robots, without a walk: every decision is compared with the least and
+// the greatest closed structure around its brick. As long as decisions last in all
+// structures between these, robots never leave the closed structures, so the proof of
+// local_policy.h covers any number of them.
 #include "compiler/local_concurrent.h"
 
 #include <algorithm>
@@ -42,6 +46,7 @@ class LocalChecker {
     return out;
   }
 
+  // Closed by definition: a brick's predecessors and the start.
   /// The least that stands when the brick is due.
   BrickSet before(std::uint32_t brick) const {
     BrickSet out = precedence_.below(brick);
@@ -55,6 +60,8 @@ class LocalChecker {
                        [&](const Conflict& one) { return one.kind == kind; });
   }
 
+  // Conflicts need a structure to be drawn; it is added to the policy's list, where reports
+  // look for it.
   std::uint32_t number(const BrickSet& state) {
     Policy& policy = compiled_.policy;
     policy.states.push_back(state);
@@ -74,6 +81,7 @@ class LocalChecker {
       return;
     }
     Conflict conflict;
+    // The greatest structure shows which brick bars the way, if any single one does.
     conflict.reach = reach(target_, most, cell, work.side, robot_);
     const std::uint32_t bar = conflict.reach.obstruction == Obstruction::none
                                   ? TargetBricks::kNone
@@ -107,6 +115,7 @@ class LocalChecker {
     }
   }
 
+  // A brick is harmless if it cannot be due while the robot stands there.
   /// Can a brick be put behind a robot in this lane, when `least` stands and `missing` does not?
   void look_for_walls(ApproachSide side, const SideCell& stand, const BrickSet& least,
                       const std::vector<std::uint32_t>& missing) {

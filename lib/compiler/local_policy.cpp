@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The proof column by column (local_policy.h has the argument). Situations are visited
+// once; for each observation the intersection over its situations of what is right and in
+// reach is allowed. Then the tree is made as for a walk, and finally it is shown that for
+// each brick of some order a robot comes to a column where something is to be done.
 #include "compiler/local_policy.h"
 
 #include <algorithm>
@@ -64,6 +68,7 @@ class LocalPolicy {
     Policy& policy = compiled_.policy;
     policy = {};
     policy.complete = true;
+    // Two limits: one column must not use up what all share.
     std::size_t left = kMostLocalSituations;
     const BrickSet none(target_.bricks());
     for (const ApproachSide side : compiled_.sides) {
@@ -86,6 +91,8 @@ class LocalPolicy {
     const std::uint32_t seen = observe(at);
     const Offers offers = offers_of(at);
     std::set<Placement>& allowed = compiled_.policy.allowed[seen];
+    // Intersection over all situations with this observation, hence erased and never added
+    // once it is known.
     if (known_[seen]) {
       std::erase_if(allowed, [&](const Placement& one) { return !offers.contains(one); });
     } else {
@@ -104,6 +111,7 @@ class LocalPolicy {
     std::string key(seen.cells.begin(), seen.cells.end());
     if (scope_.knows_side) {
       seen.side = at.side;
+      // The side belongs to the observation only if a robot may rely on it.
       key += to_string(at.side);
     }
     const auto [found, added] =
@@ -123,6 +131,8 @@ class LocalPolicy {
       if (at.most.has(brick)) continue;
       auto where = next_to_column(target_, at.least, at.side, at.u, at.v, brick);
       if (!where || (scope_.kinds == PlacementKinds::ahead && where->dv != 0)) continue;
+      // Under `lasting`, only sides from which the brick can be put in every structure in
+      // which it is due.
       if (!precedence_.all_before(at.least, brick) || (lasting_ && !lasts(brick, at.side)))
         continue;
       if (!target_.due_between(at.least, at.most, brick) ||
@@ -130,6 +140,8 @@ class LocalPolicy {
                          at.side, robot_)) {
         continue;
       }
+      // On top of a column the level is what the column has; the placement does not name
+      // it.
       if (where->du == 0 && where->dv == 0) where->z = 0;
       out.emplace(Placement{*where, target_.colour(brick)}, brick);
     }
@@ -156,6 +168,8 @@ class LocalPolicy {
   }
 
   /// What placements lead to, as states of their own in which nothing is looked at.
+  /// Policies are lists of structures; here they hold only examples, so that texts and
+  /// drawings work as for a walk.
   void add_results() {
     Policy& policy = compiled_.policy;
     for (std::size_t i = 0; i < policy.situations.size(); ++i) {
@@ -187,6 +201,7 @@ class LocalPolicy {
     return known->second;
   }
 
+  // Columns next to the site are tried from all sides until one serves.
   bool has_way_on(std::uint32_t q, const BrickSet& before) {
     if (!precedence_.all_before(before, q)) return false;
     for (const ApproachSide side : compiled_.sides) {
@@ -209,6 +224,8 @@ class LocalPolicy {
           goes_on = goes_on && decide(*compiled_.decision, seen).has_value();
         });
     return all && goes_on;
+    // The budget may run out, which means that nothing is known and not that nothing goes
+    // on.
   }
 
   const Abilities& robot_;
@@ -238,6 +255,8 @@ bool settle_locally(const Abilities& robot, const PolicyLimits& limits, Compiled
   wait_for_lanes(*compiled.target, compiled.sides, robot, lanes, precedence);
   compiled.visibility =
       std::make_shared<Visibility>(robot, window_levels(robot, compiled.target->levels()));
+  // Placements that last are tried first: they are safe for several robots. The others
+  // serve one.
   for (const bool lasting : {true, false}) {
     for (const PolicyScope& scope : policy_scopes(compiled)) {
       LocalPolicy policy(robot, limits, scope, lasting, precedence, lanes, compiled);

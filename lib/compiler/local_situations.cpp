@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Enumerates what can stand around one column: for each brick in sight, in the order of the
+// precedence, it stands (with all below it) or it is missing (with all above it). Two sets,
+// what is there and what is missing, describe all closed structures that look so. Their
+// number is bounded by the cells in sight and not by the size of the structure.
 #include "compiler/local_situations.h"
 
 #include <algorithm>
@@ -14,6 +18,8 @@ struct LocalSituations::Search {
   const Visit& visit;
 };
 
+/// Greedy, and complete: what can be next with fewer bricks can be next with more, so no
+/// choice is wrong.
 bool can_go_on(
     const TargetBricks& target,
     const std::function<bool(std::uint32_t brick, const BrickSet& before)>& can_be_next) {
@@ -51,6 +57,8 @@ std::vector<std::pair<int, int>> LocalSituations::columns(ApproachSide side) con
   return {out.begin(), out.end()};
 }
 
+/// For the column to be the foremost, its own row must be free before it and the next rows
+/// from one cell further on.
 std::vector<std::uint32_t> LocalSituations::in_front(ApproachSide side, int u, int v) const {
   std::vector<std::uint32_t> out;
   for (std::uint32_t i = 0; i < target_.bricks(); ++i) {
@@ -68,6 +76,7 @@ bool LocalSituations::stands(const BrickSet& state, ApproachSide side, int u, in
   return false;
 }
 
+/// All bricks in front come after the missing one, so they are missing too.
 bool LocalSituations::always_comes(ApproachSide side, int u, int v, std::uint32_t brick,
                                    const BrickSet& before) const {
   if (!stands(before, side, u, v)) return false;
@@ -82,6 +91,7 @@ bool LocalSituations::for_each(ApproachSide side, int u, int v, const BrickSet& 
   Search search{{side, u, v, given, missing}, {}, most, visit};
   search.situation.least.add(target_.start());
   BrickSet& out = search.situation.most;
+  // What must be missing takes everything above it along.
   for (const std::uint32_t brick : in_front(side, u, v)) out.add(precedence_.above(brick));
   if (out.meets(search.situation.least)) return true;
   for (const WindowCell& cell : around_) {
@@ -94,6 +104,8 @@ bool LocalSituations::for_each(ApproachSide side, int u, int v, const BrickSet& 
   return extend(search, 0);
 }
 
+/// Depth-first; sets are copied on the way down and restored on the way up, a few words
+/// each.
 bool LocalSituations::extend(Search& search, std::size_t next) const {
   LocalSituation& now = search.situation;
   while (next < search.bricks.size() &&
@@ -117,6 +129,7 @@ bool LocalSituations::extend(Search& search, std::size_t next) const {
   if (search.left == 0) return false;
   --search.left;
   const BrickSet missing = now.most;
+  // From here on the visitor sees the greatest structure in place of what is missing.
   now.most = target_.others(missing);
   search.visit(now);
   now.most = missing;

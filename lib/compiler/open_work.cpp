@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// What robots would do in a given structure, from the compiled decision alone. Used by
+// simulations and reports; it has to agree with what the emitted program does. After a walk
+// the structure is looked up; after a local proof the view is computed anew.
 #include "compiler/open_work.h"
 
 #include "compiler/columns.h"
@@ -34,6 +37,7 @@ std::map<std::uint32_t, ApproachSide> OpenWork::by_the_walk(const BrickSet& stat
   return out;
 }
 
+/// A column may offer several bricks; a robot's decision picks one.
 std::map<std::uint32_t, ApproachSide> OpenWork::by_looking(const BrickSet& state) const {
   std::map<std::uint32_t, ApproachSide> out;
   for (const ApproachSide side : compiled_.sides) {
@@ -52,6 +56,8 @@ std::optional<std::uint32_t> OpenWork::decided(const BrickSet& state, ApproachSi
   if (!wish) return std::nullopt;
   const TargetStates& target = *compiled_.target;
   for (const std::uint32_t brick : bricks_about(target, side, u, v)) {
+    // The decision names a place and a colour; the brick is the one that the target has
+    // there.
     if (state.has(brick) || target.colour(brick) != wish->colour) continue;
     auto where = next_to_column(target, state, side, u, v, brick);
     if (where && where->du == 0 && where->dv == 0) where->z = 0;

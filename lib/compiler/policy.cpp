@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Explores all structures that robots can bring about, breadth first, and prunes placements
+// until what remains is sound and complete (policy.h). Placements are withdrawn for
+// observations and not for situations, since robots cannot tell situations with one
+// observation apart; that is what makes pruning interact, and why a greedy order can fail
+// where another succeeds.
 #include "compiler/policy.h"
 
 #include <algorithm>
@@ -34,6 +39,8 @@ class Explorer {
         out_(out) {}
 
   void explore() {
+    // The start has number 0, and numbers rise with the number of bricks: an event adds
+    // one.
     number(target_.start());
     for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
       out_.first.push_back(out_.situations.size());
@@ -55,6 +62,7 @@ class Explorer {
     return at->second;
   }
 
+  // Observations are numbered by what is seen; many situations share one.
   std::uint32_t observe(const BrickSet& state, ApproachSide side, int u, int v) {
     Observation seen = sight_.look(state, side, u, v);
     std::string key(seen.cells.begin(), seen.cells.end());
@@ -85,6 +93,8 @@ class Explorer {
     }
   }
 
+  // A placement is offered only where the rules allow the brick, it is next to the column,
+  // and the robot can reach it.
   std::optional<std::pair<Placement, std::uint32_t>> placement(const BrickSet& state,
                                                                const Situation& at,
                                                                std::uint32_t brick) {
@@ -122,8 +132,9 @@ class Pruner {
   Pruner(const TargetBricks& target, Policy& policy, Rank rank = {})
       : target_(target), out_(policy), rank_(std::move(rank)) {}
 
-  /// `effort`, in structures that are looked at, is used up; without any left, it gives up, and
-  /// the policy is not complete.
+  /// `effort`, in structures that are looked at, is used up; without any left, it gives up,
+  /// and the policy is not complete. Marking is linear in steps; each round withdraws
+  /// something, so it ends.
   void prune(std::size_t& effort) {
     mark();
     if (out_.withdrawn.empty()) out_.out_of_reach = !hopeful_[0];
@@ -173,6 +184,8 @@ class Pruner {
     }
   }
 
+  // All dead ends at once is quick, but may withdraw both of two placements that only
+  // exclude each other; then single withdrawals are tried in random preference orders.
   bool withdraw_dead_ends() {
     std::vector<Withdrawal> found;
     for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
@@ -195,6 +208,7 @@ class Pruner {
     return !found.empty();
   }
 
+  // A placement has to be possible in every reached situation that shows its observation.
   bool withdraw_ambiguous() {
     // Where each placement is possible, for the report.
     std::map<std::pair<std::uint32_t, Placement>, std::uint32_t> possible;
@@ -248,6 +262,9 @@ class Pruner {
   std::vector<bool> hopeful_;
 };
 
+/// 64 random orders, deterministic by their number: half of them look at the column alone,
+/// so that decisions agree wherever a column looks the same; the other half uses all that
+/// is seen.
 constexpr std::uint64_t kOrders = 64;            ///< of preference
 constexpr std::size_t kMostEffort = 10'000'000;  ///< structures, for all of them
 
@@ -284,6 +301,7 @@ Policy explore(const TargetStates& target, const Abilities& robot,
   return explore(target, open, sight, robot, sides, scope, limits);
 }
 
+/// Also used for structures whose order comes from elsewhere than rules (lib/assembly).
 Policy explore(const TargetBricks& target, const OpenBricks& open, Sight& sight,
                const Abilities& robot, const std::vector<ApproachSide>& sides,
                const PolicyScope& scope, const PolicyLimits& limits) {
@@ -305,6 +323,8 @@ bool withdraw(Policy& policy, const Withdrawal& withdrawal) {
   return true;
 }
 
+/// The first pass tells whether any order of placements completes the structure at all; if
+/// not, no preference helps.
 void prune(const TargetBricks& target, Policy& policy, Pruning pruning) {
   assert(!policy.too_large);
   const Policy before = pruning == Pruning::search ? policy : Policy{};

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A partial order on bricks as two bit matrices, everything below and everything above each
+// brick. Closure is maintained when an edge is added, O(n^2 / 64) words, so queries are
+// single words. 6000 bricks take 9 MB.
 #include "compiler/precedence.h"
 
 #include <algorithm>
@@ -9,7 +12,8 @@ namespace stig {
 
 namespace {
 
-/// Every brick after those that it waits for.
+/// Every brick after those that it waits for. Topological sort (A. Kahn 1962). A cycle
+/// would leave bricks out, which the constructor asserts.
 std::vector<std::uint32_t> sorted(const std::vector<std::vector<std::uint32_t>>& before) {
   std::vector<std::vector<std::uint32_t>> after(before.size());
   std::vector<std::size_t> waits(before.size());
@@ -46,6 +50,7 @@ Precedence::Precedence(const std::vector<std::vector<std::uint32_t>>& before) {
   }
 }
 
+/// All below `first` is now below all above `then`.
 void Precedence::add(std::uint32_t first, std::uint32_t then) {
   assert(!below_[first].has(then));
   if (below_[then].has(first)) return;
@@ -61,6 +66,7 @@ bool Precedence::all_before(const BrickSet& state, std::uint32_t brick) const {
   return with.contains(below_[brick]);
 }
 
+/// Ordered by the number of predecessors: a predecessor has strictly fewer.
 std::vector<std::uint32_t> Precedence::order() const {
   std::vector<std::size_t> rank;
   std::vector<std::uint32_t> out;
@@ -80,6 +86,8 @@ Precedence precedence_of(const TargetStates& target) {
     for (std::uint32_t s = 0; s < target.start_bricks(); ++s) before[i].push_back(s);
     const Demands asked = target.demands(i);
     before[i].insert(before[i].end(), asked.always.begin(), asked.always.end());
+    // If a rule forbids a neighbour always, the neighbour can only come later: the proof
+    // has shown that every order ends in the whole structure.
     for (const std::uint32_t later : asked.never) before[later].push_back(i);
   }
   return Precedence(before);
@@ -87,6 +95,8 @@ Precedence precedence_of(const TargetStates& target) {
 
 namespace {
 
+/// The counterpart of reach_between: each condition there becomes a demand that some brick
+/// waits.
 /// Bricks that have to wait for one, if it is to be put from a side whenever it is due.
 class Waiters {
  public:
@@ -123,7 +133,8 @@ class Waiters {
     out_.push_back(other);
   }
 
-  /// Of two bricks beside the site one at most may come first.
+  /// Two bricks beside the site: one of them at most may come first.
+  // A site between two bricks cannot be entered, so one of them has to wait.
   void leave_a_way_in() {
     const std::uint32_t left = at(0, 1, 0), right = at(0, -1, 0);
     if (left == TargetBricks::kNone || right == TargetBricks::kNone) return;
@@ -164,6 +175,8 @@ bool always_in_reach(const TargetBricks& target, const Precedence& precedence, L
                        target.cell(brick), side, robot);
 }
 
+/// Adding demands for one brick can take the way from another that had one, so several
+/// rounds are made; what has no side after them is left to the later steps to refuse.
 void wait_for_lanes(const TargetBricks& target, const std::vector<ApproachSide>& sides,
                     const Abilities& robot, Lanes& lanes, Precedence& precedence) {
   constexpr int kMostRounds = 8;  // what waits may take a side from another brick

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Which bricks stand whenever another does: a partial order that every structure on the way obeys.
 //
-// Of a proved rule set it follows site by site. A brick comes after the neighbours that each of its
-// rules asks for. And it comes before those that each of its rules forbids: if one of these could
-// be put first, the brick never could be, and the proof says that every order of events ends in the
-// whole structure. So whatever can stand is *closed*: with a brick it has all that come before.
+// From a proved rule set it follows site by site. A brick comes after the neighbours that each of
+// its rules asks for. And it comes before those that each of its rules forbids: if one of these
+// could be put first, the brick never could be, and the proof says that every order of events ends
+// in the whole structure. So whatever can stand is *closed*: with a brick it has all that come
+// before.
 //
 // Robots may obey more than the rules ask for. What would stand in the way to a brick has to come
 // after it, and robots see to that where they put a brick only when they know that all stand that
@@ -42,7 +43,7 @@ class Precedence {
   std::vector<BrickSet> below_, above_;
 };
 
-/// Of a proved rule set; the start's bricks come before all others.
+/// The precedence that follows from a proved rule set; the start's bricks come before all others.
 Precedence precedence_of(const TargetStates& target);
 
 /// Can the brick be put from there in all structures in which it is due?

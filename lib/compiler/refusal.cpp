@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Explains why there is no complete policy. Of the many withdrawals that led there, the one
+// is chosen that the author can act on: a brick that no robot can ever place, a structure
+// from which there is no way on, or two situations that a robot cannot tell apart. Each is
+// shown by drawings of the structures that it is about.
 #include "compiler/refusal.h"
 
 #include <fmt/format.h>
@@ -49,6 +53,7 @@ class Explainer {
   }
 
  private:
+  // The fullest structure from which nothing goes on; the policy has set it.
   const BrickSet& stuck() const { return policy_.states[*policy_.stuck]; }
 
   std::string draw(const BrickSet& state) const {
@@ -61,6 +66,7 @@ class Explainer {
     return rules_.rules[target_.rule_for(state, brick).value_or(0)];
   }
 
+  // A brick that no explored structure contains cannot be placed in any order of work.
   /// Bricks that some situation places.
   std::vector<bool> ever_placed() const {
     std::vector<bool> out(target_.bricks(), false);
@@ -88,6 +94,7 @@ class Explainer {
     bool unsupported = true;
     std::vector<std::string> notes;
   };
+  // Sides are listed with a reason each, so that it is seen which of them comes closest.
   Blocked blocked(std::uint32_t brick) const {
     Blocked out;
     for (const ApproachSide side : compiled_.sides) {
@@ -102,7 +109,8 @@ class Explainer {
     return out;
   }
 
-  /// Somebody who knew everything could not complete it either.
+  /// Somebody who knew everything could not complete it either. First a brick that is never
+  /// placed in any structure, since that is the plainest reason.
   void explain_reach() {
     const std::vector<bool> placed = ever_placed();
     for (const std::uint32_t brick : target_.open(stuck())) {
@@ -158,7 +166,8 @@ class Explainer {
     show(fmt::format("there, seen from {}", to_string(there.side)), policy_.states[there.state]);
   }
 
-  /// It could be completed, but not by what a robot sees.
+  /// It could be completed, but not by what a robot sees. Withdrawals at the stuck
+  /// structure are what keeps a robot from going on there.
   void explain_sight() {
     const Withdrawal* cause = nullptr;
     for (std::size_t i = policy_.first[*policy_.stuck]; i < policy_.first[*policy_.stuck + 1];
@@ -189,6 +198,8 @@ class Explainer {
            policy_.situations[one.here].side != policy_.situations[one.there].side;
   }
 
+  // Sides come first: a robot without a compass is helped by declaring them. A hidden cell
+  // and plain ambiguity are told apart by whether a difference lies within the window.
   Code code_of(const Withdrawal& cause) const {
     if (compiled_.directions != KnownDirections::symmetric && across(cause)) return Code::P706;
     return hidden_cell(cause) ? Code::P708 : Code::P707;
@@ -237,6 +248,7 @@ class Explainer {
                   placement.at.z + target_.floor_level()};
     if (kind_of(placement) == PlacementKind::raise) {
       while (target_.filled(policy_.states[at.state], cell_from(at.side, site))) ++site.z;
+      // The level of a placement on top is that of the first free cell.
     }
     return cell_from(at.side, site);
   }
@@ -276,6 +288,8 @@ class Explainer {
 
 }  // namespace
 
+/// Bricks of the start never go away, so what they obstruct is obstructed for good;
+/// overhangs may get support later.
 bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
                     Diagnostics& diagnostics) {
   const TargetStates& target = *compiled.target;

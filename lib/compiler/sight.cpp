@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// What can be seen of a column. For every viewpoint, cell and face it is computed once
+// which cells around would hide the tag or an LED (rays against cubes), as bit masks; an
+// observation then is a few AND operations for each tag. Masks depend on the robot alone,
+// so all structures and colourings share them.
 #include "compiler/sight.h"
 
 #include <algorithm>
@@ -10,6 +14,7 @@ namespace stig {
 
 namespace {
 
+/// Bricks farther away than this hide nothing within the window from any viewpoint.
 // What stands around a column, as a text of states: enough to hide or be hidden.
 constexpr int kBefore = 4, kBehind = 4, kBeside = 3;
 constexpr int kRows = 2 * kBeside + 1, kDepth = kBefore + kBehind + 1;
@@ -43,6 +48,7 @@ class Shot {
     const BlockLook& look = robot_.block;
     const Vec3 middle = centre(cell) + normal * (look.side / 2 + look.proud);
     if (!facing(middle, normal)) return std::nullopt;
+    // The tag's axes lie in the face; its roll does not matter to the corners' visibility.
     const Vec3 right = std::abs(normal.z) > 0.5 ? Vec3{0, 1, 0} : Vec3{-normal.y, normal.x, 0};
     const Vec3 up = cross(normal, right);
     const double half = look.tag_side / 2;
@@ -55,6 +61,7 @@ class Shot {
         add_hiding(corner, cell, out.hides_tag);
       }
     }
+    // LEDs sit in the middle of the face's edges; one that is seen suffices for the colour.
     for (const Vec3& led : {right, -right, up, -up}) {
       const Vec3 p = middle + led * look.led_place;
       if (!facing(p, normal) || !in_view(p)) continue;
@@ -73,6 +80,8 @@ class Shot {
     const Vec3 to = X_RC_.p - p;
     return dot(to, normal) >= length(to) * std::cos(robot_.block.most_angle);
   }
+  // A margin of the image is given away, since a robot never stands exactly where it
+  // should.
   bool in_view(const Vec3& p) const {
     const Vec3 p_C = X_CR_ * p;
     if (p_C.z < camera_.near || p_C.z > camera_.far) return false;
@@ -95,6 +104,8 @@ class Shot {
       }
     }
   }
+  // The slab method (T. Kay and J. Kajiya 1986): the ray's parameters of entry and exit
+  // over three pairs of planes. Grazing contacts do not count.
   /// Does the way from the camera to p go through the brick about `middle`?
   bool crosses(const Vec3& p, const Vec3& middle) const {
     const double half = robot_.block.side / 2;
@@ -150,6 +161,8 @@ int window_levels(const Abilities& robot, int target_levels) {
 
 Visibility::Visibility(const Abilities& robot, int levels) : levels_(levels) {
   constexpr int kLifts = 6;
+  // Distances in m from the camera to the column's face, and heights of the lift from its
+  // lowest to its highest.
   for (const double distance : {0.08, 0.10, 0.14, 0.20}) {
     for (int i = 0; i < kLifts; ++i) {
       stances_.push_back({distance, robot.lift_travel * i / (kLifts - 1)});
@@ -175,6 +188,7 @@ void Visibility::add_looks(const Camera& shot) {
   }
 }
 
+/// Enumerations of situations need to vary only these cells: no other can change a view.
 std::vector<WindowCell> Visibility::cells_that_matter() const {
   CellWords hiding((around_cells(levels_) + 63) / 64, 0);
   const auto add = [&](const CellWords& cells) {
@@ -219,8 +233,10 @@ Observation Visibility::observe(const std::string& filled,
       out.cells[look.cell] = kSeenEmpty;
       continue;
     }
+    // A face whose tag is seen is a brick; its colour is known only if an LED is seen.
     const bool lit = std::any_of(look.hides_led.begin(), look.hides_led.end(),
                                  [&](const CellWords& led) { return !any_filled(led, bricks); });
+    // A visible top also shows that the cell above is empty.
     if (lit) out.cells[look.cell] = kSeenBrick;
     const WindowCell above{cell.du, cell.dv, cell.z + 1};
     if (look.on_top && above.z < levels_) out.cells[window_index(above)] = kSeenEmpty;
@@ -236,6 +252,7 @@ Sight::Sight(const TargetBricks& target, std::shared_ptr<Visibility> visibility)
   assert(visibility_ != nullptr);
 }
 
+/// Views are cached by what stands around the column: few different surroundings occur.
 const Sight::Seen& Sight::seen(const BrickSet& state, ApproachSide side, int u, int v) {
   std::string around(static_cast<std::size_t>(levels() * kDepth * kRows), '\0');
   for (int z = 0; z < levels(); ++z) {
@@ -267,6 +284,7 @@ Sight::Seen Sight::coloured(const std::string& around) {
       one.cells[i] = static_cast<std::uint8_t>(kSeenBrick + static_cast<std::uint8_t>(colour));
     }
   }
+  // What is known from some viewpoint is known: the greatest value counts.
   out.all = out.from.front();
   for (const Observation& one : out.from) {
     for (std::size_t i = 0; i < one.cells.size(); ++i) {

@@ -69,8 +69,8 @@ class Visibility {
   /// `levels` of the window.
   Visibility(const Abilities& robot, int levels);
 
-  /// Of the column in the middle of what is filled, '\0' or anything else a cell: from each
-  /// stance, kUnseen, kSeenEmpty or kSeenBrick by window_index.
+  /// What each stance shows of the column in the middle of what is filled, '\0' or anything else a
+  /// cell: kUnseen, kSeenEmpty or kSeenBrick by window_index.
   const std::vector<Observation>& of(const std::string& filled);
   int levels() const { return levels_; }
   const std::vector<Stance>& stances() const { return stances_; }

@@ -31,18 +31,22 @@ std::size_t BrickSet::count() const {
   return out;
 }
 
+/// Used as a key in hash tables; equality is decided by the words.
 std::uint64_t BrickSet::hash() const {
   std::uint64_t out = 0;
   for (const std::uint64_t word : words_) out = combine(out, word);
   return out;
 }
 
+/// States on the way differ in few bricks; the lowest difference is the brick that was
+/// added, when it is one.
 std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
   std::uint32_t i = 0;
   while (i < bricks && before.has(i) == after.has(i)) ++i;
   return i;
 }
 
+/// Numbers are places in the list: the start's bricks have the lowest ones.
 TargetBricks::TargetBricks(const std::vector<PlacedBrick>& bricks, std::size_t start)
     : start_(start) {
   assert(!bricks.empty());
@@ -51,6 +55,7 @@ TargetBricks::TargetBricks(const std::vector<PlacedBrick>& bricks, std::size_t s
     cells_.push_back(brick.at);
     colours_.push_back(brick.brick);
   }
+  // Robots stand on the floor, which is where the lowest brick is; levels count from there.
   const auto by_level = [](const Cell& a, const Cell& b) { return a.z < b.z; };
   const auto [low, high] = std::minmax_element(cells_.begin(), cells_.end(), by_level);
   floor_level_ = low->z;

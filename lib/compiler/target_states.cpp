@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The structures on the way to a proved one, as sets of its bricks. The rules' local form
+// is that of the verifier (verify/stage_model.h), computed once for each brick; what can be
+// placed in a structure is then a test of masks.
 #include "compiler/target_states.h"
 
 #include <algorithm>
@@ -43,6 +46,8 @@ TargetStates::TargetStates(const RuleSet& rules, const VerifyResult& proof)
 TargetStates::TargetStates(TargetStates&&) noexcept = default;
 TargetStates::~TargetStates() = default;
 
+/// Rules that place another colour are never right in a proved set, and the first that
+/// matches is the one to name.
 std::optional<std::uint32_t> TargetStates::rule_for(const BrickSet& state,
                                                     std::size_t brick) const {
   if (brick < start_bricks() || state.has(brick)) return std::nullopt;
@@ -59,6 +64,8 @@ std::optional<std::uint32_t> TargetStates::rule_for(const BrickSet& state,
   return std::nullopt;
 }
 
+/// Counts would have to be evaluated for all sets between the two, so rules with counts are
+/// left out; that only makes the answer more cautious.
 bool TargetStates::due_between(const BrickSet& least, const BrickSet& most,
                                std::size_t brick) const {
   if (brick < start_bricks()) return false;
@@ -76,6 +83,8 @@ bool TargetStates::due_between(const BrickSet& least, const BrickSet& most,
   });
 }
 
+/// Intersections over the rules that place the brick's colour: what all of them need, and
+/// what all of them forbid.
 Demands TargetStates::demands(std::size_t brick) const {
   const StageSite& site = model_->sites[brick - start_bricks()];
   Mask always = site.bricks, never = site.bricks;

@@ -36,7 +36,7 @@ class TargetStates : public TargetBricks {
   /// May a missing brick be placed in every structure that has all of `least` and nothing beyond
   /// `most`? False too where several rules would have to be looked at together.
   bool due_between(const BrickSet& least, const BrickSet& most, std::size_t brick) const;
-  /// Of a brick that is not of the start; neighbours that are of the start are left out.
+  /// The demands on a brick that is not of the start; neighbours of the start are left out.
   Demands demands(std::size_t brick) const;
   /// Bricks that may be placed now, rising.
   std::vector<std::uint32_t> open(const BrickSet& state) const;
