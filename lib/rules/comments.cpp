@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Ties the comments of a file to the elements of the rule set, so that `stigc fmt` can
+// print a rule set from its meaning without losing them. Elements are listed with their
+// places in the file's order; each comment goes to the nearest by bisection. The list
+// follows what the printer puts on lines of its own (rule_printer.cpp); the two have to
+// agree, and a test reformats files with comments everywhere.
 #include "rules/comments.h"
 
 #include <algorithm>
@@ -8,6 +13,7 @@ namespace stig {
 
 namespace {
 
+/// A path names an element in the way the printer asks for it: "rules/3/when".
 /// `inner_end`: a comment before it is inside the element; 0 for elements that have
 /// others inside them.
 struct Element {
@@ -20,6 +26,7 @@ bool is_one_of(std::string_view key, std::initializer_list<std::string_view> key
   return std::find(keys.begin(), keys.end(), key) != keys.end();
 }
 
+/// Keys of mappings that are printed one a line.
 void add_keys(const YamlNode& mapping, const std::string& prefix, std::vector<Element>& out) {
   for (const YamlPair& pair : mapping.pairs)
     out.push_back({prefix + pair.key.text, pair.key.begin, pair.value.end});
@@ -30,6 +37,7 @@ std::vector<Element> elements_of(const YamlNode& root) {
   std::vector<Element> out;
   for (const YamlPair& pair : root.pairs) {
     const std::string& key = pair.key.text;
+    // These hold other elements, so a comment within them belongs to one of those.
     const bool parted =
         is_one_of(key, {"bricks", "legend", "physical", "expect", "start", "rules"});
     out.push_back({key, pair.key.begin, parted ? 0 : pair.value.end});
@@ -57,6 +65,7 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
     const auto after =
         std::upper_bound(elements.begin(), elements.end(), found.begin,
                          [](std::uint32_t at, const Element& e) { return at < e.begin; });
+    // A trailing comment before any element has nothing to stand behind.
     Comment comment;
     comment.trailing = found.trailing && after != elements.begin();
     if (comment.trailing) {
@@ -65,6 +74,8 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
       comment.element = "stigc";
     } else if (found.begin < std::prev(after)->inner_end) {
       comment.element = std::prev(after)->path;
+      // After the last element the comment's element stays empty, which is the end of the
+      // file.
     } else if (after != elements.end()) {
       comment.element = after->path;
     }

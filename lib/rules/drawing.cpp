@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Symbols and drawn structures. Diagnostics go on after an error wherever the rest can
+// still be read: a drawing with one unknown symbol is no drawing, but its other symbols are
+// looked at, so that all errors are reported at once. Drawings of neighbourhoods are read
+// by pattern_reader.cpp.
 #include "rules/drawing.h"
 
 #include <fmt/format.h>
@@ -13,7 +17,8 @@ namespace stig {
 
 namespace {
 
-/// In ASCII.
+/// In ASCII. Case is a frequent slip in symbols, hence a suggestion of its own before the
+/// edit distance.
 bool same_but_for_case(std::string_view a, std::string_view b) {
   const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -22,7 +27,8 @@ bool same_but_for_case(std::string_view a, std::string_view b) {
 
 using Slice = std::vector<const DrawnRow*>;
 
-/// Rows between lines of ---, from the top slice down.
+/// Rows between lines of ---, from the top slice down. Slices are counted from above, as
+/// they are drawn.
 std::vector<Slice> slices_of(const std::vector<DrawnRow>& rows) {
   std::vector<Slice> slices(1);
   for (const DrawnRow& row : rows) {
@@ -35,7 +41,8 @@ std::vector<Slice> slices_of(const std::vector<DrawnRow>& rows) {
   return slices;
 }
 
-/// All slices alike? Reports the first row or slice that differs.
+/// All slices alike? Reports the first row or slice that differs. One report is enough:
+/// rows and slices of different lengths usually have one cause.
 bool check_structure_shape(const YamlTextMap& places, const std::vector<Slice>& slices,
                            DrawingContext& context) {
   const auto fail = [&](std::size_t begin, std::size_t end, std::string message) {
@@ -47,6 +54,7 @@ bool check_structure_shape(const YamlTextMap& places, const std::vector<Slice>& 
   const std::size_t columns = slices[0][0]->tokens.size();
   const DrawnRow* last = slices[0][0];
   for (const Slice& slice : slices) {
+    // Where a slice is empty, the last row before it is the nearest place to point at.
     if (!slice.empty()) last = slice[0];
     if (slice.size() != rows) {
       return fail(
@@ -64,6 +72,8 @@ bool check_structure_shape(const YamlTextMap& places, const std::vector<Slice>& 
   return true;
 }
 
+/// An expected structure is compared up to translation, so its place in the drawing means
+/// nothing.
 void move_to_origin(std::vector<PlacedBrick>& bricks) {
   Cell low = bricks.front().at;
   for (const PlacedBrick& b : bricks) {
@@ -86,6 +96,8 @@ const SymbolTable::Entry* SymbolTable::find(const std::string& symbol) const {
   return found == entries_.end() ? nullptr : &found->second;
 }
 
+/// The four symbols with a meaning of their own; bricks and legend entries cannot take
+/// them.
 std::optional<StateSet> SymbolTable::states(const std::string& symbol) {
   if (symbol == ".") return StateSet::empty_cell();
   if (symbol == "?") return StateSet::anything();
@@ -93,6 +105,8 @@ std::optional<StateSet> SymbolTable::states(const std::string& symbol) {
   if (symbol == "=") return StateSet::floor();
   const auto found = entries_.find(symbol);
   if (found == entries_.end()) return std::nullopt;
+  // Marked here, since this is where every use of a symbol passes; unused legend entries
+  // are warned of.
   found->second.used = true;
   return found->second.states;
 }
@@ -118,6 +132,7 @@ std::string SymbolTable::nearest_to(std::string_view word, bool bricks_only) con
 void report_unknown(const SourceRange& range, const std::string& symbol, bool bricks_only,
                     DrawingContext& context) {
   const std::string meant = context.symbols.symbol_named(symbol);
+  // In a structure only bricks can stand, a legend entry stands for a set of states.
   const bool legend = bricks_only && context.symbols.find(symbol) != nullptr;
   std::string message = fmt::format("unknown brick {}", in_quotes(symbol));
   if (legend || is_reserved_symbol(symbol)) {
@@ -128,6 +143,7 @@ void report_unknown(const SourceRange& range, const std::string& symbol, bool br
   Diagnostic& diagnostic = context.diagnostics.add(Code::R204, range, message);
   if (context.diagnostics.full()) return;
   diagnostic.suggest(meant.empty() ? context.symbols.nearest_to(symbol, bricks_only) : meant);
+  // "..." for ". . .": all characters are symbols by themselves.
   const bool run_together =
       symbol.size() > 1 && std::all_of(symbol.begin(), symbol.end(), [&](char c) {
         const std::string one(1, c);
@@ -144,6 +160,7 @@ std::optional<std::vector<PlacedBrick>> read_structure(const YamlNode& node,
   bool sound = check_structure_shape(places, slices, context);
   std::vector<PlacedBrick> bricks;
   for (std::size_t s = 0; s < slices.size(); ++s) {
+    // Slices fall in z, rows in y, as in all drawings.
     const auto z = static_cast<std::int32_t>(slices.size() - 1 - s);
     for (std::size_t r = 0; r < slices[s].size(); ++r) {
       const auto y = static_cast<std::int32_t>(slices[s].size() - 1 - r);

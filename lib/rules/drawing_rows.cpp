@@ -5,6 +5,8 @@
 
 namespace stig {
 
+/// Any white space separates symbols, so drawings can be lined up as their author likes;
+/// blank lines are no rows. Offsets are kept for exact carets.
 std::vector<DrawnRow> split_rows(std::string_view text) {
   static constexpr std::string_view kSpace = " \t\r\n";
   std::vector<DrawnRow> rows;

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
+// Both neighbourhoods are computed at compile time from the definition in the header, in
+// the reading order of drawings, and checked by static_assert. The order is part of file
+// formats: certificates and traces name neighbours by index.
 #include "rules/neighbourhood.h"
 
 namespace stig {
 namespace {
 
 constexpr bool on_lattice(Lattice lattice, Offset o) {
+  // In axial coordinates the six neighbours in the plane are those with |q + r| <= 1.
   // The two corners (1,1) and (-1,-1) of a 3×3 axial slice are no neighbours.
   return lattice == Lattice::cubic || (o.x + o.y >= -1 && o.x + o.y <= 1);
 }
@@ -20,6 +24,9 @@ constexpr Neighbourhood make(Lattice lattice) {
         if (o == Offset{} || !on_lattice(lattice, o)) continue;
         const auto i = static_cast<std::size_t>(n.size);
         n.offsets[i] = o;
+        // On the cubic lattice the squared length tells faces (1), edges (2) and corners
+        // (3) apart. A hexagonal prism shares faces with its six neighbours on the level
+        // and with those straight above and below.
         const int steps = x * x + y * y + z * z;
         const bool level = z == 0;
         const bool vertical = x == 0 && y == 0;
@@ -46,6 +53,7 @@ const Neighbourhood& neighbourhood(Lattice lattice) {
   return lattice == Lattice::cubic ? kCubic : kHexagonal;
 }
 
+/// Cells are one wide and one high on both lattices; see the header for the frame.
 Point embed(Lattice lattice, Cell cell) {
   if (lattice == Lattice::cubic) {
     return {static_cast<double>(cell.x), static_cast<double>(cell.y), static_cast<double>(cell.z)};

@@ -17,6 +17,7 @@ namespace {
 /// Reads one neighbourhood; collects errors and goes on.
 class PatternReader {
  public:
+  // The floor is checked for the slice above too when the rule also holds upside down.
   PatternReader(const YamlNode& node, bool inversion, DrawingContext& context)
       : node_(node),
         inversion_(inversion),
@@ -25,6 +26,8 @@ class PatternReader {
         rows_(split_rows(node.text)),
         places_(context.document, node) {}
 
+  // In order of what makes the rest meaningless: separators that are no symbols, the number
+  // of rows, their lengths. Only then are cells read.
   std::optional<Pattern> read() {
     if (!check_separators() || !check_form()) return std::nullopt;
     check_widths();
@@ -38,6 +41,7 @@ class PatternReader {
   SourceRange range(const DrawnSymbol& token) const {
     return places_.range(token.begin, token.begin + token.text.size());
   }
+  // The last diagnostic is kept so that a hint can be added to it.
   Diagnostic& fail(Code code, const SourceRange& where, std::string message) {
     sound_ = false;
     return *(last_ = &context_.diagnostics.add(code, where, std::move(message)));
@@ -65,6 +69,8 @@ class PatternReader {
   /// Three rows? False when nothing in the drawing would be where it is meant to be.
   bool check_form() {
     if (rows_.size() == 3) return true;
+    // Where a drawing is no literal block, its rows cannot be told apart in the file, so
+    // the head is marked.
     const bool in_block = node_.style == YamlStyle::literal;
     const SourceRange where = in_block && rows_.size() > 3
                                   ? places_.range(rows_[3].begin, rows_[3].end)
@@ -74,6 +80,7 @@ class PatternReader {
            "a drawing is a block of 3 rows: write 'when: |' and the rows below it");
       return false;
     }
+    // Slices drawn one below the other are a frequent misreading of the form.
     const bool stacked =
         rows_.size() == 9 || (rows_.size() > 3 && rows_[3].tokens[0].text == "---");
     fail(Code::R201, where,
@@ -82,7 +89,8 @@ class PatternReader {
     return !stacked;
   }
 
-  /// Rows of one length that is wrong are one mistake.
+  /// Rows of one length that is wrong are one mistake. Three rows of one wrong length are
+  /// reported once, and not row by row.
   void check_widths() {
     if (rows_.size() != 3) return;
     const std::size_t found = rows_[0].tokens.size();
@@ -114,6 +122,8 @@ class PatternReader {
   std::size_t width(std::size_t row) const {
     return context_.lattice == Lattice::hexagonal && row != 1 ? 2 : 3;
   }
+  // Column and row of the drawing to an offset; the inverse of the order in
+  // neighbourhood.cpp.
   Offset offset_of(std::size_t row, std::size_t column) const {
     const std::size_t slice = column / width(row);
     const int y = 1 - static_cast<int>(row);
@@ -127,6 +137,8 @@ class PatternReader {
     const bool shaped = rows_.size() == 3 && row.tokens.size() == 3 * width(number);
     std::size_t most = row.tokens.size();
     if (rows_.size() == 3 && !shaped && !alike_) most = report_width(number);
+    // Symbols of a row of wrong length are still looked up, for their own errors, but not
+    // placed.
     for (std::size_t column = 0; column < most; ++column) {
       const DrawnSymbol& token = row.tokens[column];
       if (shaped) {
@@ -172,11 +184,13 @@ class PatternReader {
     if (states) pattern_.allowed[index] = *states;
   }
 
+  // An entry without states is a legend entry that was reported where it is defined.
   std::optional<StateSet> states_of(const DrawnSymbol& token) {
     const std::optional<StateSet> states = context_.symbols.states(token.text);
     if (states && !states->none()) return states;
     sound_ = false;
     if (states) return std::nullopt;  // of the legend, where it has been reported
+    // An unknown symbol is reported at its first use in the drawing.
     if (reported_.insert(token.text).second) {
       report_unknown(range(token), token.text, false, context_);
     }
@@ -198,7 +212,9 @@ class PatternReader {
     }
   }
 
-  /// The floor fills a slice or is not in it: `= 1 =` matches nothing.
+  /// The floor fills a slice or is not in it: `= 1 =` matches nothing. A world has floor
+  /// below a site in all cells of the slice or in none (rule_checks.h), so a mixture with
+  /// cells that exclude floor never matches.
   void check_floor_is_whole(int z) {
     const DrawnSymbol* floor = nullptr;
     const DrawnSymbol* other = nullptr;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Drawings as text, the inverse of the readers. All columns have the width of the widest
+// symbol, in code points, so that drawings line up in any editor with a fixed font;
+// trailing spaces are cut, which keeps files stable under editors that do so.
 #include "rules/pattern_text.h"
 
 #include <algorithm>
@@ -15,6 +18,8 @@ namespace {
 
 using Symbols = std::array<std::string, kMaxNeighbours>;
 
+/// Terminals may show some characters wider than one column; code points are what can be
+/// counted portably.
 std::string padded(const std::string& symbol, std::size_t width) {
   const std::size_t length = count_code_points(symbol);
   return symbol + std::string(width - std::min(width, length), ' ');
@@ -32,7 +37,8 @@ std::string draw(Lattice lattice, const Symbols& symbols) {
   for (int y = 1; y >= -1; --y) {
     std::string line;
     for (int z = 1; z >= -1; --z) {
-      // Hexagonal rows of two are set in by half a cell.
+      // Hexagonal rows of two are set in by half a cell. Half a cell is half of a symbol
+      // and its space, rounded up.
       std::string row((lattice == Lattice::hexagonal && y != 0) ? (width + 1) / 2 : 0, ' ');
       for (int x = -1; x <= 1; ++x) {
         const bool site = x == 0 && y == 0 && z == 0;
@@ -41,6 +47,7 @@ std::string draw(Lattice lattice, const Symbols& symbols) {
         row += padded(site ? "*" : symbols[static_cast<std::size_t>(index)], width) + " ";
       }
       trim(row);
+      // The line is filled up to the next slice by code points as well.
       line += row + std::string(slice_width + 3 - count_code_points(row), ' ');
     }
     trim(line);
@@ -61,6 +68,9 @@ std::string draw_cells(const RuleSet& rules, StateSetAt at) {
 
 }  // namespace
 
+/// Reserved symbols come first: a legend entry that happens to mean "empty" is not used for
+/// it. `#` is printed for all bricks, unless there is only one brick, whose own symbol says
+/// more.
 std::optional<std::string> find_symbol(const RuleSet& rules, StateSet states) {
   if (states == StateSet::anything()) return "?";
   if (states == StateSet::empty_cell()) return ".";
@@ -75,6 +85,7 @@ std::optional<std::string> find_symbol(const RuleSet& rules, StateSet states) {
   return std::nullopt;
 }
 
+/// For messages: a set without a symbol is written out.
 std::string symbol_of(const RuleSet& rules, StateSet states) {
   if (const auto symbol = find_symbol(rules, states)) return *symbol;
   std::string out;
@@ -100,6 +111,7 @@ std::string draw_view(const RuleSet& rules, const View& view) {
 std::string draw_structure(const RuleSet& rules, const std::vector<PlacedBrick>& bricks) {
   assert(!bricks.empty());
   Cell low = bricks.front().at, high = low;
+  // A map by cell: expected structures are small, and may be sparse.
   std::map<Cell, Colour> at;
   std::size_t width = 1;
   for (const PlacedBrick& b : bricks) {

@@ -14,6 +14,7 @@ namespace stig {
 
 namespace {
 
+/// Stages, heights and counts are whole numbers; only probabilities and weights are not.
 NumberBounds bounds_of(const KeySchema& key) {
   return {key.low, key.high, key.above_low, key.kind != ValueKind::number};
 }
@@ -35,6 +36,8 @@ class ShapeChecker : public NodeChecks {
   }
 
  private:
+  // The two switches cover ValueKind between them; they are apart so that each stays
+  // readable.
   bool check_value(const YamlNode& node, const KeySchema& key) {
     switch (key.kind) {
       case ValueKind::text:
@@ -51,6 +54,7 @@ class ShapeChecker : public NodeChecks {
         return check_boolean(node);
       case ValueKind::integer:
       case ValueKind::number:
+        // The version is looked at first, since another one explains every other error.
         if (key.name == "stigc") return check_version(node);
         return check_number(node, key.name, bounds_of(key));
       case ValueKind::drawing:
@@ -100,7 +104,8 @@ class ShapeChecker : public NodeChecks {
     }
   }
 
-  /// A list of symbols, those of drawings too.
+  /// A list of symbols, those of drawings too. A single symbol without brackets is the
+  /// usual slip, and the mended form is suggested.
   bool check_states(const YamlNode& node, const KeySchema& key, std::size_t least) {
     if (node.kind == YamlKind::scalar) {
       return wrong(node, "a list of symbols", fmt::format("[{}]", yaml_text(node.text, true)));
@@ -110,6 +115,7 @@ class ShapeChecker : public NodeChecks {
   }
 
   template <class Check>
+  // Beyond the limit the list itself is the error.
   bool check_list(const YamlNode& node, const KeySchema& key, std::size_t least, std::size_t most,
                   std::string_view wanted, Check check) {
     if (!expect(node, YamlKind::sequence, wanted)) return false;
@@ -120,6 +126,7 @@ class ShapeChecker : public NodeChecks {
   }
 
   template <class Check>
+  // Keys and values are both checked, so one error does not hide the other.
   bool check_map(const YamlNode& node, const KeySchema& key, std::string_view wanted, Check check) {
     if (!expect(node, YamlKind::mapping, wanted)) return false;
     bool sound = check_size(node, key.name, node.pairs.size(), key.least, key.most);
@@ -128,6 +135,7 @@ class ShapeChecker : public NodeChecks {
     return sound || mark(node);
   }
 
+  // Lengths count code points, as editors show them.
   bool check_symbol(const YamlNode& node, bool of_states) {
     if (!expect(node, YamlKind::scalar, "a symbol")) return false;
     const std::string shown = in_quotes(node.text);
@@ -156,6 +164,7 @@ class ShapeChecker : public NodeChecks {
     return *value == kFormatVersion || unknown_version(node, kFormatVersion);
   }
 
+  // Leading zeros are refused: YAML readers disagree on whether 010 is eight or ten.
   bool check_stage(const YamlNode& node) {
     int stage = 0;
     const char* end = node.text.data() + node.text.size();

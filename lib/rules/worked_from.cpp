@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Spells out the orientations in which robots on some sides meet a rule, as rules without
+// symmetry. That makes the set larger and its meaning smaller: what no robot does, no robot
+// can be asked to prove harmless. Names of turned rules carry the turn, so messages stay
+// traceable.
 #include "rules/worked_from.h"
 
 #include <algorithm>
@@ -9,6 +13,7 @@ namespace stig {
 
 namespace {
 
+/// In the order of quarter turns from +x.
 constexpr std::string_view kSides[] = {"+x", "+y", "-x", "-y"};
 
 /// Where a robot at +x stands after the turn.
@@ -30,6 +35,7 @@ Pattern turned(const Pattern& pattern, const Orientation& orientation, int size)
 
 RuleSet worked_from(RuleSet rules, const std::vector<std::string>& sides) {
   const std::set<std::string_view> from(sides.begin(), sides.end());
+  // Without symmetry there is nothing to leave out.
   const bool symmetric = std::any_of(rules.rules.begin(), rules.rules.end(), [&](const Rule& rule) {
     return rules.symmetry_of(rule) != Symmetry::none;
   });
@@ -40,9 +46,11 @@ RuleSet worked_from(RuleSet rules, const std::vector<std::string>& sides) {
   const int size = neighbourhood(rules.lattice).size;
   std::vector<Rule> out;
   for (const Rule& rule : rules.rules) {
+    // A rule that is written for one orientation holds for robots wherever they stand.
     const bool as_written = rules.symmetry_of(rule) == Symmetry::none;
     const auto group =
         orientations(rules.lattice, rules.symmetry_of(rule), rules.inversion_of(rule));
+    // Patterns with a symmetry of their own would appear several times.
     std::vector<Pattern> known;
     for (const Orientation& orientation : group) {
       if (!as_written && !from.contains(side_of(orientation))) continue;
@@ -62,6 +70,7 @@ RuleSet worked_from(RuleSet rules, const std::vector<std::string>& sides) {
   return rules;
 }
 
+/// The file's own sides are what its author says of the robots' world.
 RuleSet worked_from_own(RuleSet rules, const std::vector<std::string>& sides) {
   const bool own = sides.empty() && rules.physical;
   const std::vector<std::string> from = own ? rules.physical->sides : sides;
