@@ -34,6 +34,7 @@ static_assert(
                [](const CodeExample& example, Code code) { return example.code == code; }),
     "every code of diagnostics.def has one example, in the same order");
 
+/// The good files are as small as their formats allow, so that an example's keys stand out.
 constexpr std::string_view kRules = R"(stigc: 1
 name: example
 lattice: cubic
@@ -129,7 +130,8 @@ std::string indented(std::string_view text, std::string_view indent) {
   return out;
 }
 
-/// Words in lines of at most 80 columns.
+/// Words in lines of at most 80 columns. Greedy, word by word; explanations have no words
+/// longer than a line.
 std::string in_lines(std::string_view text) {
   constexpr std::size_t kWidth = 80;
   std::string out;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Generates docs/diagnostics.md from the list of codes and their examples. The page has no
+// text of its own but the head and the titles of groups, so that a code is documented by
+// being listed.
 #include "base/diagnostic_page.h"
 
 #include <fmt/format.h>

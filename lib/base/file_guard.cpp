@@ -32,6 +32,8 @@ FileNumber number_in(const struct stat& status) {
   return {static_cast<std::uint64_t>(status.st_dev), static_cast<std::uint64_t>(status.st_ino)};
 }
 
+/// Nothing is noted before guard_files(): libraries may be used by programs that rewrite
+/// files on purpose.
 void note(std::set<FileNumber> Ledger::*files, const FileNumber& file) {
   Ledger& all = ledger();
   const std::lock_guard lock(all.mutex);
@@ -104,6 +106,7 @@ bool was_read(const std::string& path) {
   return file && was_read(*file);
 }
 
+/// A second output to one file would silently replace the first.
 std::string why_guarded(const FileNumber& file) {
   if (was_read(file)) return "it is what is read";
   Ledger& all = ledger();

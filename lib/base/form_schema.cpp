@@ -43,7 +43,8 @@ Json list_json(const FormKey& key, Json items) {
   return out;
 }
 
-/// Collects the forms that are referred to, once each.
+/// Collects the forms that are referred to, once each. Forms can contain each other, so
+/// they are collected by address and printed once.
 class Printer {
  public:
   Json form_json(const Form& form) {
@@ -66,6 +67,7 @@ class Printer {
   }
 
  private:
+  // A reference and not a copy: editors then show one definition in all places.
   Json reference(const Form& form) {
     if (std::find(forms_.begin(), forms_.end(), &form) == forms_.end()) forms_.push_back(&form);
     return {{"$ref", "#/definitions/" + definition(form)}};

@@ -18,6 +18,7 @@ namespace {
 
 using nlohmann::json;
 
+/// A chunk's type and the magic number are ASCII read as little-endian words.
 // Numbers of the glTF specification.
 constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
@@ -32,6 +33,8 @@ class Document {
     json_["scenes"] = json::array({json::object()});
   }
 
+  // Nodes are listed in the order in which they were given, so numbers of parents are right
+  // as they are.
   void add(const std::vector<GlbNode>& nodes, std::size_t number) {
     const GlbNode& node = nodes[number];
     json out = {{"name", node.name}};
@@ -126,6 +129,8 @@ class Document {
 
 }  // namespace
 
+/// The bounds are taken from the values as stored, in single precision: validators compare
+/// them exactly.
 std::uint32_t GlbPrimitive::add_vertex(const std::array<float, 3>& at,
                                        const std::array<float, 3>& normal) {
   if (vertices == 0) low = high = at;

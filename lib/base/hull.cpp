@@ -42,6 +42,7 @@ class Hull {
   }
 
  private:
+  // A plane belongs to the hull if no point lies above it; points on it are its corners.
   void try_plane(const Vec3& on, const Vec3& normal) {
     HullFace face{{}, normal};
     for (std::size_t i = 0; i < points_.size(); ++i) {

@@ -39,6 +39,7 @@ std::string found(const YamlNode& node) {
                                          : in_quotes(node.text);
 }
 
+/// "a, b or c".
 std::string alternatives(const std::vector<std::string_view>& words) {
   std::string out;
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -63,6 +64,7 @@ bool is_colour(std::string_view text) {
          text.find_first_not_of(kHexDigits, 1) == std::string_view::npos;
 }
 
+/// The basic colours of CSS, which is what authors mean by these words.
 /// What people write in place of a colour by its number.
 constexpr std::pair<std::string_view, std::string_view> kNamedColours[] = {
     {"black", "#000000"}, {"white", "#ffffff"},   {"grey", "#808080"}, {"gray", "#808080"},
@@ -87,8 +89,10 @@ std::string colour_meant(std::string_view text) {
   return {};
 }
 
-/// The word that a '#' made a comment of where a value is wanted, as in `color: #8d99ae`. A '#'
-/// with a space behind it is meant as a comment.
+/// The word that a '#' made a comment of where a value is wanted, as in `color: #8d99ae`. A
+/// '#' with a space behind it is meant as a comment. In YAML an unquoted '#' after a space
+/// begins a comment, so the value of `color: #8d99ae` is empty. This finds the word that
+/// was lost.
 SourceRange swallowed_word(const YamlDocument& document, const YamlNode& node) {
   const std::string& text = document.source->text();
   const std::size_t hash = std::min(text.find_first_not_of(" \t", node.begin + 1U), text.size());
@@ -195,6 +199,7 @@ void NodeChecks::missing_key(const YamlNode& mapping, std::string_view title, st
   if (!doc.empty()) diagnostic.note(fmt::format("'{}': {}", key, doc));
 }
 
+/// The most frequent check, so its success has no cost but a comparison.
 bool NodeChecks::expect(const YamlNode& node, YamlKind kind, std::string_view wanted) {
   return node.kind == kind || wrong(node, wanted);
 }
@@ -232,6 +237,7 @@ bool NodeChecks::check_choice(const YamlNode& node, std::string_view key,
   return mark(node);
 }
 
+/// A whole number may be written as 3 or 3.0; its value is what counts.
 bool NodeChecks::check_number(const YamlNode& node, std::string_view key,
                               const NumberBounds& bounds) {
   const std::optional<double> value = number_of(node);
@@ -244,6 +250,8 @@ bool NodeChecks::check_number(const YamlNode& node, std::string_view key,
       node, fmt::format("'{}' takes {}, not {}", key, wanted_number(bounds), in_quotes(node.text)));
 }
 
+/// The size is reported for the list as a whole, and its entries are looked at by the
+/// caller.
 bool NodeChecks::check_size(const YamlNode& node, std::string_view key, std::size_t size,
                             std::size_t least, std::size_t most) {
   if (size >= least && size <= most) return true;

@@ -39,6 +39,7 @@ SourceFile::Position SourceFile::position(std::size_t offset) const {
   return {number, 1 + count_code_points(before)};
 }
 
+/// Past the last line this is the end of the text, so that ranges can be closed.
 std::size_t SourceFile::line_start(std::size_t number) const {
   if (number == 0) return 0;
   return number <= line_starts_.size() ? line_starts_[number - 1] : text_.size();

@@ -58,6 +58,7 @@ std::size_t count_code_points(std::string_view text) {
   return text.size() - static_cast<std::size_t>(continues);
 }
 
+/// Escapes are those of C and JSON, which readers of messages know.
 std::string printable(std::string_view text, const CodePoint& point) {
   if (!point.valid || (is_hidden(point.value) && point.value < 0x80)) {
     return fmt::format("\\x{:02x}", static_cast<unsigned>(point.value));

@@ -85,6 +85,8 @@ BlockContent block_content(std::string_view source, std::size_t begin, std::stri
   return content;
 }
 
+/// Brackets within quoted entries have been passed: the search begins behind the last
+/// entry.
 std::size_t flow_end(std::string_view source, std::size_t from, char bracket) {
   for (std::size_t i = from; i < source.size(); ++i) {
     if (source[i] == bracket) return i + 1;

@@ -40,6 +40,7 @@ std::string plainer(const std::string& message) {
   return found == kWords.end() ? message : found->second;
 }
 
+/// Lines are looked at without their line ends and trailing spaces.
 /// A line of the file, and where its parts are.
 struct Line {
   std::size_t number = 0, start = 0;
@@ -79,6 +80,7 @@ Line line_before(const SourceRef& source, std::size_t number) {
   return {};
 }
 
+/// A quote hides brackets and '#'; the scan follows only what matters to these.
 /// A '#' where a value is wanted inside brackets that its line opens, or npos: the rest of the
 /// line, with the closing bracket, is lost to a comment.
 std::size_t swallowing_hash(std::string_view line) {

@@ -27,6 +27,8 @@ bool looks_like_another_type(std::string_view text) {
   return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
 }
 
+/// Some of these characters would be safe in most positions; quotes are cheap, and
+/// surprises are not.
 /// May the character at i stand inside a plain text? Conservative, so that every
 /// YAML reader agrees.
 bool is_safe(std::string_view text, std::size_t i, bool inside_flow) {
@@ -40,6 +42,7 @@ bool is_safe(std::string_view text, std::size_t i, bool inside_flow) {
   return kInBlock.find(c) != kInBlock.npos;
 }
 
+/// The first character decides between indicators, numbers and texts in every reader.
 bool is_plain(std::string_view text, bool inside_flow) {
   if (text.empty() || text.back() == ' ') return false;
   const char first = text.front();

@@ -59,6 +59,7 @@ std::vector<LegendItem> legend_items(const std::vector<PicturePanel>& panels,
   return items;
 }
 
+/// All figures are computed once; drawing only reads them.
 // Where everything goes, in units of the canvas.
 struct Layout {
   double scale = 1;  // units a cell
@@ -92,7 +93,8 @@ void fit_panels(Layout& layout, std::size_t panels, PagePoint content, PagePoint
   layout.panel_height = content.y * layout.scale;
 }
 
-// Lays the legend in rows of the page's width; returns its height.
+// Lays the legend in rows of the page's width; returns its height. Items flow like words of
+// a paragraph and are never split.
 double place_legend(Layout& layout, const std::vector<LegendItem>& items, double left) {
   double x = left, y = 18;
   for (const LegendItem& item : items) {

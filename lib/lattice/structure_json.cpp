@@ -170,6 +170,7 @@ bool Handler::version(std::int64_t value) {
   return value == 1 || fail(fmt::format("version {} of the format is not known, only 1", value));
 }
 
+/// Only the document itself and the entries of "bricks" are objects.
 bool Handler::start_object(std::size_t) {
   if (where_ == Where::outside) {
     where_ = Where::top;

@@ -107,6 +107,7 @@ class TextReader {
     return kEmpty;
   }
 
+  // The last slice has no separator behind it; the end of the text closes it.
   void end_slice(std::size_t begin, std::size_t end) {
     if (rows_ == 0) {
       error(Code::F403, begin, end, "slice without rows");

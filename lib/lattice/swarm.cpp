@@ -35,6 +35,7 @@ bool box_fits(const Box& box) {
   return slice <= kMostBoxCells && slice * (std::int64_t{box.size.z} + 2) <= kMostBoxCells;
 }
 
+/// The first problem is enough: the command line is corrected one step at a time.
 std::string start_problem(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                           const std::optional<Box>& box) {
   std::set<Cell> cells;

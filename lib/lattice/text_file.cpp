@@ -178,6 +178,7 @@ int highest_colour(const Structure& structure) {
   return highest;
 }
 
+/// All or none are replaced: a mixture of symbols and numbers could be misread.
 // The bricks, or numbers where their symbols could not be told apart again.
 std::vector<Brick> drawable_bricks(const Structure& structure, const std::vector<Brick>& bricks) {
   const int highest = highest_colour(structure);

@@ -130,7 +130,8 @@ bool read_event(ByteReader& in, Deposit& last) {
   return in.good();
 }
 
-/// What is wrong with the decompressed payload; empty: nothing.
+/// What is wrong with the decompressed payload; empty: nothing. Tags make the stream
+/// self-describing; an unknown tag ends it.
 std::string read_payload(const std::string& payload, Trace& trace) {
   ByteReader in(payload);
   const std::string header(in.block());

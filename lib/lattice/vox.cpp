@@ -162,7 +162,8 @@ bool VoxReader::read_palette(ByteReader content) {
   return content.good() || error("the palette is too short");
 }
 
-// Without a scene there is one model, with its lowest corner at the origin.
+// Without a scene there is one model, with its lowest corner at the origin. The pivot of
+// the only model is undone here, so that its lowest corner is the origin.
 std::optional<std::vector<PlacedModel>> VoxReader::place_models() {
   if (models_.empty()) {
     error("the file has no model");

@@ -62,6 +62,7 @@ std::vector<PlacedBrick> sorted_by_block(const Structure& structure, Cell low) {
   return bricks;
 }
 
+/// Trimmed bounds keep models small where a block is mostly empty.
 CellBounds bounds_of(const PlacedBrick* begin, const PlacedBrick* end) {
   CellBounds bounds{begin->at, begin->at};
   for (const PlacedBrick* b = begin; b != end; ++b) {

@@ -35,6 +35,7 @@ State LatticeWorld::at(Cell cell) const {
   return structure_.at(wrap(cell));
 }
 
+/// The gathered path covers all but the sides of a periodic box.
 View LatticeWorld::view(Cell site) const {
   if (!wraps_near(site)) {
     Surroundings around;
