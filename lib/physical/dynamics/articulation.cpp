@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Kinematics (poses, and the velocity of each part for each degree of freedom: `columns`) are
+// DART's; the dynamics are written out here, so that nothing of the result depends on how DART adds
+// up. Names: `motion` is a part's twist about its own origin, `change` how that twist changes while
+// generalised velocities stay (the convective acceleration), `momentum` is about the world's
+// origin. With n degrees of freedom a step costs n³ for the inverse, which for robots of a dozen is
+// nothing.
 #include "physical/dynamics/articulation.h"
 
 #include <algorithm>
@@ -28,10 +34,12 @@ void add_mass(const Articulation& it, std::size_t part, std::vector<double>& out
   const Twist* columns = it.columns_of(part);
   const std::size_t n = it.size();
   for (const std::uint32_t i : it.chains[part]) {
+    // A column is a part's twist for a velocity of 1: velocity of its origin, and spin.
     const Vec3 p = (columns[i].v + cross(columns[i].w, weight.centre)) * weight.mass;
     // Momentum and angular momentum about the part's origin.
     const Vec3 l = weight.inertia * columns[i].w + cross(weight.centre, p);
     for (const std::uint32_t k : it.chains[part]) {
+      // Chains rise, so the lower half is complete at k = i; invert_positive mirrors it.
       if (k > i) break;
       out[i * n + k] += dot(p, columns[k].v) + dot(l, columns[k].w);
     }
@@ -55,6 +63,7 @@ Momentum momentum_of(const Articulation& it) {
     const Twist& motion = it.motions[part];
     const Vec3 p = (motion.v + cross(motion.w, weight.centre)) * weight.mass;
     sum.linear += p;
+    // Angular momentum about the world's origin: that of the centre of mass, and the part's own.
     sum.angular += weight.inertia * motion.w + cross(it.poses[part].p + weight.centre, p);
   }
   return sum;
@@ -65,6 +74,8 @@ Momentum gather(const Articulation& it, const std::vector<Body>& bodies, std::ve
   Momentum sum;
   for (const LinkBody& link : it.links) {
     const Body& body = bodies[link.body];
+    // The outer force acts at the body's centre of mass; moved to the part's origin it brings a
+    // torque.
     const Vec3 torque = body.torque + cross(body.p - it.poses[link.part].p, body.force);
     const Twist* columns = it.columns_of(link.part);
     for (const std::uint32_t i : it.chains[link.part]) {
@@ -77,6 +88,8 @@ Momentum gather(const Articulation& it, const std::vector<Body>& bodies, std::ve
 }
 
 /// How columns that move with a body change: of s, which moves with m.
+// The time derivative of a twist that is carried along: Featherstone's cross product of motion
+// vectors (Rigid Body Dynamics Algorithms, section 2.9).
 Twist carried(const Twist& m, const Twist& s) {
   return {cross(m.w, s.v) + cross(m.v, s.w), cross(m.w, s.w)};
 }
@@ -98,6 +111,7 @@ void add_coriolis(const Articulation& it, std::size_t part, const std::vector<do
   }
 }
 
+// Called twice a step, with velocities at its beginning and at its middle.
 /// dt M⁻¹ (force - c(v)); `left` is of use to nobody else.
 void respond(const Articulation& it, const std::vector<double>& force, const std::vector<double>& v,
              double dt, std::vector<double>& left, std::vector<double>& out) {
@@ -114,6 +128,8 @@ void respond(const Articulation& it, const std::vector<double>& force, const std
 
 /// Changes the velocity of the floating first part so that the momentum is as given.
 void put_right(Articulation& it, const Momentum& wanted) {
+  // Integration errors of the coupling between joints and base would make a falling robot drift:
+  // what its momentum must be is known exactly, so the six velocities of the base are solved for.
   const Momentum now = momentum_of(it);
   const Vec3 linear = wanted.linear - now.linear, angular = wanted.angular - now.angular;
   std::vector<double> matrix(36),
@@ -136,9 +152,12 @@ void put_right(Articulation& it, const Momentum& wanted) {
 double motor_target(const Articulation& it, std::size_t i, double dt) {
   constexpr double kPart = 0.2;  ///< of a position's error, gone in a step
   const DofDef& dof = it.dofs[i];
+  // A position motor is a velocity motor whose target leads there: it slows as it comes near, and
+  // is never stiffer than a step can bear.
   if (dof.actuator == Actuator::velocity) return it.axes[i].target;
   const double goal = std::clamp(it.axes[i].target, dof.lower, dof.upper);
   return std::clamp((goal - it.q[i]) * kPart / dt, -dof.speed, dof.speed);
+  // No error is taken away faster than the axis may move.
 }
 
 bool has_motor(const DofDef& dof) {
@@ -170,6 +189,7 @@ PartMotion part_motion(const Articulation& it, std::size_t part, const std::vect
 void place_bodies(const Articulation& it, std::vector<Body>& bodies) {
   for (const LinkBody& link : it.links) {
     Body& body = bodies[link.body];
+    // Orientations are normalised again in each step, so that rounding does not add up.
     const Pose X_WB = it.poses[link.part] * link.X_PB;
     body.p = X_WB.p;
     body.q = normalised(X_WB.q);
@@ -193,6 +213,7 @@ void note_motions(Articulation& it) {
 }
 
 void refresh(Articulation& it) {
+  // All of the kinematics is asked for once, here; everything else reads what this leaves.
   it.mechanism->set_positions(it.q.data());
   it.columns.resize(it.parts.size() * it.size());
   it.poses.resize(it.parts.size());
@@ -209,10 +230,13 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
   const std::size_t n = it.size();
   it.inverse.assign(n * n, 0);
   for (std::size_t part = 0; part < it.parts.size(); ++part) add_mass(it, part, it.inverse);
+  // Implicit in viscous friction: D dt is added to the mass matrix, which no friction can make
+  // unstable.
   std::vector<double> force(n), middle = it.v, scratch;
   const Momentum outer = gather(it, bodies, force);
   for (std::size_t i = 0; i < n; ++i) {
     const DofDef& dof = it.dofs[i];
+    // Motors of velocity and position are rows of the solver; a force is a force.
     it.inverse[i * n + i] += dof.damping * dt;
     force[i] -= dof.damping * it.v[i];
     if (dof.actuator == Actuator::force) {
@@ -225,6 +249,7 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
   it.momentum.angular += outer.angular * dt;
   it.kick.resize(n);
   respond(it, force, it.v, dt, scratch, it.kick);
+  // Heun's method in the velocities: the response at their middle.
   for (std::size_t i = 0; i < n; ++i) middle[i] += it.kick[i] / 2;
   respond(it, force, middle, dt, scratch, it.kick);
   for (std::size_t i = 0; i < n; ++i) it.v[i] += it.kick[i];
@@ -235,11 +260,13 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
 
 void move(Articulation& it, double dt) {
   if (it.floating && it.held) {
+    // Impulses of contacts and motors are known as the difference that they made.
     const Momentum now = momentum_of(it);
     it.momentum.linear += now.linear - it.kicked.linear;
     it.momentum.angular += now.angular - it.kicked.angular;
   }
   if (!it.held) it.way = it.v;
+  // Positions go with the mean of the velocities in free flight: falling is exact.
   if (!it.held && it.floating) {
     for (std::size_t i = 0; i < it.size(); ++i) it.way[i] -= it.kick[i] / 2;
   }
@@ -263,9 +290,11 @@ void add_axes(const Articulation& it, std::uint32_t number, double dt,
     }
     for (const int side : {1, -1}) {
       const double gap = side > 0 ? it.q[i] - dof.lower : dof.upper - it.q[i];
+      // A stop is a row on its own for each side, and only where there is one.
       if (!std::isfinite(gap)) continue;
       axis.side = side;
       axis.gap = gap;
+      // An impulse of the wrong sign was the other stop's.
       axis.impulse = side > 0 ? std::max(0.0, it.axes[i].stop) : std::min(0.0, it.axes[i].stop);
       out.push_back(axis);
     }
@@ -273,6 +302,7 @@ void add_axes(const Articulation& it, std::uint32_t number, double dt,
 }
 
 std::size_t keep_axes(Articulation& it, const std::vector<SolverAxis>& axes, std::size_t at) {
+  // In the order of add_axes, which this must follow step for step.
   for (std::size_t i = 0; i < it.size(); ++i) {
     AxisState& state = it.axes[i];
     state.stop = 0;
@@ -294,6 +324,7 @@ bool driven(const Articulation& it) {
   constexpr double kThere = 1e-4;  ///< m or rad: a position reached
   for (std::size_t i = 0; i < it.size(); ++i) {
     const DofDef& dof = it.dofs[i];
+    // Asleep although driven, a mechanism would never go: so it is kept awake.
     const double target = it.axes[i].target;
     if (dof.actuator == Actuator::none) continue;
     if (dof.actuator != Actuator::position && target != 0) return true;

@@ -23,6 +23,7 @@ Mat3 point_inertia(double mass, const Vec3& d) {
 /// Joins a body to a part: masses add, moments about the common centre (Steiner).
 void add_body(Part& part, const BodyDef& def, const Pose& X_PB) {
   const double mass = part.mass + def.mass;
+  // Both inertias about the new common centre, by the parallel-axis theorem.
   const Vec3 centre = (part.centre * part.mass + X_PB.p * def.mass) * (1 / mass);
   const Mat3 own = sum(part.inertia, point_inertia(part.mass, part.centre - centre));
   const Mat3 other =
@@ -38,6 +39,7 @@ class Builder {
   Builder(const WorldConfig& config, Articulations& out)
       : config_(config), out_(out), number_(static_cast<std::uint32_t>(out.all.size())) {}
 
+  // A root that floats has six degrees of freedom before all others, without limits and motors.
   void add_root(std::uint32_t body) {
     it_.floating = true;
     Part part;
@@ -52,7 +54,9 @@ class Builder {
   /// A body on a joint; parent: its part, or -1 for the world.
   void add_joint(std::size_t number, int parent, const Pose& X_PB) {
     const JointDef& joint = config_.joints[number];
+    // Where a joint's degrees of freedom begin, for World::joint and drive.
     out_.joints[number] = {number_, static_cast<std::uint32_t>(it_.dofs.size())};
+    // A joint without degrees of freedom welds: the child becomes part of its parent.
     if (joint.dofs.empty() && parent >= 0) {
       const Pose X_PC = X_PB * joint.X_PJ * inverse(joint.X_CJ);
       const auto part = static_cast<std::size_t>(parent);
@@ -78,11 +82,13 @@ class Builder {
   void finish() {
     it_.axes.resize(it_.q.size());
     for (std::size_t i = 0; i < it_.q.size(); ++i) {
+      // A position motor begins with where it is as its goal, so that nothing jerks at the start.
       if (it_.dofs[i].actuator == Actuator::position) it_.axes[i].target = it_.q[i];
     }
     it_.mechanism = make_mechanism(it_.parts);
     assert(it_.mechanism && it_.mechanism->dofs() == it_.q.size());
     note_chains();
+    // The base's velocity, too: what is spawned in flight flies.
     if (it_.floating) {
       const BodyDef& def = config_.bodies[it_.links[0].body];
       it_.mechanism->place({def.X_WB.p, normalised(def.X_WB.q)}, {def.velocity, def.spin},
@@ -115,6 +121,7 @@ class Builder {
     return static_cast<int>(it_.parts.size()) - 1;
   }
 
+  // Depth first; joints are few, so looking through all of them costs nothing.
   void add_children(std::uint32_t body, int part, const Pose& X_PB) {
     for (std::size_t i = 0; i < config_.joints.size(); ++i) {
       if (config_.joints[i].parent == body) add_joint(i, part, X_PB);
@@ -139,6 +146,7 @@ void add_articulations(const WorldConfig& config, std::size_t first, Articulatio
   std::vector<std::uint32_t> done;
   for (std::size_t i = first; i < config.joints.size(); ++i) {
     const std::uint32_t parent = config.joints[i].parent;
+    // Not a root itself: it comes when its tree does.
     if (parent != kWorldBody && is_child(parent)) continue;
     if (std::find(done.begin(), done.end(), parent) != done.end()) continue;
     Builder builder(config, out);

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// A checkpoint holds the numbers that a step depends on, bit by bit in this machine's byte order,
+// so that a run which is resumed cannot be told from one that was not. What can be worked out again
+// (matrices, bounds, caches) is left out. Each struct's members are listed once, for both
+// directions. Bytes come from files: lengths are bounded by what is left, and values are checked
+// before they are used.
 #include <algorithm>
 #include <cstring>
 #include <optional>
@@ -11,6 +16,7 @@ namespace stig {
 
 namespace {
 
+// The last digits are the format: to be raised whenever the order of members changes.
 constexpr std::uint64_t kMagic = 0x32303050'47495453;  // "STIGP002"
 
 /// Appends numbers to a text.
@@ -36,6 +42,7 @@ class Writer {
 };
 
 /// Takes numbers from the front of a text; once it is too short, all are left alone.
+// After the first failure values stay as they are, and good() tells it once at the end.
 class Taker {
  public:
   explicit Taker(std::string_view in) : in_(in) {}
@@ -44,6 +51,7 @@ class Taker {
     if constexpr (std::is_same_v<T, bool>) {
       std::uint8_t byte = 0;
       (*this)(byte);
+      // A bool that is neither 0 nor 1 would be undefined behaviour.
       good_ = good_ && byte <= 1;
       value = byte == 1;
     } else {
@@ -112,6 +120,7 @@ void visit_dof(Each& each, Dof& dof) {
   each(dof.upper), each(dof.actuator), each(dof.effort), each(dof.speed), each(dof.damping);
 }
 
+// A cylinder is its half extents; its prism is made again.
 void write_shape(Writer& out, const Shape& shape) {
   out(shape.kind), out(shape.half);
   if (shape.kind != ShapeKind::hull) return;
@@ -145,6 +154,7 @@ template <class T>
 void take_count(Taker& in, std::vector<T>& list, std::size_t bytes) {
   std::uint64_t count = 0;
   in(count);
+  // A division, since a product of untrusted numbers may overflow.
   if (count > in.left() / bytes) in.fail();
   list.resize(in.good() ? count : 0);
 }
@@ -187,6 +197,7 @@ bool read_definitions(Taker& in, WorldConfig& out) {
   return in.good();
 }
 
+// A checkpoint of another configuration would be read without complaint but for this.
 /// A hash of everything in the first configuration that a step depends on.
 std::uint64_t hash_of(const WorldState& world) {
   const WorldConfig& config = world.config;
@@ -203,6 +214,7 @@ std::uint64_t hash_of(const WorldState& world) {
   out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time),
       out(sleep.speed), out(sleep.spin);
   out(sleep.waking_speed), out(sleep.waking_spin), out(sleep.waking_force);
+  // Additions are in the checkpoint itself and so no part of the hash.
   write_definitions(out, config, 0, world.first_bodies, 0, world.first_joints);
   return hash_text(out.take());
 }
@@ -216,6 +228,7 @@ void visit_articulation(Each& each, ArticulationType& it) {
 }
 
 bool sound(const Articulation& it) {
+  // A sum is finite only if all of its terms are.
   for (std::size_t i = 0; i < it.q.size(); ++i) {
     const AxisState& axis = it.axes[i];
     if (!std::isfinite(it.q[i] + it.v[i] + axis.target + axis.motor + axis.stop)) return false;
@@ -245,6 +258,7 @@ bool read_magnets(WorldState& world, Taker& in) {
     Magnet& magnet = world.magnets[k];
     const MagnetDef& def =
         world.config.bodies[magnet.owner].magnets[k - world.owners[magnet.owner].begin];
+    // The moment follows from the current and is not trusted to the file.
     magnet.moment = def.moment + world.currents[k] * def.active;
   }
   return true;
@@ -277,16 +291,19 @@ namespace {
 
 /// The world as it was made, with the additions of a checkpoint: untrusted, so they are
 /// checked as new ones are (but for overlaps: they came at different times).
+// Bodies of additions get their numbers by where they stand in the list.
 std::optional<WorldState> with_additions(const WorldState& world, Taker& in) {
   WorldConfig added = world.config;
   if (!read_definitions(in, added)) return std::nullopt;
   WorldConfig all = world.config;
+  // The first configuration's bodies, and the additions behind them.
   all.bodies.resize(world.first_bodies);
   all.joints.resize(world.first_joints);
   all.bodies.insert(all.bodies.end(), added.bodies.begin(), added.bodies.end());
   all.joints.insert(all.joints.end(), added.joints.begin(), added.joints.end());
   if (!find_problems_apart(all).empty()) return std::nullopt;
   WorldState out = world;
+  // Mostly nothing was added, and the world is as it was made.
   if (world.config.bodies.size() == world.first_bodies && added.bodies.empty()) return out;
   WorldConfig first = world.config;
   first.bodies.resize(world.first_bodies);
@@ -312,6 +329,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
     visit_body(in, body);
     if (!sound(body)) return false;
     body.r = matrix(body.q);
+    // Owners follow their bodies: they are not in the bytes.
     MagnetOwner& owner = next.owners[i];
     owner.centre = body.p;
     const auto magnets = next.config.bodies[i].magnets.size();
@@ -320,6 +338,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
   for (Articulation& it : next.articulations.all) {
     visit_articulation(in, it);
     if (!in.good() || !sound(it)) return false;
+    // Velocities and poses of all parts follow from the generalised ones.
     refresh(it);
   }
   if (!read_magnets(next, in)) return false;
@@ -339,6 +358,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
   }
   if (!in.finished()) return false;
   next.events.clear();
+  // Lists are made again in the next step.
   next.changed = true;
   next.stock.reset();
   world = std::move(next);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Everything that can be wrong with a mechanism is found before a world is made from it: the
+// dynamics below asserts and does not ask. A mechanism is a tree whose bodies stand where its
+// joints say.
 #include "physical/dynamics/joint.h"
 
 #include <fmt/format.h>
@@ -15,6 +18,7 @@ namespace stig {
 
 namespace {
 
+// With the limit on degrees of freedom it keeps a step's work within bounds.
 constexpr std::size_t kMostJoined = 256;  ///< bodies of a mechanism
 
 bool is_pose(const Pose& pose) { return is_finite(pose.p) && is_unit(pose.q); }
@@ -33,6 +37,7 @@ const char* problem_of(const DofDef& dof) {
   return nullptr;
 }
 
+// The first problem of a joint is enough: others may only follow from it.
 std::string problem_of(const JointDef& joint, const WorldConfig& config) {
   const std::size_t count = config.bodies.size();
   if (joint.child >= count) return "has a child that is no body";
@@ -42,6 +47,7 @@ std::string problem_of(const JointDef& joint, const WorldConfig& config) {
   if (joint.parent == kWorldBody && joint.dofs.empty()) {
     return "has no degree of freedom and hangs in the world: say that its body is fixed";
   }
+  // A fixed body has no velocity that a joint could be relative to.
   if (joint.parent != kWorldBody && config.bodies[joint.parent].fixed) {
     return "has a parent that is fixed: hang it in the world";
   }
@@ -71,6 +77,7 @@ std::vector<std::size_t> joints_above(const WorldConfig& config, std::vector<std
 /// the way does not end.
 std::uint32_t root_of(const WorldConfig& config, const std::vector<std::size_t>& above,
                       std::uint32_t body) {
+  // Going up more often than there are joints means going in a circle.
   for (std::size_t steps = 0; steps <= config.joints.size(); ++steps) {
     if (above[body] == config.joints.size()) return body;
     const std::uint32_t parent = config.joints[above[body]].parent;
@@ -83,9 +90,11 @@ std::uint32_t root_of(const WorldConfig& config, const std::vector<std::size_t>&
 /// Whether the poses of the two bodies are those that the joint puts them in.
 bool fits(const WorldConfig& config, const JointDef& joint) {
   const Pose& child = config.bodies[joint.child].X_WB;
+  // Compared in the parent's frame: both poses come from the same file, with six digits or more.
   Pose wanted = start_pose(joint);
   if (joint.parent != kWorldBody) wanted = config.bodies[joint.parent].X_WB * wanted;
   const Pose apart = inverse(wanted) * child;
+  // For small turns the vector part is half the angle: 2 µrad.
   return length(apart.p) < 1e-6 && length({apart.q.x, apart.q.y, apart.q.z}) < 1e-6;
 }
 
@@ -114,6 +123,7 @@ void check_trees(const WorldConfig& config, std::vector<std::string>& out) {
 }  // namespace
 
 Pose start_pose(const JointDef& joint) {
+  // Degrees of freedom follow each other, each in the frame that the one before leaves.
   Pose pose = joint.X_PJ;
   for (const DofDef& dof : joint.dofs) {
     const Vec3 way = dof.axis * dof.start;

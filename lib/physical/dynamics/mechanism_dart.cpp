@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The one file that knows DART's kinematics. Joints with several degrees of freedom become chains
+// of single ones with bodies between them that weigh almost nothing, since DART's own compound
+// joints have coordinates of their own. DART keeps global registries of what exists, so making and
+// unmaking is under a lock; the use of one skeleton by one thread is not.
 #include <dart/dynamics/BodyNode.hpp>
 #include <dart/dynamics/FreeJoint.hpp>
 #include <dart/dynamics/PrismaticJoint.hpp>
@@ -46,6 +50,7 @@ class DartMechanism final : public Mechanism {
 
  private:
   using Six = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
+  // A floating base's coordinates come first.
   /// The number of the first degree of freedom of `singles_`.
   std::size_t first() const { return floating_ == nullptr ? 0 : 6; }
   BodyNode* add_joint(BodyNode* parent, const Part& part, const std::string& name);
@@ -92,6 +97,7 @@ BodyNode* DartMechanism::add_joint(BodyNode* parent, const Part& part, const std
   if (count == 0) return add_node<WeldJoint>(skeleton_, parent, name, {}, before, after);
   BodyNode* node = parent;
   for (std::size_t i = 0; i < count; ++i) {
+    // The first of a chain takes the joint's own frame, the last the child's.
     node = add_dof(node, part.dofs[i], name + "." + std::to_string(i), i == 0 ? before : none,
                    i + 1 == count ? after : none);
   }
@@ -114,6 +120,7 @@ DartMechanism::DartMechanism(const std::vector<Part>& parts) : skeleton_(Skeleto
 }
 
 void DartMechanism::place(const Pose& X_WP, const Twist& motion, double* q, double* v) {
+  // DART's free joint has coordinates of its own, spin first: read back as it has them.
   floating_->setRelativeTransform(eigen(X_WP));
   floating_->setLinearVelocity(eigen(motion.v));
   floating_->setAngularVelocity(eigen(motion.w));
@@ -137,7 +144,9 @@ Pose DartMechanism::pose(std::size_t part) const {
 }
 
 void DartMechanism::columns(std::size_t part, Twist* out) const {
+  // Columns of joints that do not move the part stay zero.
   std::fill_n(out, dofs(), Twist{});
+  // DART stacks spin and velocity the other way round.
   const auto& jacobian = nodes_[part]->getWorldJacobian();  // spin above velocity
   const auto& depends = nodes_[part]->getDependentGenCoordIndices();
   for (std::size_t i = 0; i < depends.size(); ++i) {
@@ -150,6 +159,7 @@ void DartMechanism::integrate(double* q, const double* v, double dt) {
   for (std::size_t i = first(); i < dofs(); ++i) q[i] += v[i] * dt;
   if (floating_ == nullptr) return;
   // DART moves along the body's axes at the step's beginning: take those at its middle.
+  // Second order in dt for the base's path; turns are DART's exponential map.
   const Vec3 way = matrix(rotation(Vec3{v[0], v[1], v[2]} * (dt / 2))) * Vec3{v[3], v[4], v[5]};
   Eigen::Matrix<double, 6, 1> motion;
   motion << v[0], v[1], v[2], way.x, way.y, way.z;
@@ -161,6 +171,7 @@ void DartMechanism::integrate(double* q, const double* v, double dt) {
 }  // namespace
 
 std::shared_ptr<Mechanism> make_mechanism(const std::vector<Part>& parts) {
+  // Not make_shared: the deleter has to lock as well.
   const std::lock_guard lock(dart_lock());
   return {new DartMechanism(parts), [](const DartMechanism* mechanism) {
             const std::lock_guard unmake(dart_lock());

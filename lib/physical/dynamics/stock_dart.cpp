@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The same world with DART's own step in place of this library's solver: slow, and for comparison
+// alone (docs/physics.md). Forces, magnets, sleep and events stay ours; DART gets bodies, contacts
+// and friction.
 #include <Eigen/Geometry>
 #include <dart/collision/dart/DARTCollisionDetector.hpp>
 #include <dart/config.hpp>
@@ -21,6 +24,7 @@ namespace {
 
 using namespace dart::dynamics;
 
+// DART's collision detector knows no half space.
 constexpr double kFloorHalf = 50;  ///< m: the floor is a box, its upper face at z = 0
 
 Eigen::Vector3d to_dart(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -37,6 +41,7 @@ ShapePtr shape_of(const Shape& shape) {
   return std::make_shared<BoxShape>(to_dart(shape.half * 2));
 }
 
+// Friction between two is what DART makes of both coefficients, so pairs are not the same as ours.
 void add_shape(BodyNode& body, const ShapePtr& shape, double friction) {
   auto* node = body.createShapeNodeWith<CollisionAspect, DynamicsAspect>(shape);
   node->getDynamicsAspect()->setFrictionCoeff(friction);
@@ -70,6 +75,7 @@ void set_state(BodyNode& node, const Body& body) {
   FreeJoint::setTransformOf(&node, to_dart(Pose{body.p, body.q}));
   joint.setLinearVelocity(to_dart(body.v));
   joint.setAngularVelocity(to_dart(body.w));
+  // A body whose velocity is commanded goes on with it, whatever pushes.
   if (body.fixed) {
     joint.setCommands(joint.getVelocities());
     return;
@@ -94,9 +100,11 @@ StockStep::StockStep(const WorldState& state) {
   dart_->world = dart::simulation::World::create();
   dart::simulation::World& world = *dart_->world;
   world.setTimeStep(config.step);
+  // Magnets and all are among them, as ours have them.
   world.setGravity(Eigen::Vector3d::Zero());  // among the forces already
   auto* solver = world.getConstraintSolver();
   solver->setCollisionDetector(dart::collision::DARTCollisionDetector::create());
+  // The default is too few for a heap.
   solver->getCollisionOption().maxNumContacts = 100 * (state.bodies.size() + 1);
   for (std::size_t i = 0; i < state.bodies.size(); ++i) {
     const Body& body = state.bodies[i];
@@ -123,6 +131,7 @@ void StockStep::solve(WorldState& world) {
   dart_->world->step();
   for (const std::uint32_t i : world.awake) {
     Body& body = world.bodies[i];
+    // Contacts that DART found are not ours: none is in free flight, for our purposes.
     body.free = false;
     if (body.fixed) continue;
     body.v = from_dart(dart_->nodes[i]->getLinearVelocity());

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The step as a sequence, and what callers may ask and do in between. Everything that changes a
+// world goes through a few functions that keep its lists valid: `changed` says that bodies woke,
+// fell asleep, came or left, and lists of the awake and the resting are made again (refresh_lists).
+// Wakings between steps wait in `early` for the next step's events.
 #include "physical/dynamics/world.h"
 
 #include <algorithm>
@@ -70,6 +74,7 @@ double cell_size(const std::vector<BodyDef>& bodies) {
 /// at the middle of the step turns the body (second order).
 void turn_freely(Body& body, double dt) {
   Vec3 spin = body.w;
+  // Spin from the conserved momentum at the orientation of mid-step: energy stays bounded.
   if (!body.round) {
     const Vec3 momentum = body.r * scaled(body.inertia, body.r.transposed(body.w));
     const Vec3 inverse{1 / body.inertia.x, 1 / body.inertia.y, 1 / body.inertia.z};
@@ -264,6 +269,7 @@ StepResult World::step() {
     add_user_forces();
     update_velocities(world);
     const std::uint32_t bad = diverged(world);
+    // The caller gets a world that is as it was, but for velocities, and must not go on with it.
     if (bad < world.bodies.size()) return {false, BodyId{bad}};
     finish_step(world);
   }

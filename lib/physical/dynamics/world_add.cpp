@@ -10,6 +10,7 @@ namespace stig {
 
 namespace {
 
+// Checked as a small world by itself, then against what is there.
 /// The addition as a world of its own, under this one's settings.
 WorldConfig alone(const WorldState& world, const Addition& addition) {
   WorldConfig config = world.config;
@@ -18,6 +19,7 @@ WorldConfig alone(const WorldState& world, const Addition& addition) {
   return config;
 }
 
+// All against all: additions are single blocks or robots, and rare.
 void find_overlap(const WorldState& world, const Addition& addition, AddResult& out) {
   for (std::size_t i = 0; i < addition.bodies.size(); ++i) {
     const BodyDef& def = addition.bodies[i];
@@ -47,6 +49,7 @@ std::string problem_with(const WorldState& world, const Addition& addition) {
       most = std::max(most, def.shape.radius());
     }
   }
+  // The grid of the broad phase is made for sizes within this ratio.
   if (most > kMostSizeRatio * least) return "the largest body is more than 200 times the smallest";
   return {};
 }
@@ -62,6 +65,7 @@ AddResult World::add(const Addition& addition) {
   out.body = BodyId{first};
   out.joint = JointId{static_cast<std::uint32_t>(state_->config.joints.size())};
   std::vector<JointDef> joints = addition.joints;
+  // Numbers in an addition count from its own first body.
   for (JointDef& joint : joints) {
     joint.child += first;
     if (joint.parent != kWorldBody) joint.parent += first;

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Who touches whom in this step. A grid gives candidates, bounds sort most of them out, and the
+// narrow phase (collision/) gives points. Contacts are kept sorted by their two bodies (`key`), so
+// that a new list and the last one are compared in one pass, and so that the order of contacts,
+// which the solver's result depends on, is that of body numbers alone.
 #include <algorithm>
 #include <tuple>
 
@@ -14,6 +18,7 @@ constexpr double kMostWay = 0.5;       ///< m, of a step, that is looked along
 constexpr double kSwept = 5e-3;        ///< m/s: faster boxes are followed along their way
 constexpr double kTouching = 50e-6;    ///< m: below, a contact has begun
 
+// A point of the surface at the radius: an upper bound.
 /// How far turning may bring the surface in a step.
 double turning_reach(const WorldState& world, const Body& body) {
   return length(body.w) * body.shape.radius() * world.config.step;
@@ -25,12 +30,14 @@ double margin_of(const WorldState& world, const Body& a, const Body& b, double m
   return std::min(most, kMargin + way + turning_reach(world, a) + turning_reach(world, b));
 }
 
+// In a list of their own, laid out for the narrow phase.
 void place(WorldState& world, std::uint32_t i) {
   world.placed[i].p = world.bodies[i].p;
   world.placed[i].r = world.bodies[i].r;
 }
 
 /// Before this step's forces: of what lies on something, they come to nothing.
+// A box on a table seems to fall by its weight's velocity in each step: not a motion to follow.
 Vec3 steady(const Body& body) { return body.fixed || !body.awake ? body.v : body.last_v; }
 
 Touch touch_bodies(const WorldState& world, std::uint32_t number_a, std::uint32_t number_b) {
@@ -38,6 +45,7 @@ Touch touch_bodies(const WorldState& world, std::uint32_t number_a, std::uint32_
   const Placed &placed_a = world.placed[number_a], &placed_b = world.placed[number_b];
   const bool boxes = a.shape.kind == ShapeKind::box && b.shape.kind == ShapeKind::box;
   const Vec3 velocity = steady(a) - steady(b);
+  // Slow boxes cannot pass each other in a step.
   const bool swept = boxes && squared(velocity) > kSwept * kSwept;
   const double most = margin_of(world, a, b, swept ? kMostWay : kMostMargin);
   if (!swept) return touch(placed_a, placed_b, most);
@@ -46,6 +54,7 @@ Touch touch_bodies(const WorldState& world, std::uint32_t number_a, std::uint32_
   motion.turning = turning_reach(world, a) + turning_reach(world, b);
   motion.margin = kMargin + motion.turning;
   motion.most = most;
+  // Which body the points of a meeting go back with: the one that moves.
   motion.share = a.fixed || !a.awake ? 0 : b.fixed || !b.awake ? 1 : 0.5;
   return touch_moving_boxes(placed_a, placed_b, motion);
 }
@@ -55,6 +64,7 @@ Bounds bounds_of(const WorldState& world, const Body& body) {
   Vec3 h = body.shape.half;
   if (body.shape.kind != ShapeKind::sphere) {
     const Vec3 x = body.r.x * h.x, y = body.r.y * h.y, z = body.r.z * h.z;
+    // Half extents of the box about a turned box.
     h = {std::abs(x.x) + std::abs(y.x) + std::abs(z.x),
          std::abs(x.y) + std::abs(y.y) + std::abs(z.y),
          std::abs(x.z) + std::abs(y.z) + std::abs(z.z)};
@@ -94,6 +104,7 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
   contact.count = touch.count;
   const Material other = b == kFloorBody ? kFloorMaterial : world.bodies[b].material;
   contact.friction = friction_of(world.config, body.material, other);
+  // The wheel's axle decides; two wheels that touch are taken as the first's.
   const std::uint32_t wheel = b == kFloorBody || !(axle_of(world, a) == Vec3{}) ? a : b;
   contact.axle = world.bodies[wheel].r * axle_of(world, wheel);
   if (!(contact.axle == Vec3{})) {
@@ -109,6 +120,8 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
 }
 
 /// The things of the grid that the bodies make, with their bounds.
+// A mechanism is one thing in the grid, by its first link, so its parts are not paired with each
+// other.
 std::vector<std::uint32_t> things_of(WorldState& world, const std::vector<std::uint32_t>& bodies) {
   std::vector<std::uint32_t> out;
   for (const std::uint32_t i : bodies) {
@@ -140,6 +153,7 @@ std::vector<BodyPair> near_pairs(WorldState& world) {
   }
   const auto moving = cells_of(things_of(world, world.awake), world.thing_bounds, world.cell);
   std::vector<BodyPair> out;
+  // Pairs of things, then of their bodies, each with bounds of its own.
   for (const auto& pair : candidate_pairs(moving, world.resting_cells, world.thing_bounds)) {
     each_body(world, pair.first, [&](std::uint32_t a) {
       each_body(world, pair.second, [&](std::uint32_t b) {
@@ -165,6 +179,7 @@ void find_contacts(WorldState& world) {
   std::vector<Contact>& out = world.found;
   out.clear();
   auto next = world.config.floor ? world.awake.begin() : world.awake.end();
+  // Floor contacts come in between, in the order of body numbers, for the sort.
   for (const auto& [a, b] : pairs) {
     for (; next != world.awake.end() && *next < a; ++next) add_floor_contact(world, *next, out);
     if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
@@ -184,6 +199,7 @@ void merge_contacts(WorldState& world) {
   const auto end = world.found.end();
   for (const Contact& old : world.contacts) {
     for (; next != end && by_key(*next, old); ++next) out.push_back(*next);
+    // Old contacts of bodies awake that were not found again are dropped here.
     if (!takes_part(world, old.a) && !takes_part(world, old.b)) {
       out.push_back(old);
     } else if (next != end && key(*next) == key(old)) {
@@ -195,6 +211,7 @@ void merge_contacts(WorldState& world) {
 }
 
 /// By its speed before this step's forces: with them, everything at rest seems to fall.
+// Gravity alone gives a body at rest 5 cm/s in a step.
 bool wakes_others(const Body& body, const SleepRules& rules) {
   return body.awake &&
          (body.fixed || squared(body.last_v) > rules.waking_speed * rules.waking_speed ||
@@ -218,6 +235,7 @@ std::vector<std::uint32_t> disturbed(const WorldState& world) {
     consider(contact.a, contact.b, false);
     consider(contact.b, contact.a, false);
   }
+  // A support that is gone must wake what it held.
   for (const Contact& old : world.contacts) {
     if (!takes_part(world, old.a) && !takes_part(world, old.b)) continue;
     if (!sleeps(world, old.a) && !sleeps(world, old.b)) continue;
@@ -248,6 +266,7 @@ void refresh_lists(WorldState& world) {
   world.resting.clear();
   world.bounds.resize(world.bodies.size());
   world.thing_bounds.resize(world.bodies.size());
+  // Bodies only come, they never go from the lists.
   for (std::size_t i = world.placed.size(); i < world.bodies.size(); ++i) {
     world.placed.push_back({world.bodies[i].shape, {}, {}});
   }
@@ -264,11 +283,13 @@ void refresh_lists(WorldState& world) {
 
 void update_contacts(WorldState& world) {
   find_contacts(world);
+  // Who wakes touches others, whom it may wake in turn: until nobody does.
   for (auto woken = disturbed(world); !woken.empty(); woken = disturbed(world)) {
     const std::vector<std::uint32_t> before = world.awake;
     for (const std::uint32_t i : woken) wake(world, i);
     refresh_lists(world);
     for (const std::uint32_t i : world.awake) {
+      // Those who have just woken lack this step's forces.
       if (!std::binary_search(before.begin(), before.end(), i)) {
         integrate_velocity(world, i);
       }
@@ -278,6 +299,7 @@ void update_contacts(WorldState& world) {
   merge_contacts(world);
 }
 
+// Reported once, when it first is nearer than the margin of touching.
 void report_contacts(WorldState& world) {
   for (Contact& contact : world.contacts) {
     if (contact.touching) continue;

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Forces of a step are gathered in fixed order: pushes and weight, damping, magnets, then what
+// functions of the user add. Velocities take them up before contacts are solved.
 #include <cmath>
 
 #include "physical/dynamics/world_state.h"
@@ -7,11 +9,13 @@ namespace stig {
 
 namespace {
 
+// For questions about motion that weight must not answer (see steady in world_contacts.cpp).
 void remember(Body& body) {
   body.last_v = body.v;
   body.last_w = body.w;
 }
 
+// expm1 keeps the digits of a small product.
 /// The force whose impulse over a step is what the decay takes, for any rate.
 void add_damping(WorldState& world) {
   const double dt = world.config.step;
@@ -40,6 +44,7 @@ void integrate_velocity(WorldState& world, std::uint32_t number) {
   Body& body = world.bodies[number];
   if (body.fixed) return;
   if (Articulation* articulation = articulation_of(world, number)) {
+    // A mechanism goes with its first link, once.
     if (articulation->links[0].body != number) return;
     for (const LinkBody& link : articulation->links) remember(world.bodies[link.body]);
     kick(*articulation, world.bodies, world.config.step);
@@ -47,6 +52,7 @@ void integrate_velocity(WorldState& world, std::uint32_t number) {
     return;
   }
   remember(body);
+  // Kept apart from v: the solver gives them in small steps.
   body.kick_v = body.force * (world.config.step / body.mass);
   body.kick_w = body.inverse_inertia() * body.torque * world.config.step;
   body.v += body.kick_v;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Magnets in a world: placed with their bodies, relaxed or integrated (magnets/magnetism.h), and
+// their forces added to bodies that are awake. Sleepers' magnets pull but are not pulled, until the
+// pull of something that moves is enough to wake them.
 #include <algorithm>
 #include <cassert>
 
@@ -13,6 +16,7 @@ bool moves(const Body& body, const SleepRules& rules) {
          (squared(body.v) > rules.speed * rules.speed || squared(body.w) > rules.spin * rules.spin);
 }
 
+// Magnets of one body stand together from `begin` on.
 const MagnetDef& def_of(const WorldState& world, std::uint32_t magnet) {
   const std::uint32_t owner = world.magnets[magnet].owner;
   return world.config.bodies[owner].magnets[magnet - world.owners[owner].begin];
@@ -37,12 +41,14 @@ void place_magnets(WorldState& world) {
 }
 
 /// Magnets are solid: where blocks overlap for a moment, theirs do not pull without bound.
+// Only the distance is limited; the direction stays.
 void keep_apart(MagnetPair& pair, double least) {
   const double d = length(pair.r);
   if (d < least) pair.r *= least / d;
 }
 
 /// A free sphere's own torque never reaches its body.
+// A torque turns the sphere in its bearing, and the body only by friction there.
 void pull(Body& body, const Magnet& magnet, const Vec3& force, const Vec3& torque) {
   if (!body.awake) return;
   body.force += force;
@@ -75,6 +81,7 @@ void apply_pairs(WorldState& world, const std::vector<MagnetPair>& pairs,
 }
 
 /// Wakes sleepers that a magnet in motion pulls at.
+// The sum over all that move counts: four weak magnets may wake together.
 void wake_pulled(WorldState& world) {
   const SleepRules& rules = world.config.sleep;
   std::vector<std::pair<std::uint32_t, Vec3>> felt;
@@ -88,6 +95,7 @@ void wake_pulled(WorldState& world) {
     if (feels(b, a)) felt.emplace_back(b, -one.force);
   }
   const auto by_body = [](const auto& a, const auto& b) { return a.first < b.first; };
+  // Stable, so that sums are always added in the same order.
   std::stable_sort(felt.begin(), felt.end(), by_body);
   for (std::size_t k = 0; k < felt.size(); ++k) {
     Vec3 sum = felt[k].second;
@@ -105,6 +113,7 @@ void spin_magnets(WorldState& world, const std::vector<Vec3>& torques) {
     if (!magnet.free || !world.owners[magnet.owner].awake) continue;
     Body& body = world.bodies[magnet.owner];
     const Bearing bearing{def_of(world, k).inertia, world.config.bearing_damping};
+    // The reaction of the bearing acts on the body in the next step's velocities.
     body.torque += spin_magnet(magnet, torques[k], body.w, bearing, world.config.step);
   }
 }
@@ -127,6 +136,7 @@ void add_magnet_forces(WorldState& world) {
   wake_pulled(world);
 }
 
+// At current places: bodies may have been moved by a hand since the last step.
 void wake_magnet_partners(WorldState& world, std::uint32_t body) {
   const auto place = [&](std::uint32_t k) {
     const Body& owner = world.bodies[world.magnets[k].owner];
@@ -142,6 +152,7 @@ void wake_magnet_partners(WorldState& world, std::uint32_t body) {
     }
     bool near = false;
     for (std::uint32_t k = own.begin; k < own.end && !near; ++k) {
+      // 16 million pairs of magnets at worst, for 20,000 bodies; a change of current is rare.
       for (std::uint32_t l = other.begin; l < other.end && !near; ++l) {
         near = squared(place(k) - place(l)) < cutoff * cutoff;
       }
@@ -151,6 +162,7 @@ void wake_magnet_partners(WorldState& world, std::uint32_t body) {
 }
 
 double magnet_energy(const WorldState& world) {
+  // Copies, since asking must not change the state.
   std::vector<MagnetOwner> owners = world.owners;
   for (MagnetOwner& owner : owners) owner.awake = true;
   std::vector<Magnet> magnets = world.magnets;

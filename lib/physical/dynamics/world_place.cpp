@@ -11,12 +11,14 @@ namespace stig {
 
 namespace {
 
+// As far as contacts are seen.
 constexpr double kNear = 1e-3;  ///< m: sleepers nearer than this wake
 
 Placed placed(const Body& body) { return {body.shape, body.p, body.r}; }
 
 /// The body, or all of its mechanism; rising.
 std::vector<std::uint32_t> moved_with(WorldState& world, std::uint32_t body) {
+  // A mechanism goes in one piece, so its joints stay as they are.
   std::vector<std::uint32_t> out;
   if (const Articulation* it = articulation_of(world, body)) {
     for (const LinkBody& link : it->links) out.push_back(link.body);
@@ -36,6 +38,7 @@ std::string problem_there(const WorldState& world, const std::vector<std::uint32
     if (!is_finite(X_WB.p) || !inside_arena(X_WB.p, world.config.arena)) {
       return "it would be outside of the arena";
     }
+    // What is fixed may stand in the floor, as foundations do.
     if (world.config.floor && !body.fixed && spawns_in_floor(body.shape, X_WB)) {
       return "it would be in the floor";
     }
@@ -53,6 +56,8 @@ std::string problem_there(const WorldState& world, const std::vector<std::uint32
   return {};
 }
 
+// Before and after the move: neighbours that are left behind lose a support, new ones gain a
+// weight.
 /// All that touches one of the bodies, or whose magnets one of them pulls at. Contacts are those
 /// of the last step; where the bodies have none yet, nearness tells.
 void wake_around(WorldState& world, const std::vector<std::uint32_t>& bodies) {
@@ -94,6 +99,7 @@ void set_down(WorldState& world, std::uint32_t number, const Pose& X_WB) {
   body.p = X_WB.p;
   body.q = normalised(X_WB.q);
   body.r = matrix(body.q);
+  // Whatever it had of motion stays behind.
   body.v = body.w = {};
   body.force = body.torque = body.user_force = body.user_torque = {};
   body.rest = 0;
@@ -104,6 +110,7 @@ void set_down(WorldState& world, std::uint32_t number, const Pose& X_WB) {
 void set_down(WorldState& world, Articulation& it, const Pose& shift) {
   std::fill(it.v.begin(), it.v.end(), 0.0);
   for (AxisState& axis : it.axes) axis.motor = axis.stop = 0;
+  // The base moves the rest; joint positions are kept.
   it.mechanism->place(shift * it.poses[0], {}, it.q.data(), it.v.data());
   refresh(it);
   place_bodies(it, world.bodies);
@@ -124,6 +131,7 @@ PlaceResult World::place(BodyId id, const Pose& X_WB) {
   const Pose shift = Pose{X_WB.p, normalised(X_WB.q)} * inverse(Pose{body.p, body.q});
   const std::vector<std::uint32_t> bodies = moved_with(world, number);
   out.problem = problem_there(world, bodies, shift, out);
+  // Nothing has changed up to here.
   if (!out.problem.empty()) return out;
 
   std::swap(world.events, world.early);
@@ -132,6 +140,7 @@ PlaceResult World::place(BodyId id, const Pose& X_WB) {
   const auto moved = [&bodies](std::uint32_t i) {
     return std::binary_search(bodies.begin(), bodies.end(), i);
   };
+  // Their impulses belong to the place that was left.
   std::erase_if(world.contacts, [&](const Contact& one) { return moved(one.a) || moved(one.b); });
   for (const std::uint32_t i : bodies) {
     set_down(world, i, shift * Pose{world.bodies[i].p, world.bodies[i].q});

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Sleep by islands: bodies that touch, directly or through others, fall asleep together or not at
+// all, since one that moves would wake the others at once. What sleeps costs nothing but its place
+// in the grid.
 #include <algorithm>
 
 #include "base/islands.h"
@@ -18,6 +21,7 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   Body& body = world.bodies[i];
   body.awake = false;
   body.v = body.w = {};
+  // The velocities of a mechanism are the joints'; bodies only show them.
   if (Articulation* it = articulation_of(world, i)) {
     std::fill(it->v.begin(), it->v.end(), 0.0);
     std::fill(it->motions.begin(), it->motions.end(), Twist{});
@@ -26,6 +30,8 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
 }
 
+// Speed alone would keep trembling stacks awake, place alone would let slow things stop: both
+// together.
 /// Within what the limits of speed allow in the time asked for. A high column trembles faster
 /// than that without going anywhere.
 bool stays(const Body& body, const SleepRules& rules) {
@@ -47,6 +53,7 @@ void wake(WorldState& world, std::uint32_t body) {
     world.events.push_back({EventKind::woke, BodyId{i}, kFloorId});
     return true;
   };
+  // Along contacts and joints: a whole heap wakes with one of its blocks.
   std::vector<std::uint32_t> todo;
   if (mobile(world, body) && rouse(body)) todo.push_back(body);
   while (!todo.empty()) {
@@ -72,6 +79,7 @@ void put_to_sleep(WorldState& world) {
   for (const Contact& contact : world.contacts) {
     if (mobile(world, contact.a) && mobile(world, contact.b)) islands.join(contact.a, contact.b);
   }
+  // A mechanism is one island, whatever its parts touch.
   for (const Articulation& articulation : world.articulations.all) {
     for (const LinkBody& link : articulation.links) {
       islands.join(articulation.links[0].body, link.body);
@@ -80,6 +88,7 @@ void put_to_sleep(WorldState& world) {
   std::vector<bool> restless(world.bodies.size(), false);
   for (const std::uint32_t i : world.awake) {
     Body& body = world.bodies[i];
+    // A push that lasts must not be slept through.
     const bool pushed = !(body.user_force == Vec3{}) || !(body.user_torque == Vec3{});
     if (stays(body, rules) && !body.free && !pushed) {
       body.rest += world.config.step;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Magnets give no sign when blocks snap together, so snapping is read off: they touch, and are
+// pressed upon each other by their magnets with more than some force. Half of it is enough to stay
+// snapped, so that a blow is no series of events.
 #include <algorithm>
 #include <iterator>
 
@@ -11,9 +14,11 @@ namespace {
 /// With which the magnets press the two bodies of a contact upon each other, N.
 double pressing_force(const WorldState& world, const Contact& contact) {
   const BodyPair bodies{contact.a, contact.b};
+  // Pulls are sorted by bodies, as they come from pairs of owners in rising order.
   const auto before = [](const Pull& pull, const BodyPair& key) { return pull.bodies < key; };
   const auto at = std::lower_bound(world.pulls.begin(), world.pulls.end(), bodies, before);
   if (at == world.pulls.end() || at->bodies != bodies) return 0;
+  // Force along the normal, positive when the first is pulled upon the second.
   return -dot(at->force, contact.normal);
 }
 

@@ -10,12 +10,14 @@
 
 namespace stig {
 
+// Fixed bodies, the floor and sleepers share the first place of a task, which nothing moves.
 namespace {
 
 constexpr int kFirstSweeps = 50;  ///< times as many sweeps in the first step
 constexpr int kFewStoreys = 6;    ///< that one sweep is enough for
 
 /// A free body before this step's forces, or a fixed one.
+// Velocities go in without this step's forces: the solver adds those in parts.
 SolverBody solver_body(const Body& body) {
   SolverBody out;
   out.p = body.p;
@@ -56,6 +58,7 @@ std::vector<IslandMember> island_members(const WorldState& world) {
   for (std::uint32_t c = 0; c < world.contacts.size(); ++c) {
     const std::uint32_t a = mover_of(world, world.contacts[c].a);
     const std::uint32_t b = mover_of(world, world.contacts[c].b);
+    // Two that do not give way need no solution.
     if (a == kFloorBody && b == kFloorBody) continue;
     if (a != kFloorBody && b != kFloorBody) islands.join(a, b);
     out.push_back({a == kFloorBody ? b : a, true, c});
@@ -64,6 +67,7 @@ std::vector<IslandMember> island_members(const WorldState& world) {
   for (std::uint32_t i = 0; i < all.size(); ++i) {
     if (awake(world, all[i])) out.push_back({all[i].links[0].body, false, i});
   }
+  // Roots are the smallest members, so the order of islands is that of body numbers.
   for (IslandMember& member : out) member.root = islands.root(member.root);
   std::sort(out.begin(), out.end());
   return out;
@@ -79,6 +83,7 @@ class TaskMaker {
         mechanism_(world.articulations.all.size()) {}
 
   /// An island begins.
+  // Only the places that were used, since there may be thousands.
   void clear() {
     for (const std::uint32_t i : numbers_) slot_[i] = 0;
     numbers_.clear();
@@ -104,14 +109,17 @@ class TaskMaker {
     Articulation& it = world_.articulations.all[number];
     mechanism_[number] = static_cast<std::uint32_t>(task_.mechanisms.size());
     add_axes(it, mechanism_[number], world_.config.step, task_.axes);
+    // With motors or stops of its own a mechanism is never in free flight.
     it.held = !task_.axes.empty() && task_.axes.back().mechanism == mechanism_[number];
     it.way.assign(it.size(), 0);
+    // As for bodies: the solver adds the forces in parts.
     for (std::size_t i = 0; i < it.size(); ++i) it.v[i] -= it.kick[i];
     task_.mechanisms.push_back(
         {it.size(), it.inverse.data(), it.v.data(), it.kick.data(), it.way.data()});
   }
 
   /// Bodies of a part mostly come one after the other, and move as it does.
+  // Columns of Jacobians are the part's, whatever body of it touches.
   const PartMotion& motion_of(const Articulation& it, std::uint32_t part) {
     if (last_ != std::pair(&it, part)) {
       last_ = {&it, part};
@@ -133,6 +141,7 @@ class TaskMaker {
     return out;
   }
 
+  // A body gets its place when a contact first asks for it.
   std::uint32_t slot_of(std::uint32_t i) {
     if (i == kFloorBody || !world_.bodies[i].awake) return 0;
     if (slot_[i] == 0) {
@@ -152,6 +161,7 @@ class TaskMaker {
 };
 
 /// The most bodies one upon the other, as contacts lead up from what does not move.
+// Breadth-first from what does not move; a shortest way up.
 int storeys(const SolverTask& task) {
   if (task.contacts.size() <= kFewStoreys) return 0;  // no more than these
   // Who lies upon whom, both ways; side by side is no storey.
@@ -171,6 +181,7 @@ int storeys(const SolverTask& task) {
     todo.push_back(i);
   }
   int most = 0;
+  // The queue is the list itself.
   for (std::size_t next = 0; next < todo.size(); ++next) {
     const std::uint32_t below = todo[next];
     auto at = std::lower_bound(upon.begin(), upon.end(), std::pair(below, std::uint32_t{0}));
@@ -184,6 +195,7 @@ int storeys(const SolverTask& task) {
 }
 
 /// High columns need more sweeps: with one they sway for ever, and turn by it.
+// Tried on columns and walls: fewer let them fall, more cost time for nothing.
 int sweeps_for(int storeys) { return storeys <= kFewStoreys ? 1 : storeys <= 10 ? 2 : 8; }
 
 void take_over(WorldState& world, const TaskMaker& maker, const SolverTask& task) {
@@ -202,6 +214,7 @@ void take_over(WorldState& world, const TaskMaker& maker, const SolverTask& task
 /// Returns the place behind its axes.
 std::size_t take_over(WorldState& world, Articulation& it, const SolverTask& task, std::size_t at) {
   at = keep_axes(it, task.axes, at);
+  // It flies if none of its bodies touches anything.
   bool supported = !it.floating;
   for (const LinkBody& link : it.links) supported = supported || !world.bodies[link.body].free;
   for (const LinkBody& link : it.links) world.bodies[link.body].free = !supported;
@@ -214,6 +227,7 @@ using MemberIterator = std::vector<IslandMember>::const_iterator;
 
 void solve_island(WorldState& world, TaskMaker& maker, SolverTask& task, MemberIterator begin,
                   MemberIterator end) {
+  // In the order of members, which is fixed by their numbers.
   maker.clear();
   std::for_each(begin, end, [&](const IslandMember& member) { maker.add(member); });
   // What is spawned at rest finds its forces at once, instead of sinking while they grow.
