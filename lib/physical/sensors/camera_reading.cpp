@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The order in which errors are drawn is a part of the outputs: a stream is one sequence, so a draw
+// that is left out or added changes all that follow it in that image. Hence a probability or a
+// deviation of 0 draws nothing at all, and an error that is turned on keeps the others'
+// distributions but not their values.
 #include "physical/sensors/camera_reading.h"
 
 #include <algorithm>
@@ -12,11 +16,14 @@ namespace stig {
 
 namespace {
 
-constexpr int kTries = 32;             ///< to fit a false tag into the image
-constexpr double kFalseSide = 0.024;   ///< m
+constexpr int kTries = 32;            ///< to fit a false tag into the image
+constexpr double kFalseSide = 0.024;  ///< m
+// A tag that is turned away farther would hardly be decoded, so false ones are not either.
 constexpr double kFalseTilt = 1.0;     ///< rad, at most
 constexpr std::uint64_t kColours = 4;  ///< of false LEDs
 
+// Probability 0 takes nothing from the stream: without noise, readings are what they were before
+// noise existed.
 bool happens(double probability, Random& random) {
   return probability > 0 && random.unit() < probability;
 }
@@ -47,6 +54,7 @@ LedReading led_reading(ImagePoint pixel, Rgb rgb, const CameraNoise& noise, Rand
   return {pixel, y, u, blurred(light.v, noise.colour, random)};
 }
 
+// Pixel centres are whole numbers, so the image begins at -0.5.
 ImagePoint somewhere(const CameraIntrinsics& camera, Random& random) {
   const double x = random.unit() * camera.width - 0.5;
   return {x, random.unit() * camera.height - 0.5};
@@ -56,9 +64,12 @@ ImagePoint somewhere(const CameraIntrinsics& camera, Random& random) {
 std::optional<std::array<ImagePoint, 4>> false_corners(const CameraView& view, Random& random) {
   const auto way = unproject(view.intrinsics, somewhere(view.intrinsics, random));
   const double depth = view.near + (view.far - view.near) * random.unit();
+  // A half turn about x makes the tag look into the camera, whose z axis leads away from it; then
+  // it is tilted about an axis in its plane and turned about its normal.
   const double axis = 2 * std::numbers::pi * random.unit(), tilt = kFalseTilt * random.unit();
   const Quat q_CT = Quat{0, 1, 0, 0} * rotation(Vec3{std::cos(axis), std::sin(axis), 0} * tilt) *
                     rotation({0, 0, 2 * std::numbers::pi * random.unit()});
+  // Tested last, for a false tag takes the same draws whether or not its middle can be unprojected.
   if (!way) return std::nullopt;
   std::array<ImagePoint, 4> out;
   const auto places = tag_corners(kFalseSide);
@@ -71,6 +82,8 @@ std::optional<std::array<ImagePoint, 4>> false_corners(const CameraView& view, R
 }
 
 void add_false_tag(const CameraView& view, Random& random, CameraReading& out) {
+  // Near the border a corner may fall outside, which no detector would report. The tries are
+  // bounded: a narrow frustum may have hardly any room for a tag.
   for (int i = 0; i < kTries; ++i) {
     const auto corners = false_corners(view, random);
     if (!corners) continue;
@@ -92,10 +105,13 @@ CameraReading read_camera(const SensorScene& scene, const CameraSight& sight,
   out.tags.reserve(sight.tags.size());
   out.leds.reserve(sight.leds.size());
   for (const SeenTag& seen : sight.tags) {
+    // What is missed is drawn for each tag before its pixels are, tag by tag.
     if (happens(noise.missed_tags, random)) continue;
     const TagMark& tag = scene.kinds[scene.marked[seen.body].kind].tags[seen.tag];
     auto corners = seen.corners;
     for (ImagePoint& pixel : corners) blur(pixel, noise.pixel, random);
+    // A pose comes from the blurred pixels alone. Its errors are thus those that a real estimate
+    // has: along the line of sight and in tilt far more than across.
     const auto reading = tag_reading(view.intrinsics, tag.id, tag.side, corners);
     if (reading) out.tags.push_back(*reading);
   }
@@ -106,6 +122,7 @@ CameraReading read_camera(const SensorScene& scene, const CameraSight& sight,
   }
   if (happens(noise.false_tags, random)) add_false_tag(view, random, out);
   if (happens(noise.false_leds, random)) {
+    // Colour 0 is unlit, which is not reported.
     const auto colour = static_cast<std::uint8_t>(1 + random.below(kColours));
     const ImagePoint pixel = somewhere(view.intrinsics, random);
     out.leds.push_back(led_reading(pixel, led_rgb(colour), noise, random));

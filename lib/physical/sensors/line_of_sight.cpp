@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Tiles lie over the plane z = 1 before the camera, where straight lines from the camera are
+// points. A body covers a convex region of that plane, and the rectangle about its box's corners
+// encloses it. Lists of tiles are chained through one array, newest first; the answer does not
+// depend on their order.
 #include "physical/sensors/line_of_sight.h"
 
 #include <algorithm>
@@ -18,6 +22,8 @@ std::array<Vec3, 8> box_corners(const Vec3& half) {
   return out;
 }
 
+// Points beside the view fall to the tiles at its border, which hold what lies there only as far as
+// margins go; callers ask for points of the view.
 int tile(double v, double low, double high, int count) {
   const double at = std::floor((v - low) / (high - low) * count);
   return static_cast<int>(std::clamp(at, 0.0, count - 1.0));
@@ -41,6 +47,7 @@ LinesOfSight::LinesOfSight(const SensorIndex& index, const CameraView& view, con
       p_WC_(X_WC.p),
       r_WC_(matrix(X_WC.q)) {
   heads_.fill(-1);
+  // The bounds of frustum and camera together hold the whole pyramid.
   // What stands nearer than the near plane hides as well.
   Bounds where = frustum_bounds(view, X_WC);
   where.low = {std::min(where.low.x, p_WC_.x), std::min(where.low.y, p_WC_.y),
@@ -61,6 +68,8 @@ LinesOfSight::TileRange LinesOfSight::tiles_of(std::uint32_t obstacle) const {
   double x0 = INFINITY, y0 = INFINITY, x1 = -INFINITY, y1 = -INFINITY;
   for (const Vec3& corner : box_corners(index_.scene.shapes[o.shape].half)) {
     const Vec3 p_C = r_WC_.transposed(o.X_WS.p + index_.axes[obstacle] * corner - p_WC_);
+    // A box that reaches behind the camera has no bounded image. The threshold is above 0 since
+    // images of points just before the camera exceed any bound.
     if (!(p_C.z > near_ * 0.01)) return {};
     const double x = p_C.x / p_C.z, y = p_C.y / p_C.z;
     x0 = std::min(x0, x), x1 = std::max(x1, x);
@@ -68,6 +77,7 @@ LinesOfSight::TileRange LinesOfSight::tiles_of(std::uint32_t obstacle) const {
   }
   if (x1 < low_.x - kMargin || x0 > high_.x + kMargin || y1 < low_.y - kMargin ||
       y0 > high_.y + kMargin) {
+    // An empty range: the loops of add run over nothing.
     return {0, 0, -1, -1};
   }
   return {column(x0 - kMargin), row(y0 - kMargin), column(x1 + kMargin), row(y1 + kMargin)};
@@ -77,6 +87,7 @@ void LinesOfSight::add(std::uint32_t obstacle) {
   const SightObstacle& o = index_.scene.obstacles[obstacle];
   const TileRange range = tiles_of(obstacle);
   const auto candidate = static_cast<std::uint32_t>(candidates_.size());
+  // The camera in the obstacle's frame is worked out once, as the start of all its lines.
   candidates_.push_back({obstacle, index_.axes[obstacle].transposed(p_WC_ - o.X_WS.p)});
   for (int y = range.y0; y <= range.y1; ++y) {
     for (int x = range.x0; x <= range.x1; ++x) {
@@ -90,6 +101,7 @@ void LinesOfSight::add(std::uint32_t obstacle) {
 bool LinesOfSight::hidden(const Vec3& p_W, std::uint32_t owner) const {
   const Vec3 way_W = p_W - p_WC_;
   const Vec3 way_C = r_WC_.transposed(way_W);
+  // A point beside or behind the camera is not seen anyway.
   if (!(way_C.z > 0)) return true;
   const int x = column(way_C.x / way_C.z), y = row(way_C.y / way_C.z);
   for (std::int32_t e = heads_[static_cast<std::size_t>(y * kTiles + x)]; e >= 0;) {
@@ -97,9 +109,13 @@ bool LinesOfSight::hidden(const Vec3& p_W, std::uint32_t owner) const {
     e = entry.next;
     const Candidate& c = candidates_[entry.candidate];
     const SightObstacle& o = index_.scene.obstacles[c.obstacle];
+    // The owner's bodies never hide its own marks: a tag stands proud of its face, and rounding
+    // must not decide.
     if (o.owner == owner) continue;
     const auto meets =
         cut(index_.scene.shapes[o.shape], c.p_SC, index_.axes[c.obstacle].transposed(way_W));
+    // t = 1 is the point itself: one in a surface counts as hidden by that body. in <= 0 is a body
+    // that holds the camera.
     if (meets && meets->in > 0 && meets->in <= 1) return true;
   }
   return false;

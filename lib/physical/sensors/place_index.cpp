@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A grid as one sorted array of (cell, thing) instead of a hash table: it is made anew each tick,
+// and sorting gives the same order on every machine. A row of cells is a run of the array, found by
+// one binary search.
 #include "physical/sensors/place_index.h"
 
 #include <algorithm>
@@ -10,7 +13,10 @@ namespace stig {
 
 namespace {
 
+// A ramp or a wall would fill thousands of cells: such things are kept apart and asked each time.
 constexpr std::int64_t kMostCells = 64;  ///< of one thing
+// Below 2^31, so that the casts are defined for any finite coordinate; bodies that blew away share
+// the last cell.
 constexpr double kMostCoordinate = 1e9;  ///< cells beyond are the same one
 
 std::int32_t cell_at(double v, double cell) {
@@ -19,6 +25,8 @@ std::int32_t cell_at(double v, double cell) {
       std::clamp(std::floor(v / cell), -kMostCoordinate, kMostCoordinate));
 }
 
+// The row in the high half, the column added with its sign: keys of one row are a run, and rows do
+// not mingle since a column is below 2^31 in magnitude.
 std::int64_t key(std::int32_t x, std::int32_t y) {
   return std::int64_t{y} * (std::int64_t{1} << 32) + x;
 }
@@ -26,6 +34,7 @@ std::int64_t key(std::int32_t x, std::int32_t y) {
 }  // namespace
 
 Bounds bounds_of(const Pose& X_WS, const Vec3& half) {
+  // The half extents of a turned box are |R| · half (the absolute values of R's entries).
   const Mat3 r = matrix(X_WS.q);
   const auto reach = [&](double x, double y, double z) {
     return std::abs(x) * half.x + std::abs(y) * half.y + std::abs(z) * half.z;
@@ -49,6 +58,7 @@ PlaceIndex::PlaceIndex(std::vector<Bounds> bounds, double cell)
     const Bounds& b = bounds_[i];
     const std::int32_t x0 = cell_at(b.low.x, cell), x1 = cell_at(b.high.x, cell);
     const std::int32_t y0 = cell_at(b.low.y, cell), y1 = cell_at(b.high.y, cell);
+    // The first test keeps the product of the second within 64 bits.
     if ((std::int64_t{x1} - x0 + 1) > kMostCells ||
         (std::int64_t{x1} - x0 + 1) * (std::int64_t{y1} - y0 + 1) > kMostCells) {
       large_.push_back(i);
@@ -77,6 +87,8 @@ void PlaceIndex::find(const Bounds& where, std::vector<std::uint32_t>& found) co
   found.clear();
   const std::int32_t x0 = cell_at(where.low.x, cell_), x1 = cell_at(where.high.x, cell_);
   const std::int32_t y0 = cell_at(where.low.y, cell_), y1 = cell_at(where.high.y, cell_);
+  // A question about a huge place, as of a camera without a near limit, would walk rows that are
+  // empty: then it looks at every entry once instead.
   if (std::int64_t{y1} - y0 > static_cast<std::int64_t>(entries_.size())) {
     for (const Entry& e : entries_) {
       if (overlap(bounds_[e.thing], where)) found.push_back(e.thing);
@@ -88,6 +100,7 @@ void PlaceIndex::find(const Bounds& where, std::vector<std::uint32_t>& found) co
     if (overlap(bounds_[i], where)) found.push_back(i);
   }
   std::sort(found.begin(), found.end());
+  // A thing that reaches over several cells was found in each.
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A rangefinder is one ray without width, as in the simulator whose calibrations it takes; real
+// ones average over a cone.
 #include "physical/sensors/range_sensor.h"
 
 #include <algorithm>
@@ -12,6 +14,7 @@ namespace {
 std::optional<double> floor_hit(const Vec3& p_W, const Vec3& direction_W) {
   if (p_W.z <= 0) return 0.0;
   if (!(direction_W.z < 0)) return std::nullopt;
+  // direction_W is unit, so this is in metres.
   return p_W.z / -direction_W.z;
 }
 
@@ -20,7 +23,9 @@ std::optional<double> body_hit(const SensorIndex& index, std::uint32_t i, const 
   const SightObstacle& o = index.scene.obstacles[i];
   const auto meets = cut(index.scene.shapes[o.shape], index.axes[i].transposed(p_W - o.X_WS.p),
                          index.axes[i].transposed(direction_W));
+  // A line is cut behind its start as well: only what lies ahead counts.
   if (!meets || meets->out < 0) return std::nullopt;
+  // The ray starts inside a body: the sensor touches it.
   return std::max(meets->in, 0.0);
 }
 
@@ -34,6 +39,7 @@ std::optional<double> closest_hit(const SensorIndex& index, const Vec3& p_W,
   };
   if (index.scene.floor) note(floor_hit(p_W, direction_W));
   std::vector<std::uint32_t> found;
+  // The box about the ray holds every body that it could meet.
   index.obstacles.find(bounds_of({p_W, p_W + direction_W * range}), found);
   for (const std::uint32_t i : found) {
     if (index.scene.obstacles[i].owner != owner) note(body_hit(index, i, p_W, direction_W));
@@ -45,6 +51,7 @@ double calibrated(const RangeDevice& device, std::optional<double> distance) {
   using Calibration = RangeDevice::Calibration;
   if (!distance) return without_hit(device);
   if (device.calibration == Calibration::metres) return *distance;
+  // Decays with distance: near things give large counts.
   const double v = std::exp(-*distance);
   const auto& c = device.coefficients;
   if (device.calibration == Calibration::power) return c[0] * std::pow(v, c[1]);
@@ -55,6 +62,8 @@ double read_range(const SensorIndex& index, const RangeDevice& device, const Pos
                   std::uint32_t owner, const RangeNoise& noise, const NoiseAddress& address) {
   const Vec3 direction_W = rotate(X_WB.q, normalised(device.direction));
   auto distance = closest_hit(index, X_WB * device.p_B, direction_W, device.range, owner);
+  // Noise is drawn only for a hit: without one the device says so, which is not a length that could
+  // be blurred.
   if (distance && noise.distance > 0) {
     Random random = noise_stream(address);
     distance = std::clamp(*distance + noise.distance * gaussian(random), 0.0, device.range);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Marks are given by kind and only poses by body: a tick writes a few numbers for each body, and
+// the tables of faces are made once for a run.
 #include "physical/sensors/sensor_scene.h"
 
 #include <algorithm>
@@ -10,6 +12,8 @@ namespace {
 
 constexpr double kObstacleCell = 0.12;  ///< m: a block touches one to four cells
 
+// right × up is the normal out of the face. Tags on the sides stand upright, so a robot that reads
+// one knows which way up the block is.
 /// The axes x and y of a face's tag.
 struct Face {
   Vec3 right, up;
@@ -45,6 +49,7 @@ std::vector<Bounds> marked_bounds(const SensorScene& scene) {
 MarkedKind finish_kind(MarkedKind kind) {
   kind.reach = 0;
   for (const TagMark& t : kind.tags) {
+    // Half a square's diagonal is side · 0.7071…, rounded up.
     kind.reach = std::max(kind.reach, length(t.X_BT.p) + t.side * 0.7072);
   }
   for (const LedMark& l : kind.leds) kind.reach = std::max(kind.reach, length(l.p_B));
@@ -62,6 +67,7 @@ MarkedKind cube_marks(const FaceMarks& marks) {
     if (marks.tag_side > 0) {
       kind.tags.push_back({static_cast<int>(f), X_BT, marks.tag_side, marks.tag_widest});
     }
+    // Exactly 0 means none, as it was written; see FaceMarks.
     if (marks.led_offset == 0) continue;
     for (const Vec3& way : {face.right, face.up, -face.right, -face.up}) {
       kind.leds.push_back({middle + way * marks.led_offset, normal, marks.led_widest});
@@ -70,6 +76,7 @@ MarkedKind cube_marks(const FaceMarks& marks) {
   return finish_kind(std::move(kind));
 }
 
+// The axes of all obstacles as matrices once: every line of sight turns vectors into their frames.
 SensorIndex::SensorIndex(const SensorScene& scene_now)
     : scene(scene_now),
       obstacles(obstacle_bounds(scene_now), kObstacleCell),

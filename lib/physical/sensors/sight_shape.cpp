@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Slabs, balls and half-spaces are each cut in an interval of the line's parameter; a convex shape
+// is their meeting, and its cut the intersection of intervals (Kay and Kajiya 1986 for boxes).
+// Distances are in lengths of the direction, so callers need no unit vector.
 #include "physical/sensors/sight_shape.h"
 
 #include <algorithm>
@@ -8,6 +11,7 @@ namespace stig {
 
 namespace {
 
+// The neutral element of `both`, and an interval that stays empty however it is cut.
 constexpr RayCut kEverywhere{-INFINITY, INFINITY};
 constexpr RayCut kNowhere{INFINITY, -INFINITY};
 
@@ -17,11 +21,14 @@ RayCut both(const RayCut& a, const RayCut& b) {
 
 /// Where |o + t d| <= h.
 RayCut slab(double o, double d, double h) {
+  // A parallel line would divide 0 by 0.
   if (d == 0) return std::abs(o) <= h ? kEverywhere : kNowhere;
   const double a = (-h - o) / d, b = (h - o) / d;
   return {std::min(a, b), std::max(a, b)};
 }
 
+// One function for spheres and for a cylinder's round side, which differ in how many coordinates
+// their products take.
 /// Where |o + t d| <= r, for vectors given by their products.
 RayCut ball(double oo, double od, double dd, double r) {
   const double c = oo - r * r;
@@ -43,6 +50,8 @@ RayCut cut_cylinder(const Vec3& half, const Vec3& o, const Vec3& d) {
 }
 
 RayCut cut_hull(const std::vector<HalfSpace>& planes, const Vec3& o, const Vec3& d) {
+  // Clip a line by planes (Cyrus and Beck 1978): planes that it rises through bound where it
+  // leaves, others where it enters.
   RayCut out = kEverywhere;
   for (const HalfSpace& h : planes) {
     const double above = dot(h.normal, o) - h.offset, rise = dot(h.normal, d);
@@ -86,6 +95,7 @@ std::optional<RayCut> cut(const SightShape& shape, const Vec3& origin, const Vec
       out = cut_cylinder(shape.half, origin, direction);
       break;
     case ShapeType::hull:
+      // The box cuts first so that a hull whose planes leave a side open stays bounded.
       out = both(cut_box(shape.half, origin, direction), cut_hull(shape.planes, origin, direction));
       break;
   }
