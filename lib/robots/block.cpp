@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A block's figures that follow from others, so that files do not say them twice.
 #include "robots/block.h"
 
 namespace stig {

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The form below is the only place that lists a block's keys: it checks files, words the messages
+// and makes the JSON Schema. What relates keys to each other, which a schema cannot say, comes
+// after it in check_fit. Angles are degrees in files and radians in the model.
+
 #include "base/degree.h"
 #include "base/form.h"
 #include "base/load.h"
@@ -12,6 +16,7 @@ namespace {
 
 using namespace keys;
 
+// Block files have some dozens of lines; one that is larger is something else, and is not read.
 constexpr std::size_t kMaxBlockFileBytes = std::size_t{1} << 16;
 
 /// A number that must be there.
@@ -30,6 +35,8 @@ const Form& body_keys() {
 const Form& magnet_keys() {
   static const Form kKeys{
       "block's magnets",
+      // The bounds of numbers only keep out what cannot be meant, and values at which the solver's
+      // arithmetic would lose its meaning; they are wider than any real block.
       {needed("offset", "m: centres at (±offset, ±offset, ±offset).", 1e-6, 10),
        needed("radius", "m, of the spheres.", 1e-6, 10), needed("mass", "kg, of each.", 0, 1e5),
        needed("field", "In the paper's unit: 75 is 0.199 A·m².", 0, 1e6),
@@ -71,6 +78,7 @@ const Form& block_form() {
        required(part("body", "A cube of one mass.", body_keys())),
        part("magnets", "Eight spheres in the corners, free to turn.", magnet_keys()),
        part("tags", "One on each face.", tag_keys()),
+       // Face marks and radios are options: physics alone needs none of them.
        part("leds", "Four on each face, directional.", led_keys()),
        part("radios", "One behind each face, near field, half duplex.", radio_keys()),
        words("program", FormKind::name, "Lua file that it runs in scenes with robots.")}};
@@ -83,6 +91,7 @@ BlockModel read_model(const FormView& root) {
   out.title = root.text("title");
   out.source = root.text("source");
   out.program = root.text("program");
+  // A part that is missing reads as zeros, which is how the model says "none".
   const FormView body = root.form("body"), magnets = root.form("magnets");
   out.side = body.number("side");
   out.body_mass = body.number("mass");
@@ -102,14 +111,18 @@ BlockModel read_model(const FormView& root) {
 /// Everything lies within its face or body; the block's own magnets ignore each other.
 void check_fit(const YamlDocument& document, const BlockModel& block, Diagnostics& out) {
   const auto complain = [&](std::string_view part, std::string_view key, std::string message) {
+    // Only called for a part whose value is out of place, hence one that the file has.
     const YamlNode& node = *document.root.find(part)->find(key);
     out.add(Code::R105, document.head(node), std::move(message));
   };
   const double half = block.side / 2;
+  // Magnets turn freely in their places, so the whole ball has to lie inside.
   if (block.has_magnets() && block.magnet_offset + block.magnet_radius > half) {
     complain("magnets", "offset",
              "the magnets stick out of the block: offset and radius together are at most half "
              "its side");
+    // The nearest two of a block are 2 · offset apart. Were they to interact, their forces would
+    // cancel within the body and cost time only.
   } else if (block.has_magnets() && block.magnet_cutoff > 2 * block.magnet_offset) {
     complain("magnets", "cutoff",
              "a block's own magnets would feel each other: the cut-off is at most twice the "
@@ -129,6 +142,7 @@ std::optional<BlockModel> read_block(SourceRef source, Diagnostics& diagnostics)
   std::optional<BlockModel> block;
   if (const auto document = parse_yaml(std::move(source), {kMaxBlockFileBytes, 8, 1000}, own)) {
     const BadNodes bad = check_form(*document, block_form(), own);
+    // Fit is judged on sound values only; a second message about a bad one would not help.
     if (!own.has_errors()) block = read_model(FormView(document->root, bad));
     if (block) check_fit(*document, *block, own);
   }

@@ -15,8 +15,14 @@ namespace stig {
 
 namespace {
 
+// Bodies are read even where the file has errors: a bad value has been reported, and a default in
+// its place lets the checks that follow find more in one go. The model itself is given out only
+// when nothing was reported. Hence defaults such as 1 for a length: they must not cause messages of
+// their own.
 constexpr std::array<std::string_view, 4> kShapes = {"box", "cylinder", "sphere", "hull"};
 
+// Euler angles z, y', x'': yaw, then pitch, then roll, each about the axes that the ones before
+// have left.
 Quat turned(const Vec3& degrees_zyx) {
   return rotation(Vec3{0, 0, 1} * (degrees_zyx.x * kDegree)) *
          rotation(Vec3{0, 1, 0} * (degrees_zyx.y * kDegree)) *
@@ -40,6 +46,8 @@ class BodyReader {
     read_inertia();
     if (view_.has("axle")) body_.axle = parts_.direction(view_, "axle", {});
     body_.axle_friction = view_.number("axle_friction", 1);
+    // The contact of a cylinder with the floor is a line, and with round wheels of finite width it
+    // resists turning on the spot; as a ball it touches in one point.
     body_.rolls_as_sphere = view_.flag("rolls_as_sphere");
     return std::move(body_);
   }
@@ -63,6 +71,7 @@ class BodyReader {
   void read_shape() {
     if (view_.has("cylinder")) {
       const FormView form = view_.form("cylinder");
+      // Sizes are edge lengths of the box about the shape for every shape.
       const double d = 2 * form.number("radius", 1);
       body_.shape = ShapeType::cylinder;
       body_.size = {d, d, form.number("height", 1)};
@@ -82,6 +91,7 @@ class BodyReader {
       body_.points.push_back(corner.vector("at"));
     }
     const HullMass solid = hull_mass(body_.points);
+    // In m³: a cube of a tenth of a millimetre. Four corners in a plane have next to none.
     if (solid.volume <= 1e-12) {
       parts_.out.add(Code::P614, parts_.document.head(*view_.find("hull")),
                      "the corners of the hull enclose nothing");
@@ -98,11 +108,14 @@ class BodyReader {
     body_.size = high - low;
   }
 
+  // X_RB is the pose of the centre of mass. "base" is the middle of the lower face, or a hull's own
+  // origin, from which its devices are measured as well; "center" is the centre itself.
   void read_place() {
     body_.X_RB = {view_.vector("base", view_.vector("center")), turned(view_.vector("turn"))};
     if (view_.has("base") && body_.shape != ShapeType::hull) {
       body_.p_BO = {0, 0, -body_.size.z / 2};
     }
+    // The shift is in the body's frame: a body that is turned is turned about its base.
     body_.X_RB = body_.X_RB * Pose{-body_.p_BO, {}};
   }
 
@@ -110,6 +123,8 @@ class BodyReader {
     if (!view_.has("inertia")) return;
     const Vec3 i = view_.vector("inertia");
     body_.inertia = i;
+    // For any distribution of mass each principal moment is at most the sum of the other two.
+    // Rounding of figures in the file is forgiven.
     const double most = std::max({i.x, i.y, i.z});
     if (2 * most <= (i.x + i.y + i.z) * (1 + 1e-9)) return;
     parts_.out.add(Code::P615, parts_.range(*view_.find("inertia")),
@@ -131,6 +146,7 @@ ActuatorMode mode_of(const std::string& text) {
 void read_limits(const FormView& view, AxisModel& axis, double unit, const RobotParts& parts) {
   const std::vector<double> limits = view.numbers("limits");
   if (limits.size() != 2) return;
+  // Joints are at 0 in the poses that the file gives, so a range without 0 would begin violated.
   axis.lower = limits[0] * unit;
   axis.upper = limits[1] * unit;
   const SourceRange place = parts.range(*view.find("limits"));
@@ -147,6 +163,7 @@ void read_limits(const FormView& view, AxisModel& axis, double unit, const Robot
 
 AxisModel read_axis(const FormView& view, const RobotParts& parts) {
   AxisModel axis;
+  // Looks at the node itself, as check_one does.
   const bool turns = view.node().find("turn") != nullptr;
   if (turns == (view.node().find("slide") != nullptr)) {
     parts.out.add(Code::P604, parts.document.head(view.node()),
@@ -158,6 +175,7 @@ AxisModel read_axis(const FormView& view, const RobotParts& parts) {
   const double unit = turns ? kDegree : 1;
   read_limits(view, axis, unit, parts);
   axis.actuator = mode_of(view.text("actuator"));
+  // Motors have limits: a motor without most_force would be either useless or infinitely strong.
   axis.most_force = view.number("most_force");
   axis.most_speed = view.number("most_speed") * unit;
   axis.damping = view.number("damping");
@@ -170,12 +188,14 @@ AxisModel read_axis(const FormView& view, const RobotParts& parts) {
 
 JointModel read_joint(const FormView& view, const RobotParts& parts) {
   JointModel joint;
+  // Most joints are called by what they carry.
   joint.name = view.text("name", view.text("child"));
   joint.place = parts.document.head(view.node());
   joint.parent = parts.body(view, "parent").value_or(kNoBody);
   joint.child = parts.body(view, "child").value_or(kNoBody);
   if (joint.child != kNoBody) {
     const BodyModel& child = parts.model.bodies[joint.child];
+    // By default a joint sits where its child is placed: a wheel turns about its own middle.
     joint.X_RJ.p = view.vector("at", child.X_RB * child.p_BO);
   }
   for (const FormView& axis : entries(view, "axes", parts.bad)) {
@@ -184,6 +204,8 @@ JointModel read_joint(const FormView& view, const RobotParts& parts) {
   return joint;
 }
 
+// Beyond these the solver's mechanism has no room, see kMostMechanismDofs in
+// physical/solver/solver.h.
 /// The most axes of all joints; with the six of its root, the degrees of freedom of a mechanism.
 constexpr std::size_t kMostRobotAxes = 58;
 

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// These stand for the firmware of motors and magnets. They are stepped with physics, not with
+// control, since a ramp or a discharge may be over within a control step.
 #include "robots/robot_devices.h"
 
 #include <algorithm>
@@ -12,10 +14,13 @@ double towards(double from, double to, double most) {
   return from + std::clamp(to - from, -most, most);
 }
 
+// A program may compute any number: infinities and NaN stop the wheel.
 double cut(double speed, double most) {
   return std::isfinite(speed) ? std::clamp(speed, -most, most) : 0;
 }
 
+// Entries fall, so the first that is exceeded is the fastest that applies; an error below all of
+// them is within the lift's tolerance.
 double speed_at(const LiftModel& model, double error) {
   for (const auto& [above, speed] : model.speeds) {
     if (std::abs(error) > above) return std::copysign(speed, error);
@@ -46,6 +51,7 @@ void command(LiftState& state, const LiftModel& model, const LiftCommand& comman
     case LiftCommand::Kind::calibrate:
       state.mode = LiftMode::calibrating;
       return;
+    // A set height ends calibration as well: the last command holds.
     case LiftCommand::Kind::position:
       if (!std::isfinite(command.position)) return;
       state.mode = LiftMode::moving;
@@ -56,12 +62,14 @@ void command(LiftState& state, const LiftModel& model, const LiftCommand& comman
 
 void step(LiftState& state, const LiftModel& model, double position) {
   if (state.mode == LiftMode::calibrating) {
+    // Down at the slowest speed, as it does not know how far the bottom is.
     state.speed = model.speeds.empty() ? 0 : -model.speeds.back().second;
     if (position > model.low) return;
     state.target = model.low;
     state.mode = LiftMode::rest;
   }
   state.speed = state.mode == LiftMode::moving ? speed_at(model, state.target - position) : 0;
+  // The switches stop the motor, whatever the target.
   const bool at_end = state.speed > 0 ? position >= model.high : position <= model.low;
   if (state.speed == 0 || at_end) {
     state.mode = LiftMode::rest;
@@ -72,6 +80,7 @@ void step(LiftState& state, const LiftModel& model, double position) {
 LiftReading reading_of(const LiftState& state, const LiftModel& model, double position) {
   LiftReading reading;
   reading.calibrating = state.mode == LiftMode::calibrating;
+  // A lift that still creeps the last part of its way reports that it has arrived already.
   reading.active =
       reading.calibrating ||
       (state.mode == LiftMode::moving && std::abs(state.target - position) >= model.inactive_below);
@@ -83,6 +92,8 @@ LiftReading reading_of(const LiftState& state, const LiftModel& model, double po
 
 void step(MagnetState& state, const MagnetCircuitModel& model, double dt) {
   const bool flows = state.mode != Discharge::disable;
+  // charge' = gain - loss · charge has the solution below: an exponential towards gain / loss. The
+  // limit is applied after the step, which is exact while charging is linear, or ends below it.
   // charge' = gain - loss · charge.
   const double gain = (flows ? model.sink_rate * model.sink_level : model.charge_per_second) +
                       model.relax_rate * model.charge_limit;

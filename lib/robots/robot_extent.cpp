@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Extents are those of the pose in the file, with joints at zero: what a compiler has to know
+// before anything moves.
 #include "robots/robot_extent.h"
 
 #include <algorithm>
@@ -14,12 +16,14 @@ BodyExtent extent_of(const BodyModel& body) {
     extent.high = {std::max(extent.high.x, p.x), std::max(extent.high.y, p.y),
                    std::max(extent.high.z, p.z)};
   };
+  // Far beyond any robot, whose lengths the forms bound by kFar.
   BodyExtent out{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
   if (body.shape == ShapeType::hull) {
     for (const Vec3& p : body.points) grow(out, body.X_RB * p);
     return out;
   }
   const Vec3 h = body.size * 0.5;
+  // The eight corners, a bit for each sign.
   for (int i = 0; i < 8; ++i) {
     const Vec3 corner{(i & 1) ? h.x : -h.x, (i & 2) ? h.y : -h.y, (i & 4) ? h.z : -h.z};
     grow(out, body.X_RB.p + r * corner);
@@ -31,6 +35,8 @@ std::vector<bool> lifted_bodies(const RobotModel& robot) {
   assert(robot.lift);
   std::vector<bool> out(robot.bodies.size(), false);
   out[robot.joints[robot.lift->axis.joint].child] = true;
+  // A body is carried by the lift if its parent is. Joints come in any order in a file, hence
+  // passes until nothing changes; robots have some dozens of joints at most.
   for (bool more = true; more;) {
     more = false;
     for (const JointModel& joint : robot.joints) {

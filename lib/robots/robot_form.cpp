@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// What a robot file may say: one table for the checker, its messages and the JSON Schema;
+// docs/robots.md explains the keys. Bounds keep out what cannot be meant, such as grams for
+// kilograms, and what the solver could not take.
 #include "robots/form_keys.h"
 #include "robots/robot_forms.h"
 #include "robots/robot_model.h"
@@ -25,6 +28,8 @@ const Form& sphere_form() {
   return kForm;
 }
 
+// A mapping with one key rather than a bare list of three numbers, so that entries can be given
+// more keys later without a new version of the format.
 const Form& point_form() {
   static const Form kForm{"corner", {required(vector("at", "Metres, body's frame.", kFar))}};
   return kForm;

@@ -14,9 +14,12 @@ double RobotModel::mass() const {
 Vec3 RobotModel::centre_of_mass() const {
   Vec3 sum;
   for (const BodyModel& body : bodies) sum += body.mass * body.X_RB.p;
+  // Every mass is positive, by the form of the file.
   return sum * (1 / mass());
 }
 
+// In a sound model exactly one body is carried by no joint. In one with errors there may be none,
+// then this is the number of bodies, and callers that report errors bear with it.
 std::size_t RobotModel::root() const {
   std::vector<bool> carried(bodies.size());
   for (const JointModel& joint : joints) {
@@ -32,16 +35,20 @@ double without_hit(const RangeDevice& device) {
 }
 
 Vec3 moments_of(const BodyModel& body) {
+  // A file's own moments win: real robots are not solid.
   if (body.inertia) return *body.inertia;
   const Vec3 s = scaled(body.size, body.size) * body.mass;
   switch (body.shape) {
     case ShapeType::cylinder: {
+      // A solid cylinder of diameter d and height h: m (d²/16 + h²/12) across, m d²/8 about z.
       const double across = s.x / 16 + s.z / 12;
       return {across, across, s.x / 8};
     }
+    // 2/5 m r² by the diameter.
     case ShapeType::sphere:
       return Vec3{1, 1, 1} * (s.x / 10);
     case ShapeType::hull: {
+      // The hull's own integrals of x², y² and z², scaled from volume to mass.
       const HullMass solid = hull_mass(body.points);
       const Vec3& q = solid.squares;
       return Vec3{q.y + q.z, q.x + q.z, q.x + q.y} * (body.mass / solid.volume);

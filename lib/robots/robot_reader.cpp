@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A robot file is read in four passes: the form of its values, bodies, joints (which name bodies),
+// the tree that they make, then devices (which name both). Each goes on after errors, so a user
+// sees all that is wrong at once; names are looked up only where they exist.
 #include "robots/robot_reader.h"
 
 #include <fmt/format.h>
@@ -14,6 +17,7 @@ namespace stig {
 
 namespace {
 
+// A misspelt name gets the nearest one as its suggestion.
 template <class Named>
 std::string_view nearest_name(const std::string& name, const std::vector<Named>& all) {
   std::vector<std::string_view> names;
@@ -36,6 +40,8 @@ std::optional<std::size_t> named(const RobotParts& parts, const YamlNode& node, 
   if (!place) {
     Diagnostic& diagnostic = parts.out.add(
         code, parts.range(node), fmt::format("unknown {} {}", what, in_quotes(node.text)));
+    // add returns a diagnostic that is dropped once the list is full; working out a suggestion for
+    // it would cost time that a hostile file could spend.
     if (!parts.out.full()) diagnostic.suggest(std::string(nearest_name(node.text, all)));
   }
   return place;
@@ -89,6 +95,8 @@ Vec3 RobotParts::direction(const FormView& view, std::string_view key,
   const YamlNode* node = view.find(key);
   if (node == nullptr) return otherwise;
   const Vec3 v = view.vector(key);
+  // Below a micrometre the direction would be rounding. What is returned instead is unit, so that
+  // what is read after it stays sound.
   if (length(v) > 1e-6) return normalised(v);
   out.add(Code::P613, range(*node), fmt::format("'{}' has no length", key));
   return {0, 0, 1};
@@ -96,6 +104,8 @@ Vec3 RobotParts::direction(const FormView& view, std::string_view key,
 
 std::vector<FormView> entries(const FormView& view, std::string_view key, const BadNodes& bad) {
   std::vector<FormView> out;
+  // Like FormView::forms, but it keeps entries that hold bad values: their names are known, and
+  // what refers to them must not be reported as unknown.
   const YamlNode* list = view.node().find(key);
   if (list == nullptr || list->kind != YamlKind::sequence) return out;
   for (const YamlNode& item : list->items) {
@@ -107,6 +117,7 @@ std::vector<FormView> entries(const FormView& view, std::string_view key, const 
 std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics) {
   Diagnostics own;
   std::optional<RobotModel> model;
+  // Depth and number of nodes are bounded before anything is read: files come from anywhere.
   if (const auto document = parse_yaml(std::move(source), {kMaxRobotFileBytes, 12, 50'000}, own)) {
     const BadNodes bad = check_form(*document, robot_form(), own);
     if (document->root.kind == YamlKind::mapping) model = read_model(*document, bad, own);

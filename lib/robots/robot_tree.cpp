@@ -16,6 +16,8 @@ class Tree {
   explicit Tree(const RobotParts& parts) : parts_(parts), above_(bodies().size()) {}
 
   void check() {
+    // A joint whose body is unknown leaves gaps in the tree: then bodies that seem apart may well
+    // be joined by it, and nothing is said of them.
     for (const JointModel& joint : parts_.model.joints) {
       if (joint.parent == kNoBody || joint.child == kNoBody) {
         whole_ = false;
@@ -32,6 +34,7 @@ class Tree {
   std::string name(std::size_t body) const { return in_quotes(bodies()[body].name); }
 
   void add(const JointModel& joint) {
+    // The first joint that carries a body keeps it, so that further messages refer to that one.
     const JointModel*& above = above_[joint.child];
     if (above != nullptr) {
       whole_ = false;
@@ -49,9 +52,12 @@ class Tree {
   void check_cycle(std::size_t first) {
     std::string path = name(first);
     std::size_t body = first;
+    // Follows parents upwards, at most as many steps as there are bodies: a path into a cycle that
+    // does not hold `first` would never end.
     for (std::size_t steps = 0; above_[body] != nullptr && steps < above_.size(); ++steps) {
       body = above_[body]->parent;
       path += " on " + name(body);
+      // A body of the cycle with a lower number has reported it, or will be found from there.
       if (body < first) return;
       if (body == first) {
         whole_ = false;
