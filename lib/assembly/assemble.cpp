@@ -32,6 +32,8 @@ std::vector<Sides> choices_of_sides(const AssemblyTask& task) {
   if (!task.sides.empty()) return {task.sides};
   constexpr auto px = ApproachSide::plus_x, mx = ApproachSide::minus_x, py = ApproachSide::plus_y,
                  my = ApproachSide::minus_y;
+  // Two opposite sides first, then single ones, all four last: more sides leave robots more room,
+  // and make more cases that colours have to tell apart.
   return {{px, mx}, {py, my}, {px}, {py}, {mx}, {my}, {px, py, mx, my}};
 }
 
@@ -41,6 +43,7 @@ std::vector<Liking> regular_likings() {
   using Spine = Liking::Spine;
   for (const bool along_x : {true, false}) {
     for (const bool middle : {true, false}) {
+      // A spine only makes sense along the axis that the rows run.
       for (const Spine spine : {Spine::none, along_x ? Spine::along_x : Spine::along_y}) {
         Liking one;
         (along_x ? one.x : one.y) = 100;
@@ -59,6 +62,8 @@ std::vector<Liking> regular_likings() {
 Liking liking_of(std::uint64_t seed) {
   constexpr int kWeights[] = {-9, -3, -1, 0, 1, 3, 9};
   const auto weight = [&](std::uint64_t which) {
+    // Weights of very different sizes, so that often one coordinate decides and the others break
+    // ties.
     return kWeights[combine(seed, which) % std::size(kWeights)];
   };
   constexpr int kChances[] = {0, 2, 6, 20};
@@ -97,22 +102,28 @@ class Assembler {
     out_.obstacle = find_obstacle(bricks_, widest_, start_);
     if (out_.obstacle) return result();
     std::vector<Sides> sides = choices_of_sides(task_);
+    // A set of sides from which even a robot that knows all could not build is left out for good.
     std::erase_if(sides, [&](const Sides& some) {
       return !find_remainder(bricks_, {task_.robot, some}, start_).barred.empty();
     });
     std::size_t since_found = 0;
+    // Every seed goes round all sets of sides before the next, so that no set uses up the effort
+    // alone.
     for (std::uint64_t seed = 0; !sides.empty(); ++seed) {
       for (std::size_t i = 0; i < sides.size();) {
         if (allowance_.passed() || out_.counts.candidates >= kMostCandidates) return result();
         report();
         if (try_one({task_.robot, sides[i]}, seed)) {
           ++i;
+          // From these sides there is no order at all; if they were all sides, there is none from
+          // fewer.
         } else if (sides[i].size() == widest_.sides.size()) {
           out_.obstacle = AssemblyObstacle{};
           return result();
         } else {
           sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(i));
         }
+        // A plan for one robot is kept while better ones are looked for, but not for long.
         if (out_.plan && (out_.plan->any_number || ++since_found > kPatience)) return result();
       }
     }
@@ -146,6 +157,8 @@ class Assembler {
       ++out_.counts.no_order;
       return !exhausted;
     }
+    // Walking needs a colour for each brick and all structures on the way, which large targets
+    // exceed; there neighbours wait for each other throughout, so that less can occur.
     const bool large = bricks_.bricks() > kMostWalkedBricks;
     const Waiting waiting = large || combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
     CandidateOrder candidate = make_candidate(bricks_, *sequence, builders, waiting);
@@ -161,6 +174,8 @@ class Assembler {
   std::optional<Cases> cases_on_the_way(CandidateOrder& candidate, const Builders& builders) {
     const std::size_t bricks = candidate.target->bricks();
     if (bricks > kMostWalkedFirst) {
+      // Column by column is proved without a walk, but proves less: where it fails, a target that
+      // is small enough is walked still.
       std::size_t looked = 0;
       auto cases = local_cases(candidate, builders, visibility_, looked);
       allowance_.spend((looked + bricks) * kStepsOfSituation);
@@ -179,6 +194,8 @@ class Assembler {
 
   /// Was none like it walked before?
   bool is_new(const CandidateOrder& candidate, const Sides& sides) {
+    // Two orders are the same candidate if every brick waits for the same neighbours: rules say no
+    // more than that. The key is by the target's numbers, in which the order itself does not show.
     std::vector<std::uint64_t> key(candidate.target->bricks() + 1);
     for (const ApproachSide side : sides)
       key.back() = combine(key.back(), static_cast<std::uint64_t>(side) + 1);
@@ -238,6 +255,7 @@ class Assembler {
       return;
     }
     if (out_.plan && !plan->any_number) return;
+    // The bricks of a candidate are numbered by the order of work, the start first.
     std::vector<Cell> order;
     for (std::size_t i = 0; i < candidate.target->bricks(); ++i) {
       order.push_back(candidate.target->cell(i));
@@ -250,6 +268,8 @@ class Assembler {
   /// As a file has the rules; nothing when they are refused.
   std::optional<AssemblyPlan> compiled(const RuleSet& printed) {
     AssemblyPlan plan;
+    // What is judged is the text itself, read back as a user's file would be: no difference between
+    // the set in memory and the one that is written can go unnoticed.
     plan.text = print_rule_set(printed);
     Diagnostics diagnostics;
     auto rules = read_rule_set(std::make_shared<const SourceFile>("plan", plan.text), diagnostics);

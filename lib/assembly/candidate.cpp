@@ -9,6 +9,7 @@ namespace stig {
 
 namespace {
 
+// Neighbours are the 26 cells about one, which is what a rule of the cubic lattice sees.
 bool neighbours(Cell a, Cell b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 && std::abs(a.z - b.z) <= 1;
 }
@@ -20,6 +21,8 @@ bool share_a_face(Cell a, Cell b) {
 bool either_first(const CandidateOrder& candidate, const Builders& builders, std::size_t k,
                   std::size_t i) {
   const TargetBricks& target = *candidate.target;
+  // The structure with everything before i but k: the least in which i could come first. As in the
+  // sequence's own order, more of it would only take room.
   BrickSet others(target.bricks());
   for (std::size_t b = 0; b < i; ++b) {
     if (b != k) others.add(b);
@@ -35,8 +38,10 @@ void set_waits(const Builders& builders, Waiting waiting, CandidateOrder& out) {
   out.before.assign(count, BrickSet(count));
   out.free.assign(count, BrickSet(count));
   for (std::size_t i = 0; i < count; ++i) {
+    // Quadratic in bricks, but with a cheap test first.
     for (std::size_t k = 0; k < i; ++k) {
       if (!neighbours(target.cell(i), target.cell(k))) continue;
+      // The start is always there, so nothing is free of it.
       if (waiting == Waiting::needed && k > 0 && !share_a_face(target.cell(i), target.cell(k)) &&
           either_first(out, builders, k, i)) {
         out.free[i].add(k);
@@ -48,6 +53,8 @@ void set_waits(const Builders& builders, Waiting waiting, CandidateOrder& out) {
   }
 }
 
+// What a robot that knows everything could put: each brick whose neighbours before it stand. Brick
+// 0 is the start, which nobody puts.
 std::vector<std::uint32_t> open_bricks(const CandidateOrder& candidate, const BrickSet& state) {
   std::vector<std::uint32_t> out;
   for (std::uint32_t i = 1; i < candidate.before.size(); ++i) {
@@ -62,6 +69,8 @@ CandidateOrder make_candidate(const TargetBricks& target, const Sequence& sequen
                               const Builders& builders, Waiting waiting) {
   CandidateOrder out;
   out.sequence = sequence;
+  // Colours stand for "which brick": i + 1 for brick i, as far as colours go. Larger targets are
+  // never walked, so what theirs say is not read.
   std::vector<PlacedBrick> bricks;
   for (const std::uint32_t brick : sequence.bricks) {
     bricks.push_back(
@@ -78,6 +87,8 @@ void walk(const Builders& builders, const std::shared_ptr<Visibility>& visibilit
   Sight sight(*candidate.target, visibility);
   const OpenBricks open = [&](const BrickSet& state) { return open_bricks(candidate, state); };
   candidate.policy = explore(*candidate.target, open, sight, builders.robot, builders.sides,
+                             // Only what leads to the whole structure stays: a structure from which
+                             // robots could get stuck is none that the colours may allow.
                              {PlacementKinds::all, true}, limits);
   if (candidate.policy.too_large) return;
   prune(*candidate.target, candidate.policy);

@@ -24,6 +24,9 @@ using BrickPair = std::pair<std::uint32_t, std::uint32_t>;
 class Painter {
  public:
   Painter(const Target& target, const Cases& cases, const RuleView& rules, int k,
+          // The problem has two kinds of variables: "brick b has colour c", and "choice c of case i
+          // is done". All others (open, differ, equal) only imply, they are not defined both ways;
+          // that is enough since they occur where being true is the harder part.
           const Allowance& allowance)
       : rules_(rules), k_(k), allowance_(allowance), cases_(cases), likenesses_(cases.cases) {
     solver_.set("quiet", 1);
@@ -47,6 +50,7 @@ class Painter {
   }
 
  private:
+  // Variables count from 1, as in DIMACS: colour c of brick b is b · k + c.
   int has(std::uint32_t brick, int colour) const { return static_cast<int>(brick) * k_ + colour; }
 
   void clause(const std::vector<int>& literals) {
@@ -64,6 +68,7 @@ class Painter {
         } else {
           clause({-has(brick, c)});
         }
+        // At most one colour, pair by pair: k is small.
         for (int d = 1; d < c; ++d) clause({-has(brick, c), -has(brick, d)});
       }
       clause(some);
@@ -83,6 +88,7 @@ class Painter {
       clause(some);
     }
     // The more is done the better.
+    // Phases are hints for the solver's first guess, no conditions.
     for (std::uint32_t i = 0; i < cases_.cases.size(); ++i) {
       for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) solver_.phase(choice(i, c));
     }
@@ -90,6 +96,8 @@ class Painter {
   /// Adds literals of which one is true only where the way is open.
   void add_way(const WayOn& way, std::vector<int>& some) {
     if (way.size() == 1) return add_work_in(way.front(), some);
+    // With several cases at a column, all of which may be what the robot sees, work has to be done
+    // in each.
     const int open = next_++;
     some.push_back(open);
     for (const std::uint32_t i : way) {
@@ -107,6 +115,7 @@ class Painter {
 
   /// True only where the two have different colours.
   int differ(const BrickPair& pair) {
+    // Made when first asked for: most pairs of bricks are never compared.
     const auto [at, added] = differ_.emplace(pair, next_);
     if (added) {
       ++next_;
@@ -126,6 +135,7 @@ class Painter {
   }
 
   void read_solution() {
+    // In a solution every brick has exactly one colour, so the loop ends by k.
     colours_.assign(rules_.brick.size(), 0);
     for (std::uint32_t i = 0; i < colours_.size(); ++i) {
       int c = 1;
@@ -153,14 +163,19 @@ class Painter {
     const Schedule& schedule = *rules_.schedule;
     allowance_.spend(cost_of(schedule));
     std::size_t added = 0;
+    // Clashes and conditions are bounded for a round: a bad first colouring violates far more than
+    // the solver should be given, and some of them mend most of the others.
     for (const Clash& clash : find_clashes(schedule, by_orbit, 64, kClausesOfRound)) {
       const Site& to = rules_.frame.sites[static_cast<std::size_t>(clash.site)];
       const auto from =
           static_cast<std::size_t>(schedule.keys[static_cast<std::size_t>(clash.key)].site);
+      // Sites of different levels are told apart by heights, which rules.cpp adds where they are
+      // needed.
       if (rules_.frame.sites[from].at.z != to.at.z) continue;
       std::vector<int> literals;
       for (const auto& [a, b] : compared_orbits(schedule, clash))
         literals.push_back(differ(pair(a, b)));
+      // Where the other site has a brick of the same colour due, the clash does no harm.
       if (clash.intended) literals.push_back(equal(pair(static_cast<int>(from), to.orbit)));
       clause(literals);
       ++added;
@@ -193,6 +208,7 @@ class Painter {
     std::vector<int> literals = {-choice(likeness.a, c)};
     for (const Choice& there : b.choices) {
       if (there.at != done.at) continue;
+      // The same choice is there as well and means the same colour: nothing wrong would be done.
       if (colours_[there.brick] == colours_[done.brick]) return 0;
       literals.push_back(
           equal({std::min(there.brick, done.brick), std::max(there.brick, done.brick)}));
@@ -202,6 +218,7 @@ class Painter {
       clause(literals);
       return 1;
     }
+    // Or nothing at all is done in b: one clause for each of its choices.
     for (std::size_t k = 0; k < b.choices.size(); ++k) {
       std::vector<int> busy = literals;
       busy.push_back(-choice(likeness.b, k));

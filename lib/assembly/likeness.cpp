@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Comparing all pairs of cases would be quadratic in thousands. Cases are put together by the cells
+// that are seen to be empty and filled; pairs of such shapes are few, and within a pair colours at
+// the common cells are compared by a hash table.
 #include "assembly/likeness.h"
 
 #include <algorithm>
@@ -15,6 +18,7 @@ namespace {
 std::string seen_in(const Case& one, const CellBits& cells, const std::vector<Colour>& colours) {
   std::string out;
   for (std::size_t i = 0; i < one.bricks.size(); ++i) {
+    // A colour fits a char, see kMaxColours.
     if (cells[i]) out += static_cast<char>(colours[one.bricks[i]]);
   }
   return out;
@@ -45,14 +49,19 @@ std::uint64_t Likenesses::for_each(const std::vector<Colour>& colours,
     if (working.empty()) continue;
     for (const Shape& other : shapes_) {
       ++looked;
+      // A cell that is empty in one and filled in the other tells them apart whatever the colours:
+      // the question "is there a brick?" is answered in both.
       if (one.side != other.side || (one.empty & other.filled).any() ||
           (one.filled & other.empty).any()) {
         continue;
       }
+      // If `one` sees a cell that `other` does not, a robot in `one` could ask about it, and gets
+      // no answer in `other`.
       const bool more = ((one.empty | one.filled) & ~(other.empty | other.filled)).any();
       const CellBits both = one.filled & other.filled;
       std::unordered_map<std::string, std::vector<std::uint32_t>> alike;
       for (const std::uint32_t i : other.cases) {
+        // Where such a question exists, an idle `b` is told apart already.
         if (!more || busy[i]) alike[seen_in(cases_[i], both, colours)].push_back(i);
       }
       looked += other.cases.size() + working.size();

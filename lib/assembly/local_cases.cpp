@@ -28,11 +28,14 @@ Precedence precedence_of(const CandidateOrder& candidate, const TargetBricks& ta
                          const Builders& builders, Lanes& lanes) {
   std::vector<std::vector<std::uint32_t>> before(candidate.before.size());
   for (std::uint32_t i = 0; i < before.size(); ++i) {
+    // A brick waits for earlier ones alone, so k < i covers all of them.
     for (std::uint32_t k = 0; k < i; ++k) {
       if (candidate.before[i].has(k)) before[i].push_back(k);
     }
   }
   Precedence out(before);
+  // Robots besides wait until no lane is closed that is still needed. This is no rule: their
+  // program sees to it, and here it takes situations away.
   wait_for_lanes(target, builders.sides, builders.robot, lanes, out);
   return out;
 }
@@ -53,6 +56,8 @@ class LocalCases {
     std::size_t left = kMostLocalSituations;
     const BrickSet none(target_.bricks());
     for (const ApproachSide side : builders_.sides) {
+      // One bound for all columns together and one for each, so that a single wide column cannot
+      // use up what the others need.
       for (const auto& [u, v] : local_.columns(side)) {
         const std::size_t most = std::min(left, kMostAtColumn);
         std::size_t here = most;
@@ -75,6 +80,7 @@ class LocalCases {
       std::vector<bool>& lasting = lasting_[static_cast<std::size_t>(side)];
       lasting.assign(target_.bricks(), false);
       for (std::uint32_t q = 1; q < target_.bricks(); ++q) {
+        // Brick 0 is the start, which stands already.
         lasting[q] = always_in_reach(target_, precedence_, lanes_, builders_.robot, q, side);
       }
     }
@@ -86,6 +92,8 @@ class LocalCases {
   }
 
   void look(const LocalSituation& at) {
+    // Cases are told apart by what is seen without colours for bricks, hence by place as well: two
+    // columns are two cases even where they look the same.
     Key key = key_of(at);
     const auto number = static_cast<std::uint32_t>(out_.cases.size());
     const auto [found, added] = numbers_.emplace(std::move(key), number);
@@ -96,6 +104,8 @@ class LocalCases {
       return;
     }
     // What differs is not seen.
+    // The same can be seen while hidden bricks differ. What is done there has to be right for all
+    // of them, so only common choices stay.
     std::erase_if(out_.cases[found->second].choices, [&](const Choice& one) {
       return std::none_of(choices.begin(), choices.end(),
                           [&](const Choice& other) { return other.brick == one.brick; });
@@ -127,6 +137,7 @@ class LocalCases {
       }
       auto where = next_to_column(target_, at.least, at.side, at.u, at.v, brick);
       if (!where) continue;
+      // On top of the column there is one place only, so its height is not a part of the choice.
       if (where->du == 0 && where->dv == 0) where->z = 0;
       out.push_back({*where, brick});
     }
@@ -156,6 +167,7 @@ class LocalCases {
   }
 
   WayOn way_on(ApproachSide side, int u, int v, std::uint32_t q, const BrickSet& before) {
+    // A way on must lead to an observation for certain, whatever else has been built meanwhile.
     if (!local_.always_comes(side, u, v, q, before)) return {};
     WayOn out;
     bool open = true;
@@ -167,6 +179,7 @@ class LocalCases {
                                      });
     std::sort(out.begin(), out.end());
     out.erase(std::unique(out.begin(), out.end()), out.end());
+    // One situation without work is enough to close the way: the robot may find just that one.
     return all && open ? out : WayOn{};
   }
 

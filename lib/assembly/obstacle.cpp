@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Proofs that nothing can be done, which are cheap and hold for every order: a structure in parts
+// (bricks are put next to bricks), or a remainder that cannot be taken apart (remainder.h).
 #include "assembly/obstacle.h"
 
 #include <array>
@@ -11,6 +13,7 @@ namespace {
 
 /// The bricks that hang together with one.
 BrickSet part_of(const TargetBricks& target, std::uint32_t first) {
+  // A search over faces from one brick; each brick is looked at once.
   BrickSet out(target.bricks());
   out.add(first);
   std::vector<std::uint32_t> edge = {first};

@@ -5,6 +5,7 @@ namespace stig {
 
 namespace {
 
+// Holds are granted, see the file's header: what is missing below or beside a brick bars nothing.
 bool bars(const ReachResult& result) {
   return result.obstruction != Obstruction::none &&
          result.obstruction != Obstruction::unsupported &&
@@ -16,6 +17,8 @@ ReachResult barred_among(const TargetBricks& target, const BrickSet& others, std
                          ApproachSide side, const Abilities& robot) {
   const ReachResult result = reach(target, others, target.cell(brick), side, robot);
   if (result.obstruction != Obstruction::effector_blocked) return result;
+  // A brick behind the site would stop the end-effector sooner, and so may help. It may be one that
+  // has been taken away; the proof grants it, as it grants holds.
   const SideCell site = seen_from(side, target.cell(brick));
   const std::uint32_t behind = target.brick_at(cell_from(side, {site.u - 1, site.v, site.z + 1}));
   if (behind == TargetBricks::kNone || others.has(behind)) return result;
@@ -31,6 +34,7 @@ std::vector<Bar> bars_of(const TargetBricks& target, const BrickSet& others, std
   std::vector<Bar> out;
   for (const ApproachSide side : builders.sides) {
     const ReachResult why = barred_among(target, others, brick, side, builders.robot);
+    // One side that is free is enough, and the list is of no use then.
     if (!bars(why)) break;
     out.push_back({side, why});
   }

@@ -13,8 +13,9 @@ namespace stig {
 namespace {
 
 constexpr std::size_t kMostRemedies = 3;
-/// Of bricks more or less, so many of each are tried; in larger targets none.
+/// How many bricks more and less are tried, one at a time; in targets of more bricks none.
 constexpr std::size_t kMostChanges = 16, kMostBricksOfChange = 150;
+// Each attempt is a small assembly of its own: what can be mended easily is found with little.
 constexpr double kShareOfEffort = 0.05;
 
 class Healer {
@@ -54,6 +55,8 @@ class Healer {
     return made.plan.has_value();
   }
 
+  // Only what the user asked for beyond the target is taken back, one wish at a time: an answer
+  // then says which of them it was.
   void ask_for_less() {
     AssemblyTask changed = task_;
     changed.sides.clear();
@@ -73,6 +76,7 @@ class Healer {
     }
   }
 
+  // Cells of a target are sorted, and colours are listed beside them.
   AssemblyTask with_cells(const std::set<Cell>& cells) const {
     AssemblyTask out = task_;
     out.target.cells.assign(cells.begin(), cells.end());
@@ -92,6 +96,7 @@ class Healer {
     std::vector<Cell> some = concerned_;
     std::erase_if(some, [&](Cell c) { return cells_.contains(c + Offset{0, 0, 1}); });
     if (task_.start) std::erase(some, *task_.start);
+    // Stable, so that cells of a level stay in the target's order on every machine.
     std::stable_sort(some.begin(), some.end(), [](Cell a, Cell b) { return a.z > b.z; });
     some.resize(std::min(some.size(), kMostChanges));
     for (const Cell cell : some) {
@@ -108,6 +113,7 @@ class Healer {
   void add_bricks() {
     std::set<Cell> known;
     for (const Cell c : concerned_) {
+      // Beside or on top, never below: a brick below the target would have to be put first.
       for (const Offset step : {Offset{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}}) {
         const Cell cell = c + step;
         const bool held = cell.z == 0 || cells_.contains(cell + Offset{0, 0, -1});

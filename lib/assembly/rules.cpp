@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// One rule for each brick that is put, merged only where two are alike in every way. They are not
+// generalised: a rule that asks for less could hold where none was meant to.
 #include "assembly/rules.h"
 
 #include <algorithm>
@@ -11,9 +13,12 @@ namespace stig {
 
 namespace {
 
+// All clashes are wanted here, unlike in painting: the bound only keeps memory in hand.
 constexpr std::size_t kClashes = 1'000'000;
 
 /// Free colours numbered in the order in which they come.
+// A solver's colours come with gaps and in any order; a file reads better when they are numbered as
+// they are first used. Colours that the target names keep their numbers.
 std::vector<Colour> renumbered(const std::vector<Colour>& colours, std::size_t named) {
   std::map<Colour, Colour> number;
   std::vector<Colour> out;
@@ -39,6 +44,7 @@ Pattern pattern_of(const CandidateOrder& candidate, std::uint32_t brick,
     const std::uint32_t other = target.brick_at(cell);
     if (other != TargetBricks::kNone && candidate.before[brick].has(other)) {
       out.allowed[i] = StateSet::of(colours[other]);
+      // A free neighbour may be there or not: the rule holds in both cases.
     } else if (other != TargetBricks::kNone && candidate.free[brick].has(other)) {
       out.allowed[i] = StateSet::of(colours[other]) | StateSet::empty_cell();
     } else {
@@ -52,6 +58,8 @@ Pattern pattern_of(const CandidateOrder& candidate, std::uint32_t brick,
 std::set<std::uint32_t> that_need_heights(const RuleView& view, const Colouring& by_orbit) {
   std::set<std::uint32_t> out;
   const Schedule& schedule = *view.schedule;
+  // Painting lets sites of different levels clash, as a height can tell them apart: those that
+  // still clash under these colours get one.
   for (const Clash& clash : find_clashes(schedule, by_orbit, kClashes, kClashes)) {
     const auto from = schedule.keys[static_cast<std::size_t>(clash.key)].site;
     out.insert(view.brick[static_cast<std::size_t>(from)]);
@@ -79,6 +87,7 @@ void add_rules(const SameRule& same, ExactRules& out) {
     out.heights.emplace_back();
     return;
   }
+  // Levels that follow each other are one range, since a rule has one range of heights.
   for (auto level = same.levels.begin(); level != same.levels.end();) {
     const int low = *level;
     int high = low;
@@ -96,8 +105,10 @@ ExactRules exact_rules(const CandidateOrder& candidate, const std::vector<Colour
     const auto same = [&](const SameRule& one) {
       return one.pattern == pattern && one.place == colours[i];
     };
+    // Linear in rules found so far, which merging keeps short for regular structures.
     auto at = std::find_if(found.begin(), found.end(), same);
     if (at == found.end()) {
+      // The rank of the first brick that needs it orders rules as work goes.
       at = found.insert(at, {pattern, colours[i], {}, false, static_cast<std::int32_t>(i)});
     }
     at->levels.insert(candidate.target->cell(i).z);
@@ -109,6 +120,8 @@ ExactRules exact_rules(const CandidateOrder& candidate, const std::vector<Colour
 }
 
 /// Every brick gets a block colour that no other has.
+// LEDs are how robots read a colour off a block. Names that the target gave stay; others take the
+// lowest that is free.
 void add_leds(RuleSet& rules) {
   std::set<std::string> taken;
   for (const Brick& brick : rules.bricks) taken.insert(brick.led);

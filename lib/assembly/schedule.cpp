@@ -8,7 +8,9 @@ namespace stig {
 
 namespace {
 
+// Masks of all sites together; candidates with more are given up.
 constexpr std::size_t kMostStatesAtOnce = std::size_t{1} << 20;
+// A brick with f free neighbours has 2^f keys.
 constexpr int kMostFree = 10;  ///< neighbours that a brick leaves free
 
 using Bits = std::uint32_t;
@@ -28,11 +30,15 @@ class Enumerator {
       const auto place = static_cast<std::size_t>(std::countr_zero(rest));
       const std::uint32_t other = brick(site.beside[place]);
       if (other == 0) {
+        // The start is always there.
         always |= Bits{1} << place;
+        // A brick that waits for the site's own brick cannot be there while the site is empty.
       } else if (own == TargetBricks::kNone || !candidate_.before[other].has(own)) {
         bricks_.push_back({other, place, 0});
       }
     }
+    // Sorted by brick, so what a brick needs comes before it: extend decides on bricks in this
+    // order and never has to go back.
     // A brick waits for earlier ones alone.
     std::sort(bricks_.begin(), bricks_.end());
     for (Beside& one : bricks_) {
@@ -55,6 +61,9 @@ class Enumerator {
     return view_.brick[static_cast<std::size_t>(orbit)];
   }
 
+  // Branches on each brick that may be there: sets without it come from the call, those with it
+  // from going on. Every call ends in one set and each set is met once, so time grows with the
+  // output.
   bool extend(Bits chosen, std::size_t next, std::vector<Bits>& out) const {
     for (; next < bricks_.size(); ++next) {
       if ((bricks_[next].needs & ~chosen) != 0) continue;
@@ -90,10 +99,12 @@ bool add_keys(const CandidateOrder& candidate, const RuleView& view, std::size_t
   out.before.push_back(before);
   out.beside.push_back(free);
   if (brick == 0) return true;
+  // A brick none of whose neighbours come before it would be put by a rule that asks for nothing.
   if (before == 0 || std::popcount(free) > kMostFree) return false;
   Bits subset = 0;
   do {
     out.keys.push_back({static_cast<std::int32_t>(orbit), before | subset});
+    // The next subset of `free` in the order of numbers: subtracting borrows through the gaps.
     subset = (subset - free) & free;
   } while (subset != 0);
   return true;
@@ -111,6 +122,7 @@ void look_at_rules(const Target& target, const CandidateOrder& candidate, RuleVi
     schedule.order.rank.push_back(static_cast<std::int32_t>(out.brick.back()));
   }
   for (std::size_t orbit = 0; orbit < out.brick.size(); ++orbit) {
+    // Left without a schedule: rules cannot follow this order.
     if (!add_keys(candidate, out, orbit, schedule)) return;
   }
   Enumerator enumerator(candidate, out);

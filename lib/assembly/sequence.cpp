@@ -23,13 +23,16 @@ bool beside_a_column(const TargetBricks& target, const BrickSet& state, std::uin
   });
 }
 
+// Outweighs the other terms of a score, so that rows decide first.
 constexpr std::int64_t kSpine = 100'000;
 
-/// Of one coordinate, over all bricks.
+/// The range of one coordinate over all bricks.
 struct Span {
   int low = 0, high = 0;
   /// Twice the distance from the middle.
   int from_middle(int at) const { return std::abs(2 * at - low - high); }
+  // Of an even number of rows two are in the middle, and of an odd one the middle and the next: the
+  // spine is two rows wide in any case.
   /// Rows from the two in the middle: 0 for these.
   int from_spine(int at) const {
     const int lower = low + (high - low) / 2;
@@ -65,6 +68,7 @@ std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& l
   }
   std::vector<std::uint32_t> out(target.bricks());
   std::iota(out.begin(), out.end(), 0U);
+  // Stable: bricks of the same score stay in the target's order, on every machine.
   std::stable_sort(out.begin(), out.end(),
                    [&](std::uint32_t a, std::uint32_t b) { return score[a] > score[b]; });
   return out;
@@ -83,12 +87,14 @@ class Dismantler {
         left_(target.whole()) {}
 
   std::optional<Sequence> run() {
+    // Depth first. A place in order_ is all that a choice needs, so undoing one goes on behind it.
     std::size_t next = 0;  // in order_, of what to try now
     while (gone_.size() + 1 < target_.bricks()) {
       if (remove_one(next)) {
         next = 0;
         continue;
       }
+      // Whether a set of bricks can be taken apart does not depend on how it was reached.
       dead_.insert(left_);
       if (gone_.empty() || most_ == 0) return std::nullopt;
       next = gone_.back().place + 1;
@@ -107,6 +113,7 @@ class Dismantler {
   std::uint32_t brick_of(const Gone& gone) const { return order_[gone.place % order_.size()]; }
 
   /// Is it to be tried first, since it is next to the last that went?
+  // Chains leave a structure along paths; without them scores alone decide.
   bool follows(std::uint32_t brick) const {
     if (!liking_.in_chains || gone_.empty()) return true;
     const Offset apart = target_.cell(brick) - target_.cell(brick_of(gone_.back()));
@@ -166,6 +173,7 @@ class Dismantler {
     for (std::uint32_t i = 0; i < target_.bricks(); ++i) {
       if (left_.has(i)) out.bricks.push_back(i);
     }
+    // The start is put by nobody; its side is a filler.
     out.sides.push_back(builders_.sides.front());
     for (std::size_t i = gone_.size(); i-- > 0;) {
       out.bricks.push_back(brick_of(gone_[i]));

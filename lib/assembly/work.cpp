@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// One run of the compiled decisions, which shows how many robots find work on the way. That every
+// run ends at the whole structure is what compile has proved already.
 #include "assembly/work.h"
 
 #include <algorithm>
@@ -15,6 +17,7 @@ std::vector<WorkStep> work_of(const CompiledRules& compiled, const std::vector<C
   std::vector<WorkStep> out;
   for (;;) {
     const auto ways = open.in(state);
+    // Nobody has anything to do: the structure is whole.
     if (ways.empty()) return out;
     const auto& [brick, side] = *std::min_element(
         ways.begin(), ways.end(),
