@@ -117,8 +117,8 @@ std::vector<std::string_view> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Only top-level keys count: they are what an example replaces.
-/// "rules" of the line "rules:"; empty for a line that goes on with what came before.
+/// "rules" of the line "rules:"; empty for a line that goes on with what came before. Only
+/// top-level keys count: they are what an example replaces.
 std::string_view key_of(std::string_view line) {
   const bool begins = !line.empty() && line.front() >= 'a' && line.front() <= 'z';
   return begins ? line.substr(0, line.find(':')) : std::string_view();

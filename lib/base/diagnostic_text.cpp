@@ -27,9 +27,9 @@ constexpr const char* kMagenta = "1;35";
 constexpr const char* kCyan = "1;36";
 constexpr const char* kGreen = "1;32";
 
-/// Columns are counted in characters as shown: tabs widen to the next multiple of eight,
-/// hidden characters become escapes of several columns.
-/// One code point of a source line as shown, `width` columns wide.
+/// One code point of a source line as shown, `width` columns wide. Columns are counted in
+/// characters as shown: tabs widen to the next multiple of eight, hidden characters become
+/// escapes of several columns.
 struct Glyph {
   std::string shown;
   std::size_t width;
@@ -55,9 +55,8 @@ std::vector<Glyph> glyphs_of(std::string_view line, std::size_t from, std::size_
   return glyphs;
 }
 
-/// The window starts at a character, never within one; UTF-8's continuation bytes are
-/// 10xxxxxx.
-/// Where the shown part of a long line starts: far enough left of the caret.
+/// Where the shown part of a long line starts: far enough left of the caret. The window
+/// starts at a character, never within one; UTF-8's continuation bytes are 10xxxxxx.
 std::size_t window_start(std::string_view line, std::size_t caret) {
   constexpr std::size_t kBefore = 40;
   if (line.size() <= kWidest || caret <= kWidest - kBefore) return 0;
@@ -83,9 +82,9 @@ void show_line(std::string& out, std::size_t number, std::string_view line, std:
     marks += under;
     shown_to = glyph.offset + 1;
   }
+  // An empty range, or one past the line's end, still gets a caret.
   if (!marked) marks += '^';
   if (line.size() > shown_to + 4) text += "…";
-  // An empty range, or one past the line's end, still gets a caret.
   marks.erase(marks.find_last_not_of(' ') + 1);
   text.erase(text.find_last_not_of(' ') + 1);
   out += fmt::format("{:>5} | {}\n", number, text);
@@ -108,9 +107,9 @@ std::string place(const SourceRange& range, const Paint& paint) {
   return paint(kBold, fmt::format("{}:{}:{}:", path, at.line, at.column)) + " ";
 }
 
+/// A message of several lines: the first as it is, the rest (a drawing) indented.
 /// Everything that came from a file passes through `printable`: a terminal must not be
 /// steered by input.
-/// A message of several lines: the first as it is, the rest (a drawing) indented.
 std::string message_lines(std::string_view message) {
   std::string out;
   while (true) {

@@ -39,9 +39,9 @@ class Descriptor {
     if (fd_ > STDERR_FILENO) ::close(fd_);
   }
   int get() const { return fd_; }
-  // Errors of delayed writes (quotas, network file systems) may only be reported when a
-  // file is closed.
-  /// Closes now; false when the system reports a delayed error of writing.
+  /// Closes now; false when the system reports a delayed error of writing. Errors of
+  /// delayed writes (quotas, network file systems) may only be reported when a file is
+  /// closed.
   bool close() {
     const int fd = fd_;
     fd_ = -1;
@@ -72,9 +72,8 @@ bool too_large(FileError& error, const std::string& path, std::size_t most) {
   return false;
 }
 
-/// The size that the system reported is no limit: a file may grow while it is read, and
-/// /proc has files of size 0.
-/// Reads to the end, one byte past `most` at the furthest.
+/// Reads to the end, one byte past `most` at the furthest. The size that the system
+/// reported is no limit: a file may grow while it is read, and /proc has files of size 0.
 bool read_all(int fd, const std::string& path, std::size_t most, std::string& out,
               FileError& error) {
   std::array<char, 65536> buffer;

@@ -18,8 +18,8 @@ namespace {
 
 using nlohmann::json;
 
-/// A chunk's type and the magic number are ASCII read as little-endian words.
-// Numbers of the glTF specification.
+// Numbers of the glTF specification. A chunk's type and the magic number are ASCII read as
+// little-endian words.
 constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963;

@@ -58,10 +58,10 @@ class Hull {
     faces_.push_back(std::move(face));
   }
 
-  // Gift wrapping (R. Jarvis 1973) within the plane; of points in a line the farthest is
-  // taken, so that none is left in the middle of an edge.
   /// The outline of the points of a plane, from its lowest place in the list: each time the
-  /// point that all others are to the left of.
+  /// point that all others are to the left of. Gift wrapping (R. Jarvis 1973) within the
+  /// plane; of points in a line the farthest is taken, so that none is left in the middle
+  /// of an edge.
   std::vector<std::size_t> go_round(const HullFace& face) const {
     const auto& all = face.corners;
     std::vector<std::size_t> out;

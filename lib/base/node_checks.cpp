@@ -64,8 +64,8 @@ bool is_colour(std::string_view text) {
          text.find_first_not_of(kHexDigits, 1) == std::string_view::npos;
 }
 
-/// The basic colours of CSS, which is what authors mean by these words.
-/// What people write in place of a colour by its number.
+/// What people write in place of a colour by its number. The basic colours of CSS, which is
+/// what authors mean by these words.
 constexpr std::pair<std::string_view, std::string_view> kNamedColours[] = {
     {"black", "#000000"}, {"white", "#ffffff"},   {"grey", "#808080"}, {"gray", "#808080"},
     {"red", "#ff0000"},   {"green", "#008000"},   {"blue", "#0000ff"}, {"yellow", "#ffff00"},

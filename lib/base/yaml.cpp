@@ -196,13 +196,13 @@ class TreeBuilder : public YAML::EventHandler {
     YamlNode node = std::move(stack_.back().node);
     stack_.pop_back();
     const std::size_t inner = std::max<std::size_t>(last_end_, node.begin);
-    // Depth and number of nodes are bounded while the tree grows, so hostile input cannot
-    // exhaust stack or memory.
     node.end = narrow(node.style == YamlStyle::flow ? flow_end(text_, inner, bracket) : inner);
     --nodes_;  // counted when opened
     put(std::move(node));
   }
 
+  // Depth and number of nodes are bounded while the tree grows, so hostile input cannot
+  // exhaust stack or memory.
   void count_node(std::size_t at) {
     if (++nodes_ <= limits_.nodes) return;
     out_.add(Code::R008, range(at, at + 1), fmt::format("more than {} values", limits_.nodes));

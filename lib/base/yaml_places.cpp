@@ -63,13 +63,13 @@ std::size_t quoted_end(std::string_view source, std::size_t begin) {
 BlockContent block_content(std::string_view source, std::size_t begin, std::string_view value) {
   BlockContent content;
   content.begin = next_line(source, begin);
-  // Blank lines say nothing about indentation.
   content.end = content.begin;
   // The first line with something in it tells how far all are indented.
   bool found = false;
   std::string_view rest = value;
   for (std::size_t at = content.begin; at < source.size(); at = next_line(source, at)) {
     const std::string_view line = source.substr(at, line_end(source, at) - at);
+    // Blank lines say nothing about indentation.
     if (!found && !is_blank(line)) {
       const std::size_t skip = std::min(rest.find_first_not_of('\n'), rest.size());
       rest.remove_prefix(skip);

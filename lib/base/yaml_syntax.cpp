@@ -20,9 +20,8 @@ constexpr const char* kNoKey = "end of map not found";
 constexpr const char* kNoEntry = "end of sequence not found";
 constexpr const char* kTab = "illegal tab when looking for indentation";
 
-/// The keys are yaml-cpp's own messages, compared as text: an unknown message is shown as
-/// it is.
-/// The parser's words for what users get wrong most, in plainer ones.
+/// The parser's words for what users get wrong most, in plainer ones. The keys are
+/// yaml-cpp's own messages, compared as text: an unknown message is shown as it is.
 std::string plainer(const std::string& message) {
   static const std::unordered_map<std::string_view, const char*> kWords = {
       {kNoKey, "expected a key, at the indentation of the keys before"},
@@ -40,8 +39,8 @@ std::string plainer(const std::string& message) {
   return found == kWords.end() ? message : found->second;
 }
 
-/// Lines are looked at without their line ends and trailing spaces.
-/// A line of the file, and where its parts are.
+/// A line of the file, and where its parts are. Lines are looked at without their line ends
+/// and trailing spaces.
 struct Line {
   std::size_t number = 0, start = 0;
   std::string_view text;
@@ -80,9 +79,9 @@ Line line_before(const SourceRef& source, std::size_t number) {
   return {};
 }
 
-/// A quote hides brackets and '#'; the scan follows only what matters to these.
-/// A '#' where a value is wanted inside brackets that its line opens, or npos: the rest of the
-/// line, with the closing bracket, is lost to a comment.
+/// A '#' where a value is wanted inside brackets that its line opens, or npos: the rest of
+/// the line, with the closing bracket, is lost to a comment. A quote hides brackets and
+/// '#'; the scan follows only what matters to these.
 std::size_t swallowing_hash(std::string_view line) {
   int depth = 0;
   char quote = '\0', last = '\0';
@@ -107,8 +106,8 @@ std::size_t swallowing_hash(std::string_view line) {
   return std::string_view::npos;
 }
 
-/// The order of the guesses is from the most certain to the least.
 /// Each of these says what went wrong above the fault and returns true, or does not know.
+/// The order of the guesses is from the most certain to the least.
 struct Fault {
   const SourceRef& source;
   Line line;

@@ -27,10 +27,9 @@ bool looks_like_another_type(std::string_view text) {
   return std::find(kWords.begin(), kWords.end(), lower) != kWords.end();
 }
 
-/// Some of these characters would be safe in most positions; quotes are cheap, and
-/// surprises are not.
-/// May the character at i stand inside a plain text? Conservative, so that every
-/// YAML reader agrees.
+/// May the character at i stand inside a plain text? Conservative, so that every YAML
+/// reader agrees. Some of these characters would be safe in most positions; quotes are
+/// cheap, and surprises are not.
 bool is_safe(std::string_view text, std::size_t i, bool inside_flow) {
   static constexpr std::string_view kAlways = " _-./()+'%!=&^@$<>;";
   static constexpr std::string_view kInBlock = ",[]{}?*|~\"";

@@ -87,9 +87,9 @@ ActingRules::ActingRules(const RuleSet& rules)
   }
 }
 
+/// Those of 64 oriented rules that accept, at each neighbour, something it can show.
 /// Necessary for a match in some local state, and not sufficient: the claims on what
 /// precedes what, and the rule's counts, may exclude that state. `act` decides for each.
-/// Those of 64 oriented rules that accept, at each neighbour, something it can show.
 std::uint64_t ActingRules::accepting(std::size_t word, const Outlook& site) const {
   std::uint64_t alive = ~std::uint64_t{0};
   for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size) && alive != 0; ++i) {

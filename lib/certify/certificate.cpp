@@ -57,11 +57,11 @@ void print_numbers(Text out, const std::vector<std::uint32_t>& numbers) {
 /// All fillings of a window have as many digits as it has bricks for, so that a
 /// certificate is no smaller than what it unfolds to.
 void print_filling(Text out, const Filling& filling, std::size_t bits) {
+  // Most significant digit first, although words and bits are stored least first.
   assert(is_filling_of(bits, filling));
   for (std::size_t digit = hex_digits_for(bits); digit-- > 0;) {
     fmt::format_to(out, "{:x}", filling[digit / 16] >> (digit % 16 * 4) & 15U);
   }
-  // Most significant digit first, although words and bits are stored least first.
 }
 
 void print_window(Text out, const CertifiedWindow& window) {
@@ -91,11 +91,11 @@ void print_stage(Text out, const CertifiedStage& stage, std::size_t number) {
 
 // Reading
 
-/// The format is regular enough for one word of lookahead: `word_` is the next word, and an
-/// empty one means that the line has ended. Every function leaves the reader on the word
-/// after what it took, and after a failure all of them return quickly with defaults, so
-/// callers need not test each item.
-/// Says what is wrong once; everything read afterwards is of no account.
+/// Says what is wrong once; everything read afterwards is of no account. The format is
+/// regular enough for one word of lookahead: `word_` is the next word, and an empty one
+/// means that the line has ended. Every function leaves the reader on the word after what
+/// it took, and after a failure all of them return quickly with defaults, so callers need
+/// not test each item.
 class Reader {
  public:
   Reader(const std::string& path, const std::string& text, Diagnostics& diagnostics)

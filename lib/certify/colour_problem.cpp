@@ -26,9 +26,9 @@ constexpr std::size_t kMostCells = 30'000;  ///< their closures take a bit a pai
 
 [[noreturn]] void wrong(const std::string& what) { throw std::runtime_error(what); }
 
-template <class Enum>
 /// Names are compared with those that the rule language prints, so that the file and the
 /// rule sets use the same words.
+template <class Enum>
 Enum one_of(const json& value, std::initializer_list<Enum> all) {
   for (const Enum each : all) {
     if (value.get<std::string>() == to_string(each)) return each;
@@ -41,8 +41,8 @@ Cell cell_from(const json& value) {
   std::array<std::int64_t, 3> c{};
   for (std::size_t i = 0; i < 3; ++i) {
     c[i] = value.at(i).get<std::int64_t>();
-    if (c[i] < -kMaxCoordinate || c[i] > kMaxCoordinate) wrong("a cell too far away");
     // The bound keeps twice the coordinate, needed in check_orbits, within 32 bits.
+    if (c[i] < -kMaxCoordinate || c[i] > kMaxCoordinate) wrong("a cell too far away");
   }
   return {static_cast<std::int32_t>(c[0]), static_cast<std::int32_t>(c[1]),
           static_cast<std::int32_t>(c[2])};
@@ -72,11 +72,11 @@ void read_orbit(const json& value, ColourProblem& out) {
   out.orbits.push_back(orbit);
 }
 
-/// Why that matters: the colouring has one variable per orbit. If the file joined two
-/// orbits, it would demand equal colours where rules could differ, and "fewer colours do
-/// not do" would be said of a stronger demand than the real one. If it parted one,
-/// symmetric rules could not tell its cells apart.
-/// Orbits are those of the group about the middle of the start, no more and no less.
+/// Orbits are those of the group about the middle of the start, no more and no less. Why
+/// that matters: the colouring has one variable per orbit. If the file joined two orbits,
+/// it would demand equal colours where rules could differ, and "fewer colours do not do"
+/// would be said of a stronger demand than the real one. If it parted one, symmetric rules
+/// could not tell its cells apart.
 void check_orbits(const ColourProblem& out) {
   std::optional<Cell> low, high;
   for (std::uint32_t c = 0; c < out.cells.size(); ++c) {
@@ -129,8 +129,8 @@ void check_before(const ColourProblem& out) {
   }
 }
 
-/// Cost: cells x neighbours x cells / 64 word operations.
-/// By rising rank, so that what is below a cell is known before it.
+/// By rising rank, so that what is below a cell is known before it. Cost: cells x
+/// neighbours x cells / 64 word operations.
 void close_below(ColourProblem& out) {
   std::vector<std::uint32_t> by_rank(out.cells.size());
   for (std::uint32_t c = 0; c < by_rank.size(); ++c) by_rank[c] = c;
@@ -175,8 +175,6 @@ ColourProblem read(const json& value) {
   return out;
 }
 
-// Exceptions stop here: the rest of the checker reports by text, and json's own
-// exceptions carry a message with the place.
 }  // namespace
 
 std::optional<std::uint32_t> ColourProblem::cell(Cell at) const {
@@ -227,6 +225,8 @@ bool ColourProblem::reachable(Cell site, std::uint32_t neighbours_there) const {
   return true;
 }
 
+/// Exceptions stop here: the rest of the checker reports by text, and json's own exceptions
+/// carry a message with the place.
 std::optional<ColourProblem> read_colour_problem(std::string_view text, std::string& problem) {
   try {
     return read(json::parse(text));

@@ -152,11 +152,11 @@ class Derivation {
     }
     return false;
   }
-  // The k-th listed orbit needs none but the named colours and the first k others: colours
-  // beyond are interchangeable, and numbering them by first occurrence along the list loses
-  // no colouring up to renaming. For that the list must be one list: a place has one orbit
-  // and an orbit one place.
   /// Colours beyond the named ones can be exchanged: the list's orbits take them in turn.
+  /// The k-th listed orbit needs none but the named colours and the first k others: colours
+  /// beyond are interchangeable, and numbering them by first occurrence along the list
+  /// loses no colouring up to renaming. For that the list must be one list: a place has one
+  /// orbit and an orbit one place.
   bool naming_holds(const Clause& clause, std::int64_t place, std::int64_t o) {
     // The bound on `place` only keeps the sum below from overflowing.
     if (!is_orbit(o) || place < 1 || place > 1'000'000 || orbit(o).allowed) return false;
@@ -167,10 +167,9 @@ class Derivation {
     }
     return false;
   }
-  // Each new variable is bound to one pair. Both directions of the equivalence may be
-  // clauses, and any of them holds by definition of the variable, however the colouring is
-  // chosen.
-  /// A variable of its own is, by definition, true when two orbits have one colour.
+  /// A variable of its own is, by definition, true when two orbits have one colour. Each
+  /// new variable is bound to one pair. Both directions of the equivalence may be clauses,
+  /// and any of them holds by definition of the variable, however the colouring is chosen.
   bool pair_holds(const Clause& clause, std::int64_t p, std::int64_t a, std::int64_t b) {
     if (!is_orbit(a) || !is_orbit(b) || a == b) return false;
     if (p <= has(static_cast<std::int64_t>(p_.orbits.size()) - 1, p_.colours)) return false;
@@ -194,9 +193,9 @@ class Derivation {
                 static_cast<std::int32_t>(a[i + 2])};
   }
 
-  // Kind A: the site must not be filled at all in this structure. Kind B (`intended`): it
-  // is due there, so the rule may act, but with the site's own colour.
-  /// Q at a cell, orientation G, S at a cell, M: see proof_files.h.
+  /// Q at a cell, orientation G, S at a cell, M: see proof_files.h. Kind A: the site must
+  /// not be filled at all in this structure. Kind B (`intended`): it is due there, so the
+  /// rule may act, but with the site's own colour.
   bool clash_holds(const Clause& clause, bool intended, const Clause& a) const {
     const auto from = cell_at(a, 1), to = cell_at(a, 6);
     if (!from || !to || a[4] < 0 || a[4] >= static_cast<std::int64_t>(p_.group.size()))

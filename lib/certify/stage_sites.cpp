@@ -13,8 +13,7 @@
 namespace stig {
 namespace {
 
-/// Beyond this the sets of a site are not listed, and check_least_states takes over.
-/// docs/proofs.md names the bound, since it decides which certificates are accepted.
+/// Beyond this check_least_states takes over; docs/proofs.md names the bound.
 constexpr std::size_t kMostLocalStates = std::size_t{1} << 16;
 
 template <class Seen>
@@ -131,9 +130,9 @@ bool StageCheck::check_local_states(const Site& site) {
   const bool brick = site.position != kNone;
   if (brick && !check_run(site)) return false;
   const NeighbourSet run = brick ? seen_in_run(site) & matters_ : 0;
-  // See acting_rules.h: such a neighbour changes no rule's answer, only whether there is an
+  // What no rule asks about may be there and make the site one beside a brick. See
+  // acting_rules.h: such a neighbour changes no rule's answer, only whether there is an
   // event; granting it errs on the side of more events, which is the safe one.
-  // What no rule asks about may be there and make the site one beside a brick.
   Outlook outlook = site.outlook;
   outlook.beside_brick = outlook.beside_brick || (outlook.open & ~matters_) != 0;
   const NeighbourSet before = brick ? stage_.order[site.position].before : 0;
@@ -252,7 +251,7 @@ bool StageCheck::list_local_states(const Site& site) {
   const NeighbourSet never = order_locals(site);
   const NeighbourSet asked = acting_.asked_about(site.outlook, site.candidates) & ~never;
   matters_ = 0;
-  // An earlier brick in several places (in a narrow box) is asked about if any of them is.
+  // A brick that is seen at several places matters if one of them does.
   for (const Local& local : site.locals) {
     if ((local.at & asked) != 0) matters_ |= local.at;
   }
@@ -330,9 +329,10 @@ NeighbourSet StageCheck::closed(const Site& site, NeighbourSet there) const {
 }
 
 /// False when there are too many. Sets that claims do not rule out: of each group something
-/// that a (iii) first, as a product over the groups in sight, then (i) and (ii) brick by
-/// brick in the order of the run, so that what precedes a brick is decided before it.
-/// filling shows, and a brick only with those that come before it and not if the site's own does.
+/// that a filling shows, and a brick only with those that come before it and not if the
+/// site's own does. (iii) first, as a product over the groups in sight, then (i) and (ii)
+/// brick by brick in the order of the run, so that what precedes a brick is decided before
+/// it.
 bool StageCheck::add_closed_sets(const Site& site) {
   states_.assign(1, 0);
   std::vector<std::uint32_t> windows;

@@ -18,8 +18,8 @@ namespace {
 constexpr double kGravity = 9.8;
 constexpr double kDipoleForce = 6e-7;  ///< N m⁴/(A m²)²: 6 μ0/4π, two aligned dipoles on an axis
 
-/// Four magnets near the corners of a face attract their counterparts across the gap.
-/// The force of four aligned pairs at a gap between faces.
+/// The force of four aligned pairs at a gap between faces. Four magnets near the corners of
+/// a face attract their counterparts across the gap.
 double face_force(const BlockFigures& block, double gap) {
   const double distance = block.look.side - 2 * block.magnet_offset + gap;
   return 4 * kDipoleForce * block.magnet_moment * block.magnet_moment / std::pow(distance, 4);
@@ -38,9 +38,9 @@ double reach_of(const BlockFigures& block) {
   return low;
 }
 
-/// What is lifted together with the block and lies over it can stand above a structure;
-/// everything else is a part of the body, which needs free cells (approach.h).
-/// Bodies over the carried block are the effector, the rest stands behind it.
+/// Bodies over the carried block are the effector, the rest stands behind it. What is
+/// lifted together with the block and lies over it can stand above a structure; everything
+/// else is a part of the body, which needs free cells (approach.h).
 void measure_bodies(const RobotModel& robot, Abilities& out) {
   const std::vector<bool> lifted = lifted_bodies(robot);
   const double half = out.block.side / 2;

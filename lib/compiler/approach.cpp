@@ -112,9 +112,9 @@ ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   if (!view.filled(site.u - 1, site.v, site.z) && !view.filled(site.u, site.v, site.z - 1)) {
     return {Obstruction::unsupported, below, moment, 0};
   }
-  // A joint opens about an edge, so the magnets' moments about that edge are what holds it.
-  // Let down against the face behind it, or on what hangs so, it hangs on a joint: half of the
-  // magnets near the upper edge, half near the lower; friction must bear it too.
+  // Let down against the face behind it, or on what hangs so, it hangs on a joint: half of
+  // the magnets near the upper edge, half near the lower; friction must bear it too. A
+  // joint opens about an edge, so the magnets' moments about that edge are what holds it.
   const Overhang hangs = overhang(view, site);
   const double factor = 1.5;  // what is let go swings a little
   const double hold = robot.face_hold / 2 * (side - inset) + robot.face_hold / 2 * inset;
@@ -128,9 +128,9 @@ ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   return {};
 }
 
-/// Bricks only get more from `least` to `view`: what stops the effector has to be there for
-/// certain, what obstructs it need only be possible.
-/// In every structure between two, the smaller of which says what stops the effector behind.
+/// In every structure between two, the smaller of which says what stops the effector
+/// behind. Bricks only get more from `least` to `view`: what stops the effector has to be
+/// there for certain, what obstructs it need only be possible.
 ReachResult effector(const View3& least, const View3& view, SideCell site, const Abilities& robot) {
   const double half = robot.block.side / 2;
   const double ahead = robot.effector_front - (robot.carried_x + half);
@@ -165,8 +165,8 @@ std::optional<ApproachSide> parse_side(std::string_view text) {
   return static_cast<ApproachSide>(found - kSideNames.begin());
 }
 
-/// The four cases are the quarter turns about the vertical; cell_from inverts each.
-// A robot at +x looks along -x: its left is -y.
+// A robot at +x looks along -x: its left is -y. The four cases are the quarter turns about
+// the vertical; cell_from inverts each.
 SideCell seen_from(ApproachSide side, Cell c) {
   switch (side) {
     case ApproachSide::plus_x:
@@ -197,10 +197,9 @@ Cell cell_from(ApproachSide side, SideCell c) {
 
 bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot) {
   const double side = robot.block.side;
-  // The gap is that between the block's near face and the body's front, so cells closer
-  // than it stay free of the body.
-  // Cells that the body reaches into, beyond the block's near face, in rows as far as its half
-  // width goes.
+  // Cells that the body reaches into, beyond the block's near face, in rows as far as its
+  // half width goes. The gap is that between the block's near face and the body's front, so
+  // cells closer than it stay free of the body.
   const double gap = robot.carried_x - side / 2 - robot.body_front;
   const int first = site.u + 1 + static_cast<int>(std::max(0.0, std::floor(gap / side)));
   const int rows = static_cast<int>(std::ceil((robot.body_half_width - side / 2) / side - 1e-9));

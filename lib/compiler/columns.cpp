@@ -8,9 +8,8 @@ namespace stig {
 
 namespace {
 
-/// Only the foremost brick of a row can be driven up to; those behind it are out of sight
-/// and reach.
-/// By row: the foremost column.
+/// By row: the foremost column. Only the foremost brick of a row can be driven up to; those
+/// behind it are out of sight and reach.
 std::map<int, int> foremost(const TargetBricks& target, const BrickSet& state, ApproachSide side) {
   std::map<int, int> out;
   for (std::size_t i = 0; i < target.bricks(); ++i) {

@@ -185,9 +185,8 @@ std::vector<PolicyScope> policy_scopes(const CompiledRules& compiled) {
 
 namespace {
 
-/// A scope that knows less is better, since robots then need less; so the first that gives
-/// a decision is taken.
-/// By a walk over all structures; false when there are too many.
+/// By a walk over all structures; false when there are too many. A scope that knows less is
+/// better, since robots then need less; so the first that gives a decision is taken.
 bool walk_structures(const Abilities& robot, const CompileOptions& options, CompiledRules& out) {
   for (const PolicyScope& scope : policy_scopes(out)) {
     out.policy = explore(*out.target, robot, out.sides, scope, options.limits);

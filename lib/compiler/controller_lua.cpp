@@ -17,8 +17,7 @@ namespace stig {
 
 namespace {
 
-/// Names come from a file and must not end a comment.
-/// For a comment: one line.
+/// For a comment: one line. Names come from a file and must not end a comment.
 std::string plain(std::string_view text) {
   std::string out(text);
   for (char& c : out) {
@@ -59,9 +58,9 @@ class Printer {
     lines_ += static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   }
 
-  // Requires are dropped because all modules stand in one file, each after those that it
-  // needs.
   /// A file of the library as a table of this one; what it requires is here already.
+  /// Requires are dropped because all modules stand in one file, each after those that it
+  /// needs.
   void module(std::string_view module) {
     line(fmt::format("local {} = (function()", returned_name(module)));
     for (std::size_t at = 0; at < module.size();) {
@@ -215,9 +214,9 @@ void print_head(Printer& out, const RuleSet& rules, std::string_view file,
   print_task(out, plan);
 }
 
-// Simulator and ARGoS share the head; only what stands around the library differs.
 }  // namespace
 
+/// Simulator and ARGoS share the head; only what stands around the library differs.
 ControllerText controller_lua(const RuleSet& rules, std::string_view file,
                               const ControllerPlan& plan, const CompiledRules& compiled,
                               const std::vector<std::string>& library) {

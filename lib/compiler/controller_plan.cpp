@@ -19,9 +19,9 @@ void gather_asks(const DecisionNode& node, std::set<WindowCell>& out) {
   for (const auto& [answers, child] : node.branches) gather_asks(*child, out);
 }
 
-/// A block in transport needs a colour that no brick has, or another robot could take it
-/// for one. If all four are in use it is left dark.
-/// In the paper a block on its way is Q4. Where bricks are, another colour that none is.
+/// In the paper a block on its way is Q4. Where bricks are, another colour that none is. A
+/// block in transport needs a colour that no brick has, or another robot could take it for
+/// one. If all four are in use it is left dark.
 int transport_colour(const RuleSet& rules) {
   for (int colour = kColours; colour > 0; --colour) {
     const std::string led = "Q" + std::to_string(colour);

@@ -26,9 +26,8 @@ struct Case {
   Choices choices;
 };
 
-/// Among several allowed placements the choice decides how a structure grows; raising first
-/// keeps lanes free.
-/// Raise before extend, low before high.
+/// Raise before extend, low before high. Among several allowed placements the choice
+/// decides how a structure grows; raising first keeps lanes free.
 auto preference(const std::optional<Placement>& placement) {
   if (!placement) return std::tuple(3, 0, Placement{});
   return std::tuple(static_cast<int>(kind_of(*placement)), placement->at.z, *placement);
@@ -71,9 +70,8 @@ std::vector<Question> all_questions(std::size_t cells) {
 
 using Parts = std::map<int, std::vector<Case>>;
 
-/// A case that does not see the answer can take the branch "nothing is done", if it allows
-/// that.
-/// Where the answer is not seen, only nothing can be done.
+/// Where the answer is not seen, only nothing can be done. A case that does not see the
+/// answer can take the branch "nothing is done", if it allows that.
 constexpr int kNotSeen = -1;
 
 /// Nothing when some case does not see the answer and wants something, or all have the same.
@@ -150,9 +148,9 @@ class Builder {
   std::vector<Case> stuck;
 
  private:
-  // Ties go to the earlier question in all_questions, that is, to the nearer cell.
   /// The top's colour and level are asked first, since they say which column this is; after
-  /// that whatever leaves the fewest cases open.
+  /// that whatever leaves the fewest cases open. Ties go to the earlier question in
+  /// all_questions, that is, to the nearer cell.
   std::optional<std::pair<Question, Parts>> best_split(const std::vector<Case>& cases) const {
     std::optional<std::pair<Question, Parts>> best;
     std::size_t fewest = SIZE_MAX;
@@ -283,9 +281,9 @@ Policy only_where(const Policy& policy, const std::vector<std::uint32_t>& group,
   return out;
 }
 
+/// The best of all single questions for a group; false when none makes the tree smaller.
 /// Tried for all cells and all contents; each trial settles the whole policy, so that it
 /// stays complete. This costs much, hence the limit on structures.
-/// The best of all single questions for a group; false when none makes the tree smaller.
 bool ask_once(const TargetBricks& target, Policy& policy, std::unique_ptr<DecisionNode>& root,
               const std::vector<std::uint32_t>& group) {
   std::size_t fewest = size_of(*root);

@@ -40,8 +40,8 @@ void print(const RuleSet& rules, const DecisionNode& node, int indent, std::stri
   }
 }
 
-/// Numbers are given in order of visits; each run prints the same graph.
-/// Returns the node's number.
+/// Returns the node's number. Numbers are given in order of visits; each run prints the
+/// same graph.
 int print_dot(const RuleSet& rules, const DecisionNode& node, int& next, std::string& out) {
   const int number = next++;
   if (!node.question) {

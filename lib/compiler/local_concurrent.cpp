@@ -46,8 +46,8 @@ class LocalChecker {
     return out;
   }
 
-  // Closed by definition: a brick's predecessors and the start.
-  /// The least that stands when the brick is due.
+  /// The least that stands when the brick is due. Closed by definition: a brick's
+  /// predecessors and the start.
   BrickSet before(std::uint32_t brick) const {
     BrickSet out = precedence_.below(brick);
     out.add(target_.start());
@@ -115,8 +115,8 @@ class LocalChecker {
     }
   }
 
-  // A brick is harmless if it cannot be due while the robot stands there.
-  /// Can a brick be put behind a robot in this lane, when `least` stands and `missing` does not?
+  /// Can a brick be put behind a robot in this lane, when `least` stands and `missing` does
+  /// not? A brick is harmless if it cannot be due while the robot stands there.
   void look_for_walls(ApproachSide side, const SideCell& stand, const BrickSet& least,
                       const std::vector<std::uint32_t>& missing) {
     if (has(ConflictKind::walled_in)) return;

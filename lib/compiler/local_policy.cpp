@@ -223,9 +223,9 @@ class LocalPolicy {
           seen.side = side;
           goes_on = goes_on && decide(*compiled_.decision, seen).has_value();
         });
-    return all && goes_on;
     // The budget may run out, which means that nothing is known and not that nothing goes
     // on.
+    return all && goes_on;
   }
 
   const Abilities& robot_;

@@ -95,9 +95,9 @@ Precedence precedence_of(const TargetStates& target) {
 
 namespace {
 
-/// The counterpart of reach_between: each condition there becomes a demand that some brick
+/// Bricks that have to wait for one, if it is to be put from a side whenever it is due. The
+/// counterpart of reach_between: each condition there becomes a demand that some brick
 /// waits.
-/// Bricks that have to wait for one, if it is to be put from a side whenever it is due.
 class Waiters {
  public:
   Waiters(const TargetBricks& target, const Abilities& robot, Lanes& lanes,

@@ -66,8 +66,8 @@ class Explainer {
     return rules_.rules[target_.rule_for(state, brick).value_or(0)];
   }
 
-  // A brick that no explored structure contains cannot be placed in any order of work.
-  /// Bricks that some situation places.
+  /// Bricks that some situation places. A brick that no explored structure contains cannot
+  /// be placed in any order of work.
   std::vector<bool> ever_placed() const {
     std::vector<bool> out(target_.bricks(), false);
     for (const BrickSet& state : policy_.states) {
@@ -246,9 +246,9 @@ class Explainer {
   Cell site_of(const Situation& at, const Placement& placement) const {
     SideCell site{at.u + placement.at.du, at.v + placement.at.dv,
                   placement.at.z + target_.floor_level()};
+    // The level of a placement on top is that of the first free cell.
     if (kind_of(placement) == PlacementKind::raise) {
       while (target_.filled(policy_.states[at.state], cell_from(at.side, site))) ++site.z;
-      // The level of a placement on top is that of the first free cell.
     }
     return cell_from(at.side, site);
   }

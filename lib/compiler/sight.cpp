@@ -14,8 +14,8 @@ namespace stig {
 
 namespace {
 
-/// Bricks farther away than this hide nothing within the window from any viewpoint.
-// What stands around a column, as a text of states: enough to hide or be hidden.
+// What stands around a column, as a text of states: enough to hide or be hidden. Bricks
+// farther away than this hide nothing within the window from any viewpoint.
 constexpr int kBefore = 4, kBehind = 4, kBeside = 3;
 constexpr int kRows = 2 * kBeside + 1, kDepth = kBefore + kBehind + 1;
 
@@ -61,7 +61,8 @@ class Shot {
         add_hiding(corner, cell, out.hides_tag);
       }
     }
-    // LEDs sit in the middle of the face's edges; one that is seen suffices for the colour.
+    // LEDs lie on the face's axes, around the tag; one that is seen suffices for the
+    // colour.
     for (const Vec3& led : {right, -right, up, -up}) {
       const Vec3 p = middle + led * look.led_place;
       if (!facing(p, normal) || !in_view(p)) continue;
@@ -104,9 +105,9 @@ class Shot {
       }
     }
   }
-  // The slab method (T. Kay and J. Kajiya 1986): the ray's parameters of entry and exit
-  // over three pairs of planes. Grazing contacts do not count.
-  /// Does the way from the camera to p go through the brick about `middle`?
+  /// Does the way from the camera to p go through the brick about `middle`? The slab method
+  /// (T. Kay and J. Kajiya 1986): the ray's parameters of entry and exit over three pairs
+  /// of planes. Grazing contacts do not count.
   bool crosses(const Vec3& p, const Vec3& middle) const {
     const double half = robot_.block.side / 2;
     const Vec3 from = X_RC_.p - middle, way = p - X_RC_.p;
@@ -236,8 +237,8 @@ Observation Visibility::observe(const std::string& filled,
     // A face whose tag is seen is a brick; its colour is known only if an LED is seen.
     const bool lit = std::any_of(look.hides_led.begin(), look.hides_led.end(),
                                  [&](const CellWords& led) { return !any_filled(led, bricks); });
-    // A visible top also shows that the cell above is empty.
     if (lit) out.cells[look.cell] = kSeenBrick;
+    // A visible top also shows that the cell above is empty.
     const WindowCell above{cell.du, cell.dv, cell.z + 1};
     if (look.on_top && above.z < levels_) out.cells[window_index(above)] = kSeenEmpty;
   }

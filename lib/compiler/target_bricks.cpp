@@ -55,9 +55,9 @@ TargetBricks::TargetBricks(const std::vector<PlacedBrick>& bricks, std::size_t s
     cells_.push_back(brick.at);
     colours_.push_back(brick.brick);
   }
-  // Robots stand on the floor, which is where the lowest brick is; levels count from there.
   const auto by_level = [](const Cell& a, const Cell& b) { return a.z < b.z; };
   const auto [low, high] = std::minmax_element(cells_.begin(), cells_.end(), by_level);
+  // Robots stand on the floor, which is where the lowest brick is; levels count from there.
   floor_level_ = low->z;
   levels_ = high->z - low->z + 1;
 }

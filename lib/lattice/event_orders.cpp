@@ -32,8 +32,6 @@ struct CellHash {
     const auto word = [](std::int32_t v) { return std::uint64_t{static_cast<std::uint32_t>(v)}; };
     return static_cast<std::size_t>(combine(word(c.x) << 32 | word(c.y), word(c.z)));
   }
-  // 26 neighbours may be numbered in one step, hence the margin before the limit of an
-  // event's bits.
 };
 
 /// The cells met so far, numbered, with the states they have in the structure
@@ -47,11 +45,11 @@ class Sites {
     cells_.resize(kFirst);
     around_.resize(kFirst);
     states_ = {kEmpty, kFloor};
-    // Cells outside get shared numbers: they never change, and need no entry of their own.
   }
 
   std::uint32_t number(Cell cell) {
     if (box_) cell = box_->wrap(cell);
+    // Cells outside get shared numbers: they never change, and need no entry of their own.
     if (floor_ && cell.z < 0) return kBelowFloor;
     if (box_ && !box_->contains(cell)) return kOutside;
     const auto [it, fresh] = numbers_.try_emplace(cell, static_cast<std::uint32_t>(cells_.size()));
@@ -65,10 +63,12 @@ class Sites {
   Cell cell(std::uint32_t site) const { return cells_[site]; }
   State state(std::uint32_t site) const { return states_[site]; }
   void set(std::uint32_t site, State state) { states_[site] = state; }
-  // Neighbours' numbers are cached: a site is looked at in many states.
+  // 26 neighbours may be numbered in one step, hence the margin before the limit of an
+  // event's bits.
   bool full() const { return cells_.size() + kMaxNeighbours >= kMaxSites; }
 
-  /// Numbers of the neighbours, by index.
+  /// Numbers of the neighbours, by index. Neighbours' numbers are cached: a site is looked
+  /// at in many states.
   const std::vector<std::uint32_t>& around(std::uint32_t site) {
     if (around_[site].empty()) {
       std::vector<std::uint32_t> numbers;
@@ -268,8 +268,8 @@ class Search {
   }
 
   /// The events open after `event`: those of the parent, except around the site, where all
-  /// is looked at afresh. `layer` and `next` grow while pointers into `layer` are held:
-  /// only `next` is written here.
+  /// is looked at afresh. `next` grows while pointers into `layer` are held: only `next` is
+  /// written here.
   void open_after(const Layer& layer, std::size_t state, Event event, Layer& next) {
     const std::uint32_t site = site_of(event);
     const auto& around = sites_.around(site);

@@ -34,8 +34,8 @@ struct Findings {
   }
 };
 
-/// A box bounds growth by its cells, so every order ends within it.
-/// A box needs no limit: it is full one day. Without one, growth has to be given up on.
+/// A box needs no limit: it is full one day. Without one, growth has to be given up on. A
+/// box bounds growth by its cells, so every order ends within it.
 std::optional<std::uint64_t> deposit_limit(const RuleSet& rules, const ExpectationLimits& limits) {
   return rules.box ? std::nullopt : std::optional(limits.deposits);
 }
@@ -66,9 +66,9 @@ bool sampled_enough(const Findings& findings) {
   return findings.ends.size() >= 2 || findings.growing + findings.cut_short >= kEnoughWithoutEnd;
 }
 
-/// A stage that ends by its own number of deposits has come to its end.
-/// Was the run still growing at the limit on deposits? The limit of the last stage
-/// is an end that the set itself has.
+/// Was the run still growing at the limit on deposits? The limit of the last stage is an
+/// end that the set itself has. A stage that ends by its own number of deposits has come to
+/// its end.
 bool still_growing(const SwarmResult& result, const SwarmConfig& config) {
   return result.terminated == Terminated::deposits && config.max_deposits &&
          result.deposits >= *config.max_deposits;
@@ -177,9 +177,8 @@ void judge_bricks(std::int64_t expected, const Findings& findings, const Expecta
                       : Standing::failed;
 }
 
-/// The first difference in cell order is the same on every run, and usually enough to see
-/// what went wrong.
-/// Where two structures at the origin differ first, in words.
+/// Where two structures at the origin differ first, in words. The first difference in cell
+/// order is the same on every run, and usually enough to see what went wrong.
 std::string first_difference(const RuleSet& rules, const Structure& wanted, const Structure& got) {
   const auto name = [&](State state) {
     return state == kEmpty ? std::string("empty") : "brick " + rules.brick(state).symbol;

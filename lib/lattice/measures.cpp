@@ -40,9 +40,9 @@ void measure_contacts(const Structure& structure, const std::vector<PlacedBrick>
                       Measures& out) {
   Islands islands(bricks.size());
   std::uint64_t contacts = 0;
-  // Contacts are symmetric; of each direction and its opposite one is looked at.
   std::uint64_t components = bricks.size();
   for (const Offset o : faces(structure.lattice())) {
+    // Contacts are symmetric; of each direction and its opposite one is looked at.
     if (o < Offset{}) continue;  // each pair once
     for_each_pair(bricks, o, [&](std::size_t i, std::size_t k) {
       ++contacts;

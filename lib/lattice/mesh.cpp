@@ -54,9 +54,8 @@ constexpr std::array<std::array<int, 2>, 6> kHexagon = {
 Corner hexagon_corner(std::size_t k, int z) { return {kHexagon[k % 6][0], kHexagon[k % 6][1], z}; }
 
 std::vector<CellFace> prism_faces() {
+  // The order of the sides is that of rising angle, which kHexagon's corners presuppose.
   constexpr std::array<Offset, 6> kSides = {
-      // The order of the sides is that of rising angle, which kHexagon's corners
-      // presuppose.
       {{1, 0, 0}, {0, 1, 0}, {-1, 1, 0}, {-1, 0, 0}, {0, -1, 0}, {1, -1, 0}}};
   std::vector<CellFace> faces;
   for (std::size_t k = 0; k < 6; ++k) {

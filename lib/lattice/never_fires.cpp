@@ -161,9 +161,8 @@ class Closure {
   std::deque<Cell> waiting_;
 };
 
-/// The fallback when the closure was too much: the firing graph knows no geometry and is
-/// always finite.
-/// By their colours alone.
+/// By their colours alone. The fallback when the closure was too much: the firing graph
+/// knows no geometry and is always finite.
 std::vector<std::uint32_t> without_level(const RuleSet& rules) {
   std::vector<std::uint32_t> never;
   if (!firing_graph_problem(rules).empty()) return never;

@@ -38,8 +38,8 @@ struct LegendItem {
   double width = 0;  // swatch and gap included
 };
 
-/// Counts are shown for a single panel; for several they would be sums of no interest.
-// Symbol, name and number of each colour that shows up.
+// Symbol, name and number of each colour that shows up. Counts are shown for a single
+// panel; for several they would be sums of no interest.
 std::vector<LegendItem> legend_items(const std::vector<PicturePanel>& panels,
                                      const std::vector<Brick>& bricks) {
   std::map<Colour, std::size_t> counts;
@@ -59,8 +59,8 @@ std::vector<LegendItem> legend_items(const std::vector<PicturePanel>& panels,
   return items;
 }
 
-/// All figures are computed once; drawing only reads them.
-// Where everything goes, in units of the canvas.
+// Where everything goes, in units of the canvas. All figures are computed once; drawing
+// only reads them.
 struct Layout {
   double scale = 1;  // units a cell
   int columns = 1, rows = 1;
@@ -179,8 +179,8 @@ class Picture {
     layout_.height = std::ceil(bottom + kMargin - 8);
   }
 
-  // A smaller font keeps one line, which the layout has reserved.
-  // Text that is too long for the page is written smaller.
+  // Text that is too long for the page is written smaller. A smaller font keeps one line,
+  // which the layout has reserved.
   void write_fitting(Canvas& canvas, const std::string& text, PagePoint at, TextLook look) const {
     const double room = layout_.width - 2 * kMargin;
     const double width = text_width(text, look);

@@ -79,9 +79,8 @@ double cross(PagePoint o, PagePoint a, PagePoint b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-/// A. Andrew, "Another efficient algorithm for convex hulls in two dimensions" (Information
-/// Processing Letters, 1979).
-// Monotone chain (Andrew 1979).
+// Monotone chain (Andrew 1979). A. Andrew, "Another efficient algorithm for convex hulls in
+// two dimensions" (Information Processing Letters, 1979).
 std::vector<PagePoint> convex_hull(std::vector<PagePoint> points) {
   const auto before = [](PagePoint a, PagePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::sort(points.begin(), points.end(), before);
@@ -122,10 +121,10 @@ void paint_shadows(Canvas& canvas, const PictureScene& scene, const PicturePlace
   }
 }
 
-/// A coverage buffer at the resolution of the picture. A face is dropped only if all pixels
-/// within its box are covered, so it may keep a hidden face, and drops a visible one only
-/// where less than a pixel of it shows.
-// Which pixels of the canvas have their centre in a face already.
+// Which pixels of the canvas have their centre in a face already. A coverage buffer at the
+// resolution of the picture. A face is dropped only if all pixels within its box are
+// covered, so it may keep a hidden face, and drops a visible one only where less than a
+// pixel of it shows.
 class CoverMap {
  public:
   CoverMap(double width, double height)

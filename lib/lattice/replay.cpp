@@ -19,8 +19,8 @@ std::string to_text(const Deposit& d, const RuleSet& rules) {
          ", agent " + std::to_string(d.agent) + ", step " + std::to_string(d.step);
 }
 
-/// Only the first difference is kept: everything after it follows from it.
-/// Compares a stream of events with the trace's, hashes included.
+/// Compares a stream of events with the trace's, hashes included. Only the first difference
+/// is kept: everything after it follows from it.
 class Comparison {
  public:
   Comparison(const Trace& trace, const RuleSet& rules) : trace_(trace), rules_(rules) {
@@ -79,17 +79,16 @@ ReplayReport rerun(const Trace& trace, const RuleSet& rules, const SwarmHooks& o
   SwarmConfig config = trace.config;
   // Traces do not store the floor; it is a property of the rules.
   if (config.box) config.box->floor = rules.floor;
-  // The number of steps that it had done bounds the repetition, which then ends by its
-  // limit.
-  // An interrupted run is repeated as far as it went.
+  // An interrupted run is repeated as far as it went. The number of steps that it had done
+  // bounds the repetition, which then ends by its limit.
   if (trace.terminated == Terminated::interrupted) config.max_steps = trace.steps;
   const std::string problem = config_problem(table, rules.start, config);
   if (!problem.empty()) {
     comparison.differ("the recorded run is not possible: " + problem);
     return comparison.finish();
   }
-  // The hook for deposits cannot stop a run by itself; the flag is polled by the engine.
-  // Ends at the first difference, or when stopped from outside.
+  // Ends at the first difference, or when stopped from outside. The hook for deposits
+  // cannot stop a run by itself; the flag is polled by the engine.
   std::atomic<bool> halt{false};
   const auto poll = [&] { halt = comparison.differs() || (outer.stop && outer.stop->load()); };
   SwarmHooks hooks;
@@ -113,9 +112,9 @@ ReplayReport rerun(const Trace& trace, const RuleSet& rules, const SwarmHooks& o
   return comparison.finish();
 }
 
-/// A given order names no stages. A stage may be left when it has nothing open or has had
-/// its deposits; if the event is not open then, the order breaks the rules.
-/// Advances through stages until the event is open; false when it never is.
+/// Advances through stages until the event is open; false when it never is. A given order
+/// names no stages. A stage may be left when it has nothing open or has had its deposits;
+/// if the event is not open then, the order breaks the rules.
 bool open_at(LatticeWorld& world, const Deposit& event) {
   std::vector<Match> matches;
   do {
@@ -130,10 +129,10 @@ bool open_at(LatticeWorld& world, const Deposit& event) {
     if (!world.stage_spent() && !world.enabled_sites().empty()) return false;
   } while (world.next_stage());
   return false;
-  // The hash is compared at the same events as in a run, so a damaged trace is found close
-  // to the damage.
 }
 
+/// The hash is compared at the same events as in a run, so a damaged trace is found close
+/// to the damage.
 ReplayReport check_given(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks) {
   Comparison comparison(trace, rules);
   const RuleTable table(rules);

@@ -26,8 +26,8 @@ constexpr std::array<std::string_view, 8> kWritten = {"txt", "json", "vox", "stl
 constexpr std::int64_t kMostTextCells = std::int64_t{1} << 28;
 constexpr std::size_t kMostGlbPolygons = 25'000'000;  // 4 GB is the format's limit
 
-/// Endings of names from other systems come in capitals.
-// What stands behind the last dot of the last part of the path, in lower case.
+// What stands behind the last dot of the last part of the path, in lower case. Endings of
+// names from other systems come in capitals.
 std::string ending_of(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   const std::string_view name = slash == std::string_view::npos ? path : path.substr(slash + 1);

@@ -21,9 +21,9 @@ namespace {
 
 using nlohmann::json;
 
-/// The parser itself reports places of errors in form only.
-// Walks the text for the parser and tells how far it has come, so that errors in
-// meaning, which the parser does not know, have a place too.
+// Walks the text for the parser and tells how far it has come, so that errors in meaning,
+// which the parser does not know, have a place too. The parser itself reports places of
+// errors in form only.
 struct CountingIterator {
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
@@ -44,10 +44,9 @@ struct CountingIterator {
   bool operator!=(const CountingIterator& o) const { return at != o.at; }
 };
 
-/// Members hold what has been read so far; nothing is handed out before `finish` has seen
-/// all of it.
-// Takes the parser's events one by one: no tree is built, so neither depth nor
-// width of a hostile file costs anything. Each handler returns false to stop.
+// Takes the parser's events one by one: no tree is built, so neither depth nor width of a
+// hostile file costs anything. Each handler returns false to stop. Members hold what has
+// been read so far; nothing is handed out before `finish` has seen all of it.
 class Handler : public nlohmann::json_sax<json> {
  public:
   Handler(SourceRef source, Diagnostics& diagnostics)
@@ -259,8 +258,8 @@ std::optional<LoadedStructure> Handler::finish() {
   return LoadedStructure{Structure(lattice_, cells_), std::move(bricks_)};
 }
 
-/// Names come from rule files, which may hold any bytes; a .json file must be UTF-8.
-// Invalid UTF-8 in a name becomes U+FFFD.
+// Invalid UTF-8 in a name becomes U+FFFD. Names come from rule files, which may hold any
+// bytes; a .json file must be UTF-8.
 std::string quoted(const std::string& text) {
   return json(text).dump(-1, ' ', false, json::error_handler_t::replace);
 }

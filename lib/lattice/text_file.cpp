@@ -42,9 +42,8 @@ std::optional<int> number_of(std::string_view word, int low, int high) {
   return value < low || value > high ? std::nullopt : std::optional(value);
 }
 
-/// A symbol must survive printing and reading: it can be no comment, no separator and no
-/// empty cell.
-// Can a row of symbols be read back that has this one in it?
+// Can a row of symbols be read back that has this one in it? A symbol must survive printing
+// and reading: it can be no comment, no separator and no empty cell.
 bool drawable(std::string_view symbol) {
   return !symbol.empty() && symbol != "." && symbol != "---" && !symbol.starts_with("//") &&
          symbol.find_first_of(" \t\r\n") == std::string_view::npos;
@@ -67,8 +66,8 @@ struct Head {
   std::optional<std::vector<Brick>> bricks;
 };
 
-/// Errors in known keys are reported; unknown keys are comments like any other.
 // Reads the comments before the first row; those without a key of ours are passed over.
+// Errors in known keys are reported; unknown keys are comments like any other.
 class HeadReader {
  public:
   HeadReader(const SourceRef& source, Diagnostics& diagnostics)
@@ -149,9 +148,9 @@ class HeadReader {
   bool good_ = true;
 };
 
-/// Numbers mean colours by their value; letters mean them by the order of appearance.
 // The bricks of slices that nobody has named: none, for numbers, when all symbols are
 // numbers; otherwise the symbols as they appear, as many as a structure has room for.
+// Numbers mean colours by their value; letters mean them by the order of appearance.
 std::vector<Brick> bricks_drawn(std::string_view text) {
   std::vector<std::string_view> symbols;
   std::set<std::string_view> seen{"."};
@@ -178,8 +177,8 @@ int highest_colour(const Structure& structure) {
   return highest;
 }
 
-/// All or none are replaced: a mixture of symbols and numbers could be misread.
-// The bricks, or numbers where their symbols could not be told apart again.
+// The bricks, or numbers where their symbols could not be told apart again. All or none are
+// replaced: a mixture of symbols and numbers could be misread.
 std::vector<Brick> drawable_bricks(const Structure& structure, const std::vector<Brick>& bricks) {
   const int highest = highest_colour(structure);
   std::vector<std::string_view> symbols;

@@ -20,7 +20,6 @@ constexpr std::size_t kMostTraceBytes = std::size_t{1} << 29;  ///< decompressed
 constexpr std::size_t kMostTraceEvents = std::size_t{1} << 25;
 enum Tag : std::uint8_t { kEvent = 1, kHash = 2, kEnd = 3 };
 
-/// Short keys in a fixed order: headers are compared as text by some tests.
 nlohmann::json to_json(Cell c) { return {c.x, c.y, c.z}; }
 
 nlohmann::json header_of(const RuleSet& rules, const SwarmConfig& config, const std::string& kind) {
@@ -44,8 +43,8 @@ nlohmann::json header_of(const RuleSet& rules, const SwarmConfig& config, const 
   return h;
 }
 
-/// Fractions and numbers beyond 64 bits would otherwise be converted silently.
-/// An integer within bounds; throws on anything else, fractions included.
+/// An integer within bounds; throws on anything else, fractions included. Fractions and
+/// numbers beyond 64 bits would otherwise be converted silently.
 std::int64_t integer(const nlohmann::json& j, std::int64_t low, std::int64_t high) {
   if (!j.is_number_integer()) throw std::range_error("integer");
   if (j.is_number_unsigned() && j.get<std::uint64_t>() > static_cast<std::uint64_t>(high)) {
@@ -77,9 +76,9 @@ Motion motion_from(const std::string& name) {
   throw std::range_error("motion");
 }
 
+/// Throws on anything that is not a header; read_trace turns that into a diagnostic.
 /// nlohmann's exceptions and ours end in the same diagnostic; a header is machine-made, so
 /// its exact fault is of little use.
-/// Throws on anything that is not a header; read_trace turns that into a diagnostic.
 void read_header(const std::string& text, Trace& trace) {
   const auto h = nlohmann::json::parse(text);
   trace.kind = h.at("kind").get<std::string>();

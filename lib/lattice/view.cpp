@@ -38,8 +38,8 @@ int depth(Lattice lattice, Cell c) {
 }  // namespace
 
 PagePoint project(Lattice lattice, Point point) {
-  return {dot(point, camera(lattice).right), -dot(point, camera(lattice).up)};
   // The page's y points down.
+  return {dot(point, camera(lattice).right), -dot(point, camera(lattice).up)};
 }
 
 std::optional<int> turns_for_view(std::string_view corner, Lattice lattice) {

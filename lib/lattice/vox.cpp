@@ -31,9 +31,9 @@ struct Model {
 
 using Palette = std::array<Rgb, 256>;  // entry 0 is not used
 
-/// Computed and not stored as a table of 256: the standard palette is regular.
-// What a file without a palette means: the web-safe colours by falling blue, green
-// and red, black left out, then ramps of red, green, blue and grey.
+// What a file without a palette means: the web-safe colours by falling blue, green and red,
+// black left out, then ramps of red, green, blue and grey. Computed and not stored as a
+// table of 256: the standard palette is regular.
 Palette standard_palette() {
   Palette palette{};
   std::size_t next = 1;
@@ -228,9 +228,9 @@ bool VoxReader::collect(const PlacedModel& placed) {
   return true;
 }
 
-/// MagicaVoxel shows overlapping models; a structure has one brick in a cell. A warning is
-/// enough, and the order of the file decides.
-// Cells that several models fill: the first keeps it.
+// Cells that several models fill: the first keeps it. MagicaVoxel shows overlapping models;
+// a structure has one brick in a cell. A warning is enough, and the order of the file
+// decides.
 void VoxReader::keep_first() {
   const auto by_cell = [](const PlacedBrick& a, const PlacedBrick& b) { return a.at < b.at; };
   std::stable_sort(bricks_.begin(), bricks_.end(), by_cell);

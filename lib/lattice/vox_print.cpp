@@ -31,7 +31,8 @@ void put_attribute(std::string& out, std::string_view key, std::string_view valu
   }
 }
 
-/// The reserved fields are what other programs write: -1 twice for the layer of the root.
+/// The reserved field is -1, as in the files of other programs; so is the layer of the
+/// root.
 std::string transform_node(std::uint32_t id, std::uint32_t child, std::int32_t layer,
                            const std::string& shift) {
   std::string out;

@@ -168,8 +168,8 @@ void AgentRun::mark_sides() {
   }
 }
 
-/// A portal stands for the cell across a periodic side.
-/// The flag of a cell of the padding, or of one below the floor.
+/// The flag of a cell of the padding, or of one below the floor. A portal stands for the
+/// cell across a periodic side.
 std::uint8_t AgentRun::side_flag(Cell cell) const {
   const Cell inside = world_.wrap(cell);
   const bool below_floor = world_.rules().floor() && cell.z < 0;

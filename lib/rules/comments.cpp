@@ -13,9 +13,8 @@ namespace stig {
 
 namespace {
 
-/// A path names an element in the way the printer asks for it: "rules/3/when".
-/// `inner_end`: a comment before it is inside the element; 0 for elements that have
-/// others inside them.
+/// `inner_end`: a comment before it is inside the element; 0 for elements that have others
+/// inside them. A path names an element in the way the printer asks for it: "rules/3/when".
 struct Element {
   std::string path;
   std::uint32_t begin;
@@ -65,8 +64,10 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
     const auto after =
         std::upper_bound(elements.begin(), elements.end(), found.begin,
                          [](std::uint32_t at, const Element& e) { return at < e.begin; });
-    // A trailing comment before any element has nothing to stand behind.
+    // Behind the last element the comment's element stays empty, which is the end of the
+    // file.
     Comment comment;
+    // A trailing comment before any element has nothing to stand behind.
     comment.trailing = found.trailing && after != elements.begin();
     if (comment.trailing) {
       comment.element = std::prev(after)->path;
@@ -74,8 +75,6 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
       comment.element = "stigc";
     } else if (found.begin < std::prev(after)->inner_end) {
       comment.element = std::prev(after)->path;
-      // After the last element the comment's element stays empty, which is the end of the
-      // file.
     } else if (after != elements.end()) {
       comment.element = after->path;
     }

@@ -8,8 +8,8 @@ namespace stig {
 namespace {
 
 constexpr bool on_lattice(Lattice lattice, Offset o) {
-  // In axial coordinates the six neighbours in the plane are those with |q + r| <= 1.
-  // The two corners (1,1) and (-1,-1) of a 3×3 axial slice are no neighbours.
+  // The two corners (1,1) and (-1,-1) of a 3×3 axial slice are no neighbours. In axial
+  // coordinates the six neighbours in the plane are those with |q + r| <= 1.
   return lattice == Lattice::cubic || (o.x + o.y >= -1 && o.x + o.y <= 1);
 }
 

@@ -114,8 +114,8 @@ class ShapeChecker : public NodeChecks {
                       [&](const YamlNode& item) { return check_symbol(item, true); });
   }
 
-  template <class Check>
   // Beyond the limit the list itself is the error.
+  template <class Check>
   bool check_list(const YamlNode& node, const KeySchema& key, std::size_t least, std::size_t most,
                   std::string_view wanted, Check check) {
     if (!expect(node, YamlKind::sequence, wanted)) return false;
@@ -125,8 +125,8 @@ class ShapeChecker : public NodeChecks {
     return sound || mark(node);
   }
 
-  template <class Check>
   // Keys and values are both checked, so one error does not hide the other.
+  template <class Check>
   bool check_map(const YamlNode& node, const KeySchema& key, std::string_view wanted, Check check) {
     if (!expect(node, YamlKind::mapping, wanted)) return false;
     bool sound = check_size(node, key.name, node.pairs.size(), key.least, key.most);

@@ -33,8 +33,6 @@ constexpr std::uint64_t kStepsOfView = 500;
 class RuleChooser {
  public:
   RuleChooser(const Target& target, const SynthesisOptions& options, const MergingLimits& limits,
-              // A ready solution (by a skeleton) is compared with the others and never
-              // merged again: its rules ask for heights.
               const SynthesisHooks& hooks, Synthesis& result)
       : target_(target), options_(options), limits_(limits), hooks_(hooks), result_(result) {}
 
@@ -45,6 +43,8 @@ class RuleChooser {
     });
     std::map<int, int> merged;
     std::vector<Solution> done;
+    // A ready solution (by a skeleton) is compared with the others and never merged again:
+    // its rules ask for heights.
     if (ready) done.push_back(std::move(*ready));
     for (Solution& solution : solutions) {
       const bool enough = merged[solution.colour_count] >= kMergedOfEach && limits_.quick.passed();

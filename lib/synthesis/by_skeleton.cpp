@@ -23,8 +23,8 @@ constexpr int kFewNeeds = 2, kManyNeeds = 3;
 constexpr std::size_t kLargeTarget = 1500;
 constexpr int kGoodEnough = 6;
 
-/// Corners are natural ends of rays; a start in the middle of a face suits flat targets.
-/// The outermost cells of bottom and top, and those nearest to their middles.
+/// The outermost cells of bottom and top, and those nearest to their middles. Corners are
+/// natural ends of rays; a start in the middle of a face suits flat targets.
 std::vector<Cell> outermost(const Target& target) {
   assert(!target.cells.empty());
   Cell low = target.cells.front(), high = low;
@@ -98,11 +98,11 @@ class SkeletonSolver {
     return best_->made.colour_count <= (target_.cells.size() > kLargeTarget ? kGoodEnough : 1);
   }
 
+  // A lexicographic pair, so that the second measure decides among equals.
   auto score(const Found& found) const {
     const auto colours = static_cast<std::size_t>(found.made.colour_count);
     return options_.fewest == Fewest::colours ? std::pair(colours, found.made.rules.size())
                                               : std::pair(found.made.rules.size(), colours);
-    // A lexicographic pair, so that the second measure decides among equals.
   }
 
   void look_at(Cell start, const std::vector<Fill>& fills) {

@@ -106,10 +106,10 @@ bool Candidates::look_at_every_order(const Allowance& allowance) {
                            [&](const Orbit& orbit) { return orbit.start && orbit.at == c; });
       });
       if (!known) add_start({c});
-      // Set again by look_at when an order could not be decided, and then nothing may be
-      // claimed.
     }
   }
+  // Set again by look_at when an order could not be decided, and then nothing may be
+  // claimed.
   gave_up_ = false;
   for (std::size_t f = 0; f < frames_.size(); ++f) {
     const std::vector<Order> orders = all_orders(*frames_[f], kMostOrdersWithTies, Ties::allowed);

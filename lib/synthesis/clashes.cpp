@@ -84,8 +84,8 @@ class KeyIndex {
   std::vector<std::int32_t> slots_, last_;
 };
 
-/// Equal sums are only a hint; clauses must rest on real likeness.
-/// Not the hash alone: cell by cell.
+/// Not the hash alone: cell by cell. Equal sums are only a hint; clauses must rest on real
+/// likeness.
 bool looks_alike(const Schedule& schedule, const Colouring& colours, const Clash& clash) {
   const Frame& frame = *schedule.frame;
   const Key& key = schedule.keys[static_cast<std::size_t>(clash.key)];

@@ -27,9 +27,9 @@ constexpr std::size_t kClashesOfState = 4, kClashesOfRound = 200'000;
 /// Clauses on straight runs that are added at once.
 constexpr std::size_t kSingleBrickClauses = 300'000;
 
-/// Rough averages of what the solver takes. They set how long an effort of 1 lasts, and
-/// decide nothing about correctness.
-/// Steps that a conflict and a decision are taken for, with so many literals in the clauses.
+/// Steps that a conflict and a decision are taken for, with so many literals in the
+/// clauses. Rough averages of what the solver takes. They set how long an effort of 1
+/// lasts, and decide nothing about correctness.
 constexpr std::uint64_t kStepsOfConflict = 15'000, kLiteralsToAStepOfConflict = 20,
                         kStepsOfDecision = 300;
 /// After so many clauses, orbits or clashes the clock is looked at.
@@ -69,9 +69,9 @@ class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
     allowance_.spend((literals_ - charged_) * kStepsOfLiteral);
     charged_ = literals_;
     if (ended_ || allowance_.passed()) return 0;
+    // A conflict costs more the more literals there are to propagate.
     const std::uint64_t each = kStepsOfConflict + literals_ / kLiteralsToAStepOfConflict;
     solver_.limit("conflicts", within_int(allowance_.left() / each));
-    // A conflict costs more the more literals there are to propagate.
     solver_.limit("decisions", within_int(allowance_.left() / kStepsOfDecision));
     learnt_ = 0;
     const int result = solver_.solve();
@@ -110,8 +110,8 @@ class Solver {
         allowance_(allowance),
         meter_(solver_, allowance) {
     solver_.set("quiet", 1);
-    // The phases are the solver's preferred values; both techniques would overwrite them.
-    // Both would drop the colours that decisions are to lean towards.
+    // Both would drop the colours that decisions are to lean towards. The phases are the
+    // solver's preferred values; both techniques would overwrite them.
     solver_.set("lucky", 0);
     solver_.set("walk", 0);
     encoding_.emit_domains(naming, sink());

@@ -29,15 +29,15 @@ bool always_equal(const Schedule& schedule, int a, int b) {
   return colours.is_single() && colours == colours_of(schedule, b);
 }
 
-/// Finding the largest clique is NP-hard; a greedy one from each of the 64 orbits of
+/// Greedy: the orbit with the most differences first, then those that differ from all
+/// taken. Finding the largest clique is NP-hard; a greedy one from each of the 64 orbits of
 /// highest degree is good enough for a bound, and is the same on every run.
-/// Greedy: the orbit with the most differences first, then those that differ from all taken.
 std::vector<int> greedy_clique(const std::vector<std::vector<int>>& differ) {
   std::vector<int> best;
   std::vector<int> by_degree;
+  // Orbits without differences are in no clique of two and would only cost time.
   for (std::size_t i = 0; i < differ.size(); ++i) {
     if (!differ[i].empty()) by_degree.push_back(static_cast<int>(i));
-    // Orbits without differences are in no clique of two and would only cost time.
   }
   const auto degree = [&](int i) { return differ[static_cast<std::size_t>(i)].size(); };
   std::stable_sort(by_degree.begin(), by_degree.end(),

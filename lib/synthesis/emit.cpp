@@ -53,7 +53,7 @@ std::vector<Brick> complete(std::vector<Brick> bricks, int count) {
     if (all_ours && count <= 4) brick.led = brick.name = "Q" + brick.symbol;
     bricks.push_back(brick);
   }
-  // The target's own bricks may have variants by range, which synthesised rules do not use.
+  // The target's bricks come from another file, so their places in it mean nothing here.
   for (Brick& brick : bricks) brick.range = {};
   return bricks;
 }
@@ -83,8 +83,6 @@ Around around_of(const Neighbourhood& n) {
   Around places;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     const Offset o = n.offsets[i];
-    // The words of a name: bricks below are "on", at the sides "beside", above "under";
-    // edges and corners only when nothing else is asked for.
     if (!n.is_face[i]) {
       places.behind.push_back(i);
     } else if (o.z != 0) {
@@ -113,6 +111,8 @@ std::string name_of(const RuleSet& set, const MergedRule& rule) {
     const std::string what = bricks_among(set, rule.pattern, cells);
     if (!what.empty()) name += fmt::format(" {} {}", word, what);
   };
+  // The words of a name: bricks below are "on", at the sides "beside", above "under"; edges
+  // and corners only when nothing else is asked for.
   const std::size_t bare = name.size();
   add("on", places.below);
   add("beside", places.beside);

@@ -142,8 +142,8 @@ void FilledGrid::place(std::int32_t at) {
     const std::int32_t from = open_.back();
     open_.pop_back();
     for (std::size_t i = 0; i < grid_->step.size(); ++i) {
-      const std::int32_t site = from - grid_->step[i];
       // `from` is neighbour i of `site`, the step taken backwards.
+      const std::int32_t site = from - grid_->step[i];
       std::uint32_t& there = beside_[static_cast<std::size_t>(site)];
       there |= 1U << i;
       if (!grid_->is_solid(site) || has(site)) continue;

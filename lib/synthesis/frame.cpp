@@ -35,9 +35,8 @@ class Turning {
   Offset middle_;
 };
 
-/// Rules can fire at empty cells beside the target only: an event needs a brick beside its
-/// site.
-/// Every empty cell that a cell of the target is a neighbour of, sorted.
+/// Every empty cell that a cell of the target is a neighbour of, sorted. Rules can fire at
+/// empty cells beside the target only: an event needs a brick beside its site.
 std::vector<Cell> border_of(const Frame& frame) {
   const Neighbourhood& n = frame.neighbours();
   std::vector<Cell> border;

@@ -19,9 +19,9 @@ constexpr std::uint64_t kStepsOfCell = 2'500, kStepsOfLocalState = 50, kStepsOfK
 
 using Masks = std::array<std::uint32_t, kMaxNeighbours>;
 
-/// Adjacency within the neighbourhood is what closure is about: of two neighbours that do
-/// not touch, neither is before the other.
-/// For each neighbour of a site: which others are neighbours of it.
+/// For each neighbour of a site: which others are neighbours of it. Adjacency within the
+/// neighbourhood is what closure is about: of two neighbours that do not touch, neither is
+/// before the other.
 Masks adjacency(const Neighbourhood& n) {
   Masks masks{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
@@ -47,11 +47,11 @@ class Enumerator {
   bool add(const Site& site, std::size_t most, std::vector<std::uint32_t>& out) {
     list_.clear();
     std::uint32_t always = 0, possible = 0;
+    // Of a cell of the target, neighbours of higher rank come after it and are never there
+    // while it is empty. Of a site outside, all neighbours may be.
     for_each_bit(site.present, [&](std::size_t i) {
       if (of(site, i).start) {
         always |= 1U << i;
-        // Of a cell of the target, neighbours of higher rank come after it and are never
-        // there while it is empty. Of a site outside, all neighbours may be.
       } else if (site.orbit < 0 || rank(site, i) <= rank_[static_cast<std::size_t>(site.orbit)]) {
         possible |= 1U << i;
         list_.push_back({rank(site, i), i, 0});

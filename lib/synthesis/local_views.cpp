@@ -79,9 +79,8 @@ std::optional<std::vector<LocalView>> local_views(const Schedule& schedule,
     }
   }
   std::sort(views.begin(), views.end(),
-            // Views that are equal demand the same brick, or the colouring would have a
-            // clash.
             [](const LocalView& a, const LocalView& b) { return less(a.view, b.view); });
+  // Views that are equal demand the same brick, or the colouring would have a clash.
   const auto last = std::unique(views.begin(), views.end(), [](const auto& a, const auto& b) {
     assert(!(a.view == b.view) || a.wanted == b.wanted);
     return a.view == b.view;

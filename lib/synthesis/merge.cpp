@@ -136,9 +136,8 @@ class Merger {
     return rule;
   }
 
-  // A demand is one state, or "any brick": intermediate sets would be hard to read in a
-  // drawing.
-  /// What may be asked of a cell so that the seed still matches.
+  /// What may be asked of a cell so that the seed still matches. A demand is one state, or
+  /// "any brick": intermediate sets would be hard to read in a drawing.
   void for_each_demand(const View& seed, const auto& visit) const {
     for (std::size_t i = 0; i < size_; ++i) {
       if (is_brick(seed.at[i]) && colours_ > 1) visit(Demand{i, StateSet::bricks(colours_)});
@@ -146,8 +145,8 @@ class Merger {
     }
   }
 
-  // Information gain in bits, weighted by the views that remain matched.
   /// The gain of a demand that leaves p of p0 views to be matched and n of n0 others.
+  /// Information gain in bits, weighted by the views that remain matched.
   static double gain(double p0, double n0, double p, double n) {
     assert(p > 0);
     return p * (std::log2(p / (p + n)) - std::log2(p0 / (p0 + n0)));
@@ -259,10 +258,10 @@ class Merger {
     return asked;
   }
 
-  // A pattern stays sound as long as every wrong view is kept out by some remaining demand,
-  // so relaxing is a hitting-set problem over these masks; minimal masks suffice.
   /// Which demands keep out what must be kept out: for each view and pattern the set of
-  /// those that do, sets that hold another left out.
+  /// those that do, sets that hold another left out. A pattern stays sound as long as every
+  /// wrong view is kept out by some remaining demand, so relaxing is a hitting-set problem
+  /// over these masks; minimal masks suffice.
   std::vector<std::uint32_t> keepers(const MergedRule& rule,
                                      const std::vector<std::size_t>& asked) const {
     allowance_.spend((views_.size() + turns_.size()) * kStepsOfAsking * asked.size());

@@ -129,8 +129,6 @@ class Lister {
   }
 
  private:
-  // The enumeration is depth first over levels; `rank_` is shared and undone on the way
-  // back.
   bool has_beside(std::size_t orbit, const auto& wanted) const {
     bool found = false;
     for_each_beside(frame_, orbit, [&](std::size_t other) { found |= wanted(other); });
@@ -148,9 +146,9 @@ class Lister {
     return out;
   }
 
-  // Ties matter only within a connected set of orbits: orbits that do not touch see nothing
-  // of each other's order.
-  /// Those of a few orbits that have a bit in `chosen`, when they hang together.
+  /// Those of a few orbits that have a bit in `chosen`, when they hang together. Ties
+  /// matter only within a connected set of orbits: orbits that do not touch see nothing of
+  /// each other's order.
   std::vector<std::size_t> connected(const std::vector<std::size_t>& of, std::size_t chosen) const {
     std::vector<std::size_t> level, reached;
     for (std::size_t i = 0; i < of.size(); ++i) {
@@ -169,6 +167,8 @@ class Lister {
     return level;
   }
 
+  // The enumeration is depth first over levels; `rank_` is shared and undone on the way
+  // back.
   void place(const std::vector<std::size_t>& level, std::int32_t rank) {
     for (const std::size_t orbit : level) rank_[orbit] = rank;
     extend(rank + 1);

@@ -131,9 +131,9 @@ void add_rasters(std::vector<OrderPlan>& plans) {
   }
 }
 
-/// Rows within a ribbon advance together, which lets them count in digits.
-/// Slabs `high` thick along the first axis, in them ribbons `wide` along the second,
-/// which grow along the third.
+/// Slabs `high` thick along the first axis, in them ribbons `wide` along the second, which
+/// grow along the third. Rows within a ribbon advance together, which lets them count in
+/// digits.
 void add_ribbons(std::vector<OrderPlan>& plans) {
   static constexpr std::array<std::array<std::int32_t, 2>, 4> kSizes = {
       {{1, 2}, {2, 2}, {1, 3}, {2, 3}}};

@@ -40,9 +40,9 @@ AskingRule asking(const MergedRule& merged, std::size_t neighbours) {
   return rule;
 }
 
-/// For "nothing wrong is ever placed" an absence is granted, since the cell may still be
-/// empty; for "this can be placed" it must hold in the finished target.
-/// Is what must not be there taken as absent, or held to the finished target?
+/// Is what must not be there taken as absent, or held to the finished target? For "nothing
+/// wrong is ever placed" an absence is granted, since the cell may still be empty; for
+/// "this can be placed" it must hold in the finished target.
 enum class Absences : std::uint8_t { granted, held };
 
 class GrowthJudge {

@@ -17,9 +17,8 @@ namespace {
 
 using Kind = Obstacle::Kind;
 
-/// Connected by neighbours, corners included: what a rule cannot see it cannot continue
-/// from.
-/// Cells reached from the start by steps between neighbours.
+/// Cells reached from the start by steps between neighbours. Connected by neighbours,
+/// corners included: what a rule cannot see it cannot continue from.
 std::vector<bool> reached(const Target& target, const std::vector<Cell>& start) {
   const Neighbourhood& n = neighbourhood(target.lattice);
   std::vector<bool> seen(target.cells.size(), false);
@@ -52,11 +51,11 @@ std::optional<Obstacle> start_problem(const Target& target, const Placing& placi
     return Obstacle{Kind::bad_start, true, "the target reaches below the floor (z = 0)", "", {}};
   }
   return std::nullopt;
-  // Order matters: later checks presuppose a start that lies in the target.
 }
 
 }  // namespace
 
+/// Order matters: later checks presuppose a start that lies in the target.
 std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placing) {
   if (auto problem = start_problem(target, placing)) return problem;
   const std::vector<bool> seen = reached(target, placing.start);
@@ -105,10 +104,9 @@ std::vector<Cell> one_of_each_part(const Target& target, const std::vector<Cell>
 
 namespace {
 
-/// The drawing is laid out like those of rule files: slices from above to below, rows from
-/// the back.
-/// What a site shows, slices as in a rule set's drawings: a given colour by its symbol,
-/// any other brick as #.
+/// What a site shows, slices as in a rule set's drawings: a given colour by its symbol, any
+/// other brick as #. The drawing is laid out like those of rule files: slices from above to
+/// below, rows from the back.
 std::string draw_site(const Frame& frame, const Site& site, std::uint32_t mask,
                       const std::vector<Brick>& bricks) {
   const Neighbourhood& n = frame.neighbours();

@@ -21,9 +21,9 @@ std::optional<Offset> step_of(const std::vector<Cell>& run) {
   return step;
 }
 
-/// Two sides come with the row across, so that the run becomes two by two.
 /// Rows beside a run: the run moved to one side, or to two sides and across. Moved along
-/// itself it would only be longer.
+/// itself it would only be longer. Two sides come with the row across, so that the run
+/// becomes two by two.
 std::vector<std::vector<Offset>> rows_beside(const Neighbourhood& n, std::optional<Offset> step) {
   std::vector<std::vector<Offset>> rows;
   std::vector<Offset> faces;
@@ -70,9 +70,9 @@ std::vector<Cell> lengthened(const Target& target, std::vector<Cell> run) {
   return run;
 }
 
-/// The height of the top identifies the position within a slope, so slopes need one colour
+/// A wall on a level run whose top rises and falls by one cell a step, up to `high`. The
+/// height of the top identifies the position within a slope, so slopes need one colour
 /// each.
-/// A wall on a level run whose top rises and falls by one cell a step, up to `high`.
 std::vector<Cell> wall_on(const Target& target, const std::vector<Cell>& run, std::int32_t high) {
   assert(high >= 1);
   std::vector<Cell> cells;

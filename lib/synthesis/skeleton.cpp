@@ -54,9 +54,8 @@ class SkeletonSearch {
 
   bool is_level(std::size_t along) const { return grid_.neighbours().offsets[along].z == 0; }
 
-  // A level ray cannot tell where to end, having one height throughout, so it is one brick
-  // long.
-  /// Cells ahead that nothing fills yet; of a level ray the next alone.
+  /// Cells ahead that nothing fills yet; of a level ray the next alone. A level ray cannot
+  /// tell where to end, having one height throughout, so it is one brick long.
   std::size_t open_ahead(const Joint& joint, std::size_t along) const {
     std::size_t length = 0;
     for (std::int32_t at = joint.at + grid_.step[along]; grid_.is_solid(at) && !filled_.has(at);

@@ -135,10 +135,10 @@ class Synthesiser {
     }
   }
 
-  // A refused question is remembered only when it was answered: a given-up one may succeed
-  // with a longer slice.
   /// The fewest colours of an order, up to `most`: by halving, a slice of the effort for
   /// each question. What is not answered within it counts as no, but is not remembered so.
+  /// A refused question is remembered only when it was answered: a given-up one may succeed
+  /// with a longer slice.
   void halve(ColouringSearch& search, Candidate& candidate, int most, std::uint64_t slice,
              const Allowance& allowance) {
     int low = candidate.least();

@@ -12,9 +12,9 @@
 namespace stig {
 namespace {
 
+constexpr std::size_t kLongestPeriod = 1000;
 /// Three repetitions that see nothing old are what the proof asks for; before them, one may
 /// have been influenced by the start, hence four.
-constexpr std::size_t kLongestPeriod = 1000;
 constexpr std::size_t kFewestRepetitions = 4;
 
 /// How far along the step a cell lies, in units of the step's squared length.
@@ -71,10 +71,10 @@ std::optional<Repetition> find_repetition(const RuleSet& rules,
     for (std::size_t i = 0; i < old_end; ++i) {
       farthest = std::max(farthest, along(step, run[i].site));
     }
-    // A neighbour's offset has no component larger than 1, so f(neighbour) differs from
+    // The neighbours of a site lie at most |x| + |y| + |z| of the step to either side. A
+    // neighbour's offset has no component larger than 1, so f(neighbour) differs from
     // f(site) by this at most. The estimate may reject growth that is periodic; it never
     // accepts other growth.
-    // The neighbours of a site lie at most |x| + |y| + |z| of the step to either side.
     const std::int64_t reach = std::int64_t{std::abs(step.x)} + std::abs(step.y) + std::abs(step.z);
     std::int64_t nearest = INT64_MAX;
     for (std::size_t i = n - period; i < n; ++i) {

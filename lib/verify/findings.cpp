@@ -55,10 +55,10 @@ void find_redundant(const RuleSet& rules, const VerifyOptions& options, const Ve
   }
 }
 
-/// The rounds are a bound for ideal agents: nobody walks or waits. Sites are taken in the
-/// order in which they opened, so the numbers are a property of the rule set and not of a
-/// seed. In a proved set any choice of matches ends alike, hence the first match.
-/// All open sites at once, as far as they do not close each other; then again.
+/// All open sites at once, as far as they do not close each other; then again. The rounds
+/// are a bound for ideal agents: nobody walks or waits. Sites are taken in the order in
+/// which they opened, so the numbers are a property of the rule set and not of a seed. In a
+/// proved set any choice of matches ends alike, hence the first match.
 Parallelism parallelism_of(const RuleSet& rules, const std::optional<Box>& box) {
   Parallelism out;
   const RuleTable table(rules);

@@ -43,9 +43,9 @@ Sorted by_number(const StageModel& model, const StageSite& site, Mask mask) {
   return sorted;
 }
 
-/// A far chain is recorded at its first brick; it matters here only if it ends at the site
-/// itself or at one of its neighbours.
-/// Where around the site the bricks stand that far chains from a brick lead to.
+/// Where around the site the bricks stand that far chains from a brick lead to. A far chain
+/// is recorded at its first brick; it matters here only if it ends at the site itself or at
+/// one of its neighbours.
 std::vector<int> far_from(const Invariant& invariant, const StageSite& site, std::uint32_t brick) {
   std::vector<int> indices;
   const auto found = invariant.far.find(brick);
@@ -111,8 +111,8 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
 bool for_each_local_state(const StageModel& model, const StageSite& site, const LocalOrder& order,
                           Mask among, std::uint64_t most, const std::function<bool(Mask)>& visit) {
   const Sorted sorted = by_number(model, site, among);
-  // An explicit stack, since the depth is up to 26 and the branching factor 2.
   // Depth first over "leave out, take in", in an order in which what is below comes first.
+  // An explicit stack, since the depth is up to 26 and the branching factor 2.
   struct Step {
     std::size_t next;
     Mask state;

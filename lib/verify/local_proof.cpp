@@ -90,10 +90,9 @@ class SiteChecker {
   }
   bool right(const LocalRule& rule) const { return rule.colour == site_.colour; }
 
-  // Then a rule matches exactly in the states that contain `need` and avoid `forbid`, and
-  // its least state decides. Under `conflicts: first` rules of different colours hide each
-  // other, so what acts depends on the whole state.
-  /// Do need and forbid say it all?
+  /// Do need and forbid say it all? Then a rule matches exactly in the states that contain
+  /// `need` and avoid `forbid`, and its least state decides. Under `conflicts: first` rules
+  /// of different colours hide each other, so what acts depends on the whole state.
   bool only_patterns() const {
     bool counts = false, mixed = false;
     for (const LocalRule& rule : site_.rules) {
@@ -346,8 +345,8 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
     const std::uint32_t number = waiting.take();
     const Look look = checker.check(number);
     budget.spend(look.work);
-    // A weaker invariant allows more states, so a failing state stays possible.
-    // What fails under a strong invariant fails under a weaker one: once is enough.
+    // What fails under a strong invariant fails under a weaker one: once is enough. A
+    // weaker invariant allows more states, so a failing state stays possible.
     if (look.failure) failures.push_back(*look.failure);
     if (failures.size() >= kMostFailures) break;
     states[number] = checker.count_states();

@@ -19,9 +19,9 @@ constexpr std::size_t kMostOrdersTried = 24;  ///< at orders that a failed proof
 
 }  // namespace
 
-/// An order that was cut short does not differ merely by lacking bricks. It does by a brick
+/// Is what a run did at odds with the model's? Then it is what was looked for. An order
+/// that was cut short does not differ merely by lacking bricks. It does by a brick
 /// elsewhere or of another colour, since bricks are never taken away.
-/// Is what a run did at odds with the model's? Then it is what was looked for.
 bool OtherOrders::differs(StageRun&& run) {
   bool strange = false;
   for (const Deposit& deposit : run.deposits) {

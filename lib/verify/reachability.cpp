@@ -100,9 +100,9 @@ std::vector<bool> outside(const Structure& structure, const Region& region) {
   return reached;
 }
 
-/// Numbers run on over all stages, as do those of the run, so that a later stage's bricks
-/// are after all earlier ones.
-/// The bricks of all stages in the order of the run, with what is before each.
+/// The bricks of all stages in the order of the run, with what is before each. Numbers run
+/// on over all stages, as do those of the run, so that a later stage's bricks are after all
+/// earlier ones.
 struct Work {
   std::vector<CertifiedBrick> bricks;
   std::vector<int> stage;

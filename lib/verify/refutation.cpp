@@ -24,9 +24,9 @@ struct Ending {
   std::size_t in_stage = 0;  ///< of the deposits
 };
 
+/// Runs a world on through all of its stages. `in_stage`: deposits of the stage it was in.
 /// Later stages are run as well: two orders may differ after a stage and be made alike by
 /// the next, which refutes nothing.
-/// Runs a world on through all of its stages. `in_stage`: deposits of the stage it was in.
 StageRun run_to_the_end(LatticeWorld& world, const Plan& plan, std::uint64_t most,
                         const Budget& budget, std::size_t& in_stage) {
   StageRun all;
@@ -144,10 +144,10 @@ class Explainer {
     });
   }
 
-  // Two worlds are kept one decisive deposit apart and the first order is replayed in both.
-  // The first deposit that only one of them allows, or that makes the decisive one
-  // impossible, is the rival.
-  /// The first deposit of the first order that cannot stand beside the decisive one.
+  /// The first deposit of the first order that cannot stand beside the decisive one. Two
+  /// worlds are kept one decisive deposit apart and the first order is replayed in both.
+  /// The first deposit that only one of them allows, or that makes the decisive one
+  /// impossible, is the rival.
   void find_rival(const std::vector<Deposit>& first, std::size_t common,
                   DivergingOrders& out) const {
     const Deposit& decisive = other_[common];
@@ -176,9 +176,9 @@ class Explainer {
   Structure end_;
 };
 
-/// For orders of several stages: no bisection, since the stages after the parting depend on
-/// both. Random orders part early, so the common part is short.
-/// Two whole orders, as they are: they part where they first differ.
+/// Two whole orders, as they are: they part where they first differ. For orders of several
+/// stages: no bisection, since the stages after the parting depend on both. Random orders
+/// part early, so the common part is short.
 DivergingOrders part(const LatticeWorld& start, Ending& first, Ending& second) {
   DivergingOrders out;
   LatticeWorld world = start;

@@ -112,10 +112,9 @@ class Repairer {
     std::erase_if(rules.rules, [&](const Rule& rule) { return rule.stage > stage; });
     return verify_within(rules, options_, budget_);
   }
-  /// A repair that builds less than either order did is none, nor is one that the reader
-  /// Without the bound on bricks, removing the rule that starts all growth would repair
-  /// every set.
-  /// of rule sets would refuse.
+  /// A repair that builds less than either order did is none, nor is one that the reader of
+  /// rule sets would refuse. Without the bound on bricks, removing the rule that starts all
+  /// growth would repair every set.
   bool holds(const VerifyResult& result, Repair& repair) const {
     if (result.verdict != ProofVerdict::proved || result.structure->size() < least_) return false;
     if (!reaches_stage(repair.repaired)) return false;

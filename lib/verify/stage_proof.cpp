@@ -84,11 +84,11 @@ class StageProver {
     return number;
   }
 
-  // The fixed point over three kinds of knowledge that depend on each other: the windows'
-  // fillings depend on `before` of their contexts, `before` on the fillings, and far chains
-  // on `before`. Each pass begins with what has changed; all of them only weaken, so it
-  // ends.
   /// One round: true when the stage is proved. Otherwise another order may have been found.
+  /// The fixed point over three kinds of knowledge that depend on each other: the windows'
+  /// fillings depend on `before` of their contexts, `before` on the fillings, and far
+  /// chains on `before`. Each pass begins with what has changed; all of them only weaken,
+  /// so it ends.
   bool attempt(Groups& groups) {
     invariant_ = {};
     invariant_.before = agreed_;

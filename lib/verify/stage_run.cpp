@@ -18,9 +18,9 @@ namespace {
 /// `run`.
 constexpr std::uint64_t kSeed = 0x7665726966790001;  ///< of all runs made for proofs
 
-/// Sites that closed again stay in `waiting_` and are skipped when their turn comes:
-/// deleting from the middle of a deque would cost linear time.
-/// The open sites, in the order a schedule wants them.
+/// The open sites, in the order a schedule wants them. Sites that closed again stay in
+/// `waiting_` and are skipped when their turn comes: deleting from the middle of a deque
+/// would cost linear time.
 class OpenSites {
  public:
   explicit OpenSites(const StageRunConfig& config)
@@ -59,10 +59,9 @@ class OpenSites {
   std::deque<Cell> waiting_;  ///< sites once open, some no more
 };
 
-/// With a plan, the planned colour is preferred; with `conflicts: first` there is no choice
-/// to make.
 /// The rule that places what the plan says, if there is one that acts; else any of those
-/// that do, whatever their weights: what is unlikely happens too.
+/// that do, whatever their weights: what is unlikely happens too. With a plan, the planned
+/// colour is preferred; with `conflicts: first` there is no choice to make.
 Match choose(LatticeWorld& world, Cell site, const Plan* plan, Random& random) {
   const RuleTable& rules = world.rules();
   if (rules.conflicts() == Conflicts::first) return world.choose(site, random);

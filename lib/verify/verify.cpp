@@ -24,9 +24,9 @@ constexpr std::uint32_t kFirstRun = 0;  ///< its stream of random numbers
 /// whose period shows early, where a random order would interleave many.
 constexpr std::uint64_t kProbe = 4000;  ///< deposits in search of a repetition
 constexpr std::uint64_t kMostDeposits = 20'000'000;
-/// A set with one endless order may still end in another, which refutes it; that is tried
-/// briefly, not waited for.
-/// Deposits after which growth that is known to be able to go on for ever is not waited for.
+/// Deposits after which growth that is known to be able to go on for ever is not waited
+/// for. A set with one endless order may still end in another, which refutes it; that is
+/// tried briefly, not waited for.
 constexpr std::uint64_t kPatience = 20'000;
 constexpr std::uint32_t kTries = 16;  ///< to find an end of such a set
 
@@ -63,9 +63,9 @@ class Verification {
   }
 
  private:
-  // The last instance is the checker, which shares no code with the search. A refusal is a
-  // fault of the search and is reported as unknown, with the checker's reason.
-  /// Nothing is called proved that the checker does not accept.
+  /// Nothing is called proved that the checker does not accept. The last instance is the
+  /// checker, which shares no code with the search. A refusal is a fault of the search and
+  /// is reported as unknown, with the checker's reason.
   void hold_to_checker() {
     say("checking the certificate");
     budget_.spend(world_.structure().size() * kStepsOfLook + result_.local_states * kStepsOfState);
