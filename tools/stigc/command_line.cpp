@@ -64,6 +64,7 @@ CLI::Option* parsed(CLI::App* app, const std::string& names, const std::string& 
 template <class Integer>
 CLI::Option* integer(CLI::App* app, const std::string& names, Integer& out, std::int64_t low,
                      std::int64_t high, const std::string& doc) {
+  // CLI11 reports a text that is wrong by exceptions; the text itself is ours, without its prefix.
   return parsed(app, names, "N", doc, [&out, low, high](const std::string& text) {
     std::int64_t value = 0;
     const std::string problem = parse_integer(text, low, high, value);
@@ -127,6 +128,7 @@ CLI::Option* files(CLI::App* app, std::vector<std::string>& out, const std::stri
   return app->add_option("FILE", out, doc)->type_name("FILE")->required();
 }
 
+// Counters of a run are 64-bit and signed, and the command line takes no more.
 constexpr std::int64_t kMostCount = std::numeric_limits<std::int64_t>::max();
 /// A run's number has 24 bits.
 constexpr int kMostRuns = 1 << 24;
@@ -137,6 +139,7 @@ void add_global(CLI::App& app, GlobalOptions& o) {
   choice(&app, "--color", o.color,
          {{"auto", Coloured::automatic}, {"always", Coloured::always}, {"never", Coloured::never}},
          "colours in messages; auto: on a terminal, unless NO_COLOR is set");
+  // CLI11 has no option "-W error" with one fixed word, hence an option with one value.
   parsed(&app, "-W", "error", "-W error: warnings count as errors",
          [&o](const std::string& text) -> std::string {
            if (text != "error") return fmt::format("'{}' is not 'error'", text);
@@ -155,6 +158,7 @@ CLI::App* command(CLI::App& app, const std::string& name, const std::string& sum
   return sub;
 }
 
+// tests/stigc/help_test.cpp runs the examples of every help: each has to work as it stands.
 void add_check(CLI::App& app, CheckOptions& o) {
   CLI::App* sub =
       command(app, "check", "report every problem of rule sets, scenes, robots and blocks",
@@ -177,6 +181,7 @@ void add_fmt(CLI::App& app, FmtOptions& o) {
 
 /// --box, --origin and --periodic; `doc` is that of --box.
 void world(CLI::App* sub, WorldOptions& out, const std::string& doc) {
+  // "none" leaves `box` set but without a size: unbounded space is a choice, no default.
   parsed(sub, "--box", "X,Y,Z", doc, [&out](const std::string& text) -> std::string {
     BoxOption& box = out.box.emplace();
     return text == "none" ? "" : parse_size(text, box.size.emplace());
@@ -218,6 +223,7 @@ void add_explore(CLI::App& app, ExploreOptions& o) {
       "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc replay run.stigt\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   add_explore_swarm(sub, o);
+  // 2^43 steps: random streams count steps in blocks, see base/random.h and lattice/swarm.cpp.
   integer(sub, "--steps", o.steps, 0, (std::int64_t{1} << 43) - 1,
           "stop after so many steps (default: 10000000 for agents, unless --deposits is given)");
   integer(sub, "--deposits", o.deposits, 0, kMostCount,
@@ -269,6 +275,7 @@ void add_sides(CLI::App& sub, std::vector<std::string>& sides, const char* what)
   sub.add_option("--sides", sides, what)
       ->type_name("SIDE")
       ->expected(1, 4)
+      // Given as one list; the test of words is CLI11's own, as sides are four.
       ->delimiter(',')  // "--sides -x" would be an option -x
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
 }
@@ -454,6 +461,7 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
   sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
 }
 
+// Commands that print what others write: small, so they share a function.
 void add_files_out(CLI::App& app, Storage& s) {
   CLI::App* graph = command(app, "graph", "print which rule's brick another rule can need, as DOT",
                             "  stigc graph rulesets/staircase.yaml > staircase.dot\n");
@@ -493,7 +501,9 @@ void add_files_out(CLI::App& app, Storage& s) {
 
 /// N, or one of two words.
 template <class Options>
+// Both kinds of options have `colours` and `use`: synth's and build's.
 std::string parse_colours(const std::string& text, Options& o) {
+  // The last one given counts: an earlier number must not stay behind a later word.
   o.colours.reset();
   o.use = text == "given" ? ColourUse::given : ColourUse::free;
   if (text == "given" || text == "free") return {};
@@ -519,6 +529,7 @@ void add_synth_search(CLI::App* sub, SynthOptions& o) {
   integer(sub, "--scaffold", o.scaffold, 0, 1000000,
           "so many cells may be added beside straight runs, which can then count in fewer colours");
   sub->add_flag("--exact", o.exact, "one rule for each neighbourhood, none merged");
+  // Effort is a count of work and no time, so that machines of any speed find the same.
   integer(sub, "--effort", o.effort, 1, 1000000,
           "how much is tried, in units of some 20 seconds at most on a machine of 2020; the same "
           "effort gives the same result (default: 1)");
@@ -616,10 +627,12 @@ void add_about_itself(CLI::App& app, Storage& s) {
   doctor->add_flag("--json", s.doctor.json, "print one JSON object");
 }
 
+// Looked for by name after parsing, as it replaces a command.
 constexpr const char* kExplain = "--explain";
 
 void build(CLI::App& app, Storage& s) {
   app.name("stigc");
+  // None is an error too, but not CLI11's: the message is made below, in our words.
   app.require_subcommand(0, 1);
   app.set_help_flag("-h,--help", "this help, or that of a command, with examples");
   app.set_version_flag("--version", "stigc " STIG_VERSION, "the version of the program");
@@ -645,12 +658,14 @@ void build(CLI::App& app, Storage& s) {
   add_about_itself(app, s);
 }
 
+// What help and completions know of an option comes from CLI11's own record of it.
 OptionInfo describe(const CLI::Option& option) {
   OptionInfo info;
   for (const auto& name : option.get_snames()) info.names.push_back("-" + name);
   for (const auto& name : option.get_lnames()) info.names.push_back("--" + name);
   if (option.get_items_expected_max() > 0) info.value = option.get_type_name();
   info.doc = option.get_description();
+  // Flags expect no value, lists more than one.
   info.many = option.get_items_expected_max() > 1;
   info.required = option.get_required();
   return info;
@@ -672,6 +687,8 @@ CommandInfo describe_command(const CLI::App& sub) {
   return {sub.get_name(), sub.get_description(), sub.get_footer(), describe_options(sub)};
 }
 
+// The options of the command that was given, out of all that Storage has. The list copies each; a
+// command line is read once.
 CommandOptions chosen(const std::string& name, const Storage& s) {
   const std::vector<std::pair<std::string_view, CommandOptions>> all = {
       {"check", s.check},       {"fmt", s.fmt},           {"explore", s.explore},
@@ -689,6 +706,8 @@ CommandOptions chosen(const std::string& name, const Storage& s) {
 /// "; did you mean '--box'?" for an argument that nothing knows, or nothing.
 std::string suggestion(const CLI::App& app, const std::string& word) {
   std::vector<std::string> names;
+  // Options of the program and of the command that was given are offered, and commands where none
+  // was.
   const auto add_options = [&](const CLI::App& of) {
     for (const OptionInfo& option : describe_options(of)) {
       names.insert(names.end(), option.names.begin(), option.names.end());
@@ -710,6 +729,7 @@ bool unknown_command(const CLI::App& app) {
 }
 
 std::string problem_in_words(const CLI::App& app, const CLI::ParseError& error) {
+  // What CLI11 could not place, in the order of the command line.
   const std::vector<std::string> extra = app.remaining(true);
   if (app.get_subcommands().empty()) {
     if (extra.empty()) return "a command is wanted";
@@ -721,6 +741,8 @@ std::string problem_in_words(const CLI::App& app, const CLI::ParseError& error) 
   }
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr &&
+      // CLI11 counts values, a user options: "At Most 1 required but received 2" says less than
+      // this.
       text.find("At Most") != std::string::npos) {
     return text.substr(0, text.find(':')) + " is given more than once";
   }
@@ -754,13 +776,16 @@ Parsed parse_command_line(int argc, const char* const* argv) {
       result.problem = "a command is wanted";
     } else {
       result.command = app.get_subcommands().front()->get_name();
+      // The parser's references end with this function: what was read leaves by value.
       result.line = CommandLine{storage.global, chosen(result.command, storage)};
     }
   } catch (const CLI::ParseError& error) {
     const auto commands = app.get_subcommands();
     if (!commands.empty()) result.command = commands.front()->get_name();
+    // The code stands where the command's file would, which CLI11 then misses.
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && app.count(kExplain) > 0) {
       result.explain = storage.code;  // "stigc check --explain R304": of no file
+      // Help and version are "errors" without an exit code.
     } else if (error.get_exit_code() != 0 || unknown_command(app)) {
       result.problem = problem_in_words(app, error);
     } else {

@@ -30,6 +30,7 @@ std::uint64_t count(const PoseTrace& trace, EventKind kind) {
 }
 
 // What traces are measured by: they grow with bodies and time.
+// Includes all that is in the file: scene, programs, events.
 double bytes_per_body_second(const PoseTrace& trace) {
   const double seconds = static_cast<double>(trace.end.ticks) * trace.header.step;
   const auto bodies = static_cast<double>(trace.header.bodies.size());
@@ -129,6 +130,7 @@ std::string frame_lines(const PoseTrace& trace, const TraceFrame& frame) {
 
 int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
   Diagnostics diagnostics;
+  // The scene is the one inside the trace, with its seed, so nothing outside of it can matter.
   const auto loaded = load_scene(trace.header.files, trace.header.seed, diagnostics);
   if (!loaded) {
     app.report(diagnostics);
@@ -184,6 +186,7 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   }
   if (options.picture) {
     if (const int code = check_outputs({*options.picture}, app); code != kOk) return code;
+    // Before anything is worked out: a name that cannot be written is said at once.
   }
   if (options.verify) return verify(options, *trace, app);
   const double end = static_cast<double>(trace->end.ticks) * trace->header.step;

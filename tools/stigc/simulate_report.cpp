@@ -24,6 +24,7 @@
 namespace stig {
 namespace {
 
+// Lists are cut for people; JSON has all.
 constexpr std::size_t kMostLattices = 12;
 constexpr std::size_t kMostListed = 12;
 
@@ -65,6 +66,7 @@ std::string moved_in_words(const SimulationReport& r) {
                      printable(r.farthest_name), r.farthest * 1e3);
 }
 
+// The size in cells along the lattice's own axes.
 std::string size_in_words(const ReadLattice& lattice) {
   LatticeCell size;
   for (const ReadBlock& block : lattice.blocks) {
@@ -87,6 +89,7 @@ std::pair<double, double> misfit(const ReadLattice& lattice) {
 
 /// Degrees to a tenth, and no minus before nothing.
 // A yaw of -0.04° is none that anybody sees.
+// Adding 0.0 turns -0.0 into 0.0.
 double tenths(double radians) { return std::round(radians / kDegree * 10) / 10 + 0.0; }
 
 Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
@@ -105,6 +108,7 @@ std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std
     out[value.body] = &value.bytes;
   }
   return out;
+  // Linear over all values of the trace: a picture is drawn once.
 }
 
 /// What most of a block's LEDs show.
@@ -126,6 +130,7 @@ std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame
     if (frame.bodies[i].left) continue;
     const TraceBody& body = trace.header.bodies[i];
     const auto set = leds.find(i);
+    // A block shows what its program set, or what it had when the trace began.
     const Led led = set == leds.end() ? body.led : most_shown(*set->second);
     out.push_back(
         {body.shape, frame.bodies[i].pose(), body.rgb, body.block, body.block ? led : Led::off});

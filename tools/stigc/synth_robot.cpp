@@ -22,6 +22,7 @@ namespace {
 
 /// What rules for robots cannot be asked to be; empty: nothing was asked.
 std::string usage_problem(const SynthOptions& o) {
+  // Only options that were given are named, one at a time: the first that does not go.
   const std::pair<bool, const char*> others[] = {{o.symmetry != Symmetry::none, "--symmetry"},
                                                  {o.fewest != Fewest::colours, "--fewest"},
                                                  {o.family.has_value(), "--order"},
@@ -44,6 +45,7 @@ std::string target_problem(const SynthOptions& options, const Target& target) {
   if (target.cells.empty()) return "the target has no cells";
   if (target.cells.size() == 1) return "the target is a single brick, the start: there is no work";
   if (target.cells.size() > kMostOrderedBricks) {
+    // The bound of column by column proofs: compile would refuse more.
     return fmt::format("the target has {} bricks, and --robot takes {} at most",
                        target.cells.size(), kMostOrderedBricks);
   }
@@ -56,6 +58,8 @@ std::string target_problem(const SynthOptions& options, const Target& target) {
   }
   const auto lowest = std::min_element(target.cells.begin(), target.cells.end(),
                                        [](Cell a, Cell b) { return a.z < b.z; });
+  // A target that hovers or begins higher would need a floor that moves; cells are not shifted
+  // silently, since --start names them.
   if (lowest->z != 0) {
     return fmt::format("the target's lowest level is z = {}, and robots build on the floor, z = 0",
                        lowest->z);
@@ -123,6 +127,7 @@ int write_plan(const SynthOptions& options, const AssemblyPlan& plan, App& app,
     app.print(plan.text);
   }
   if (code != kOk || !options.certificate) return code;
+  // The certificate is the proof of the compiled rules; without one there is none to write.
   if (const auto& certificate = plan.compiled.proof.certificate) {
     return write_one(*options.certificate, print_certificate(*certificate), app, written);
   }

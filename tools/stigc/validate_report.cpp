@@ -24,6 +24,7 @@ double in_mm(double metres) { return metres * 1e3; }
 double degrees(double radians) { return radians / kDegree; }
 
 Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
+  // Keys with a unit in their name are in that unit; all others are SI, as in the library.
   Json json{{"cell", to_json(brick.cell)},
             {"brick", rules.brick(brick.wanted).name},
             {"start", brick.start},
@@ -46,6 +47,7 @@ Json robot_json(const RobotRecord& robot) {
             {"fallen", robot.fallen},      {"still_s", robot.still},
             {"idle_s", robot.idle_time()}, {"wheels_J", robot.energy.wheels},
             {"lift_J", robot.energy.lift}, {"current_s", robot.energy.current_time}};
+  // What its program shows of itself: it may be anything, or nothing.
   json["shown"] = robot.shown;
   json["states_s"] = robot.spent;
   json["idle_states_s"] = robot.idle_in;
@@ -62,6 +64,7 @@ Json judgement_json(const RuleSet& rules, const Judgement& judgement) {
             {"worst_drift_mm", in_mm(judgement.worst_drift)},
             {"placements", judgement.placements},
             {"allowed", judgement.allowed},
+            // Null: no placement was against the rules.
             {"against", judgement.against ? Json(judgement.against->reason) : Json(nullptr)}};
   json["bricks"] = Json::array();
   for (const BrickCheck& brick : judgement.bricks)
@@ -83,6 +86,8 @@ Json count_json(const BlockCount& count) {
           {"fixed", count.fixed},     {"left", count.left},       {"adds_up", count.adds_up()}};
 }
 
+// What a run is judged by comes first, then what happened, in the order of time. Keys stay in the
+// order in which they are set, so outputs of equal runs are equal byte by byte.
 Json trial_json(const BuildTarget& target, const Trial& trial) {
   Json json{{"seed", trial.seed},
             {"verdict", to_string(trial.judgement.verdict)},
@@ -117,6 +122,7 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
   return json;
 }
 
+// The worst of each is what the tolerance is held against.
 std::string bricks_in_words(const Judgement& judgement) {
   std::string out = fmt::format("{} of {}", judgement.bricks.size() - judgement.missing(),
                                 judgement.bricks.size());
@@ -201,6 +207,7 @@ std::string one_run(const ValidationReport& report, const Trial& trial, bool col
   return out + line("hash", to_hex(trial.hash));
 }
 
+// Columns are as wide as figures of usual runs; longer ones only push the rest of their line.
 std::string table(const ValidationReport& report) {
   std::string out =
       fmt::format("{:>6}  {:<10}  {:<12}  {:>7}  {:>9}  {:>6}  {:>6}  {:>8}  {:>7}  {}\n", "seed",
@@ -211,6 +218,7 @@ std::string table(const ValidationReport& report) {
     for (const RobotRecord& robot : trial.robots) {
       driven += robot.driven;
       const auto found = robot.shown.find("aborted");
+      // Programs that do not count aborted attempts add nothing.
       aborted += found == robot.shown.end() ? 0 : found->second;
     }
     out += fmt::format(
@@ -235,6 +243,7 @@ Json to_json(const ValidationReport& report) {
   json["summary"] = to_json(summary_of(*report.target, report.trials));
   const std::vector<ProgressCurve> curves = curves_of(report);
   json["phases"] = to_json(phases_of(curves));
+  // The mean over runs, at moments that all have in common (validate/progress.h).
   json["progress"] = Json::array();
   for (const ProgressBand::Row& row : band_of(curves).rows) {
     json["progress"].push_back({{"time", row.time},

@@ -29,6 +29,7 @@ std::string rule_name(const RuleSet& rules, std::uint32_t rule) {
   return text;
 }
 
+// Rules by name only: these lists may be long, and positions would fill the lines.
 std::string names(const RuleSet& rules, const std::vector<std::uint32_t>& some) {
   std::string text;
   for (std::size_t i = 0; i < std::min(some.size(), kMostNames); ++i) {
@@ -40,6 +41,7 @@ std::string names(const RuleSet& rules, const std::vector<std::uint32_t>& some) 
 
 std::string indented(const std::string& drawing) {
   std::string out;
+  // A last line without a newline gets one.
   for (std::size_t at = 0; at < drawing.size();) {
     const std::size_t end = std::min(drawing.find('\n', at), drawing.size());
     out += "    " + drawing.substr(at, end - at) + "\n";
@@ -58,6 +60,7 @@ std::string in_box(const std::optional<Box>& box) {
                      to_text(box->size), cell_text(box->low));
 }
 
+// One word that scripts can look for, then what it means.
 std::string verdict_line(ProofVerdict verdict, bool color) {
   switch (verdict) {
     case ProofVerdict::proved:
@@ -113,6 +116,7 @@ std::string end_in_words(const Structure& structure, bool ended) {
 
 std::string refuted_text(const VerifyReport& report) {
   const DivergingOrders& found = *report.result.refutation;
+  // Both orders have the first `common` deposits; then they part.
   const Deposit& decisive = found.second[found.common];
   std::string out = line("world", in_box(report.box));
   out += line("one end", end_in_words(found.first_end, true));
@@ -131,6 +135,7 @@ std::string refuted_text(const VerifyReport& report) {
   return out;
 }
 
+// One period is a run of deposits that leaves a translate of the structure behind.
 std::string endless_text(const VerifyReport& report) {
   const EndlessGrowth& endless = *report.result.endless;
   std::string out = line("world", in_box(report.box));
@@ -253,6 +258,7 @@ std::string to_text(const VerifyReport& report, bool color) {
   }
   out += findings_text(report);
   if (report.result.verdict == ProofVerdict::proved) {
+    // Large structures have no small drawing; draw makes one.
     const std::string drawing = small_drawing(*report.result.structure, report.rules.bricks);
     if (!drawing.empty()) out += "\n" + drawing;
   }
