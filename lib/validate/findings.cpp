@@ -36,6 +36,7 @@ void of_bricks(const BuildTarget& target, const Judgement& judgement,
                                 brick.turn / kDegree));
     }
   }
+  // Two bricks may each be close to the lattice and still be off against each other.
   for (const LooseJoint& joint : judgement.loose) {
     out.push_back(
         fmt::format("the bricks at {} and {} are off against each other by {:.1f} mm and {:.1f}°",
@@ -61,6 +62,7 @@ std::string missing_near(const BuildTarget& target, const Judgement& judgement, 
     nearest = &brick;
     least = way;
   }
+  // Nothing is said of robots that are far from any gap.
   return nearest == nullptr ? ""
                             : fmt::format(", {:.2f} m from the missing brick at {}", least,
                                           cell_text(nearest->cell));
@@ -123,6 +125,7 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
     case TrialEnd::built:
       return;
   }
+  // Every robot is accounted for: the one that is at fault may be any.
   for (const RobotRecord& robot : trial.robots) of_robot(target, robot, trial, out);
   if (trial.loose.empty()) out.emplace_back("no loose block lies in the arena");
   // Dark blocks are ordinary stock; one that shows a colour was let go on its way.

@@ -32,6 +32,7 @@ void text(std::string& out, double x, double y, std::string_view rest, std::stri
 
 std::string frame(const Axes& axes, double lines) {
   std::string out;
+  // Steps are 1, 2 or 5 times a power of ten, at most so many on an axis.
   const double by_time = round_step(axes.time, 8), by_number = round_step(axes.most, lines);
   // A hair beyond the end, so that rounding does not take the last line.
   for (double t = 0; t <= axes.time * 1.0001; t += by_time) {

@@ -19,6 +19,7 @@
 namespace stig {
 namespace {
 
+// Braces of the style are doubled, since fmt reads them; {0} is the title.
 constexpr std::string_view kHead = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -63,6 +64,7 @@ std::string base64(std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += 3) {
     std::uint32_t three = 0;
     const std::size_t there = std::min<std::size_t>(3, bytes.size() - i);
+    // Three bytes are four digits of six bits each.
     // Missing bytes are zero bits, and show as '=' in place of digits.
     for (std::size_t k = 0; k < 3; ++k) {
       three = three << 8U | (k < there ? static_cast<unsigned char>(bytes[i + k]) : 0U);
@@ -82,6 +84,7 @@ class Page {
   }
   // Numbers to the right, so that their digits stand under each other.
   /// Cells that begin with '@' are texts and stand to the left.
+  // '@' can stand in no number, and texts get it before they are escaped.
   void row(std::string_view tag, const std::vector<std::string>& cells) {
     out_ += "<tr>";
     for (const std::string& cell : cells) {
@@ -158,6 +161,7 @@ void bricks(const BuildTarget& target, const Judgement& judgement, Page& page) {
       rows.push_back({cell_text(brick.cell), "@" + wanted, "@missing", "", "", "", "", ""});
       continue;
     }
+    // Millimetres and degrees, as tolerances are given.
     rows.push_back({cell_text(brick.cell), "@" + wanted,
                     brick.start      ? "@start"
                     : brick.coloured ? "@right colour"
@@ -238,6 +242,7 @@ void trial_part(const BuildTarget& target, const Trial& trial, Page& page) {
   for (const std::string& one : findings) page.add("<li>{}</li>\n", escaped(one));
   if (!findings.empty()) page.raw("</ul>\n");
   for (const TrialPicture& picture : trial.pictures) {
+    // Pictures are in the page itself: they move with it, and no path can break.
     page.add("<figure><img alt=\"after {0:.0f} s\" src=\"data:image/png;base64,{1}\"/></figure>\n",
              picture.time, base64(picture.png));
   }
@@ -276,6 +281,7 @@ std::string verdict_text(const ValidationReport& report) {
 }
 
 std::vector<ProgressCurve> curves_of(const ValidationReport& report) {
+  // Open sites are worked out from the compiled rules: without them curves have bricks alone.
   std::vector<ProgressCurve> out;
   std::optional<WorkSites> sites;
   if (report.compiled != nullptr) sites.emplace(*report.compiled);
@@ -289,6 +295,7 @@ std::string report_html(const ValidationReport& report) {
   const BuildTarget& target = *report.target;
   const std::string title = target.rules->title.empty() ? target.rules->name : target.rules->title;
   const std::vector<ProgressCurve> curves = curves_of(report);
+  // Start bricks stand from the beginning; curves count what robots put.
   const int bricks = static_cast<int>(target.whole.size() - target.rules->start.size());
   Page page;
   page.add(kHead, escaped(title));

@@ -53,6 +53,7 @@ DofDef dof_def(const AxisModel& axis) {
   return dof;
 }
 
+// The world numbers bodies across robots: `first` is this robot's first.
 JointDef joint_def(const JointModel& joint, const RobotModel& robot, std::uint32_t first) {
   JointDef def;
   def.parent = first + static_cast<std::uint32_t>(joint.parent);
@@ -64,6 +65,8 @@ JointDef joint_def(const JointModel& joint, const RobotModel& robot, std::uint32
   return def;
 }
 
+// A pole's number is its place among the magnets of its body, which has others before it if several
+// poles are on one body.
 void add_poles(WorldConfig& config, const MagnetCircuitModel& magnets, std::uint32_t first,
                RobotBody& out) {
   for (const MagnetCircuitModel::Pole& pole : magnets.poles) {
@@ -80,6 +83,7 @@ void add_poles(WorldConfig& config, const MagnetCircuitModel& magnets, std::uint
   }
 }
 
+// Linear, as a world has few materials and this is done once for each robot.
 void add_friction(WorldConfig& config, Material a, Material b, double coefficient) {
   // What a scene says of two materials is not overruled.
   const bool known = std::any_of(
@@ -112,6 +116,7 @@ Material Materials::number(const std::string& name) {
   const auto known = std::find(names.begin(), names.end(), name);
   const auto number = static_cast<Material>(known - names.begin());
   if (known == names.end()) names.push_back(name);
+  // A new name gets the next number.
   return number;
 }
 
@@ -161,6 +166,7 @@ void act(World& world, const RobotModel& robot, const RobotBody& body, RobotDevi
          double dt) {
   if (robot.drive) {
     step(devices.drive, *robot.drive, dt);
+    // Rim speeds in m/s become angular speeds, rad/s.
     drive_wheels(world, body, robot.drive->left, devices.drive.left / robot.drive->wheel_radius);
     drive_wheels(world, body, robot.drive->right, devices.drive.right / robot.drive->wheel_radius);
   }
@@ -182,6 +188,8 @@ void act(World& world, const RobotModel& robot, const RobotBody& body, RobotDevi
   }
 }
 
+// Encoders and switches are read off the true state: errors of motion come from contacts, not from
+// readings.
 void read(const World& world, const RobotModel& robot, const RobotBody& body,
           const RobotDevices& devices, RobotReadings& readings) {
   if (robot.drive) {

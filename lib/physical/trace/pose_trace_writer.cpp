@@ -20,6 +20,7 @@ using Json = nlohmann::ordered_json;
 
 Json body_json(const TraceBody& body) {
   const Vec3& half = body.shape.half;
+  // Numbers as JSON writes them, which are read back exactly.
   Json out{{"name", body.name},
            {"shape", kShapeNames[static_cast<std::size_t>(body.shape.kind)]},
            {"half", {half.x, half.y, half.z}},
@@ -45,6 +46,7 @@ std::string header_bytes(const PoseTraceHeader& header) {
   json["bodies"] = Json::array();
   for (const TraceBody& body : header.bodies) json["bodies"].push_back(body_json(body));
   std::string out;
+  // Names may be any bytes; what is not UTF-8 is replaced, since JSON must be.
   put_block(out, json.dump(-1, ' ', false, Json::error_handler_t::replace));
   put_varint(out, header.files.size());
   for (const SceneFile& file : header.files) {
@@ -90,6 +92,7 @@ Pose TraceState::pose() const {
 
 TraceState trace_state(const BodyState& state) {
   const Vec3& p = state.X_WB.p;
+  // Half a quantum off at most, whatever came before: rounding is of poses, not of differences.
   const Quat& q = state.X_WB.q;
   const auto whole = [](double x, double quantum) {
     return std::int64_t{std::llround(x / quantum)};
@@ -113,6 +116,7 @@ PoseTraceWriter::PoseTraceWriter(const PoseTraceHeader& header, Sink sink)
   }
 }
 
+// A section is a tag, the length of what follows, and a zstd frame: readers can pass over it.
 void PoseTraceWriter::put_section(char tag, std::string_view payload) {
   const std::string frame = packed(payload);
   std::string out(1, tag);
@@ -131,6 +135,7 @@ void PoseTraceWriter::put_record(std::uint8_t tag, std::uint64_t tick) {
 
 void PoseTraceWriter::flush() {
   if (chunk_.empty()) return;
+  // Places of chunks, in bytes of the file, so that a reader finds a moment by bisection.
   put_varint(index_, first_tick_);
   put_varint(index_, written_);
   ++chunks_;
@@ -155,6 +160,7 @@ void PoseTraceWriter::frame(const TraceFrame& frame) {
     TraceState state = frame.bodies[i];
     choose_sign(state, last_[i]);
     if (!first && state == last_[i]) continue;
+    // Numbers of bodies as gaps: of neighbours that move together each costs a byte.
     put_varint(changes, i - next);
     put_state(changes, state, last_[i]);
     last_[i] = state;
