@@ -59,6 +59,13 @@ void Diagnostics::append(const Diagnostics& other) {
   warnings_ += other.warnings_;
 }
 
+Diagnostic* Diagnostics::last_error() {
+  const auto found = std::find_if(all_.rbegin(), all_.rend(), [](const Diagnostic& one) {
+    return one.severity == Severity::error;
+  });
+  return found == all_.rend() ? nullptr : &*found;
+}
+
 /// Stable: diagnostics of one place keep the order in which they were found. A file without
 /// a path sorts first.
 std::vector<const Diagnostic*> sorted_by_place(const Diagnostics& diagnostics) {

@@ -65,6 +65,9 @@ class Diagnostics {
   void append(const Diagnostics& other);
 
   const std::vector<Diagnostic>& all() const { return all_; }
+  /// The error reported last of those that are kept, for notes that are thought of afterwards; null
+  /// without one. Valid until the next add.
+  Diagnostic* last_error();
   /// No more are kept: suggestions and the like need not be thought of.
   bool full() const { return all_.size() >= kMostKept; }
   bool has_errors() const { return errors_ > 0; }

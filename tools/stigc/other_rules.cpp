@@ -76,26 +76,15 @@ std::optional<std::string> note_on_other_rules(const RuleSet& rules, const Compi
       printable(robot_file.value_or(kPaperRobot)), robots);
 }
 
-/// The diagnostics, the last error with one note more.
-Diagnostics with_note(const Diagnostics& diagnostics, const std::string& note) {
-  Diagnostics out;
-  // The list is copied, since diagnostics that were added do not change.
-  std::size_t errors = diagnostics.count(Severity::error);
-  for (const Diagnostic& one : diagnostics.all()) {
-    Diagnostic& copy = out.add(one.code, one.range, one.message);
-    copy = one;
-    if (one.severity == Severity::error && --errors == 0) copy.note(note);
-  }
-  return out;
-}
-
 }  // namespace
 
 void note_other_rules(const RuleSet& rules, const CompiledRules& compiled, const Abilities& robot,
                       const std::optional<std::string>& robot_file, Diagnostics& diagnostics) {
-  if (compiled.decision || stop_requested() || !diagnostics.has_errors()) return;
-  const auto note = note_on_other_rules(rules, compiled, robot, robot_file);
-  if (note) diagnostics = with_note(diagnostics, *note);
+  Diagnostic* const error = diagnostics.last_error();
+  if (compiled.decision || stop_requested() || error == nullptr) return;
+  if (auto note = note_on_other_rules(rules, compiled, robot, robot_file)) {
+    error->note(std::move(*note));
+  }
 }
 
 }  // namespace stig
