@@ -57,7 +57,10 @@ class TextReader {
   void read_line(std::size_t begin, std::size_t end) {
     const std::string_view line = std::string_view(source_->text()).substr(begin, end - begin);
     const std::size_t first = line.find_first_not_of(kSpaces);
-    if (first == std::string_view::npos) return;
+    if (first == std::string_view::npos) {
+      blank_before_ = rows_ > 0;
+      return;
+    }
     const std::size_t last = line.find_last_not_of(kSpaces) + 1;
     // Comments are skipped within the drawing too; the head's keys are read by
     // text_file.cpp.
@@ -73,6 +76,7 @@ class TextReader {
   // A symbol may be any run of characters without spaces, so several-character symbols are
   // read as they are printed.
   void read_row(std::size_t begin, std::size_t end) {
+    if (blank_before_) warn_of_blank(begin, end);
     const std::string_view text = source_->text();
     const std::size_t cells_before = cells_.size();
     for (std::size_t at = begin; at < end;) {
@@ -89,6 +93,15 @@ class TextReader {
             fmt::format("row has {} cells, the rows before have {}", width, width_));
     }
     ++rows_;
+  }
+
+  /// Said once: who parts slices so does it everywhere.
+  void warn_of_blank(std::size_t begin, std::size_t end) {
+    blank_before_ = false;
+    if (warned_) return;
+    warned_ = true;
+    diagnostics_.add(Code::F412, range(begin, end), "this row is on the level of the rows above it")
+        .note("a blank line parts nothing; a line of '---' begins the next level");
   }
 
   // The nearest known symbol is suggested, by edit distance, as for keys of rule files.
@@ -118,6 +131,7 @@ class TextReader {
             fmt::format("slice has {} rows, the slices before have {}", rows_, height_));
     }
     rows_ = 0;
+    blank_before_ = false;
     ++slices_;
   }
 
@@ -142,9 +156,11 @@ class TextReader {
 
   Diagnostic& error(Code code, std::size_t begin, std::size_t end, std::string message) {
     ++errors_;
-    return diagnostics_.add(
-        code, {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)},
-        std::move(message));
+    return diagnostics_.add(code, range(begin, end), std::move(message));
+  }
+
+  SourceRange range(std::size_t begin, std::size_t end) const {
+    return {source_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end)};
   }
 
   SourceRef source_;
@@ -152,6 +168,8 @@ class TextReader {
   Diagnostics& diagnostics_;
   std::vector<State> cells_;  // in reading order
   std::size_t width_ = 0, height_ = 0, rows_ = 0, slices_ = 0, errors_ = 0;
+  bool blank_before_ = false;  ///< between the row before, of the same slice, and the next
+  bool warned_ = false;
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ namespace stig {
 /// Symbols are those of `bricks`; errors (unknown symbol, ragged rows, slices of
 /// different size) are reported. `corner` is the place of the lowest, left-most drawn
 /// cell. Blank lines and lines that start with "//" are
-/// passed over.
+/// passed over; of a blank line between rows of one slice a warning says so.
 std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
                                              const std::vector<Brick>& bricks,
                                              Diagnostics& diagnostics, Cell corner = {});

@@ -84,6 +84,22 @@ TEST_CASE("what is wrong is said where it is") {
   CHECK(rows_complaint("63") == "F402 1:1 unknown brick '63'");
 }
 
+TEST_CASE("a blank line between rows of a slice is warned of, once") {
+  const auto warnings = [](const std::string& text) {
+    Diagnostics diagnostics;
+    CHECK(read_rows(text, diagnostics).has_value());
+    std::string out;
+    for (const Diagnostic& one : diagnostics.all()) {
+      out += std::string(info(one.code).name) + " " +
+             std::to_string(one.range.file->position(one.range.begin).line) + "; ";
+    }
+    return out;
+  };
+  CHECK(warnings("1 .\n\n1 1\n\n2 2\n") == "F412 3; ");
+  CHECK(warnings("1\n \t\n// a level?\n2\n---\n1\n\n2\n") == "F412 4; ");
+  CHECK(warnings("\n1\n2\n\n---\n\n1\n2\n\n") == "");
+}
+
 TEST_CASE("all problems are reported, an unknown symbol once") {
   Diagnostics diagnostics;
   read_rows("x 1 x\ny\n1 1 1\n", diagnostics);
