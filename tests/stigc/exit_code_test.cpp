@@ -169,6 +169,18 @@ TEST_CASE("results are not added to the file that they come from") {
   CHECK(place.file("set.yaml") == place.file("sets/corner.yaml"));
 }
 
+TEST_CASE("an option that there is not is said to be one, with a command and without") {
+  const Workplace place;
+  for (const std::string line :
+       {"stigc --bogus", "stigc --bogus --help", "stigc check --bogus x"}) {
+    CAPTURE(line);
+    const Outcome outcome = place.shell(line);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.starts_with("stigc: unknown option '--bogus'"));
+  }
+  CHECK(place.shell("stigc --verison").err.find("did you mean '--version'?") != std::string::npos);
+}
+
 TEST_CASE("help of a command that there is not is a usage error") {
   const Workplace place;
   for (const std::string line : {"stigc serch --help", "stigc --help serch", "stigc verfy -h",

@@ -728,16 +728,20 @@ bool unknown_command(const CLI::App& app) {
   return app.get_subcommands().empty() && !app.remaining(true).empty();
 }
 
+std::string unknown_word(const CLI::App& app, const std::string& word, const char* unless_option) {
+  const char* what = word.starts_with("-") ? "unknown option" : unless_option;
+  return fmt::format("{} '{}'{}", what, word, suggestion(app, word));
+}
+
 std::string problem_in_words(const CLI::App& app, const CLI::ParseError& error) {
   // What CLI11 could not place, in the order of the command line.
   const std::vector<std::string> extra = app.remaining(true);
   if (app.get_subcommands().empty()) {
-    if (extra.empty()) return "a command is wanted";
-    return fmt::format("there is no command '{}'{}", extra.front(), suggestion(app, extra.front()));
+    return extra.empty() ? "a command is wanted"
+                         : unknown_word(app, extra.front(), "there is no command");
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr && !extra.empty()) {
-    const char* what = extra.front().starts_with("-") ? "unknown option" : "unexpected argument";
-    return fmt::format("{} '{}'{}", what, extra.front(), suggestion(app, extra.front()));
+    return unknown_word(app, extra.front(), "unexpected argument");
   }
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr &&
