@@ -18,7 +18,13 @@ TEST_CASE("build refuses a folder of the user's, and says why nothing can be bui
   CHECK(apart.exit_code == 1);
   CHECK(apart.out.starts_with("impossible: "));
   CHECK_FALSE(place.has("out/rules.yaml"));
+  // The folder is no other's now: the drawing mended, the same command goes on.
+  CHECK(place.stigc({"build", "apart.txt", "-o", "out"}).exit_code == 1);
   CHECK(place.stigc({"build", "line.txt"}).exit_code == 2);
+  place.write("blank.txt", "1\n\n.\n1\n");
+  const std::string err = place.stigc({"build", "blank.txt", "-o", "blank"}).err;
+  CHECK(err.find("warning[F412]") != std::string::npos);
+  CHECK(err.find("warning[F412]") == err.rfind("warning[F412]"));
 }
 
 #if STIG_WITH_DART

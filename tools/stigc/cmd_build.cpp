@@ -12,10 +12,10 @@
 #include "base/file_io.h"
 #include "base/text.h"
 #include "commands.h"
+#include "lattice/structure_files.h"
 #include "outputs.h"
 #include "robot_input.h"
 #include "rules/rule_reader.h"
-#include "structure_input.h"
 #include "synth_words.h"
 #include "validate_runs.h"
 
@@ -37,6 +37,7 @@ class BuildWork {
     if (const int code = prepare(); code != kOk) return code;
     app_.say("1 of 3: rules that the robot can follow");
     if (const int code = synth(); code != kOk) return code;
+    if (const int code = draw_target(); code != kOk) return code;
     app_.say("2 of 3: what a robot decides where");
     if (const int code = compile(); code != kOk) return code;
     app_.say("3 of 3: robots at work");
@@ -48,47 +49,30 @@ class BuildWork {
  private:
   std::string in_folder(const std::string& name) const { return options_.output + "/" + name; }
 
-  /// The folder, and what is wanted drawn into it.
   int prepare() {
-    // Read once here, for the picture and so that a bad file is told of before a folder is made.
-    const auto target = read_structure(options_.target, std::nullopt, app_);
-    if (!target) return kFailed;
-    std::vector<std::string> names;
-    for (const char* name : {kRules, kDecisions, kTarget, kBuilt}) names.push_back(in_folder(name));
-    if (const int code = check_outputs(names, app_, options_.output); code != kOk) return code;
-    if (const int code = check_ownership(names); code != kOk) return code;
-    std::error_code error;
-    fs::create_directory(options_.output, error);
-    if (error) {
-      app_.complain(fmt::format("cannot make the folder '{}': {}", printable(options_.output),
-                                error.message()));
-      return kRunFailed;
+    Diagnostics diagnostics;
+    target_ = read_structure_file(options_.target, {}, diagnostics);
+    if (!target_ || app_.invalid(diagnostics)) {  // otherwise synth reports them
+      app_.report(diagnostics);
+      return kFailed;
     }
+    // The rules are the first file that is written, and say by whom.
+    FileError none;
+    const auto rules = read_file(in_folder(kRules), kMaxRuleFileBytes, none);
+    const bool ours = rules && rules->find(kMadeBySynth) != std::string::npos;
+    return prepare_folder({options_.output, {kRules, kDecisions, kTarget, kBuilt}, ours, "build"},
+                          app_);
+  }
+
+  int draw_target() const {
     std::string problem;
     const std::string title = fs::path(options_.target).filename().string();
-    if (write_structure(in_folder(kTarget), target->structure, target->bricks, title, true,
+    if (write_structure(in_folder(kTarget), target_->structure, target_->bricks, title, true,
                         problem)) {
       return kOk;
     }
     app_.complain(problem);
     return kRunFailed;
-  }
-
-  /// Names that the user did not choose are no leave to write over files of the user's.
-  int check_ownership(const std::vector<std::string>& names) const {
-    FileError none;
-    // What synth writes into every file that it makes is how an earlier build is known.
-    const auto rules = read_file(in_folder(kRules), kMaxRuleFileBytes, none);
-    if (rules && rules->find(kMadeBySynth) != std::string::npos) return kOk;
-    for (const std::string& name : names) {
-      std::error_code ignored;
-      if (!fs::exists(name, ignored)) continue;
-      app_.complain(fmt::format(
-          "'{}' is there already, and no earlier build wrote it: name a folder of its own",
-          printable(name)));
-      return kUsage;
-    }
-    return kOk;
   }
 
   int synth() {
@@ -142,6 +126,7 @@ class BuildWork {
 
   const BuildOptions& options_;
   App& app_;
+  std::optional<LoadedStructure> target_;
 };
 
 }  // namespace

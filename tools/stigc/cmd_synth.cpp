@@ -6,12 +6,10 @@
 // and says when it was cut short. What is printed has been proved by verify, whatever synthesis
 // thinks of it.
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "base/file_io.h"
@@ -69,20 +67,6 @@ Wording wording(const SynthOptions& options, const Solution& solution, bool cut_
                       cut_short ? fmt::format("; {}", ended_early()) : std::string())};
 }
 
-/// Writes a file into a folder that may have to be made.
-bool write_into(const std::string& folder, const std::string& name, const std::string& bytes,
-                std::string& error) {
-  // EEXIST may be a file of that name: then the write fails, and says so.
-  if (mkdir(folder.c_str(), 0777) != 0 && errno != EEXIST) {
-    error = fmt::format("cannot make folder '{}': {}", printable(folder), strerror(errno));
-    return false;
-  }
-  FileError failed;
-  if (write_file(folder + "/" + name, bytes, failed)) return true;
-  error = failed.message;
-  return false;
-}
-
 /// Holds "the fewest for this order" to the checker: states that only seem possible, seen
 /// from one site, make clauses that it does not derive.
 void confirm_fewest(const SynthOptions& options, const Target& target, const Deadline& deadline,
@@ -112,18 +96,19 @@ int write_proof(const SynthOptions& options, const Solution& solution,
     app.complain("no proof that fewer colours do not do was found with this effort");
     return kRunFailed;
   }
+  if (const int code = make_folder(*options.proof, app); code != kOk) return code;
   const std::size_t before = written.size();
   const std::array<const std::string*, 3> bytes = {&proof->problem, &proof->cnf, &proof->drat};
   for (std::size_t i = 0; i < kProofFiles.size(); ++i) {
-    const std::string name = kProofFiles[i];
-    std::string error;
-    if (!write_into(*options.proof, name, *bytes[i], error)) {
-      app.complain(error);
+    const std::string path = *options.proof + "/" + kProofFiles[i];
+    FileError error;
+    if (!write_file(path, *bytes[i], error)) {
+      app.complain(error.message);
       // Two of the three files prove nothing.
       for (; written.size() > before; written.pop_back()) std::remove(written.back().c_str());
       return kRunFailed;
     }
-    written.push_back(*options.proof + "/" + name);
+    written.push_back(path);
   }
   return kOk;
 }

@@ -206,17 +206,13 @@ class Validation {
     return &file == &scene_->files.front() ? kSceneFile : file.name;
   }
 
-  /// Every file that is written.
+  /// Every file that is written into the folder.
   std::vector<std::string> output_names() const {
-    std::vector<std::string> names;
-    const auto add = [&](const std::string& name) {
-      names.push_back(*options_.output + "/" + name);
-    };
-    for (const SceneFile* file : written_scene_files()) add(written_name(*file));
-    for (const char* name : kReportFiles) add(name);
+    std::vector<std::string> names(kReportFiles.begin(), kReportFiles.end());
+    for (const SceneFile* file : written_scene_files()) names.push_back(written_name(*file));
     // Traces are named by their seeds.
     for (int run = 0; run < options_.runs; ++run) {
-      add(trace_name(options_.seed + static_cast<std::uint64_t>(run)));
+      names.push_back(trace_name(options_.seed + static_cast<std::uint64_t>(run)));
     }
     return names;
   }
@@ -256,32 +252,11 @@ class Validation {
     report_conflict(*rules_, compiled_, diagnostics);
   }
 
-  /// Names that the user did not choose are no leave to write over files of the user's.
-  int check_ownership(const std::vector<std::string>& names) const {
-    std::error_code ignored;
-    // An earlier report marks the folder as this command's own.
-    if (fs::exists(*options_.output + "/" + kReport, ignored)) return kOk;
-    for (const std::string& name : names) {
-      if (!fs::exists(name, ignored)) continue;
-      app_.complain(
-          fmt::format("'{}' is there already, and no earlier validation wrote it: name a "
-                      "folder of its own",
-                      printable(name)));
-      return kUsage;
-    }
-    return kOk;
-  }
-
   int prepare_folder() const {
-    const std::vector<std::string> names = output_names();
-    if (const int code = check_outputs(names, app_, *options_.output); code != kOk) return code;
-    if (const int code = check_ownership(names); code != kOk) return code;
-    std::error_code error;
-    fs::create_directory(*options_.output, error);
-    if (!error) return kOk;
-    app_.complain(fmt::format("cannot make the folder '{}': {}", printable(*options_.output),
-                              error.message()));
-    return kRunFailed;
+    // An earlier report marks the folder as this command's own.
+    std::error_code ignored;
+    const bool ours = fs::exists(*options_.output + "/" + kReport, ignored);
+    return stig::prepare_folder({*options_.output, output_names(), ours, "validation"}, app_);
   }
 
   bool write_one(const std::string& name, const std::string& text) const {

@@ -113,6 +113,29 @@ int check_outputs(const std::vector<std::string>& paths, const App& app,
   return complain(problems, kRunFailed, app);
 }
 
+int make_folder(const std::string& folder, const App& app) {
+  std::error_code error;
+  fs::create_directory(folder, error);
+  if (!error) return kOk;
+  app.complain(fmt::format("cannot make the folder '{}': {}", printable(folder), error.message()));
+  return kRunFailed;
+}
+
+int prepare_folder(const FolderOutputs& outputs, const App& app) {
+  std::vector<std::string> paths;
+  for (const std::string& name : outputs.names) paths.push_back(outputs.folder + "/" + name);
+  if (const int code = check_outputs(paths, app, outputs.folder); code != kOk) return code;
+  std::error_code ignored;
+  for (const std::string& path : paths) {
+    if (outputs.ours || !fs::exists(path, ignored)) continue;
+    app.complain(
+        fmt::format("'{}' is there already, and no earlier {} wrote it: name a folder of its own",
+                    printable(path), outputs.command));
+    return kUsage;
+  }
+  return make_folder(outputs.folder, app);
+}
+
 int write_output(const std::string& path, std::string_view bytes, const App& app) {
   FileError error;
   if (!write_file(path, bytes, error)) {

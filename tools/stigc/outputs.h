@@ -22,6 +22,21 @@ std::string file_name(const std::string& path);
 int check_outputs(const std::vector<std::string>& paths, const App& app,
                   const std::string& folder = {});
 
+/// A folder of results, made where it is not there. An exit code.
+int make_folder(const std::string& folder, const App& app);
+
+/// Files that a command writes into a folder, under names that the user did not choose: these are
+/// no leave to write over files of the user's.
+struct FolderOutputs {
+  std::string folder;
+  std::vector<std::string> names;  ///< in it
+  bool ours = false;               ///< what lies there already is of an earlier such command
+  std::string_view command;        ///< what such a command is called: "validation"
+};
+/// Before the work: checks the names as check_outputs does, and makes the folder. An exit code:
+/// kUsage as well where files of these names are there that are not ours.
+int prepare_folder(const FolderOutputs& outputs, const App& app);
+
 /// Writes a file and says so; an exit code.
 int write_output(const std::string& path, std::string_view bytes, const App& app);
 
