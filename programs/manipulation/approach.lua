@@ -83,6 +83,12 @@ function Approach:look_at(block, often)
    return known
 end
 
+-- Whether a block is in the picture where its approach begins: of a high one the lift shows the front
+-- only from nearer.
+function Approach:begins_in_sight(block)
+   return self.camera:farthest_in_sight(self.lift.highest, block) >= STAND_OFF
+end
+
 -- With the lift so that the block stays in the picture's middle.
 function Approach:watch(block, lowest)
    local mark, before = self.tracker:mark_of(block)

@@ -91,8 +91,15 @@ function Column:room_beside(wish)
    return (stands(dv - 1) and 1 or 0) - (stands(dv + 1) and 1 or 0)
 end
 
--- What the rules want here, for the task's decision: {what, colour, level, left, rule} with top, foot
--- and aside, or nil. The second result says whether the column's top was seen.
+-- Its bricks from a level down, as far as they are known.
+function Column:down_from(highest)
+   local out = {}
+   for level = highest, 0, -1 do table.insert(out, self.bricks['0 0 ' .. level]) end
+   return out
+end
+
+-- What the rules want here, for the task's decision: {what, colour, level, left, rule} with top, feet
+-- (what the place is next to) and aside, or nil. The second result says whether the column's top was seen.
 function Column:decide()
    local top = self:top()
    local wish = self.task.decide {
@@ -101,7 +108,7 @@ function Column:decide()
    }
    if not wish then return nil, top ~= nil end
    wish.top = self:highest()
-   wish.foot = self.bricks['0 0 ' .. (wish.level or 0)]
+   wish.feet = self:down_from(wish.level or 0)
    wish.aside = self:room_beside(wish)
    return wish, top ~= nil
 end

@@ -216,10 +216,18 @@ function SiteWork:is_alone(line)
    return not busy
 end
 
+-- The brick to go by to a place in front of a column or beside it: the one on the place's level, or one
+-- below it where that is too high to be seen on the whole way.
+function SiteWork:foot_of(wish)
+   for _, brick in ipairs(wish.feet) do
+      if self.machine.approach:begins_in_sight(brick) then return brick end
+   end
+   return wish.feet[1] or wish.top
+end
+
 function SiteWork:approach_site()
    local wish = self.wish
-   local target = wish.top
-   if wish.what ~= 'raise' then target = wish.foot or wish.top end
+   local target = wish.what == 'raise' and wish.top or self:foot_of(wish)
    local near, problem = self.placement:approach_site(target, wish.what, {
       heading = self.row.frame.yaw, level = wish.level, left = wish.left and wish.left * SIDE,
       aside = wish.aside,

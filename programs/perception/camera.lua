@@ -2,7 +2,9 @@
 -- The robot's camera: where it is, what of the surroundings is in its picture, and from where a
 -- block is seen.
 
+local SIDE = require('common.geometry').SIDE
 local LOWEST_OF_VIEW = 0.92    -- of the half height of the picture
+local WHOLLY_IN_VIEW = 0.92    -- likewise of its upper half
 local TAG_EDGE = 0.016         -- m, from the middle of the tag on top to its nearer edge, and some more
 local TAG_FOOT = 0.014         -- m, of the tag in front, likewise down to its lower edge
 
@@ -54,6 +56,13 @@ function Camera:nearest_in_sight(lift, mark, before)
    local in_front = before > 0
    local above = z + lift - mark + (in_front and TAG_FOOT or 0)
    return x + above * (1 - half) / (1 + half) + (in_front and 0 or TAG_EDGE) + before
+end
+
+-- The greatest at which the tag in its front is wholly in the picture.
+function Camera:farthest_in_sight(lift, block)
+   local x, z = self:place_when_down()
+   local half = WHOLLY_IN_VIEW * self.robot.camera_system.resolution.y / 2 / self.description.camera.focal
+   return x + (z + lift - block.z - TAG_FOOT) * (1 + half) / (1 - half) + SIDE / 2
 end
 
 -- How far ahead a block is whose mark is in the picture's middle, at a height of the lift.

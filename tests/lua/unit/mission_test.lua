@@ -115,7 +115,9 @@ case('what a column shows', function()
    end
    local wish, seen = column:decide()
    same('wish', wish.what, 'extend')
-   same('foot', wish.foot.level, 0)
+   same('foot', wish.feet[1].level, 0)
+   same('none below', wish.feet[2], nil)
+   same('both', #column:down_from(1), 2)
    same('nobody beside', wish.aside, 0)
    same('seen', seen, true)
    -- one to the left of the site: a little off to the right
@@ -146,6 +148,17 @@ case('each state of the chart is something that a part does', function()
    for does, part in pairs(Builder.BEHAVIOURS) do
       same(does, type(builder[part][does]), 'function')
    end
+end)
+
+case('a place on the third level is gone to by a brick that is seen from afar', function()
+   local work = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 }).work
+   local feet = {}
+   for level = 2, 0, -1 do table.insert(feet, { level = level, z = geometry.SIDE * (level + 0.5) }) end
+   same('level', work:foot_of({ feet = feet }).level, 1)
+   table.remove(feet, 1)
+   same('level below', work:foot_of({ feet = feet }).level, 1)
+   same('only the high one is known', work:foot_of({ feet = { { z = 0.1375 } } }).z, 0.1375)
+   same('none is known', work:foot_of({ feet = {}, top = 'top' }), 'top')
 end)
 
 case('a column of two with one in front is built', function()
