@@ -5,9 +5,10 @@
 #
 #   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [PART…]
 #
-# Parts: bench laws validate robots five fuzz sanitizers; without one, all but robots. Each fuzz
-# target runs for N seconds (600), J of them at a time (as many as there are cores). S is the seed
-# of the laws' random cases and of the fuzzers (the time); the report begins with it, for repeating.
+# Parts: bench laws validate robots five assembly fuzz sanitizers; without one, all but robots and
+# assembly, which take hours. Each fuzz target runs for N seconds (600), J of them at a time (as many
+# as there are cores). S is the seed of the laws' random cases, of the fuzzers and of drawn targets
+# (the time); the report begins with it, for repeating.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) parts=()
@@ -16,8 +17,8 @@ while [[ $# -gt 0 ]]; do
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
-    bench | laws | validate | robots | five | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,10s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    bench | laws | validate | robots | five | assembly | fuzz | sanitizers) parts+=("$1") ;;
+    -h | --help) sed -n '3,11s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
@@ -164,6 +165,18 @@ robots_part() {
   scripts/install.sh build >&2
   configure_and_build dev stigc >&2
   STIGC=build/dev/stigc scripts/scaling.sh || failures=$((failures + 1))
+}
+
+# Targets of every kind, drawn by the seed. What out/assembly-SEED has of them is not done again.
+assembly_part() {
+  printf '\n## Drawn targets, built by one robot and by two\n\n'
+  scripts/install.sh build bench >&2
+  configure_and_build release >&2
+  local command=(build/release/bench_assembly --build build/release/stigc -o "out/assembly-$seed" 10
+    "$seed")
+  printf '`%s`\n\n```\n' "${command[*]}"
+  "${command[@]}" || failures=$((failures + 1))
+  printf '```\n'
 }
 
 # Runs one target on its corpus; its log says what came of it. New inputs go to the first folder,
