@@ -27,6 +27,7 @@ namespace stig {
 namespace {
 
 // Large proofs are legitimate, and read into memory as a whole.
+// Sizes are bounded before anything is parsed: a proof may come from anybody.
 constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 28;
 constexpr std::size_t kMostProofBytes = std::size_t{1} << 30;
 
@@ -66,6 +67,7 @@ void print_text(const CertifyOptions& options, const CheckReport& report, std::u
 void print_json(const CertifyOptions& options, const RuleSet& rules, const CheckReport& report,
                 std::uint64_t hash, std::size_t stages, App& app) {
   Json json;
+  // The hash is of the rules as they are checked, after --sides: a certificate is for these.
   json["ruleset"] = rules.name;
   json["ruleset_hash"] = to_hex(rule_set_hash(rules));
   json["certificate"] = options.proof;
@@ -124,6 +126,7 @@ int certify_drat(const CertifyOptions& options, App& app) {
   if (!formula) return kFailed;
   const auto proof = bytes_of(options.proof, kMostProofBytes, app);
   if (!proof) return kFailed;
+  // Reverse unit propagation and RAT checks, see certify/drat.h.
   const DratReport report = check_drat(*formula, *proof);
   if (options.json) {
     Json json;
@@ -153,6 +156,7 @@ int certify_fewest(const CertifyOptions& options, App& app) {
   const auto formula = bytes_of(options.file + "/fewer.cnf", kMostProofBytes, app);
   const auto proof = bytes_of(options.file + "/fewer.drat", kMostProofBytes, app);
   if (!problem || !formula || !proof) return kFailed;
+  // The formula is not believed: it is derived again from the problem, clause by clause.
   const FewestReport claim = derive_formula(*problem, *formula);
   DratReport drat;
   // A proof of a formula that is not the problem's is of no use.

@@ -24,6 +24,7 @@ std::string sides_text(const CompiledRules& compiled) {
   return out;
 }
 
+// A leaf says what to do, an inner node what to ask; depth is that of the decision.
 Json node_json(const RuleSet& rules, const DecisionNode& node) {
   if (!node.question) {
     if (!node.placement) return {{"do", "nothing"}};
@@ -62,6 +63,7 @@ Json robots_json(const CompiledRules& compiled) {
   return out;
 }
 
+// The program as a state chart: events lead from one state to the next.
 Json chart_json(const Chart& chart) {
   Json out = Json::array();
   for (const ChartState& state : chart.states) {

@@ -13,6 +13,7 @@ namespace {
 constexpr std::size_t kIndent = 26;
 constexpr std::size_t kWidth = 98;
 
+// Breaks at blanks alone; a word that is wider than the column stands out.
 /// Words of `text` in lines that start at column kIndent.
 std::string wrapped(std::string_view text) {
   std::string out;
@@ -60,6 +61,7 @@ std::string options_of(const std::vector<OptionInfo>& options, bool positional) 
 
 }  // namespace
 
+// What the shell would need to run it at all; the lists below say the rest.
 std::string usage_line(const CommandInfo& command) {
   std::string line = "Usage: stigc " + command.name;
   // Required options are part of the usage; all others are "[options]".

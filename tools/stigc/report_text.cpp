@@ -13,6 +13,7 @@ namespace stig {
 namespace {
 
 /// A drawing of more lines or wider lines than this is no longer looked at.
+// A drawing prints slices one below the other, so lines are rows times levels.
 constexpr std::int32_t kMostDrawnLines = 40;
 constexpr std::int32_t kMostDrawnColumns = 38;
 constexpr std::size_t kMostRulesShown = 40;
@@ -24,6 +25,7 @@ std::string count(std::uint64_t number, std::string_view one, std::string_view m
 
 std::string box_in_words(const std::optional<Box>& box) {
   if (!box) return "unbounded";
+  // A solid side is a wall: agents turn back there.
   return fmt::format("{} from {}, {} sides", to_text(box->size), cell_text(box->low),
                      box->periodic ? "periodic" : "solid");
 }
@@ -44,6 +46,7 @@ std::string ended_in_words(const SwarmResult& result) {
     return fmt::format("saturated {}: no rule fits anywhere", after);
   }
   std::string text = fmt::format(
+      // Stopped by a limit of steps or deposits: rules would still have fired.
       "{} {}", result.terminated == Terminated::interrupted ? "interrupted" : "stopped", after);
   text += fmt::format(", {} left", count(result.enabled_left, "enabled site", "enabled sites"));
   if (result.out_of_reach > 0) text += fmt::format(", {} out of reach", result.out_of_reach);

@@ -32,6 +32,7 @@ std::string_view words(Obstacle::Kind kind) {
   return "colours";
 }
 
+// A solution as a point of the trade between colours and rules: the best one and the others alike.
 Json point_json(const Solution& s) {
   return {{"colours", s.colour_count}, {"fewer_refuted", s.fewer_refuted},
           {"rules", s.rules.size()},   {"exact_rules", s.exact_rules},
@@ -45,6 +46,8 @@ std::string orders_in_words(std::size_t tried) {
                     : fmt::format("none of the {} orders tried works", tried);
 }
 
+// Three verdicts: compiled, with what verify says of the rules; impossible, where that is proved;
+// or not found, which says nothing of what more effort would find.
 Json synth_json(const SynthOptions& options, const Synthesis& result, const SynthOutcome& outcome) {
   Json json{{"target", options.target}};
   if (result.best) {
@@ -55,6 +58,7 @@ Json synth_json(const SynthOptions& options, const Synthesis& result, const Synt
     json["local_states"] = outcome.proof.local_states;
     json["bricks"] = s.frame->cells.size();
     json.update(point_json(s));
+    // Bricks of the scaffold are a part of the structure that is built, so they are counted above.
     if (!outcome.scaffold.empty()) {
       json["scaffold"] = Json::array();
       for (const Cell c : outcome.scaffold) json["scaffold"].push_back(to_json(c));
@@ -69,6 +73,7 @@ Json synth_json(const SynthOptions& options, const Synthesis& result, const Synt
     }
     json["others"] = Json::array();
     for (const Solution& other : result.others) json["others"].push_back(point_json(other));
+    // Words that programs compare; people read synth_reason.
   } else if (result.obstacle) {
     json["verdict"] = result.obstacle->proved ? "impossible" : "not-found";
     json["reason"] = words(result.obstacle->kind);
@@ -114,6 +119,7 @@ std::string synth_summary(const Synthesis& result, const SynthOutcome& outcome) 
     out += line("walled in", cell_text(walled.site) +
                                  " can be cut off before it is placed; stigc verify shows how");
   }
+  // Solutions that are better in one figure and worse in another.
   for (const Solution& other : result.others) {
     out += line("or", fmt::format("{} colours and {} rules: {}", other.colour_count,
                                   other.rules.size(), other.order.name));

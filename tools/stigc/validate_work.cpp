@@ -14,6 +14,7 @@ namespace stig {
 Json to_json(const WorkSummary& all) {
   Json json{{"runs", all.runs},
             {"complete", all.complete},
+            // The time of the last brick, of complete runs alone; other sums are over all runs.
             {"finish_s", all.complete > 0 ? Json(all.finish) : Json(nullptr)},
             {"finish_deviation_s", all.complete > 0 ? Json(all.deviation) : Json(nullptr)},
             {"robots_s", all.time},
@@ -76,6 +77,7 @@ std::string state_lines(const WorkSummary& all) {
       fmt::format("{:<16}  {:>9}  {:>7}  {:>9}\n", "state", "time/s", "share/%", "idle/s");
   for (const StateTime& one : all.states) {
     out += fmt::format("{:<16}  {:>9.1f}  {:>7.1f}  {:>9.1f}\n", printable(one.state), one.time,
+                       // The time is positive where there is any state.
                        100 * one.time / all.time, one.idle);
   }
   return out;

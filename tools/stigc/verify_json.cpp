@@ -19,6 +19,7 @@ Json rule_json(const RuleSet& rules, std::uint32_t rule) {
   return json;
 }
 
+// By name and line, not by number: numbers change when a file is edited.
 Json rules_json(const RuleSet& rules, const std::vector<std::uint32_t>& some) {
   Json json = Json::array();
   for (const std::uint32_t rule : some) json.push_back(rule_json(rules, rule));
@@ -118,9 +119,11 @@ Json to_json(const VerifyReport& report) {
   }
   json["local_states"] = result.local_states;
   json["method"] = result.verdict == ProofVerdict::proved ? Json(to_string(result.method)) : Json();
+  // Work is what effort is counted in; it is the same on every machine.
   json["work"] = result.work;
   json["stage"] = result.stage;
   json["interrupted"] = result.interrupted;
+  // Set where nothing was decided: how far the search came.
   if (!result.open.empty()) json["explored"] = result.open;
   if (result.refutation) json["refutation"] = refutation_json(report);
   if (result.endless) {
