@@ -34,7 +34,7 @@ struct Cases {
   std::vector<std::vector<WayOn>> ways_on;
 };
 
-/// Of a candidate that was walked: structure by structure.
+/// Takes a candidate that was walked, and looks at it structure by structure.
 Cases cases_of(const CandidateOrder& candidate);
 
 }  // namespace stig

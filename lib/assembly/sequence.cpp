@@ -31,7 +31,7 @@ struct Span {
   int low = 0, high = 0;
   /// Twice the distance from the middle.
   int from_middle(int at) const { return std::abs(2 * at - low - high); }
-  // Of an even number of rows two are in the middle, and of an odd one the middle and the next: the
+  // An even number of rows has two in the middle, an odd one the middle and the next: the
   // spine is two rows wide in any case.
   /// Rows from the two in the middle: 0 for these.
   int from_spine(int at) const {

@@ -16,7 +16,7 @@ struct WorkStep {
   std::size_t open = 0;  ///< sites that some robot could have filled at that moment, this one too
 };
 
-/// Of rules that were compiled, from the start on: of what may be put, always the brick that comes
+/// A run of compiled rules, from the start on: of what may be put, always the brick that comes
 /// first in `liked`, a list of the structure's cells.
 std::vector<WorkStep> work_of(const CompiledRules& compiled, const std::vector<Cell>& liked);
 

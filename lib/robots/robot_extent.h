@@ -13,7 +13,7 @@ namespace stig {
 struct BodyExtent {
   Vec3 low, high;
 };
-/// Of a box and a hull exactly; of round shapes that of the box about them.
+/// Boxes and hulls exactly; round shapes by the box about them.
 BodyExtent extent_of(const BodyModel& body);
 
 /// For each body, whether it goes up with the lift. Of a robot that has one.
