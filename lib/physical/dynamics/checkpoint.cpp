@@ -176,6 +176,8 @@ bool read_shape(Taker& in, Shape& shape) {
 
 bool known(const DofDef& dof) { return dof.actuator <= Actuator::force; }
 
+// The numbers are the least bytes that an entry takes, so that no count asks for much more memory
+// than the file itself has.
 bool read_definitions(Taker& in, WorldConfig& out) {
   take_count(in, out.bodies, 150);
   for (BodyDef& def : out.bodies) {
@@ -280,8 +282,11 @@ std::string write_checkpoint(const WorldState& world) {
   for (const Articulation& it : world.articulations.all) visit_articulation(out, it);
   for (const Magnet& magnet : world.magnets) visit_magnet(out, magnet);
   for (const double current : world.currents) out(current);
+  // Pairs of blocks that are snapped together, so that none snaps again after a resumption.
   out(static_cast<std::uint64_t>(world.snaps.size()));
   for (const BodyPair& snap : world.snaps) out(snap.first), out(snap.second);
+  // Contacts carry the impulses that the next step begins with: without them it would end
+  // elsewhere.
   out(static_cast<std::uint64_t>(world.contacts.size()));
   for (const Contact& contact : world.contacts) visit_contact(out, contact);
   return out.take();
@@ -343,6 +348,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
   }
   if (!read_magnets(next, in)) return false;
   in(count);
+  // An entry takes more than a byte.
   if (!in.good() || count > bytes.size()) return false;
   next.snaps.assign(count, {});
   for (BodyPair& snap : next.snaps) {

@@ -50,6 +50,7 @@ class Marks {
     line(X.p, X * Vec3{0, 0, size}, 2, kBlue, kThrough);
   }
 
+  // Through the joint both ways, in the pose that the file gives.
   void axes(const JointModel& joint) {
     for (const AxisModel& axis : joint.axes) {
       // Axes of turning and of sliding differ by their colours; length has no meaning.
@@ -107,6 +108,7 @@ class Marks {
 
 }  // namespace
 
+// By the model's own shape: a wheel that rolls as a ball is drawn as the cylinder that it is.
 std::vector<SolidFace> faces_of(const BodyModel& body) {
   switch (body.shape) {
     case ShapeType::cylinder:
@@ -200,6 +202,7 @@ std::string robot_glb(const RobotModel& robot) {
     node.primitives.push_back(surface_of(robot.bodies[body]));
     node.X_PN = robot.bodies[body].X_RB;
     node.parent = 0;
+    // Quadratic in joints, of which forms allow few.
     for (const JointModel& joint : robot.joints) {
       if (joint.child == body) {
         node.parent = node_of[joint.parent];

@@ -34,6 +34,7 @@ std::vector<SolidFace> box_faces(const Vec3& half) {
   return out;
 }
 
+// By longitude i and latitude j, from the lower pole up.
 Vec3 on_ball(double radius, int i, int j) {
   const double a = 2 * std::numbers::pi * i / kAround,
                b = std::numbers::pi * j / kUp - std::numbers::pi / 2;
@@ -49,6 +50,7 @@ std::vector<SolidFace> ball_faces(double radius) {
       if (j + 1 < kUp) face.corners.push_back(on_ball(radius, i + 1, j + 1));
       if (j > 0 || j + 1 == kUp) face.corners.push_back(on_ball(radius, i, j + 1));
       if (j == 0) face.corners.push_back(on_ball(radius, i, j + 1));
+      // The direction of the middle serves as the normal of the whole facet.
       Vec3 sum;
       for (const Vec3& corner : face.corners) sum += corner;
       face.normal = normalised(sum);

@@ -82,6 +82,8 @@ std::optional<std::size_t> RecordedWorld::drop(const Pose& X_WB, std::string& pr
   return place;
 }
 
+// Answers come in the order of the questions: arguments need not be compared, as the same script
+// asks the same.
 double ReplayedWorld::time() const { return taken<double>(); }
 std::uint64_t ReplayedWorld::seed() const { return taken<std::uint64_t>(); }
 std::size_t ReplayedWorld::blocks() const { return taken<std::uint64_t>(); }
