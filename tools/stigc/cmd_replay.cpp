@@ -16,27 +16,13 @@
 #include "pose_replay.h"
 #include "progress.h"
 #include "report.h"
-#include "rules/rule_reader.h"
+#include "trace_rules.h"
 
 namespace stig {
 namespace {
 
 // As large as traces get; they are read whole.
 constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
-
-/// The rule set that the trace carries.
-std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, const App& app) {
-  Diagnostics diagnostics;
-  auto rules = read_rule_set(
-      // Diagnostics point into the trace, which has no lines of its own to show.
-      std::make_shared<const SourceFile>(path + " (its rule set)", trace.rule_set_yaml),
-      diagnostics);
-  if (diagnostics.has_errors()) {
-    app.report(diagnostics);
-    rules.reset();
-  }
-  return rules;
-}
 
 void print(const ReplayOptions& options, const Trace& trace, const RuleSet& rules,
            const ReplayReport& report, App& app) {
