@@ -6,7 +6,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 preset=${1:-dev}
-purposes=(build test)
+purposes=(build test viewer)
 [[ $preset != coverage ]] || purposes+=(coverage)
 scripts/install.sh "${purposes[@]}"
 

@@ -30,7 +30,7 @@ from pathlib import Path
 FOLDERS = ["lib", "tools", "examples", "tests", "bench", "fuzz", "cmake", "scripts"]
 CODE = {".cpp", ".h", ".def"}
 SPDX = "SPDX-License-Identifier: MIT"
-COMMENT_OF = {".cpp": "//", ".h": "//", ".def": "//", ".js": "//", ".mjs": "//",
+COMMENT_OF = {".cpp": "//", ".h": "//", ".def": "//", ".js": "//", ".mjs": "//", ".ts": "//",
               ".cmake": "#", ".in": "#", ".py": "#", ".sh": "#"}
 
 
@@ -47,6 +47,7 @@ VENDORS = [
     Vendor("yaml-cpp/", "yaml-cpp", one_file=True),
     Vendor("nlohmann/", "nlohmann_json::nlohmann_json", in_headers=("nlohmann/json_fwd.hpp",)),
     Vendor("zstd", "PkgConfig::ZSTD"),
+    Vendor("zlib.h", "ZLIB::ZLIB"),
     Vendor("cairo", "PkgConfig::CAIRO"),
     Vendor("boost/", "Boost::headers"),
     Vendor("Random123/", "Random123::Random123"),

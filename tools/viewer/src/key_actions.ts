@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// What each key does.
+import {kColourings, kPalettes} from './colours.js';
+import type {KeyAction} from './keys.js';
+import type {Player} from './player.js';
+import {kSpeeds} from './time_bar.js';
+import type {ViewState} from './view_state.js';
+import {kPresets, type Viewpoint} from './viewpoint.js';
+
+export interface Actions {
+  state: ViewState;
+  player: Player;
+  viewpoint: Viewpoint;
+  runs: number;
+  levels: () => readonly [number, number];
+  robots: () => number;
+  link: () => void;
+  switchTheme: () => void;
+}
+
+const kTurn = Math.PI / 24;
+const kZoom = 1.15;
+const kManyEvents = 10;
+
+function next<T>(list: readonly T[], one: T, by = 1): T {
+  return list[(list.indexOf(one) + by + list.length) % list.length];
+}
+
+function timeKeys({state, player}: Actions): KeyAction[] {
+  const faster = (by: number): void => {
+    const at = kSpeeds.indexOf(state.now.speed) + by;
+    state.set({speed: kSpeeds[Math.min(Math.max(at, 0), kSpeeds.length - 1)]});
+  };
+  const step = (sign: number) => (event: KeyboardEvent) =>
+    player.step(sign * (event.shiftKey ? kManyEvents : 1));
+  return [
+    {keys: [' '], shown: 'space', does: 'play or pause', run: () => player.toggle()},
+    {keys: ['ArrowRight'], shown: '→', does: 'next event; with shift: ten', run: step(1)},
+    {keys: ['ArrowLeft'], shown: '←', does: 'event before; with shift: ten', run: step(-1)},
+    {keys: ['Home'], shown: 'Home', does: 'to the beginning', run: () => player.goTo(0)},
+    {keys: ['End'], shown: 'End', does: 'to the end', run: () => player.goTo(player.timeline.end)},
+    {keys: ['.'], shown: '.', does: 'faster', run: () => faster(1)},
+    {keys: [','], shown: ',', does: 'slower', run: () => faster(-1)},
+    {keys: ['l'], shown: 'l', does: 'loop', run: () => state.set({loop: !state.now.loop})},
+  ];
+}
+
+function cameraKeys({state, viewpoint}: Actions): KeyAction[] {
+  const turn = (azimuth: number, height: number, zoom = 1) => () =>
+    viewpoint.turn(azimuth, height, zoom);
+  return [
+    ...Object.keys(kPresets).map((name, i) => ({
+      keys: [String(i + 1)], shown: String(i + 1), does: `look from: ${name}`,
+      run: () => viewpoint.lookFrom(name),
+    })),
+    {keys: ['f'], shown: 'f', does: 'fit all into the view', run: () => viewpoint.fit()},
+    {keys: ['o'], shown: 'o', does: 'orthographic or perspective',
+     run: () => state.set({orthographic: !state.now.orthographic})},
+    {keys: ['a'], shown: 'a', does: 'turn left', run: turn(-kTurn, 0)},
+    {keys: ['e'], shown: 'e', does: 'turn right', run: turn(kTurn, 0)},
+    {keys: ['w'], shown: 'w', does: 'turn up', run: turn(0, -kTurn)},
+    {keys: ['x'], shown: 'x', does: 'turn down', run: turn(0, kTurn)},
+    {keys: ['+', '='], shown: '+', does: 'nearer', run: turn(0, 0, 1 / kZoom)},
+    {keys: ['-'], shown: '-', does: 'farther', run: turn(0, 0, kZoom)},
+  ];
+}
+
+/** After the last one comes nobody. */
+function nextRobot(follow: number | null, robots: number): number | null {
+  const next = follow === null ? 0 : follow + 1;
+  return next < robots ? next : null;
+}
+
+function structureKeys({state, levels, runs, robots}: Actions): KeyAction[] {
+  const top = (by: number) => (): void => {
+    const [low, high] = levels();
+    state.set({high: Math.min(Math.max(Math.min(state.now.high, high) + by, low), high)});
+  };
+  return [
+    {keys: ['['], shown: '[', does: 'one level less', run: top(-1)},
+    {keys: [']'], shown: ']', does: 'one level more', run: top(1)},
+    {keys: ['g'], shown: 'g', does: 'ghost of what is to come',
+     run: () => state.set({ghost: !state.now.ghost})},
+    {keys: ['b'], shown: 'b', does: 'bricks apart',
+     run: () => state.set({apart: state.now.apart > 0 ? 0 : 0.6})},
+    {keys: ['c'], shown: 'c', does: 'colours: by brick, order, rule, agent',
+     run: () => state.set({colouring: next(kColourings, state.now.colouring)})},
+    {keys: ['p'], shown: 'p', does: 'palette',
+     run: () => state.set({palette: next(kPalettes, state.now.palette)})},
+    {keys: ['v'], shown: 'v', does: 'follow a robot, the next, nobody',
+     run: () => state.set({follow: nextRobot(state.now.follow, robots())})},
+    {keys: ['n'], shown: 'n', does: 'next run',
+     run: () => state.set({run: (state.now.run + 1) % runs, side: false})},
+    {keys: ['s'], shown: 's', does: 'runs side by side',
+     run: () => state.set({side: runs > 1 && !state.now.side})},
+    {keys: ['d'], shown: 'd', does: 'difference of two runs',
+     run: () => state.set({difference: !state.now.difference})},
+  ];
+}
+
+export function keyActions(actions: Actions): KeyAction[] {
+  const {state} = actions;
+  return [
+    ...timeKeys(actions), ...cameraKeys(actions), ...structureKeys(actions),
+    {keys: ['t'], shown: 't', does: 'light or dark', run: () => actions.switchTheme()},
+    {keys: ['k'], shown: 'k', does: 'a link to this view', run: () => actions.link()},
+    {keys: ['?'], shown: '?', does: 'this sheet', run: () => state.set({help: !state.now.help})},
+    {keys: ['Escape'], shown: 'Escape', does: 'close, let go of the brick',
+     run: () => state.set(state.now.help ? {help: false} : {picked: null})},
+  ];
+}

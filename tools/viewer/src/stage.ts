@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+// The canvas: one run, or up to nine in a grid. A frame is drawn when somebody asks for one, so
+// that nothing is drawn while nothing moves.
+import * as three from 'three';
+
+/** What a pane shows. */
+export interface Shown {
+  scene: three.Scene;
+  turnTo(camera: three.Camera): void;
+}
+
+const kSlowFrame = 60;    // ms: beyond, resolution is given up while the picture moves
+const kStillAfter = 200;  // ms
+const kLeastDetail = 0.4;
+const kBackground = {light: 0xf4f6f8, dark: 0x171c23};
+
+/** Columns and rows for so many panes. */
+export function gridOf(panes: number, aspect: number): [number, number] {
+  let best: [number, number] = [1, panes], worst = Infinity;
+  for (let columns = 1; columns <= panes; ++columns) {
+    const rows = Math.ceil(panes / columns);
+    const off = Math.abs(Math.log(aspect * rows / columns)) + 0.2 * (columns * rows - panes);
+    if (off < worst) [best, worst] = [[columns, rows], off];
+  }
+  return best;
+}
+
+function drawnBySoftware(): boolean {
+  const context = document.createElement('canvas').getContext('webgl2');
+  const info = context?.getExtension('WEBGL_debug_renderer_info');
+  if (!context || !info) return false;
+  const name = String(context.getParameter(info.UNMASKED_RENDERER_WEBGL));
+  context.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+export class Stage {
+  readonly canvas: HTMLCanvasElement;
+  /** Frames drawn so far. */
+  frames = 0;
+  dark = false;
+  panes: Shown[] = [];
+  /** Before each frame. */
+  onFrame: () => void = () => undefined;
+  private readonly renderer: three.WebGLRenderer;
+  private asked = false;
+  private detail = 1;
+  private askedAt = 0;
+  private freeAt = 0;     // ms: when the last frame was done with
+  private frameTime = 0;  // ms
+  private still = 0;
+  private shape = '';
+
+  constructor(private readonly host: HTMLElement, private readonly camera: () => three.Camera) {
+    this.renderer = new three.WebGLRenderer({
+      antialias: !drawnBySoftware(),
+      preserveDrawingBuffer: true,
+      powerPreference: 'high-performance',
+    });
+    this.canvas = this.renderer.domElement;
+    this.canvas.tabIndex = 0;
+    this.renderer.autoClear = false;
+    host.prepend(this.canvas);
+    new ResizeObserver(() => this.draw()).observe(host);
+  }
+
+  get size(): [number, number] {
+    return [Math.max(1, this.host.clientWidth), Math.max(1, this.host.clientHeight)];
+  }
+
+  /** Width by height of one pane. */
+  get aspect(): number {
+    const [width, height] = this.size;
+    const [columns, rows] = this.grid;
+    return (width / columns) / (height / rows);
+  }
+
+  get grid(): [number, number] {
+    const [width, height] = this.size;
+    return gridOf(Math.max(1, this.panes.length), width / height);
+  }
+
+  /** Asks for a frame. */
+  draw(): void {
+    if (this.asked) return;
+    this.asked = true;
+    this.askedAt = performance.now();
+    requestAnimationFrame(() => this.frame());
+  }
+
+  /** The pane at a place on the page, and the place in it from -1 to 1, y up. */
+  paneAt(x: number, y: number): {pane: number; at: three.Vector2} | null {
+    const box = this.canvas.getBoundingClientRect();
+    const [columns, rows] = this.grid;
+    const across = (x - box.left) / box.width * columns, down = (y - box.top) / box.height * rows;
+    const pane = Math.floor(down) * columns + Math.floor(across);
+    if (across < 0 || across >= columns || down < 0 || pane >= this.panes.length) return null;
+    return {pane, at: new three.Vector2(across % 1 * 2 - 1, 1 - down % 1 * 2)};
+  }
+
+  private frame(): void {
+    this.asked = false;
+    const begun = performance.now();
+    this.chooseDetail();
+    this.onFrame();
+    this.shapeCanvas();
+    this.renderer.setScissorTest(false);
+    this.renderer.setClearColor(this.dark ? kBackground.dark : kBackground.light);
+    this.renderer.clear();
+    this.panes.forEach((pane, i) => this.drawPane(pane, i));
+    ++this.frames;
+    // What software draws holds up whatever comes after this function, and not the function.
+    setTimeout(() => {
+      this.freeAt = performance.now();
+      this.frameTime = this.freeAt - begun;
+      clearTimeout(this.still);
+      if (this.detail < 1) this.still = setTimeout(() => this.draw(), kStillAfter + 50);
+    });
+  }
+
+  /** A canvas whose size is set, even to what it was, is made anew. */
+  private shapeCanvas(): void {
+    const [width, height] = this.size;
+    const ratio = Math.min(devicePixelRatio, 2) * this.detail;
+    const shape = [width, height, ratio].join();
+    if (shape === this.shape) return;
+    this.shape = shape;
+    this.renderer.setPixelRatio(ratio);
+    this.renderer.setSize(width, height, false);
+  }
+
+  private drawPane(pane: Shown, number: number): void {
+    const [width, height] = this.size;
+    const [columns, rows] = this.grid;
+    const [wide, high] = [width / columns, height / rows];
+    const left = number % columns * wide, low = height - (Math.floor(number / columns) + 1) * high;
+    this.renderer.setViewport(left, low, wide, high);
+    this.renderer.setScissor(left, low, wide, high);
+    this.renderer.setScissorTest(true);
+    pane.turnTo(this.camera());
+    this.renderer.render(pane.scene, this.camera());
+  }
+
+  /** Coarser while frames are slow and follow each other; fine again once all is still. */
+  private chooseDetail(): void {
+    const moving = this.askedAt - this.freeAt < kStillAfter;
+    if (!moving) this.detail = 1;
+    else if (this.frameTime > kSlowFrame) this.detail = Math.max(kLeastDetail, this.detail * 0.7);
+  }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// What the person who looks has chosen. Whoever shows or changes it asks this one place; listeners
+// are told after every change.
+import type {Colouring, Palette} from './colours.js';
+
+export type Theme = 'auto' | 'light' | 'dark';
+
+export interface Choices {
+  /** Index of the run that is looked at. */
+  run: number;
+  /** All runs at once. */
+  side: boolean;
+  /** Bricks placed, or seconds. */
+  time: number;
+  playing: boolean;
+  /** Times the usual. */
+  speed: number;
+  loop: boolean;
+  /** Levels that are shown, inclusive. */
+  low: number;
+  high: number;
+  apart: number;
+  /** What is still to come, drawn transparent. */
+  ghost: boolean;
+  /** Only what the first run, or the second beside it, has not. */
+  difference: boolean;
+  colouring: Colouring;
+  palette: Palette;
+  /** Brick colours that are not shown, from 1. */
+  hidden: readonly number[];
+  /** The rule whose bricks are lit. */
+  lit: number | null;
+  /** The robot that the camera goes with. */
+  follow: number | null;
+  /** The brick, or the body, that is told about. */
+  picked: {run: number; brick: number} | null;
+  orthographic: boolean;
+  theme: Theme;
+  help: boolean;
+}
+
+export class ViewState {
+  private readonly listeners: ((changed: ReadonlySet<keyof Choices>) => void)[] = [];
+
+  constructor(private choices: Choices) {}
+
+  get now(): Readonly<Choices> {
+    return this.choices;
+  }
+
+  set(changes: Partial<Choices>): void {
+    const changed = new Set<keyof Choices>();
+    for (const key of Object.keys(changes) as (keyof Choices)[]) {
+      if (changes[key] !== this.choices[key]) changed.add(key);
+    }
+    if (changed.size === 0) return;
+    this.choices = {...this.choices, ...changes};
+    for (const listener of this.listeners) listener(changed);
+  }
+
+  onChange(listener: (changed: ReadonlySet<keyof Choices>) => void): void {
+    this.listeners.push(listener);
+  }
+}
+
+export const kFirstChoices: Choices = {
+  run: 0,
+  side: false,
+  time: 0,
+  playing: false,
+  speed: 1,
+  loop: false,
+  low: -Infinity,
+  high: Infinity,
+  apart: 0,
+  ghost: false,
+  difference: false,
+  colouring: 'brick',
+  palette: 'file',
+  hidden: [],
+  lit: null,
+  follow: null,
+  picked: null,
+  orthographic: false,
+  theme: 'auto',
+  help: false,
+};
