@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+#include "view/lattice_run.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "base/hash.h"
+#include "base/text.h"
+#include "lattice/rgb.h"
+
+namespace stig {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Numbers = std::vector<std::int64_t>;
+
+/// Bricks and events by column, as the page wants them.
+struct LatticeColumns {
+  Numbers x, y, z, colour, rule, agent, step;
+
+  void brick(Cell cell, Colour what) {
+    x.push_back(cell.x);
+    y.push_back(cell.y);
+    z.push_back(cell.z);
+    colour.push_back(what);
+  }
+  void event(const Deposit& deposit) {
+    brick(deposit.site, deposit.colour);
+    rule.push_back(deposit.match.rule);
+    agent.push_back(deposit.agent);
+    step.push_back(static_cast<std::int64_t>(deposit.step));
+  }
+  Json json(PageColumns& columns) const {
+    return {{"x", columns.add(x)},       {"y", columns.add(y)},
+            {"z", columns.add(z)},       {"colour", columns.add(colour)},
+            {"rule", columns.add(rule)}, {"agent", columns.add(agent)},
+            {"step", columns.add(step)}};
+  }
+};
+
+/// Kinds of bricks up to the highest colour there is.
+Json kinds_json(const std::vector<Brick>& bricks, const Numbers& colours) {
+  std::int64_t most = static_cast<std::int64_t>(bricks.size());
+  for (const std::int64_t colour : colours) most = std::max(most, colour);
+  Json out = Json::array();
+  for (std::int64_t k = 1; k <= most; ++k) {
+    const auto colour = static_cast<Colour>(k);
+    const bool known = static_cast<std::size_t>(k) <= bricks.size();
+    out.push_back({{"symbol", printable(symbol_of(bricks, colour))},
+                   {"name", known ? printable(bricks[static_cast<std::size_t>(k - 1)].name) : ""},
+                   {"color", to_color(rgb_of(bricks, colour))}});
+  }
+  return out;
+}
+
+Json rules_json(const RuleSet& rules) {
+  Json out = Json::array();
+  for (const Rule& rule : rules.rules) {
+    const std::size_t last = rule.range.end > rule.range.begin ? rule.range.end - 1 : 0;
+    out.push_back({{"name", printable(rule.name)},
+                   {"place", rule.place},
+                   {"first", rules.file->position(rule.range.begin).line},
+                   {"last", rules.file->position(last).line}});
+  }
+  return out;
+}
+
+/// The text with every line safe to be looked at.
+std::string source_text(const SourceFile& file) {
+  std::string out;
+  for (std::size_t i = 1; i <= file.line_count(); ++i) {
+    out += printable(file.line(i)) + (i < file.line_count() ? "\n" : "");
+  }
+  return out;
+}
+
+Json facts_json(const Trace& trace, const RuleSet& rules) {
+  const SwarmConfig& config = trace.config;
+  Json out = Json::array();
+  const auto add = [&](const char* name, const std::string& value) {
+    out.push_back({name, value});
+  };
+  add("rules", printable(rules.name));
+  if (trace.kind == "swarm") {
+    add("motion", std::string(to_string(config.motion)));
+    if (config.motion != Motion::event) add("agents", std::to_string(config.agents));
+    add("seed", std::to_string(config.seed));
+  } else {
+    add("order", "given");
+  }
+  if (config.box) {
+    const Offset size = config.box->size;
+    add("box", fmt::format("{}×{}×{}{}", size.x, size.y, size.z,
+                           config.box->periodic ? ", periodic" : ""));
+  }
+  add("bricks", fmt::format("{} at the start, {} placed", rules.start.size(), trace.events.size()));
+  add("ended", fmt::format("{}, {} steps", to_string(trace.terminated), trace.steps));
+  add("hash", to_hex(trace.final_hash));
+  return out;
+}
+
+/// What is wrong with an event in the structure as it stands, in words; empty: nothing.
+std::string problem_of(const Deposit& event, const RuleSet& rules, const Structure& structure) {
+  if (event.colour > rules.bricks.size()) return "places a brick that its rules do not have";
+  if (event.match.rule >= rules.rules.size()) return "is of a rule that there is not";
+  const bool far = std::max({std::abs(event.site.x), std::abs(event.site.y),
+                             std::abs(event.site.z)}) > kMaxCoordinate;
+  if (far) return "is too far away";
+  return structure.at(event.site) != kEmpty ? "is in a cell that has a brick" : "";
+}
+
+}  // namespace
+
+std::optional<std::string> add_lattice_run(const Trace& trace, const RuleSet& rules,
+                                           const std::string& name, PageContent& page) {
+  LatticeColumns columns;
+  Structure structure(rules.lattice, rules.start);
+  for (const PlacedBrick& brick : rules.start) columns.brick(brick.at, brick.brick);
+  for (std::size_t i = 0; i < trace.events.size(); ++i) {
+    const Deposit& event = trace.events[i];
+    const std::string problem = problem_of(event, rules, structure);
+    if (!problem.empty()) return fmt::format("event {} {}", i + 1, problem);
+    structure.place(event.site, event.colour);
+    columns.event(event);
+  }
+  page.add({{"kind", "lattice"},
+            {"name", printable(name)},
+            {"title", printable(rules.title.empty() ? rules.name : rules.title)},
+            {"lattice", to_string(rules.lattice)},
+            {"floor", rules.floor},
+            {"facts", facts_json(trace, rules)},
+            {"bricks", kinds_json(rules.bricks, columns.colour)},
+            {"rules", rules_json(rules)},
+            {"source", source_text(*rules.file)},
+            {"start", rules.start.size()},
+            {"columns", columns.json(page.columns())}});
+  return std::nullopt;
+}
+
+void add_structure(const LoadedStructure& loaded, const std::string& name, PageContent& page) {
+  LatticeColumns columns;
+  const std::vector<PlacedBrick> bricks = loaded.structure.bricks();
+  for (const PlacedBrick& brick : bricks) columns.brick(brick.at, brick.brick);
+  page.add({{"kind", "lattice"},
+            {"name", printable(name)},
+            {"title", printable(name)},
+            {"lattice", to_string(loaded.structure.lattice())},
+            {"floor", false},
+            {"facts", Json::array({{"bricks", std::to_string(bricks.size())},
+                                   {"hash", to_hex(structure_hash(loaded.structure))}})},
+            {"bricks", kinds_json(loaded.bricks, columns.colour)},
+            {"rules", Json::array()},
+            {"source", ""},
+            {"start", bricks.size()},
+            {"columns", columns.json(page.columns())}});
+}
+
+}  // namespace stig

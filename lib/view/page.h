@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// One self-contained page from a template that the build makes of tools/viewer, and runs.
+#pragma once
+
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "view/page_data.h"
+
+namespace stig {
+
+/// Runs to be shown together. Each is an object of `runs`, see lattice_run.h.
+class PageContent {
+ public:
+  explicit PageContent(std::string title);
+  ~PageContent();
+  PageContent(const PageContent&) = delete;
+  PageContent& operator=(const PageContent&) = delete;
+
+  PageColumns& columns() { return columns_; }
+  void add(nlohmann::ordered_json run);
+  const std::string& title() const { return title_; }
+  /// As the page holds it.
+  std::string data() const;
+
+ private:
+  std::string title_;
+  std::unique_ptr<nlohmann::ordered_json> runs_;
+  PageColumns columns_;
+};
+
+/// The page; nothing when the template has no place for title and data.
+std::optional<std::string> page_of(std::string_view page_template, const PageContent& content);
+
+}  // namespace stig
