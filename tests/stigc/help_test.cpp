@@ -42,8 +42,15 @@ std::vector<std::string> commands() {
   return names;
 }
 
+/// Pages take a template, which a build without node does not have.
+bool has_viewer() {
+  return std::filesystem::exists(std::filesystem::path(STIGC_PROGRAM).parent_path() /
+                                 "viewer/viewer.html");
+}
+
 TEST_CASE("the examples of every help run as they stand in an empty folder") {
   for (const std::string& command : commands()) {
+    if (command == "view" && !has_viewer()) continue;
     const Workplace place;
     std::filesystem::remove(place.path("sets"));
     const std::vector<std::string> examples =

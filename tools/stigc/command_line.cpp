@@ -43,6 +43,7 @@ struct Storage {
   CompileFileOptions compile;
   ValidateOptions validate;
   BuildOptions build;
+  ViewOptions view;
 };
 
 /// An option whose text is read by `parse`, which returns what is wrong.
@@ -610,6 +611,28 @@ void add_build(CLI::App& app, BuildOptions& o) {
       ->required();
 }
 
+void add_view(CLI::App& app, ViewOptions& o) {
+  CLI::App* sub = command(
+      app, "view", "make a page that shows structures and runs in 3-D, in any browser",
+      "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc view run.stigt -o "
+      "run.html\n"
+      "  stigc explore rulesets/tiling.yaml --motion event --deposits 500 -o tiling.json\n"
+      "  stigc view tiling.json -o tiling.html\n"
+      "  stigc verify rulesets/order-dependent.yaml --witness two  # exit status 1: refuted\n"
+      "  stigc view two -o two-ends.html\n");
+  sub->add_option("FILE", o.files,
+                  "a structure file (.vox .json .txt), a trace (.stigt), or the name that verify "
+                  "--witness was given; several are shown together")
+      ->type_name("FILE")
+      ->required();
+  sub->add_option("-o,--output", o.output, "the page, .html; nothing else is needed to open it")
+      ->type_name("FILE")
+      ->required();
+  path(sub, "--title", o.title, "what the page is called (default: the first file's name)")
+      ->type_name("TEXT");
+  lattice(sub, o.lattice);
+}
+
 void add_about_itself(CLI::App& app, Storage& s) {
   CLI::App* completions =
       command(app, "completions", "print a completion script for a shell",
@@ -655,6 +678,7 @@ void build(CLI::App& app, Storage& s) {
   add_compile(app, s.compile);
   add_validate(app, s.validate);
   add_build(app, s.build);
+  add_view(app, s.view);
   add_about_itself(app, s);
 }
 
@@ -697,7 +721,7 @@ CommandOptions chosen(const std::string& name, const Storage& s) {
       {"schema", s.schema},     {"measure", s.measure},   {"draw", s.draw},
       {"synth", s.synth},       {"doctor", s.doctor},     {"completions", s.completions},
       {"simulate", s.simulate}, {"describe", s.describe}, {"compile", s.compile},
-      {"validate", s.validate}, {"build", s.build}};
+      {"validate", s.validate}, {"build", s.build},       {"view", s.view}};
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const auto& entry) { return entry.first == name; });
   return found->second;

@@ -183,6 +183,14 @@ struct DrawOptions {
   std::vector<std::string> outputs;
 };
 
+/// One page that shows runs and structures.
+struct ViewOptions {
+  std::vector<std::string> files;
+  std::optional<Lattice> lattice;  ///< of structure files that do not say it
+  std::optional<std::string> title;
+  std::string output;  ///< .html
+};
+
 enum class Shell : std::uint8_t { bash, zsh, fish };
 struct CompletionsOptions {
   Shell shell = Shell::bash;
@@ -240,7 +248,7 @@ using CommandOptions =
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
-                 BuildOptions>;
+                 BuildOptions, ViewOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# Tests of the viewer, in the folder in which it was built.
+#
+#   run.sh sources BUILT             types and style of its sources
+#   run.sh pages BUILT STIGC         pages in headless Chromium
+#
+# Exit status 77 (skipped) where something is missing, unless STIG_REQUIRE_READERS is set.
+set -euo pipefail
+tests=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+what=$1 built=$2
+
+skip() {
+  printf '%s\n' "$1"
+  [[ -n ${STIG_REQUIRE_READERS:-} ]] && exit 1
+  exit 77
+}
+
+[[ -e $built/viewer.html && -d $built/node_modules/typescript ]] ||
+  skip "the viewer is not built: it takes node and npm (scripts/install.sh viewer)"
+cd "$built"
+if [[ $what == sources ]]; then
+  node node_modules/typescript/bin/tsc --noEmit
+  exec node node_modules/eslint/bin/eslint.js .
+fi
+
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome) ||
+  skip "no Chromium (scripts/install.sh viewer)"
+rm -rf tests
+cp -r "$tests" tests
+STIGC=$3 BROWSER=$browser exec node --test --test-reporter=spec tests/*.test.mjs

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// stigc view: one page that shows structures and runs.
+#include <fmt/format.h>
+
+#include "commands.h"
+#include "outputs.h"
+#include "page_template.h"
+#include "view_input.h"
+
+namespace stig {
+
+int run(const ViewOptions& options, App& app) {
+  if (!options.output.ends_with(".html")) {
+    app.complain(fmt::format("'{}': a page is .html", printable(options.output)));
+    return kUsage;
+  }
+  const std::vector<std::string> files = viewed_files(options.files);
+  PageContent page(options.title.value_or(file_name(files.front())));
+  bool good = true;
+  for (const std::string& file : files) good = add_file(file, options, app, page) && good;
+  if (!good) return kFailed;
+  if (const int code = check_outputs({options.output}, app); code != kOk) return code;
+  const auto text = page_template(app);
+  if (!text) return kRunFailed;
+  const auto whole = page_of(*text, page);
+  if (whole) return write_output(options.output, *whole, app);
+  app.complain("the template of the page is damaged: build or install the program again");
+  return kRunFailed;
+}
+
+}  // namespace stig

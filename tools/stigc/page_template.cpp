@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+#include "page_template.h"
+
+#include "base/file_io.h"
+#include "shipped_files.h"
+
+namespace stig {
+namespace {
+
+constexpr std::size_t kMostTemplateBytes = std::size_t{1} << 24;
+
+}  // namespace
+
+std::optional<std::string> page_template(const App& app) {
+  FileError error;
+  for (const std::string& folder : shipped_folders("viewer")) {
+    auto text = read_file(folder + "/viewer.html", kMostTemplateBytes, error);
+    if (text) return text;
+  }
+  app.complain(
+      "this program was built without its viewer, which takes node and npm: install them (Debian: "
+      "nodejs, npm), then configure and build again, with access to npm's packages");
+  return std::nullopt;
+}
+
+}  // namespace stig

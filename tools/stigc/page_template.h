@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The template of pages, which the build makes of tools/viewer where there is node.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "app.h"
+
+namespace stig {
+
+/// Its text; nothing when it did not come with the program, which is complained of.
+std::optional<std::string> page_template(const App& app);
+
+}  // namespace stig

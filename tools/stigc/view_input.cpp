@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "view_input.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/file_io.h"
+#include "outputs.h"
+#include "structure_input.h"
+#include "trace_rules.h"
+#include "view/lattice_run.h"
+
+namespace stig {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
+
+bool add_trace(const std::string& path, const App& app, PageContent& page) {
+  FileError error;
+  const auto bytes = read_file(path, kMostTraceBytes, error);
+  if (!bytes) {
+    app.complain(error.message);
+    return false;
+  }
+  Diagnostics diagnostics;
+  const std::optional<Trace> trace = read_trace(path, *bytes, diagnostics);
+  app.report(diagnostics);
+  const std::optional<RuleSet> rules = trace ? rules_of(*trace, path, app) : std::nullopt;
+  if (!rules) return false;
+  const auto problem = add_lattice_run(*trace, *rules, file_name(path), page);
+  if (problem) app.complain(fmt::format("'{}': {}", printable(path), *problem));
+  return !problem;
+}
+
+/// The traces that write_witness has called so; none where there is a file of this very name.
+std::vector<std::string> witness_of(const std::string& name) {
+  std::vector<std::string> out;
+  std::error_code ignored;
+  if (fs::exists(name, ignored)) return out;
+  for (const char* ending : {"-first.stigt", "-second.stigt", ".stigt"}) {
+    if (fs::exists(name + ending, ignored)) out.push_back(name + ending);
+  }
+  return out;
+}
+
+}  // namespace
+
+std::vector<std::string> viewed_files(const std::vector<std::string>& names) {
+  std::vector<std::string> out;
+  for (const std::string& name : names) {
+    std::vector<std::string> parts = witness_of(name);
+    if (parts.empty()) parts = {name};
+    out.insert(out.end(), parts.begin(), parts.end());
+  }
+  return out;
+}
+
+bool add_file(const std::string& path, const ViewOptions& options, const App& app,
+              PageContent& page) {
+  if (path.ends_with(".stigt")) return add_trace(path, app, page);
+  const auto loaded = read_structure(path, options.lattice, app);
+  if (loaded) add_structure(*loaded, file_name(path), page);
+  return loaded.has_value();
+}
+
+}  // namespace stig
