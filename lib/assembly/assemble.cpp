@@ -24,6 +24,8 @@ constexpr std::uint64_t kStepsOfLook = 5'000, kStepsOfSituation = 20'000, kSteps
 constexpr std::size_t kMostCandidates = 4'000;
 /// Candidates for one robot are taken when so many more did not do for several.
 constexpr std::size_t kPatience = 24;
+/// Those of fewer sides than robots likewise, or earlier: see Assembler::suffices.
+constexpr auto kStepsAfterwards = static_cast<std::uint64_t>(kStepsOfEffort / 20);
 
 using Sides = std::vector<ApproachSide>;
 
@@ -112,6 +114,10 @@ class Assembler {
     for (std::uint64_t seed = 0; !sides.empty(); ++seed) {
       for (std::size_t i = 0; i < sides.size();) {
         if (allowance_.passed() || out_.counts.candidates >= kMostCandidates) return result();
+        if (!worth_trying(sides[i])) {
+          ++i;
+          continue;
+        }
         report();
         if (try_one({task_.robot, sides[i]}, seed)) {
           ++i;
@@ -123,8 +129,8 @@ class Assembler {
         } else {
           sides.erase(sides.begin() + static_cast<std::ptrdiff_t>(i));
         }
-        // A plan for one robot is kept while better ones are looked for, but not for long.
-        if (out_.plan && (out_.plan->any_number || ++since_found > kPatience)) return result();
+        // A plan that could be better is kept while others are looked for, but not for long.
+        if (out_.plan && (suffices(sides) || ++since_found > kPatience)) return result();
       }
     }
     return result();
@@ -146,6 +152,32 @@ class Assembler {
     if (!hooks_.progress) return;
     const double spent = static_cast<double>(effort_.spent()) / static_cast<double>(allowance_.end);
     hooks_.progress(std::min(1.0, spent), fmt::format("candidate {}", out_.counts.candidates + 1));
+  }
+
+  /// Robots that share a side get in each other's way, so there should be as many sides as robots.
+  std::size_t wanted_sides() const {
+    const auto robots = static_cast<std::size_t>(task_.robots.value_or(2));
+    return std::min(robots, widest_.sides.size());
+  }
+
+  /// What is better of a plan: first that it is for any number of robots, then its sides.
+  std::pair<bool, std::size_t> merit(const AssemblyPlan& plan) const {
+    const std::size_t sides = std::min(plan.compiled.sides.size(), wanted_sides());
+    return {plan.any_number, plan.any_number ? sides : 0};
+  }
+
+  /// May a plan from these sides be better than the one there is?
+  bool worth_trying(const Sides& sides) const {
+    return !out_.plan ||
+           std::pair(true, std::min(sides.size(), wanted_sides())) > merit(*out_.plan);
+  }
+
+  /// Nothing better is to be had, or not for as much work again as the plan took, and a little.
+  bool suffices(const std::vector<Sides>& sides) const {
+    const bool long_enough =
+        out_.plan->any_number && effort_.spent() > 2 * found_after_ + kStepsAfterwards;
+    return long_enough || std::none_of(sides.begin(), sides.end(),
+                                       [&](const Sides& some) { return worth_trying(some); });
   }
 
   /// False when there is no order at all from these sides.
@@ -254,7 +286,8 @@ class Assembler {
       ++out_.counts.refused;
       return;
     }
-    if (out_.plan && !plan->any_number) return;
+    if (out_.plan && merit(*plan) <= merit(*out_.plan)) return;
+    if (!out_.plan) found_after_ = effort_.spent();
     // The bricks of a candidate are numbered by the order of work, the start first.
     std::vector<Cell> order;
     for (std::size_t i = 0; i < candidate.target->bricks(); ++i) {
@@ -294,6 +327,7 @@ class Assembler {
   std::optional<std::uint32_t> start_;
   std::shared_ptr<Visibility> visibility_;
   std::set<std::vector<std::uint64_t>> known_;
+  std::uint64_t found_after_ = 0;  ///< steps that the first plan took
   Assembly out_;
 };
 

@@ -84,6 +84,21 @@ TEST_CASE("the sides, the start and the number of robots that were asked for sta
   check_file(task, *made.plan);
 }
 
+TEST_CASE("two robots get a side each, where there are rules for that; one is content with one") {
+  AssemblyTask task = task_for(shape("1 1 1\n. . .\n---\n1 1 1\n1 1 1\n"));
+  task.robots = 1;
+  const Assembly for_one = assemble(task, 1);
+  REQUIRE(for_one.plan);
+  CHECK(for_one.plan->compiled.sides.size() == 1);
+  task.robots = 2;
+  const Assembly for_two = assemble(task, 1);
+  REQUIRE(for_two.plan);
+  CHECK(for_two.plan->any_number);
+  CHECK(for_two.plan->compiled.sides.size() >= 2);
+  CHECK(for_two.counts.candidates > for_one.counts.candidates);
+  check_file(task, *for_two.plan);
+}
+
 TEST_CASE("colours of the target are kept") {
   AssemblyTask task = task_for(shape("1 1 1\n"));
   task.target.bricks.resize(2);
