@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// What cameras and rangefinders of robots in a scene perceive, and when their programs learn it.
+#include <doctest/doctest.h>
+
+#include "physical/robots/crew_support.h"
+
+using namespace stig;
+
+namespace {
+
+constexpr const char* kLift = R"(
+function init() robot.camera_system.enable() robot.lift_system.set_position(0.135) end
+function step()
+  local tag = robot.camera_system.tags[1]
+  if tag then log(string.format('%.4f %d', tag.center.x, robot.camera_system.detect_led(
+    vector3(0.02, 0, 0):rotate(tag.orientation) + tag.position))) end
+end
+)";
+
+std::string view_scene(const std::string& more) {
+  return "stigc_scene: 1\nrobots: [{file: bebot.yaml, name: r, program: p.lua}]\n"
+         "blocks: [{at: [0.25, 0, 0.0275], color: Q3}]\n" +
+         more;
+}
+
+}  // namespace
+
+TEST_CASE("lights off: no LED is seen, tags are") {
+  const auto seen = [](const std::string& more) {
+    const LoadedScene loaded = crew_scene(view_scene(more), {{"p.lua", kLift}});
+    const auto said = recorded(loaded, 3).said("r");
+    return said.empty() ? std::string() : said.back().substr(said.back().size() - 1);
+  };
+  CHECK(seen("") == "3");
+  CHECK(seen("lights: false\n") == "0");
+}
+
+TEST_CASE("cameras are off until enable(), and after disable() nothing arrives any more") {
+  // From the second step to the fifth there is something to see.
+  const std::string program = R"(
+local n = 0
+local place
+function init() robot.lift_system.set_position(0.135) end
+function step()
+  n = n + 1
+  local camera = robot.camera_system
+  local tag = camera.tags[1]
+  if tag then place = vector3(0.02, 0, 0):rotate(tag.orientation) + tag.position end
+  log(n, ' ', #camera.tags, ' ', place and camera.detect_led(place))
+  if n == robot.params.on then camera.enable() elseif n == 4 then camera.disable() end
+end)";
+  const auto said = [&](const std::string& on, const std::string& more) {
+    const std::string scene =
+        "stigc_scene: 1\nrobots: [{file: bebot.yaml, name: r, program: p.lua, params: {on: " + on +
+        "}}]\nblocks: [{at: [0.25, 0, 0.0275], color: Q3}]\n" + more;
+    return recorded(crew_scene(scene, {{"p.lua", program}}), 1.2).said("r");
+  };
+  CHECK(said("0", "") ==
+        std::vector<std::string>{"1 0 nil", "2 0 nil", "3 0 nil", "4 0 nil", "5 0 nil", "6 0 nil"});
+  CHECK(said("2", "") ==
+        std::vector<std::string>{"1 0 nil", "2 0 nil", "3 2 0", "4 1 3", "5 0 0", "6 0 0"});
+  // The third image is on its way when the camera goes off.
+  CHECK(said("1", "noise: {camera_latency: 1}\n") ==
+        std::vector<std::string>{"1 0 nil", "2 0 nil", "3 1 0", "4 2 0", "5 0 0", "6 0 0"});
+}
+
+TEST_CASE("rangefinders that are late read that nothing is there, until the first reading comes") {
+  const std::string robot = R"(stigc_robot: 1
+name: post
+bodies:
+  - {name: a, box: [0.1, 0.1, 0.1], mass: 1, base: [0, 0, 0]}
+rangefinders:
+  - {name: m, body: a, at: [0.06, 0, 0.03], look: [1, 0, 0], range: 0.3}
+  - {name: c, body: a, at: [0.06, 0, 0.03], look: [1, 0, 0], range: 0.3, calibration: power, coefficients: [2, 1]}
+)";
+  const LoadedScene loaded = crew_scene(
+      "stigc_scene: 1\nrobots: [{file: post.yaml, name: r, program: p.lua}]\n"
+      "noise: {range_latency: 2}\nblocks: [{at: [0.2, 0, 0.0275]}]\n",
+      {{"post.yaml", robot}, {"p.lua", R"(
+local function say()
+  local r = robot.rangefinders
+  log(string.format('%.2f %.0f', r.m.proximity, r.c.proximity))
+end
+init = say
+step = say)"}});
+  CHECK(recorded(loaded, 0.6).said("r") ==
+        std::vector<std::string>{"0.30 0", "0.30 0", "0.30 0", "0.11 2"});
+}
+
+TEST_CASE("noise is a function of the seed") {
+  const auto said = [](std::uint64_t seed) {
+    const LoadedScene loaded =
+        crew_scene(view_scene("noise: {pixels: 1}\n"), {{"p.lua", kLift}}, seed);
+    return recorded(loaded, 3).said("r");
+  };
+  const auto one = said(1);
+  CHECK(one.size() > 3);
+  CHECK(said(1) == one);
+  CHECK(said(2) != one);
+}
