@@ -24,11 +24,25 @@ constexpr Vec3 kSheetLight{230, 230, 230}, kSheetDark{25, 25, 25};
 constexpr std::array<std::uint64_t, 6> kTags = {0xd5d628584, 0xd97f18b49, 0xdd280910e,
                                                 0xe479e9c98, 0xebcbca822, 0xf31dab3ac};
 
-/// The shape's normal where a line meets it; cylinders and hulls have that of the box about them.
+/// Of the face of a hull that a point of its surface lies in.
+Vec3 hull_normal(const SightShape& hull, const Vec3& p) {
+  const auto above = [&p](const HalfSpace& h) { return dot(h.normal, p) - h.offset; };
+  const auto face =
+      std::max_element(hull.planes.begin(), hull.planes.end(),
+                       [&](const HalfSpace& a, const HalfSpace& b) { return above(a) < above(b); });
+  return face->normal;
+}
+
+/// Unit, outwards, at a point of the shape's surface.
 Vec3 normal_at(const SightShape& shape, const Vec3& p) {
   if (shape.type == ShapeType::sphere) return p * (1 / shape.half.x);
+  if (shape.type == ShapeType::hull) return hull_normal(shape, p);
   const Vec3 share{std::abs(p.x) / shape.half.x, std::abs(p.y) / shape.half.y,
                    std::abs(p.z) / shape.half.z};
+  if (shape.type == ShapeType::cylinder && std::hypot(share.x, share.y) >= share.z) {
+    return normalised(Vec3{p.x, p.y, 0});
+  }
+  if (shape.type == ShapeType::cylinder) return {0, 0, p.z < 0 ? -1.0 : 1.0};
   if (share.x >= share.y && share.x >= share.z) return {p.x < 0 ? -1.0 : 1.0, 0, 0};
   if (share.y >= share.z) return {0, p.y < 0 ? -1.0 : 1.0, 0};
   return {0, 0, p.z < 0 ? -1.0 : 1.0};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <utility>
 
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/range_sensor.h"
@@ -22,22 +23,28 @@ std::uint32_t robot_owner(std::size_t robot) {
 
 Rgb light_of(Led led) { return led == Led::off ? Rgb{} : rgb_of(led); }
 
-// Cylinders and hulls count as the boxes about them here.
-SightShape sight_of(const Shape& shape) {
-  if (shape.kind == ShapeKind::sphere) return sight_sphere(shape.half.x);
-  return sight_box(shape.half * 2);
-}
-
 // Blocks are mostly of one shape: thousands of obstacles share it.
 /// The place of a shape among the scene's; a new one is added.
-std::uint32_t shape_of(const Shape& shape, std::vector<SightShape>& shapes) {
-  const SightShape made = sight_of(shape);
-  const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const SightShape& known) {
-    return known.type == made.type && known.half == made.half;
-  });
+std::uint32_t place_among(std::vector<SightShape>& shapes, SightShape shape) {
+  const auto found = std::find(shapes.begin(), shapes.end(), shape);
   const auto place = static_cast<std::uint32_t>(found - shapes.begin());
-  if (found == shapes.end()) shapes.push_back(made);
+  if (found == shapes.end()) shapes.push_back(std::move(shape));
   return place;
+}
+
+/// How the bodies of a world look: as they touch, but for wheels, which touch as balls.
+std::vector<SightShape> sights_of(const CrewConfig& config, const WorldConfig& world) {
+  std::vector<SightShape> out;
+  for (const BodyDef& body : world.bodies) out.push_back(sight_of(body.shape));
+  for (const CrewRobot& robot : config.robots) {
+    for (std::size_t i = 0; i < robot.model->bodies.size(); ++i) {
+      const BodyModel& body = robot.model->bodies[i];
+      if (!body.rolls_as_sphere) continue;
+      out[static_cast<std::size_t>(robot.body.bodies[i])] =
+          sight_cylinder(body.size.x / 2, body.size.z);
+    }
+  }
+  return out;
 }
 
 RobotSenses senses_of(const RobotModel& model) {
@@ -80,19 +87,20 @@ CrewSenses::CrewSenses(const CrewConfig& config, const WorldConfig& world) {
       owners[static_cast<std::size_t>(body)] = robot_owner(i);
     }
   }
+  std::vector<SightShape> sights = sights_of(config, world);
   for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
-    add_obstacle(BodyId{i}, world.bodies[i].shape, owners[i]);
+    add_obstacle(BodyId{i}, std::move(sights[i]), owners[i]);
   }
   for (const CrewRobot& robot : config.robots) robots_.push_back(senses_of(*robot.model));
 }
 
-void CrewSenses::add_obstacle(BodyId body, const Shape& shape, std::uint32_t owner) {
-  scene_.obstacles.push_back({shape_of(shape, scene_.shapes), owner, {}});
+void CrewSenses::add_obstacle(BodyId body, SightShape shape, std::uint32_t owner) {
+  scene_.obstacles.push_back({place_among(scene_.shapes, std::move(shape)), owner, {}});
   obstacle_bodies_.push_back(body);
 }
 
 void CrewSenses::add_block(std::size_t number, const CrewBlock& block, const Shape& shape) {
-  add_obstacle(block.body, shape, static_cast<std::uint32_t>(number));
+  add_obstacle(block.body, sight_of(shape), static_cast<std::uint32_t>(number));
 }
 
 void CrewSenses::place(SensorScene& scene, const CrewConfig& config, const World& world,

@@ -56,7 +56,7 @@ class CrewSenses {
                                  const SensorIndex& index, std::size_t robot) const;
   void place(SensorScene& scene, const CrewConfig& config, const World& world,
              const CrewSignals& signals) const;
-  void add_obstacle(BodyId body, const Shape& shape, std::uint32_t owner);
+  void add_obstacle(BodyId body, SightShape shape, std::uint32_t owner);
 
   std::vector<RobotSenses> robots_;
   SensorScene scene_;

@@ -5,6 +5,7 @@
 #include "physical/sensors/sight_shape.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -81,6 +82,23 @@ SightShape sight_hull(std::vector<HalfSpace> planes, const std::vector<Vec3>& ve
   return {ShapeType::hull, half, std::move(planes)};
 }
 
+SightShape sight_of(const Shape& shape) {
+  switch (shape.kind) {
+    case ShapeKind::box:
+      return sight_box(shape.half * 2);
+    case ShapeKind::sphere:
+      return sight_sphere(shape.half.x);
+    case ShapeKind::cylinder:
+      return sight_cylinder(shape.half.x, shape.half.z * 2);
+    case ShapeKind::hull:
+      break;
+  }
+  assert(shape.convex);  // no world takes a hull without extent
+  std::vector<HalfSpace> planes;
+  for (const ConvexFace& face : shape.convex->faces) planes.push_back({face.normal, face.level});
+  return sight_hull(std::move(planes), shape.convex->points);
+}
+
 std::optional<RayCut> cut(const SightShape& shape, const Vec3& origin, const Vec3& direction) {
   if (!(squared(direction) > 0)) return std::nullopt;
   RayCut out;
@@ -96,7 +114,8 @@ std::optional<RayCut> cut(const SightShape& shape, const Vec3& origin, const Vec
       break;
     case ShapeType::hull:
       // The box cuts first so that a hull whose planes leave a side open stays bounded.
-      out = both(cut_box(shape.half, origin, direction), cut_hull(shape.planes, origin, direction));
+      out = cut_box(shape.half, origin, direction);
+      if (out.in <= out.out) out = both(out, cut_hull(shape.planes, origin, direction));
       break;
   }
   if (!(out.in <= out.out)) return std::nullopt;

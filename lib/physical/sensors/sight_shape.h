@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "physical/collision/contact.h"
 #include "robots/robot_model.h"
 
 namespace stig {
@@ -15,6 +16,8 @@ namespace stig {
 struct HalfSpace {
   Vec3 normal;
   double offset = 0;
+
+  bool operator==(const HalfSpace&) const = default;
 };
 
 /// About its own origin. Made by the functions below.
@@ -22,6 +25,8 @@ struct SightShape {
   ShapeType type = ShapeType::box;
   Vec3 half;                      ///< half the edges of a box about the shape
   std::vector<HalfSpace> planes;  ///< of a hull
+
+  bool operator==(const SightShape&) const = default;
 };
 
 SightShape sight_box(const Vec3& edges);
@@ -30,6 +35,8 @@ SightShape sight_sphere(double radius);
 SightShape sight_cylinder(double radius, double height);
 /// The meeting of `planes`; `vertices` are its corners, which say how far it reaches.
 SightShape sight_hull(std::vector<HalfSpace> planes, const std::vector<Vec3>& vertices);
+/// The shape that contacts know, but of a cylinder: rays meet it round, not as a prism.
+SightShape sight_of(const Shape& shape);
 
 /// Where a line is inside: origin + t · direction for in <= t <= out.
 struct RayCut {

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "physical/robots/crew_support.h"
+#include "physical/sensors/range_sensor.h"
 
 using namespace stig;
 
@@ -97,4 +98,29 @@ TEST_CASE("noise is a function of the seed") {
   CHECK(one.size() > 3);
   CHECK(said(1) == one);
   CHECK(said(2) != one);
+}
+
+TEST_CASE("robots hide and reflect in their true shapes, not in the boxes or balls about them") {
+  const LoadedScene loaded = crew_scene(
+      "stigc_scene: 1\nrobots: [{file: builderbot.yaml, name: r}]\n"
+      "caches: [{at: [0, 0.4, 0.0275], stock: 1}]\n",
+      {{"builderbot.yaml", shipped("robots/builderbot.yaml")}});
+  Simulation run(loaded.scene, loaded.placed);
+  const auto distance = [&run](const Vec3& from, const Vec3& way) {
+    const SensorScene scene = run.crew()->sensor_scene(run.world());
+    return closest_hit(SensorIndex(scene), from, way, 0.3, 12345).value_or(-1);
+  };
+  // The slanted side of its octagon, x + y = 0.0919239, and a straight one.
+  CHECK(distance({0.2, 0.06, 0.07}, {-1, 0, 0}) == doctest::Approx(0.2 - 0.0319239));
+  CHECK(distance({0.2, 0.064, 0.07}, {-1, 0, 0}) == doctest::Approx(0.2 - 0.0279239));
+  CHECK(distance({-0.2, 0.02, 0.07}, {1, 0, 0}) == doctest::Approx(0.135));
+  // A wheel touches the floor as a ball that reaches 1 cm farther to the side than the chassis,
+  // in which the wheel itself ends; under the chassis it is as wide as it is.
+  CHECK(distance({0.03, 0.2, 0.02}, {0, -1, 0}) == doctest::Approx(0.13));
+  CHECK(distance({0.03, 0.2, 0.001}, {0, -1, 0}) == doctest::Approx(0.1325));
+  // Blocks that come later are boxes.
+  CHECK(distance({0, 0.2, 0.02}, {0, 1, 0}) == -1);
+  run.until(1, {});
+  REQUIRE(run.crew()->blocks() == 1);
+  CHECK(distance({0, 0.2, 0.02}, {0, 1, 0}) == doctest::Approx(0.1725).epsilon(1e-3));
 }

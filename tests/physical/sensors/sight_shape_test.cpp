@@ -58,6 +58,34 @@ TEST_CASE("a line is inside a shape just where its cut says") {
   }));
 }
 
+TEST_CASE("what touches as a box, a ball or a cylinder is met as one") {
+  CHECK(sight_of(Shape::box({0.4, 0.6, 0.8})) == sight_box({0.4, 0.6, 0.8}));
+  CHECK(sight_of(Shape::sphere(0.5)) == sight_sphere(0.5));
+  CHECK(sight_of(Shape::cylinder(0.3, 0.9)) == sight_cylinder(0.3, 0.9));
+  CHECK_FALSE(sight_of(Shape::cylinder(0.3, 0.9)) == sight_of(Shape::box({0.6, 0.6, 0.9})));
+}
+
+TEST_CASE("a hull of contacts is met just where it is solid") {
+  // A corner cut off a cube: three faces along the axes and a slanted one.
+  const SightShape corner = sight_of(
+      Shape::hull({{-0.2, -0.2, -0.2}, {0.7, -0.2, -0.2}, {-0.2, 0.7, -0.2}, {-0.2, -0.2, 0.7}}));
+  CHECK(corner.planes.size() == 4);
+  CHECK(rc::check("points along the line", [&] {
+    const Vec3 o = some_vector(), d = some_vector();
+    RC_PRE(squared(d) > 1e-4);
+    const auto meets = cut(corner, o, d);
+    for (int i = -400; i <= 400; ++i) {
+      const double t = i * 0.02 / length(d);
+      const bool near_end =
+          meets && (std::abs(t - meets->in) < 1e-6 || std::abs(t - meets->out) < 1e-6);
+      if (near_end) continue;
+      const Vec3 p = o + d * t;
+      const bool solid = std::min({p.x, p.y, p.z}) >= -0.2 && p.x + p.y + p.z <= 0.3;
+      RC_ASSERT(solid == (meets && t > meets->in && t < meets->out));
+    }
+  }));
+}
+
 TEST_CASE("cuts in numbers") {
   const auto meets = [](const SightShape& s, const Vec3& o, const Vec3& d, double in, double out) {
     const auto c = cut(s, o, d);
