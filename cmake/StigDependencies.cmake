@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The libraries that the project is built on; tests, benchmarks and fuzz targets ask for
 # theirs themselves. Included at the top, so that every folder sees the targets.
-find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
 find_package(fmt REQUIRED)
 find_package(yaml-cpp REQUIRED)
 find_package(nlohmann_json REQUIRED)

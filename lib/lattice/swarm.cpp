@@ -8,8 +8,8 @@
 #include <cassert>
 #include <mutex>
 #include <set>
-#include <thread>
 
+#include "base/parallel.h"
 #include "lattice/engines.h"
 #include "rules/cell_text.h"
 
@@ -183,28 +183,20 @@ std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<
                                       const std::function<void(int)>& done,
                                       const std::atomic<bool>* stop) {
   std::vector<SwarmResult> results(static_cast<std::size_t>(runs));
-  // Runs are handed out by a counter. Each writes its own slot of the results, so their
-  // order does not depend on threads.
-  std::atomic<int> next{0};
+  // Each run writes its own slot of the results, so their order does not depend on threads.
   std::mutex mutex;
   int finished = 0;
-  const auto work = [&] {
-    for (int run = next++; run < runs; run = next++) {
-      SwarmConfig own = config;
-      own.run = config.run + static_cast<std::uint32_t>(run);
-      SwarmHooks hooks;
-      hooks.stop = stop;
-      results[static_cast<std::size_t>(run)] = run_swarm(rules, start, own, hooks);
-      // `done` runs under the lock, so callers need no other.
-      const std::lock_guard lock(mutex);
-      ++finished;
-      if (done) done(finished);
-    }
-  };
-  std::vector<std::jthread> pool;
-  for (int t = 1; t < std::min(threads, runs); ++t) pool.emplace_back(work);
-  work();
-  pool.clear();  // joins
+  run_parallel(results.size(), threads, [&](std::size_t run) {
+    SwarmConfig own = config;
+    own.run = config.run + static_cast<std::uint32_t>(run);
+    SwarmHooks hooks;
+    hooks.stop = stop;
+    results[run] = run_swarm(rules, start, own, hooks);
+    // `done` runs under the lock, so callers need no other.
+    const std::lock_guard lock(mutex);
+    ++finished;
+    if (done) done(finished);
+  });
   return results;
 }
 

@@ -50,6 +50,7 @@ VENDORS = [
     Vendor("zlib.h", "ZLIB::ZLIB"),
     Vendor("cairo", "PkgConfig::CAIRO"),
     Vendor("boost/", "Boost::headers"),
+    Vendor("oneapi/tbb/", "TBB::tbb"),
     Vendor("Random123/", "Random123::Random123"),
     Vendor("CLI/", "CLI11::CLI11", one_file=True),
     Vendor("dart/", "dart"),
@@ -59,7 +60,7 @@ VENDORS = [
 ]
 # The language's own headers have no dot; these are the system's and the compiler's.
 SYSTEM = re.compile(r"[a-z_]+$"
-                    r"|(unistd|fcntl|signal|termios|pthread|immintrin)\.h$|sys/[a-z]+\.h$")
+                    r"|(unistd|fcntl|signal|termios|pthread|immintrin)\.h$|(sys|sanitizer)/[a-z_]+\.h$")
 INCLUDE = re.compile(r'\s*#\s*include\s*(?:"([^"]+)"|<([^>]+)>)')
 
 

@@ -9,20 +9,15 @@
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "base/file_io.h"
 #include "base/hash.h"
+#include "base/parallel.h"
 #include "progress.h"
 #include "report.h"
 
 namespace stig {
 namespace {
-
-int thread_count(int asked) {
-  if (asked > 0) return asked;
-  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-}
 
 /// Takes over one finished run.
 void add_run(const RuleSet& rules, const SwarmConfig& config, const SwarmResult& result,

@@ -5,10 +5,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <thread>
 
+#include "base/parallel.h"
 #include "progress.h"
 #include "report.h"
 #include "simulate_report.h"
@@ -58,25 +57,16 @@ Results run_all_seeds(const SimulateOptions& options, const Scene& scene, const 
                   std::vector<Diagnostics>(runs)};
   const std::uint64_t first = options.seed.value_or(scene.seed);
   const double duration = options.duration.value_or(scene.duration);
-  std::atomic<std::size_t> next{0}, done{0};
+  std::atomic<std::size_t> done{0};
   Progress progress(app);
-  const auto work = [&] {
+  const auto work = [&](std::size_t i) {
     // Each run has places of its own in both lists: no lock is needed.
-    for (std::size_t i = next++; i < runs && !stop_requested(); i = next++) {
-      results.reports[i] = one_run(scene, first + i, duration, results.diagnostics[i]);
-      const std::size_t finished = ++done;
-      progress.show(static_cast<double>(finished) / static_cast<double>(runs),
-                    fmt::format("{} of {} runs", finished, runs));
-    }
+    results.reports[i] = one_run(scene, first + i, duration, results.diagnostics[i]);
+    const std::size_t finished = ++done;
+    progress.show(static_cast<double>(finished) / static_cast<double>(runs),
+                  fmt::format("{} of {} runs", finished, runs));
   };
-  const unsigned cores = std::max(1U, std::thread::hardware_concurrency());
-  const std::size_t wanted =
-      options.threads > 0 ? static_cast<std::size_t>(options.threads) : cores;
-  std::vector<std::thread> threads;
-  // The thread that waits works too.
-  for (std::size_t i = 1; i < std::min(wanted, runs); ++i) threads.emplace_back(work);
-  work();
-  for (std::thread& thread : threads) thread.join();
+  run_parallel(runs, thread_count(options.threads), work, [] { return stop_requested().load(); });
   return results;
 }
 

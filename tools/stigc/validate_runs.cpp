@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <numeric>
 #include <optional>
-#include <thread>
 
+#include "base/parallel.h"
 #include "progress.h"
 #include "trace_file.h"
 
@@ -39,18 +39,9 @@ class Batch {
         shares_(slots_.size()) {}
 
   TrialBatch run() {
-    std::atomic<std::size_t> next{0};
-    const auto work = [&] {
-      for (std::size_t i = next++; i < slots_.size() && !stop_requested(); i = next++) one(i);
-    };
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    const std::size_t wanted =
-        options_.threads > 0 ? static_cast<std::size_t>(options_.threads) : cores;
-    std::vector<std::thread> threads;
-    // The calling thread works too, so one thread fewer is started.
-    for (std::size_t i = 1; i < std::min(wanted, slots_.size()); ++i) threads.emplace_back(work);
-    work();
-    for (std::thread& thread : threads) thread.join();
+    run_parallel(
+        slots_.size(), thread_count(options_.threads), [this](std::size_t i) { one(i); },
+        [] { return stop_requested().load(); });
     progress_.clear();
     return collect();
   }
