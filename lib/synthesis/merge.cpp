@@ -6,7 +6,6 @@
 #include "synthesis/merge.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cassert>
 #include <cmath>
@@ -17,6 +16,7 @@
 
 #include "base/random.h"
 #include "rules/rule_table.h"
+#include "synthesis/working_views.h"
 
 namespace stig {
 namespace {
@@ -27,11 +27,8 @@ struct Demand {
   StateSet states;
 };
 
-/// At most about so many views are worked on at first.
-constexpr std::size_t kWorkingViews = 20'000;
-constexpr std::size_t kViolatedAtOnce = 500;
-/// Steps for looking at one view or pattern: at all its cells, at one, at those asked for.
-constexpr std::uint64_t kStepsOfTally = 10, kStepsOfGlance = 2, kStepsOfAsking = 3;
+/// Steps for looking at one view or pattern: at all its cells, at those asked for.
+constexpr std::uint64_t kStepsOfTally = 10, kStepsOfAsking = 3;
 
 struct Positive {
   const View* view;
@@ -60,13 +57,8 @@ class Merger {
         size_(static_cast<std::size_t>(frame.neighbours().size)),
         colours_(colours),
         exact_(exact),
-        all_views_(views),
-        allowance_(allowance) {
-    // A sample of every n-th view is worked on; when a finished rule violates others, those
-    // join the sample. So soundness is against all views, at the cost of the sample.
-    const std::size_t step = std::max<std::size_t>(1, views.size() / kWorkingViews);
-    for (std::size_t i = 0; i < views.size(); i += step) work_on(views[i]);
-  }
+        views_(views, size_),
+        allowance_(allowance) {}
 
   std::vector<MergedRule> cover(const std::vector<std::size_t>& order) {
     rules_.clear();
@@ -85,45 +77,11 @@ class Merger {
   }
 
  private:
-  struct Tally {
-    std::array<std::array<std::uint32_t, 64>, kMaxNeighbours> showing{};
-  };
-
-  void work_on(const LocalView& view) {
-    views_.push_back(view);
-    for (std::size_t i = 0; i < size_; ++i) {
-      ++of_colour_[view.wanted].showing[i][view.view.at[i]];
-      ++all_.showing[i][view.view.at[i]];
-    }
-  }
-
-  /// Adds views that the rule must not match, and does, to those that are worked on.
-  bool add_violated(const MergedRule& rule) {
-    if (views_.size() >= all_views_.size()) return false;
-    const std::vector<std::size_t> asked = asked_cells(rule.pattern);
-    allowance_.spend(all_views_.size() * kStepsOfGlance);
-    std::size_t added = 0;
-    for (const LocalView& v : all_views_) {
-      if (v.wanted == rule.place || !shown(rule.pattern, asked, v.view)) continue;
-      work_on(v);
-      if (++added == kViolatedAtOnce) break;
-    }
-    return added > 0;
-  }
-
-  static bool shown(const Pattern& pattern, const std::vector<std::size_t>& asked,
-                    const View& view) {
-    for (const std::size_t i : asked) {
-      if (!pattern.allowed[i].contains(view.at[i])) return false;
-    }
-    return true;
-  }
-
   /// A rule that covers the seed, and others with it; nothing when the allowance is spent.
   std::optional<MergedRule> general(std::size_t seed) {
     while (!allowance_.passed()) {
       MergedRule rule = grow(seed);
-      if (!add_violated(rule)) return rule;
+      if (!views_.add_violated(rule.pattern, rule.place, allowance_)) return rule;
     }
     return std::nullopt;
   }
@@ -160,7 +118,7 @@ class Merger {
 
   Demand best_demand(const View& seed, const Pattern& pattern, const Active& active, bool untouched,
                      Colour place) const {
-    Tally good, bad;
+    ViewTally good, bad;
     for (const Positive& p : active.good) {
       for (std::size_t i = 0; i < size_; ++i) ++good.showing[i][p.view->at[i]];
     }
@@ -179,8 +137,7 @@ class Merger {
       for (State s = 0; s < 64; ++s) {
         if (!demand.states.contains(s)) continue;
         p += good.showing[demand.at][s];
-        n += untouched ? all_.showing[demand.at][s] - of_colour_[place].showing[demand.at][s]
-                       : bad.showing[demand.at][s];
+        n += untouched ? views_.of_others(place, demand.at, s) : bad.showing[demand.at][s];
       }
       // Patterns for other bricks have to stay disjoint from this one, as `stigc check`
       // demands; they count like views.
@@ -227,8 +184,8 @@ class Merger {
       if (covered_[r] || exact_[r].place != place) continue;
       for (const View& image : exact_[r].images) active.good.push_back({&image, r});
     }
-    allowance_.spend((views_.size() + turns_.size()) * kStepsOfGlance);
-    for (const LocalView& v : views_) {
+    allowance_.spend((views_.all().size() + turns_.size()) * kStepsOfGlance);
+    for (const LocalView& v : views_.all()) {
       if (v.wanted != place) active.bad.push_back(&v.view);
     }
     for (const auto& [pattern, colour] : turns_) {
@@ -240,22 +197,14 @@ class Merger {
   /// Does the rule match no view where its brick does not belong, and overlap with no
   /// pattern that places another?
   bool sound(const MergedRule& rule) const {
-    allowance_.spend((views_.size() + turns_.size()) * kStepsOfGlance);
+    allowance_.spend((views_.all().size() + turns_.size()) * kStepsOfGlance);
     for (const auto& [pattern, colour] : turns_) {
       if (colour != rule.place && overlap(pattern, rule.pattern, size_)) return false;
     }
-    const std::vector<std::size_t> asked = asked_cells(rule.pattern);
-    return std::none_of(views_.begin(), views_.end(), [&](const LocalView& v) {
-      return v.wanted != rule.place && shown(rule.pattern, asked, v.view);
+    const std::vector<std::size_t> asked = asked_cells(rule.pattern, size_);
+    return std::none_of(views_.all().begin(), views_.all().end(), [&](const LocalView& v) {
+      return v.wanted != rule.place && shows(v.view, asked, rule.pattern);
     });
-  }
-
-  std::vector<std::size_t> asked_cells(const Pattern& pattern) const {
-    std::vector<std::size_t> asked;
-    for (std::size_t i = 0; i < size_; ++i) {
-      if (!(pattern.allowed[i] == StateSet::anything())) asked.push_back(i);
-    }
-    return asked;
   }
 
   /// Which demands keep out what must be kept out: for each view and pattern the set of
@@ -264,9 +213,9 @@ class Merger {
   /// over these masks; minimal masks suffice.
   std::vector<std::uint32_t> keepers(const MergedRule& rule,
                                      const std::vector<std::size_t>& asked) const {
-    allowance_.spend((views_.size() + turns_.size()) * kStepsOfAsking * asked.size());
+    allowance_.spend((views_.all().size() + turns_.size()) * kStepsOfAsking * asked.size());
     std::unordered_set<std::uint32_t> sets;
-    for (const LocalView& v : views_) {
+    for (const LocalView& v : views_.all()) {
       if (v.wanted == rule.place) continue;
       std::uint32_t set = 0;
       for (std::size_t k = 0; k < asked.size(); ++k) {
@@ -298,7 +247,7 @@ class Merger {
 
   /// Takes demands away, or asks for any brick instead of one, where that does no harm.
   void relax(MergedRule& rule) const {
-    const std::vector<std::size_t> asked = asked_cells(rule.pattern);
+    const std::vector<std::size_t> asked = asked_cells(rule.pattern, size_);
     const std::vector<std::uint32_t> sets = keepers(rule, asked);
     std::uint32_t kept = (1U << asked.size()) - 1;
     for (const std::size_t k : by_plainness(asked)) {
@@ -380,11 +329,8 @@ class Merger {
   std::size_t size_;
   int colours_;
   const std::vector<ExactRule>& exact_;
-  const std::vector<LocalView>& all_views_;
-  std::vector<LocalView> views_;  ///< worked on: some of them, and those that were violated
+  WorkingViews views_;
   Allowance allowance_;
-  Tally all_;
-  std::array<Tally, 64> of_colour_;
   std::vector<bool> covered_;
   std::vector<MergedRule> rules_;
   std::vector<std::pair<Pattern, Colour>> turns_;
