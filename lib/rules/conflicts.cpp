@@ -1,4 +1,10 @@
 // SPDX-License-Identifier: MIT
+// Finds pairs of oriented rules that some neighbourhood satisfies both of. Comparing all
+// pairs would be quadratic in up to 20 000 rules times their orientations, so exact
+// patterns are compared by hash, and patterns with wildcards through a bit index (as in
+// rule_table.cpp): for each one, the AND over neighbours of those that share a state there.
+// What remains is decided exactly by view_search.h. All work is counted against a budget,
+// so a hostile file cannot stall the reader.
 #include "rules/conflicts.h"
 
 #include <fmt/format.h>
@@ -21,7 +27,8 @@ constexpr std::size_t kMostConflicts = 100;  ///< reported of one set
 constexpr Budget kBudget = 1'500'000'000;    ///< about a second
 constexpr std::size_t kMostIndexBytes = 64U << 20U;
 
-/// Orientation lists of every symmetry the set's rules name, made once.
+/// Orientation lists of every symmetry the set's rules name, made once. Few symmetries
+/// occur in a set, and each list has up to 24 elements.
 class Groups {
  public:
   explicit Groups(const RuleSet& rules) : rules_(rules) {}
@@ -31,8 +38,9 @@ class Groups {
     if (group.empty()) group = orientations(rules_.lattice, key.first, key.second);
     return group;
   }
-  /// True when one list serves all rules and it keeps the world as it is: then one
-  /// of two rules can be left unturned.
+  /// True when one list serves all rules and it keeps the world as it is: then turning two
+  /// rules alike changes nothing, and one of them can be left unturned. Inversion is no such
+  /// turn where heights or the floor tell up from down.
   bool is_common() {
     bool heights = rules_.floor;
     for (const Rule& rule : rules_.rules) {
@@ -54,6 +62,7 @@ struct Turned {
   Pattern pattern;
 };
 
+/// An exact pattern is a single view; two of them meet only if they are equal.
 bool is_exact(const Pattern& pattern, int size) {
   return std::all_of(pattern.allowed.begin(), pattern.allowed.begin() + size,
                      [](StateSet s) { return s.is_single(); });
@@ -78,7 +87,7 @@ bool heights_apart(const Rule& a, const Rule& b) {
   return above(a, b) || above(b, a);
 }
 
-/// All distinct orientations of a rule, the identity first.
+/// All distinct orientations of a rule, the identity first: messages do not name that one.
 std::vector<Turned> turned_rule(const RuleSet& rules, std::uint32_t index, Groups& groups) {
   const Rule& rule = rules.rules[index];
   const auto& group = groups.of(rule);
@@ -109,6 +118,8 @@ class PatternIndex {
       }
     }
   }
+  // One bit for each entry, neighbour and state. The size is known before anything is built,
+  // so a set whose index would be too large is refused and not started on.
   static std::size_t bytes(std::size_t entries, int size, int colours) {
     return entries / 8 * static_cast<std::size_t>(size) * static_cast<std::size_t>(colours + 2);
   }
@@ -117,6 +128,7 @@ class PatternIndex {
   void meeting(const Pattern& pattern, std::vector<std::uint64_t>& out, Budget& budget) const {
     out.assign(words_, ~std::uint64_t{0});
     std::vector<std::uint64_t> any(words_);
+    // A neighbour that may be anything excludes no entry.
     for (std::size_t i = 0; i < size_; ++i) {
       if (pattern.allowed[i] == StateSet::anything()) continue;
       std::fill(any.begin(), any.end(), 0);
@@ -127,6 +139,7 @@ class PatternIndex {
         for (std::size_t w = 0; w < words_; ++w) any[w] |= accepting[w];
       }
       std::uint64_t left = 0;
+      // An early end as soon as no entry is left.
       for (std::size_t w = 0; w < words_; ++w) left |= out[w] &= any[w];
       if (left == 0) return;
     }
@@ -157,6 +170,7 @@ class ConflictSearch {
       for (Turned& entry : turned_rule(rules_, r, groups_)) {
         const bool exact = is_exact(entry.pattern, size_);
         if (exact) exact_[hash_of(entry.pattern, size_)].push_back(entry);
+        // The loose patterns, all of them, are asked about by those in `asking_`.
         if (!common || entry.orientation == 0) asking_.push_back(entry);
         if (!exact) open_.push_back(std::move(entry));
       }
@@ -172,8 +186,9 @@ class ConflictSearch {
   }
 
  private:
-  /// Compares one rule with the equal exact entries and with all open ones. An exact
-  /// entry meets an open one when it asks; the open one need not ask it too.
+  /// Compares one rule with the equal exact entries and with all open ones. An exact entry
+  /// meets an open one when it asks; the open one need not ask it too. Pairs are found in
+  /// at least one direction; `found_` keeps them from being reported in both.
   void ask(const Turned& entry, const PatternIndex& index) {
     if (is_exact(entry.pattern, size_)) {
       for (const Turned& other : exact_[hash_of(entry.pattern, size_)]) compare(entry, other);
@@ -190,6 +205,7 @@ class ConflictSearch {
 
   void compare(const Turned& a, const Turned& b) {
     if (done_) return;
+    // Steps are rough weights of the work, in the unit of kBudget.
     budget_ -= 8;
     const Rule& first = rules_.rules[std::min(a.rule, b.rule)];
     const Rule& second = rules_.rules[std::max(a.rule, b.rule)];
@@ -197,6 +213,7 @@ class ConflictSearch {
     if (first.place == second.place || !active_together(first, second)) return;
     if (heights_apart(first, second)) return;
     if (found_.count(std::minmax(a.rule, b.rule)) > 0) return;
+    // The tests above are in the order of their cost; only what comes now searches.
     Example example;
     budget_ -= 500;
     const Answer answer = find_view(rules_, both(demand(a), demand(b)), example, budget_);
@@ -237,6 +254,7 @@ class ConflictSearch {
         .note(rule_place(first), "the first one")
         .note(fmt::format("both {} and {} match at height {}:\n{}", name(a), name(b), example.z,
                           draw_view(rules_, example.view)));
+    // After so many conflicts the cause is systematic, and further ones say nothing new.
     if (++reported_ < kMostConflicts) return;
     out_.add(Code::R302, rule_place(second), "no more conflicts were looked for after so many");
     done_ = true;
@@ -268,7 +286,8 @@ class ConflictSearch {
   bool done_ = false;
 };
 
-/// Everything but the drawing that makes two rules the same.
+/// Everything but the drawing that makes two rules the same. A hash to find candidates;
+/// same_conditions decides.
 std::uint64_t conditions_hash(const Rule& rule) {
   std::uint64_t hash = combine(rule.place, static_cast<std::uint64_t>(rule.stage));
   const auto add = [&](std::int64_t value) {
@@ -295,7 +314,8 @@ bool same_conditions(const Rule& a, const Rule& b) {
          a.height_max == b.height_max && counts(a) == counts(b);
 }
 
-/// Is every pattern of `entries` among those of `others`?
+/// Is every pattern of `entries` among those of `others`? A rule repeats an earlier one if
+/// each of its orientations is an orientation of that.
 bool covers(const std::vector<Turned>& others, const std::vector<Turned>& entries) {
   return std::all_of(entries.begin(), entries.end(), [&](const Turned& entry) {
     return std::any_of(others.begin(), others.end(),

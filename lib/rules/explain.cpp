@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Explains by trying: every orientation of every rule is compared with the view, and the
+// one with the fewest disagreeing cells is reported. No index of the rule table is asked, so
+// an explanation is an independent account of a match.
 #include "rules/explain.h"
 
 #include <cassert>
@@ -8,6 +11,8 @@
 namespace stig {
 namespace {
 
+/// All disagreeing cells are listed, not only the first, since authors look for a pattern
+/// in them.
 std::vector<FailedCell> failed_cells(const Neighbourhood& neighbours, const Pattern& pattern,
                                      const View& view) {
   std::vector<FailedCell> failed;
@@ -53,6 +58,7 @@ Explanation explain(const RuleSet& rules, const View& view, std::int32_t z, int 
     for (std::size_t t = 0; t < turns.size(); ++t) {
       auto cells =
           failed_cells(neighbours, oriented(rule.pattern, turns[t], neighbours.size), view);
+      // Strictly fewer, so the first of several nearest orientations is kept.
       if (t > 0 && cells.size() >= said.cells.size()) continue;
       said.cells = std::move(cells);
       said.orientation = static_cast<std::uint32_t>(t);

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The static checks, one function for each diagnostic or two. Each works on a rule set that
+// was read completely, or, with CheckScope::certain, on what could be read of a faulty
+// file; then nothing is said that a missing part could refute.
 #include "rules/rule_checks.h"
 
 #include <fmt/format.h>
@@ -16,7 +19,7 @@ namespace stig {
 
 namespace {
 
-/// A view without any brick: empty space, or bare floor.
+/// One of the two views that occur without any brick: empty space, or bare floor.
 View bare_view(Lattice lattice, bool on_floor) {
   const Neighbourhood& neighbours = neighbourhood(lattice);
   View view;
@@ -26,8 +29,9 @@ View bare_view(Lattice lattice, bool on_floor) {
   return view;
 }
 
-/// What a rule demands, right way up and, under inversion, upside down. Turns about
-/// the vertical change nothing that these checks ask.
+/// What a rule demands, right way up and, under inversion, upside down. Turns about the
+/// vertical are left out: they permute cells within a level, which neither bare views nor
+/// counts nor heights can tell apart.
 std::vector<Demand> demands(const RuleSet& rules, const Rule& rule) {
   std::vector<Demand> out = {demand_of(rule)};
   if (!rules.inversion_of(rule)) return out;
@@ -37,7 +41,8 @@ std::vector<Demand> demands(const RuleSet& rules, const Rule& rule) {
   return out;
 }
 
-/// Height at which a demand matches bare surroundings, if it does.
+/// Height at which a demand matches bare surroundings, if it does. In a world with floor, a
+/// site on it sees it below, and any other sees none.
 bool matches_bare(const RuleSet& rules, const Demand& demand, bool on_floor) {
   const View view = bare_view(rules.lattice, on_floor);
   if (on_floor) return fulfils(demand, rules.lattice, view, 0);
@@ -46,6 +51,8 @@ bool matches_bare(const RuleSet& rules, const Demand& demand, bool on_floor) {
   return fulfils(demand, rules.lattice, view, z);
 }
 
+/// A rule that fires in empty space would fill the world from nothing; agents act beside
+/// bricks only, but such a rule is never what its author means.
 void check_bare(const RuleSet& rules, const Rule& rule, Diagnostics& out) {
   for (const Demand& demand : demands(rules, rule)) {
     const bool space = matches_bare(rules, demand, false);
@@ -58,7 +65,8 @@ void check_bare(const RuleSet& rules, const Rule& rule, Diagnostics& out) {
   }
 }
 
-/// Could the rule match if the demand were weaker by what `weaken` takes out of it?
+/// Could the rule match if the demand were weaker by what `weaken` takes out of it? Used to
+/// find out which condition stands in the way, by leaving them out one at a time.
 template <class Weaken>
 bool possible_without(const RuleSet& rules, const Rule& rule, Budget& budget, Weaken weaken) {
   for (Demand demand : demands(rules, rule)) {
@@ -88,6 +96,8 @@ void note_obstacle(const RuleSet& rules, const Rule& rule, Budget& budget, Diagn
   }
 }
 
+/// One rule at a time: whether other rules build what it needs is a question for
+/// never_fires.h and for proofs.
 void check_possible(const RuleSet& rules, const Rule& rule, Budget& budget, Diagnostics& out) {
   for (const Demand& demand : demands(rules, rule)) {
     Example example;
@@ -133,6 +143,7 @@ void check_leds(const RuleSet& rules, Diagnostics& out) {
   }
 }
 
+/// Rule sets made by a program have no places; their diagnostics have none either.
 SourceRange start_place(const RuleSet& rules, std::size_t i) {
   return i < rules.places.start_bricks.size() ? rules.places.start_bricks[i] : SourceRange{};
 }
@@ -164,7 +175,7 @@ void check_start_cells(const RuleSet& rules, Diagnostics& out) {
   }
 }
 
-/// A box without an origin is laid around the start; it must be large enough.
+/// A box without an origin is centred on the start, so only its size can be wrong.
 void check_start_fits(const RuleSet& rules, Diagnostics& out) {
   if (!rules.box || rules.box->origin || rules.start.empty()) return;
   Cell low = rules.start[0].at, high = low;
@@ -186,6 +197,7 @@ void check_stages(const RuleSet& rules, Diagnostics& out) {
   for (const Rule& rule : rules.rules) {
     if (rule.stage > 0) named.emplace(rule.stage, &rule);
   }
+  // Stages are numbered without gaps, since each begins when the one before has ended.
   int next = 1;
   for (const auto& [stage, rule] : named) {
     if (stage > next) {
@@ -203,6 +215,7 @@ void check_stages(const RuleSet& rules, Diagnostics& out) {
   }
 }
 
+/// One warning is enough when the key stands at the top of the file.
 void check_inversion(const RuleSet& rules, Diagnostics& out) {
   for (const Rule& rule : rules.rules) {
     const bool height = rule.height_min || rule.height_max;
@@ -227,6 +240,7 @@ void check_expected_structure(const RuleSet& rules, const Expectation& expect, D
                         counted(static_cast<std::uint64_t>(amount), "brick"), *expect.bricks))
         .note(expect.bricks_range, "expected here");
   }
+  // Bricks are never removed, so the end has at least the start's bricks of each colour.
   std::vector<std::int64_t> left(static_cast<std::size_t>(rules.colours()) + 1);
   for (const PlacedBrick& brick : expect.structure) ++left[brick.brick];
   for (const PlacedBrick& brick : rules.start) --left[brick.brick];
@@ -261,6 +275,7 @@ void check_expectation(const RuleSet& rules, Diagnostics& out) {
 }  // namespace
 
 void check_rule_set(const RuleSet& rules, CheckScope scope, Diagnostics& diagnostics) {
+  // Shared by all rules, in the steps of kBudget in conflicts.cpp: well below a second.
   Budget budget = 200'000'000;
   for (const Rule& rule : rules.rules) {
     check_bare(rules, rule, diagnostics);

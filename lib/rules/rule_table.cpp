@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Compiles a rule set into two indices (see the header). The order of work is chosen for
+// the engines' hot path, which asks for one view at a time and mostly gets "no": the hash
+// of exact entries costs one look-up, and the bit sets are intersected from the most
+// selective neighbour on, so most words are zero after two or three neighbours.
 #include "rules/rule_table.h"
 
 #include <algorithm>
@@ -10,7 +14,9 @@
 namespace stig {
 namespace {
 
-/// Random words by neighbour and state; a view's hash is their exclusive or.
+/// Random words by neighbour and state; a view's hash is their exclusive or. Exclusive or
+/// makes the hash independent of the order of neighbours, and each table entry is a
+/// compile-time constant.
 struct ViewHash {
   std::array<std::array<std::uint64_t, 64>, 32> word{};
   constexpr ViewHash() {
@@ -41,6 +47,8 @@ std::optional<View> as_view(const Pattern& pattern, int size) {
 }
 
 /// Distinct orientations of a rule, each with the first group element that gives it.
+/// Orientations that give equal patterns would find the same matches twice; the first one
+/// names the match.
 std::vector<Entry> entries_of(const RuleSet& rules, std::uint32_t number) {
   const Rule& rule = rules.rules[number];
   const int size = neighbourhood(rules.lattice).size;
@@ -58,6 +66,7 @@ std::vector<Entry> entries_of(const RuleSet& rules, std::uint32_t number) {
 
 }  // namespace
 
+/// The images of distinct neighbours are distinct, so every entry is written once.
 Pattern oriented(const Pattern& pattern, const Orientation& orientation, int neighbours) {
   Pattern turned;
   for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours); ++i) {
@@ -106,10 +115,13 @@ void RuleTable::Index::add(const Entry& entry, std::uint32_t number, int size) {
   }
 }
 
+/// Exact entries of equal hash stand next to each other, by rising entry, and the slot
+/// points at the first.
 void RuleTable::Index::finish(const std::vector<Entry>& entries, int size, int colours) {
   std::sort(exact.begin(), exact.end(), [](const Exact& a, const Exact& b) {
     return std::tie(a.hash, a.entry) < std::tie(b.hash, b.entry);
   });
+  // A quarter full at most: misses, the frequent case, end at once.
   slots.assign(std::bit_ceil(exact.size() * 4 + 1), 0);
   for (std::uint32_t i = 0; i < exact.size(); ++i) {
     if (i > 0 && exact[i].hash == exact[i - 1].hash) continue;
@@ -117,6 +129,8 @@ void RuleTable::Index::finish(const std::vector<Entry>& entries, int size, int c
     while (slots[slot] != 0) slot = (slot + 1) & (slots.size() - 1);
     slots[slot] = i + 1;
   }
+  // States beyond the colours of this set share row 0 with the empty state; no view shows
+  // them.
   for (int c = 1; c <= colours; ++c)
     row[static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(rows++);
   row[kFloor] = static_cast<std::uint8_t>(rows++);
@@ -135,9 +149,12 @@ void RuleTable::Index::finish(const std::vector<Entry>& entries, int size, int c
       accepting_empty[i] += pattern.allowed[i].contains(kEmpty) ? 1U : 0U;
     }
   }
+  // A neighbour that no pattern asks about is left out of the order altogether.
   for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
     if (!accepts_anything(i)) order.push_back(static_cast<std::uint8_t>(i));
   }
+  // Views are mostly empty, so the neighbours at which few entries accept emptiness exclude
+  // the most.
   std::stable_sort(order.begin(), order.end(), [&](std::uint8_t a, std::uint8_t b) {
     return accepting_empty[a] < accepting_empty[b];
   });
@@ -180,6 +197,8 @@ RuleTable::RuleTable(const RuleSet& rules)
     }
   }
   index_->finish(entries_, size_, rules.colours());
+  // Neighbours that can never make a difference need not be re-examined after a deposit
+  // there; counts look at all.
   for (std::size_t i = 0; i < static_cast<std::size_t>(size_); ++i) {
     sees_[i] = std::any_of(entries_.begin(), entries_.end(), [&](const Entry& entry) {
       return entry.pattern.allowed[i] != StateSet::anything() ||
@@ -252,6 +271,8 @@ bool RuleTable::enabled(const View& view, std::int32_t z, int stage) const {
   });
 }
 
+/// Bit 0 stands for rules without a stage; they match in every stage and in none in
+/// particular.
 std::uint64_t RuleTable::open_stages(const View& view, std::int32_t z, int from) const {
   std::uint64_t open = 0;
   visit(view, z, [&](const Match& match) {
@@ -270,6 +291,7 @@ void RuleTable::matches(const View& view, std::int32_t z, int stage,
     if (own == 0 || own == stage) out.push_back(match);
     return false;
   });
+  // One match for each rule, in the first of its orientations that matches.
   std::sort(out.begin(), out.end());
   const auto same_rule = [](const Match& a, const Match& b) { return a.rule == b.rule; };
   out.erase(std::unique(out.begin(), out.end(), same_rule), out.end());

@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: MIT
+// Decides whether some neighbourhood satisfies a drawing and counts at once. Cells are
+// independent of each other but for the counts, so a dynamic programme over cells with the
+// tally of all conditions as its state is exact: at most 27^k tallies for k conditions, and
+// few in practice, since cells that add the same are alike. Heights are an intersection of
+// intervals.
 #include "rules/view_search.h"
 
 #include <algorithm>
@@ -8,7 +13,8 @@ namespace stig {
 
 namespace {
 
-/// Counts of all conditions, packed: five bits each hold 0..26.
+/// Counts of all conditions, packed: five bits each hold 0..26, a neighbourhood's most, and
+/// twelve conditions fit a word.
 using Tally = std::uint64_t;
 constexpr int kBits = 5;
 constexpr std::size_t kMostConditions = 64 / kBits;
@@ -19,12 +25,14 @@ struct World {
   bool on_floor;  ///< the slice below is floor
 };
 
+/// With a floor there are two kinds of sites, those on it and those above; without, one.
 std::vector<World> worlds_of(const RuleSet& rules) {
   if (!rules.floor) return {{INT32_MIN, INT32_MAX, false}};
   return {{0, 0, true}, {1, INT32_MAX, false}};
 }
 
-/// Conditions on the same thing become one; those that always hold go.
+/// Conditions on the same thing become one; those that always hold go. Fewer conditions
+/// mean fewer tallies.
 std::vector<CountCondition> merged(const std::vector<CountCondition>& counts, int size) {
   std::vector<CountCondition> out;
   for (const CountCondition& count : counts) {
@@ -54,6 +62,7 @@ class CountSearch {
         counts_(std::move(counts)),
         budget_(budget) {}
 
+  // More conditions than fit are left undecided, which is reported and never guessed.
   Answer run(View& view) {
     if (counts_.size() > kMostConditions) return Answer::unknown;
     find_reachable();
@@ -83,7 +92,8 @@ class CountSearch {
     return sum;
   }
 
-  /// One state for each thing that a cell can add, the lowest.
+  /// One state for each thing that a cell can add, the lowest. States that add the same to
+  /// all counts are interchangeable; the lowest keeps examples plain.
   std::vector<std::pair<Tally, State>> choices(std::size_t cell) const {
     std::vector<std::pair<Tally, State>> out;
     for (std::uint64_t bits = cells_[cell].bits(); bits != 0; bits &= bits - 1) {
@@ -96,7 +106,8 @@ class CountSearch {
     return out;
   }
 
-  /// For each condition, how many of the cells from `cell` on can still add to it.
+  /// For each condition, how many of the cells from `cell` on can still add to it. The most
+  /// that can still be added bounds the search from below.
   void find_reachable() {
     room_.assign(cells_.size() + 1, std::vector<int>(counts_.size(), 0));
     for (std::size_t cell = cells_.size(); cell-- > 0;) {
@@ -131,6 +142,7 @@ class CountSearch {
     return true;
   }
 
+  // Layers go by cell, and each tally keeps the step that first led to it.
   void trace_back(View& view) const {
     // The lowest tally, so that the example does not hang on a hash table's order.
     Tally tally = layers_.back().begin()->first;
@@ -150,7 +162,8 @@ class CountSearch {
   std::vector<Layer> layers_;
 };
 
-/// The states each cell may have in this world under the demand's drawing.
+/// The states each cell may have in this world under the demand's drawing. An empty set for
+/// some cell means that drawing and world contradict.
 std::vector<StateSet> cells_in(const World& world, const RuleSet& rules, const Demand& demand) {
   const Neighbourhood& neighbours = neighbourhood(rules.lattice);
   std::vector<StateSet> cells;
@@ -174,6 +187,7 @@ Demand demand_of(const Rule& rule) {
   return demand;
 }
 
+/// The conjunction of two rules: what is allowed by both, and all counts of both.
 Demand both(const Demand& a, const Demand& b) {
   Demand out = a;
   for (std::size_t i = 0; i < out.pattern.allowed.size(); ++i) {
