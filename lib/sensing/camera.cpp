@@ -4,6 +4,7 @@
 // the image plane into errors in pixels for tag_pose.cpp, so they are worked out once, here.
 #include "sensing/camera.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -50,6 +51,7 @@ std::optional<ImagePoint> project(const CameraIntrinsics& camera, const Vec3& p_
 }
 
 ImageSlope image_slope(const CameraIntrinsics& camera, const Vec3& direction) {
+  assert(direction.z > 0);
   const Distorted d = distort(camera, direction.x / direction.z, direction.y / direction.z);
   return {camera.fx * d.xx, camera.fx * d.xy, camera.fy * d.yx, camera.fy * d.yy};
 }

@@ -5,6 +5,7 @@
 #include "sensing/camera_view.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -109,6 +110,7 @@ std::optional<ImagePoint> image_of(const CameraView& view, const Vec3& p_C) {
 }
 
 std::array<Vec3, 8> frustum_corners(const CameraView& view) {
+  assert(view.near > 0 && view.near < view.far);
   std::array<Vec3, 8> out;
   const std::array<Vec3, 4> ways = {{{view.low.x, view.low.y, 1},
                                      {view.high.x, view.low.y, 1},

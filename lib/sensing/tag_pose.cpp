@@ -7,6 +7,7 @@
 #include "sensing/tag_pose.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -266,6 +267,7 @@ bool prepare(const CameraIntrinsics& camera, const std::array<ImagePoint, 4>& pi
 }  // namespace
 
 std::array<Vec3, 4> tag_corners(double side) {
+  assert(side >= 0);
   const double h = side / 2;
   return {{{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}}};
 }
