@@ -3,6 +3,7 @@
 // numbers, let NaN and infinities pass, and name arguments by their place alone; what comes in here
 // ends up in physics and in traces, so it is held to more, and a program's author is told the
 // function, the argument and what was given.
+#include <cassert>
 #include <cmath>
 #include <lua.hpp>
 
@@ -12,6 +13,7 @@
 namespace stig {
 
 void set_functions(lua_State* state, const LuaEntry* entries, std::size_t count) {
+  assert(lua_istable(state, -1));
   for (std::size_t i = 0; i < count; ++i) {
     lua_pushcfunction(state, entries[i].function);
     lua_setfield(state, -2, entries[i].name);

@@ -2,6 +2,7 @@
 // The block's devices: directional LEDs of one colour out of four, and six radios.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <lua.hpp>
 
 #include "lua/lua_box.h"
@@ -78,6 +79,7 @@ int block_send(lua_State* state) {
 }  // namespace
 
 void open_block(lua_State* state, BlockSide& side) {
+  assert(side.radios.empty());
   push_robot(state);
   lua_newtable(state);
   set_functions(state,

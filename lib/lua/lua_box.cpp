@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 #include <lua.hpp>
 
@@ -84,6 +85,7 @@ LuaBox::~LuaBox() {
 LuaBox& LuaBox::of(lua_State* state) { return **static_cast<LuaBox**>(lua_getextraspace(state)); }
 
 ControllerStatus LuaBox::run(Body body, void* argument) {
+  assert(body != nullptr);
   const bool first = state_ == nullptr;
   budget_ = static_cast<std::int64_t>(settings_.limits.instructions);
   traceback_.clear();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <lua.hpp>
 #include <optional>
 #include <string>
@@ -107,6 +108,7 @@ std::string lack(lua_State* state, std::initializer_list<const char*> names) {
 }  // namespace
 
 bool push_callback(lua_State* state, const char* name) {
+  assert(name != nullptr);
   // Raw: a metatable of the globals may make up functions that are not there.
   lua_pushglobaltable(state);
   lua_pushstring(state, name);
@@ -132,6 +134,7 @@ void call_needed(lua_State* state, const char* name) {
 }
 
 void need_one_of(lua_State* state, std::initializer_list<const char*> names) {
+  assert(names.size() > 0);
   for (const char* name : names) {
     if (!push_callback(state, name)) continue;
     lua_pop(state, 1);

@@ -6,6 +6,7 @@
 #include "lua/lua_interface.h"
 
 #include <algorithm>
+#include <cassert>
 #include <lua.hpp>
 
 #include "lua/lua_box.h"
@@ -135,22 +136,26 @@ Message message_argument(lua_State* state) {
 }  // namespace
 
 void put(lua_State* state, const char* key) {
+  assert(lua_istable(state, -2));
   // lua_setfield would do the same through a metatable's __newindex.
   lua_pushstring(state, key);
   lua_insert(state, -2);
   lua_rawset(state, -3);
 }
 void put(lua_State* state, const char* key, double number) {
+  assert(lua_istable(state, -1));
   lua_pushstring(state, key);
   lua_pushnumber(state, number);
   lua_rawset(state, -3);
 }
 void put(lua_State* state, const char* key, bool truth) {
+  assert(lua_istable(state, -1));
   lua_pushstring(state, key);
   lua_pushboolean(state, truth ? 1 : 0);
   lua_rawset(state, -3);
 }
 void put(lua_State* state, const char* key, std::string_view text) {
+  assert(lua_istable(state, -1));
   lua_pushstring(state, key);
   lua_pushlstring(state, text.data(), text.size());
   lua_rawset(state, -3);
@@ -165,12 +170,14 @@ std::size_t device_of(lua_State* state) {
   return static_cast<std::size_t>(lua_tointeger(state, lua_upvalueindex(1)));
 }
 int keep_table(lua_State* state) {
+  assert(lua_istable(state, -1));
   // luaL_ref gives positive numbers that are not used again before they are freed, and nothing is
   // freed here.
   lua_pushvalue(state, -1);
   return luaL_ref(state, LUA_REGISTRYINDEX);
 }
 void push_kept(lua_State* state, int reference) {
+  assert(reference > 0);
   lua_rawgeti(state, LUA_REGISTRYINDEX, reference);
 }
 
@@ -202,6 +209,7 @@ void push_radio(lua_State* state, std::size_t place, int (*send)(lua_State*)) {
 }
 
 void add_message(lua_State* state, std::vector<std::vector<Message>>& sends, std::size_t radios) {
+  assert(device_of(state) < radios);
   // The list has an entry for every radio once any has sent.
   sends.resize(std::max(sends.size(), radios));
   auto& sent = sends[device_of(state)];

@@ -5,6 +5,8 @@
 // steps: each capture and repetition is a C++ call.
 #include "lua/lua_pattern.h"
 
+#include <cassert>
+
 namespace stig {
 
 namespace {
@@ -68,6 +70,7 @@ bool at_most(char a, char b) {
 }  // namespace
 
 std::size_t LuaPattern::match(std::size_t start) {
+  assert(start <= subject_.size());
   // The steps go on counting over several calls: a budget is for one search, from all starts.
   count_ = depth_ = 0;
   return follow(start, 0);

@@ -5,6 +5,7 @@
 // out.
 // require: files beside the program or in folders there, by plain names.
 #include <algorithm>
+#include <cassert>
 #include <filesystem>
 #include <lua.hpp>
 #include <string>
@@ -130,6 +131,7 @@ bool is_module_name(std::string_view name) {
 
 // A dot is a folder, as in Lua's own package.path.
 std::string module_file(std::string_view name) {
+  assert(is_module_name(name));
   std::string out(name);
   std::replace(out.begin(), out.end(), '.', '/');
   return out + ".lua";

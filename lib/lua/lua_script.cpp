@@ -5,6 +5,8 @@
 // does to the world.
 #include "lua/lua_script.h"
 
+#include <cassert>
+
 #include <lua.hpp>
 
 #include "lua/lua_box.h"
@@ -266,6 +268,7 @@ LuaScript& LuaScript::operator=(LuaScript&&) noexcept = default;
 
 // For checks before a run: what the text logs while it is loaded is thrown away.
 LuaScript::Loaded LuaScript::load() {
+  assert(state_ != nullptr && !state_->begun);
   std::vector<std::string> log;
   State& own = *state_;
   own.side.log = &log;
@@ -279,6 +282,7 @@ const LuaFailure& LuaScript::failure() const { return state_->box.last_failure()
 
 ControllerStatus LuaScript::call(ScriptCall which, ScriptWorld& world,
                                  std::vector<std::string>& log) {
+  assert(state_ != nullptr);
   static constexpr const char* kNames[] = {"on_start", "on_step", "on_end"};
   State& own = *state_;
   // Sticky, as for controllers.

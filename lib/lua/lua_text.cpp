@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The string and utf8 libraries: Lua's own where their work is linear, which is charged; ours
 // where it is not (patterns), or where addresses would show (%p).
+#include <cassert>
 #include <cstring>
 #include <lua.hpp>
 #include <optional>
@@ -333,6 +334,7 @@ int gsub(lua_State* state) {
 
 // Keys stay the same and only values change, which lua_next allows.
 void charge_all(lua_State* state) {
+  assert(lua_istable(state, -1));
   lua_pushnil(state);
   while (lua_next(state, -2) != 0) {
     if (lua_iscfunction(state, -1) != 0) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <cstring>
 #include <lua.hpp>
@@ -357,6 +358,7 @@ constexpr LuaEntry kArithmetic[] = {{"__add", add<T>},
 }  // namespace
 
 Quat turn_between(const Vec3& from, const Vec3& to) {
+  assert(length(from) > 0 && length(to) > 0);
   const Vec3 a = normalised(from), b = normalised(to);
   const double c = dot(a, b);
   if (c < -1 + 1e-12) {
