@@ -2,6 +2,7 @@
 // The form below is the only place that lists a block's keys: it checks files, words the messages
 // and makes the JSON Schema. What relates keys to each other, which a schema cannot say, comes
 // after it in check_fit. Angles are degrees in files and radians in the model.
+#include <cassert>
 
 #include "base/degree.h"
 #include "base/form.h"
@@ -138,6 +139,7 @@ void check_fit(const YamlDocument& document, const BlockModel& block, Diagnostic
 }  // namespace
 
 std::optional<BlockModel> read_block(SourceRef source, Diagnostics& diagnostics) {
+  assert(source != nullptr);
   Diagnostics own;
   std::optional<BlockModel> block;
   if (const auto document = parse_yaml(std::move(source), {kMaxBlockFileBytes, 8, 1000}, own)) {

@@ -4,6 +4,7 @@
 #include "robots/robot_devices.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -36,6 +37,7 @@ void command(DriveState& state, const DriveModel& model, double left, double rig
 }
 
 void step(DriveState& state, const DriveModel& model, double dt) {
+  assert(dt > 0);
   const double most = model.most_acceleration * dt;
   state.left = towards(state.left, state.left_target, most);
   state.right = towards(state.right, state.right_target, most);
@@ -61,6 +63,7 @@ void command(LiftState& state, const LiftModel& model, const LiftCommand& comman
 }
 
 void step(LiftState& state, const LiftModel& model, double position) {
+  assert(model.low <= model.high);
   if (state.mode == LiftMode::calibrating) {
     // Down at the slowest speed, as it does not know how far the bottom is.
     state.speed = model.speeds.empty() ? 0 : -model.speeds.back().second;
@@ -91,6 +94,7 @@ LiftReading reading_of(const LiftState& state, const LiftModel& model, double po
 }
 
 void step(MagnetState& state, const MagnetCircuitModel& model, double dt) {
+  assert(dt > 0);
   const bool flows = state.mode != Discharge::disable;
   // charge' = gain - loss · charge has the solution below: an exponential towards gain / loss. The
   // limit is applied after the step, which is exact while charging is linear, or ends below it.
@@ -107,6 +111,7 @@ void step(MagnetState& state, const MagnetCircuitModel& model, double dt) {
 }
 
 double current_of(const MagnetState& state) {
+  assert(state.charge >= 0);
   switch (state.mode) {
     case Discharge::constructive:
       return state.charge;

@@ -9,6 +9,7 @@
 namespace stig {
 
 BodyExtent extent_of(const BodyModel& body) {
+  assert(body.shape != ShapeType::hull || !body.points.empty());
   const Mat3 r = matrix(body.X_RB.q);
   const auto grow = [](BodyExtent& extent, const Vec3& p) {
     extent.low = {std::min(extent.low.x, p.x), std::min(extent.low.y, p.y),

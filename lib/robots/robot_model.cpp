@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "robots/robot_model.h"
 
+#include <cassert>
+
 #include "base/hull.h"
 
 namespace stig {
@@ -12,6 +14,7 @@ double RobotModel::mass() const {
 }
 
 Vec3 RobotModel::centre_of_mass() const {
+  assert(mass() > 0);
   Vec3 sum;
   for (const BodyModel& body : bodies) sum += body.mass * body.X_RB.p;
   // Every mass is positive, by the form of the file.
@@ -35,6 +38,7 @@ double without_hit(const RangeDevice& device) {
 }
 
 Vec3 moments_of(const BodyModel& body) {
+  assert(body.mass > 0);
   // A file's own moments win: real robots are not solid.
   if (body.inertia) return *body.inertia;
   const Vec3 s = scaled(body.size, body.size) * body.mass;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/load.h"
 #include "base/text.h"
@@ -115,6 +116,7 @@ std::vector<FormView> entries(const FormView& view, std::string_view key, const 
 }
 
 std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics) {
+  assert(source != nullptr);
   Diagnostics own;
   std::optional<RobotModel> model;
   // Depth and number of nodes are bounded before anything is read: files come from anywhere.

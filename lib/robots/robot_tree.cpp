@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/text.h"
 #include "robots/robot_parts.h"
@@ -50,6 +51,7 @@ class Tree {
 
   /// Reports a cycle at the body of it that comes first in the file.
   void check_cycle(std::size_t first) {
+    assert(first < above_.size());
     std::string path = name(first);
     std::size_t body = first;
     // Follows parents upwards, at most as many steps as there are bodies: a path into a cycle that
