@@ -6,6 +6,7 @@
 // other the axis is taken that they came in by: the last of the 15 along which they begin to
 // overlap.
 #include <algorithm>
+#include <cassert>
 
 #include "physical/collision/touch_points.h"
 
@@ -75,6 +76,7 @@ Way way_of(const Placed& a, const Placed& b, const Vec3& way, double graze) {
 }  // namespace
 
 Touch touch_moving_boxes(const Placed& a, const Placed& b, const Passing& motion) {
+  assert(a.shape.kind == ShapeKind::box && b.shape.kind == ShapeKind::box);
   // Rotation during the step is allowed for by a smaller graze, since the axes turn by it.
   const Way way = way_of(a, b, motion.way, kGraze - std::min(kGraze, motion.turning));
   // They pass without meeting: what there is is a gap, at its narrowest.

@@ -6,6 +6,7 @@
 #include "physical/collision/broad_phase.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 
@@ -17,6 +18,7 @@ bool same_cell(const CellEntry& a, const CellEntry& b) { return a.x == b.x && a.
 
 std::vector<CellEntry> cells_of(const std::vector<std::uint32_t>& things,
                                 const std::vector<Bounds>& bounds, double cell) {
+  assert(cell > 0 || things.empty());
   std::vector<CellEntry> out;
   // A body mostly lies in one to four columns.
   out.reserve(things.size() * 4);

@@ -5,6 +5,7 @@
 #include "physical/collision/contact.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -119,6 +120,7 @@ Vec3 lines_meet(const Vec3& pa, const Vec3& ua, const Vec3& pb, const Vec3& ub) 
 // line through both. They span about as much as all do, which is what keeps a stack upright, and
 // the solver's work is bounded.
 Touch reduced(const Vec3& normal, const TouchPoint* all, int count) {
+  assert(count >= 0);
   Touch out;
   out.normal = normal;
   if (count <= 4) {

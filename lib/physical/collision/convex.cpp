@@ -44,6 +44,7 @@ std::vector<std::uint16_t> take_corners(const std::vector<HullFace>& faces,
 }
 
 void take_face(const HullFace& face, const std::vector<std::uint16_t>& numbers, Convex& out) {
+  assert(face.corners.size() >= 3);
   ConvexFace taken{face.normal, 0, {}};
   for (const std::size_t corner : face.corners) taken.corners.push_back(numbers[corner]);
   taken.level = dot(face.normal, out.points[taken.corners[0]]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Cylinders against the floor and against balls, exactly; against the rest they are prisms.
 #include <algorithm>
+#include <cassert>
 
 #include "physical/collision/touch_points.h"
 
@@ -32,6 +33,7 @@ void add_rim(const Placed& a, const Vec3& centre, double margin, PointList& out)
 }  // namespace
 
 Touch touch_floor_cylinder(const Placed& a, double margin) {
+  assert(a.shape.kind == ShapeKind::cylinder);
   PointList points;
   const Vec3 half = a.r.z * a.shape.half.z;
   // Lying: the two ends of its lowest line. Standing: the rim of one cap.

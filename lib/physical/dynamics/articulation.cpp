@@ -227,6 +227,7 @@ void refresh(Articulation& it) {
 }
 
 void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
+  assert(dt > 0);
   const std::size_t n = it.size();
   it.inverse.assign(n * n, 0);
   for (std::size_t part = 0; part < it.parts.size(); ++part) add_mass(it, part, it.inverse);
@@ -259,6 +260,7 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
 }
 
 void move(Articulation& it, double dt) {
+  assert(dt > 0);
   if (it.floating && it.held) {
     // Impulses of contacts and motors are known as the difference that they made.
     const Momentum now = momentum_of(it);
@@ -302,6 +304,7 @@ void add_axes(const Articulation& it, std::uint32_t number, double dt,
 }
 
 std::size_t keep_axes(Articulation& it, const std::vector<SolverAxis>& axes, std::size_t at) {
+  assert(at <= axes.size());
   // In the order of add_axes, which this must follow step for step.
   for (std::size_t i = 0; i < it.size(); ++i) {
     AxisState& state = it.axes[i];

@@ -137,6 +137,7 @@ class Builder {
 }  // namespace
 
 void add_articulations(const WorldConfig& config, std::size_t first, Articulations& out) {
+  assert(first <= config.joints.size());
   const auto begin = config.joints.begin() + static_cast<std::ptrdiff_t>(first);
   const auto is_child = [&](std::uint32_t body) {
     return std::any_of(begin, config.joints.end(),

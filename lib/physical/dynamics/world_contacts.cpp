@@ -4,6 +4,7 @@
 // that a new list and the last one are compared in one pass, and so that the order of contacts,
 // which the solver's result depends on, is that of body numbers alone.
 #include <algorithm>
+#include <cassert>
 #include <tuple>
 
 #include "physical/dynamics/world_state.h"
@@ -249,6 +250,7 @@ std::vector<std::uint32_t> disturbed(const WorldState& world) {
 }  // namespace
 
 bool takes_part(const WorldState& world, std::uint32_t i) {
+  assert(i == kFloorBody || i < world.bodies.size());
   return i != kFloorBody && world.bodies[i].awake && !world.bodies[i].left;
 }
 

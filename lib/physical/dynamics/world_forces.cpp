@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Forces of a step are gathered in fixed order: pushes and weight, damping, magnets, then what
 // functions of the user add. Velocities take them up before contacts are solved.
+#include <cassert>
 #include <cmath>
 
 #include "physical/dynamics/world_state.h"
@@ -41,6 +42,7 @@ void gather_forces(WorldState& world) {
 }
 
 void integrate_velocity(WorldState& world, std::uint32_t number) {
+  assert(number < world.bodies.size());
   Body& body = world.bodies[number];
   if (body.fixed) return;
   if (Articulation* articulation = articulation_of(world, number)) {

@@ -138,6 +138,7 @@ void add_magnet_forces(WorldState& world) {
 
 // At current places: bodies may have been moved by a hand since the last step.
 void wake_magnet_partners(WorldState& world, std::uint32_t body) {
+  assert(body < world.owners.size());
   const auto place = [&](std::uint32_t k) {
     const Body& owner = world.bodies[world.magnets[k].owner];
     return owner.p + owner.r * world.magnet_places[k];

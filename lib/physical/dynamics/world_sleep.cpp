@@ -3,6 +3,7 @@
 // all, since one that moves would wake the others at once. What sleeps costs nothing but its place
 // in the grid.
 #include <algorithm>
+#include <cassert>
 
 #include "base/islands.h"
 #include "physical/dynamics/world_state.h"
@@ -44,6 +45,7 @@ bool stays(const Body& body, const SleepRules& rules) {
 }  // namespace
 
 void wake(WorldState& world, std::uint32_t body) {
+  assert(body == kFloorBody || body < world.bodies.size());
   const auto rouse = [&world](std::uint32_t i) {
     Body& one = world.bodies[i];
     if (one.awake) return false;

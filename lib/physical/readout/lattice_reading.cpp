@@ -282,6 +282,7 @@ CubeTurn upright(const Mat3& r) {
 
 ReadLattice describe(std::vector<Member> members, const std::vector<PlacedBlock>& blocks,
                      const std::vector<Mat3>& axes, double side) {
+  assert(members.size() >= 2);
   // Cells and turns as seen from the upright frame, the lowest cell at the origin.
   const CubeTurn up = upright(fit(members, blocks, axes, side).r);
   const CubeTurn down = product_transposed(up, {});

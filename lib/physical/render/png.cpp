@@ -4,6 +4,7 @@
 // hinting, so that their bytes depend on the font's outlines alone.
 #include <cairo.h>
 
+#include <cassert>
 #include <memory>
 
 #include "physical/render/scene_picture.h"
@@ -61,6 +62,7 @@ void write_caption(cairo_surface_t* surface, const std::string& caption, int hei
 }  // namespace
 
 std::string png_of(const Image& image, const std::string& caption) {
+  assert(image.width > 0 && image.height > 0);
   const Surface surface = surface_of(image);
   if (!caption.empty()) write_caption(surface.get(), caption, image.height);
   // An empty text is "no picture": the caller reports that.

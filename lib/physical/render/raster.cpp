@@ -5,6 +5,7 @@
 #include "physical/render/raster.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -32,6 +33,7 @@ bool finite(const RasterPoint& p) {
 }  // namespace
 
 Raster::Raster(int width, int height, Rgb background) {
+  assert(width > 0 && height > 0);
   const auto size = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
   image_ = {width, height, std::vector<Rgb>(size, background)};
   inverse_depth_.assign(size, 0);
@@ -98,6 +100,7 @@ void Raster::line(const RasterPoint& a, const RasterPoint& b, double width, Rgb 
 
 // Supersampling: means over squares of samples × samples pixels, rounded to the nearest.
 Image Raster::image(int samples) const {
+  assert(samples > 0);
   if (samples == 1) return image_;
   Image out{image_.width / samples, image_.height / samples, {}};
   for (int y = 0; y < out.height; ++y) {

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -187,6 +188,7 @@ std::vector<GlbPrimitive> lines_of(const std::vector<PictureLine>& lines) {
 }  // namespace
 
 std::string robot_glb(const RobotModel& robot) {
+  assert(!robot.bodies.empty());
   // The robot has z up, the file y.
   std::vector<GlbNode> nodes(1);
   nodes[0].name = robot.name;

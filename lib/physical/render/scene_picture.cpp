@@ -2,6 +2,7 @@
 #include "physical/render/scene_picture.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "physical/render/solid_faces.h"
@@ -262,6 +263,7 @@ void draw_floor(Painter& painter, const Extent& extent, double step) {
 }  // namespace
 
 PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLook& look) {
+  assert(look.width > 0 && look.height > 0);
   const double c = std::cos(look.elevation);
   const Vec3 ahead{-c * std::cos(look.azimuth), -c * std::sin(look.azimuth),
                    -std::sin(look.elevation)};
@@ -295,6 +297,7 @@ PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLoo
 
 ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
                          bool floor, const std::vector<PictureLine>& lines) {
+  assert(view.camera.width > 0 && view.camera.height > 0);
   Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kBackdrop);
   Painter painter(raster, view);
   Extent extent;

@@ -5,6 +5,7 @@
 #include "physical/render/sensor_picture.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <set>
 
@@ -219,6 +220,7 @@ std::optional<Vec3> sheet_colour(const TagCells& cells, double side, const Plane
 // Bent by the lens as everything is: lines of sight come from unproject.
 CameraPicture camera_picture(const SensorScene& scene, const CameraIntrinsics& camera,
                              const Pose& X_WC, int samples) {
+  assert(samples > 0);
   CameraPicture picture(camera, kSky);
   ScenePainter painter(scene, X_WC);
   for (int y = 0; y < picture.height; y += kTile) {

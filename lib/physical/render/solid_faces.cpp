@@ -3,6 +3,7 @@
 // gets facets that are drawn without edges (`edged`), each with the normal of its middle.
 #include "physical/render/solid_faces.h"
 
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -94,6 +95,7 @@ std::vector<SolidFace> hull_solid(const Convex& hull) {
 }  // namespace
 
 std::vector<SolidFace> faces_of(const Shape& shape) {
+  assert(shape.kind != ShapeKind::hull || shape.convex != nullptr);
   switch (shape.kind) {
     case ShapeKind::sphere:
       return ball_faces(shape.half.x);

@@ -36,6 +36,7 @@ void Crew::add(CrewBlock block, const Shape& shape) {
 }
 
 void Crew::halt(std::size_t number, std::uint64_t tick) {
+  assert(number < robots_.size());
   Robot& robot = robots_[number];
   // Halted once or failed: nothing more to stop.
   if (robot.failed) return;
@@ -52,6 +53,7 @@ void Crew::stop(Robot& robot) {
 }
 
 Pose Crew::robot_pose(const World& world, std::size_t robot) const {
+  assert(robot < robots_.size());
   return pose_of(world, model(robot), config_.robots[robot].body);
 }
 

@@ -221,6 +221,7 @@ bool CrewSenses::fits(const CrewConfig& config) const {
 }
 
 Pose camera_pose(const World& world, const CrewRobot& robot, std::size_t camera) {
+  assert(camera < robot.model->cameras.size());
   const CameraDevice& device = robot.model->cameras[camera];
   return pose_of(world, robot.body, device.body) * device.X_BC;
 }

@@ -5,6 +5,7 @@
 #include "physical/robots/crew_signals.h"
 
 #include <algorithm>
+#include <cassert>
 #include <utility>
 
 #include "physical/sensors/radio_medium.h"
@@ -67,6 +68,7 @@ void CrewSignals::add_block(const CrewBlock& block, bool changed) {
 }
 
 Led CrewSignals::colour(std::size_t block) const {
+  assert(block < blocks_.size());
   std::array<int, 5> shown{};
   for (const Led led : blocks_[block].leds) ++shown[static_cast<std::size_t>(led)];
   // The colour that most LEDs show; among equals the smallest, which is dark.
@@ -74,6 +76,7 @@ Led CrewSignals::colour(std::size_t block) const {
 }
 
 void CrewSignals::set_colour(std::size_t number, Led colour) {
+  assert(number < blocks_.size());
   BlockCommands commands;
   commands.all_leds = static_cast<std::uint8_t>(colour);
   apply(number, commands);
@@ -135,6 +138,7 @@ void CrewSignals::forget_heard(std::size_t robot) {
 }
 
 void CrewSignals::send(std::size_t robot, const std::vector<std::vector<Message>>& messages) {
+  assert(robot < robots_.size());
   Mailbox& mail = robots_[robot];
   mail.outbox = messages;
   mail.outbox.resize(mail.inbox.size());

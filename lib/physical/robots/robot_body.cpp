@@ -5,6 +5,7 @@
 #include "physical/robots/robot_body.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "robots/block.h"
@@ -105,6 +106,7 @@ DofState state_of(const World& world, const RobotBody& body, const AxisRef& axis
 /// The way of the rims, the mean over the wheels of a side.
 double encoder(const World& world, const RobotBody& body, const std::vector<AxisRef>& wheels,
                double radius) {
+  assert(!wheels.empty());
   double sum = 0;
   for (const AxisRef& wheel : wheels) sum += state_of(world, body, wheel).velocity * radius;
   return sum / static_cast<double>(wheels.size());
@@ -122,6 +124,7 @@ Material Materials::number(const std::string& name) {
 
 RobotBody add_robot(WorldConfig& config, const RobotModel& robot, const Pose& X_WR,
                     Materials& materials) {
+  assert(!robot.bodies.empty());
   RobotBody out;
   const auto first = static_cast<std::uint32_t>(config.bodies.size());
   for (const BodyModel& body : robot.bodies) {
@@ -210,6 +213,7 @@ void read(const World& world, const RobotModel& robot, const RobotBody& body,
 }
 
 Pose pose_of(const World& world, const RobotBody& body, std::size_t place) {
+  assert(place < body.bodies.size());
   return world.state(body.bodies[place]).X_WB;
 }
 

@@ -4,6 +4,8 @@
 // end.
 #include "physical/scene/lua_programs.h"
 
+#include <cassert>
+
 namespace stig {
 
 namespace {
@@ -14,6 +16,7 @@ constexpr std::uint32_t kScriptAgent = 0xffffff;  ///< beyond all robots and blo
 
 std::unique_ptr<LuaController> robot_program(const Scene& scene, const PlacedScene& placed,
                                              std::size_t robot) {
+  assert(robot < scene.robots.size());
   const RobotSpawn& spawn = scene.robots[robot];
   // A robot without a program stands where it is.
   if (spawn.program == RobotSpawn::kNoProgram) return nullptr;
@@ -28,6 +31,7 @@ std::unique_ptr<LuaController> robot_program(const Scene& scene, const PlacedSce
 
 std::unique_ptr<LuaBlockController> block_program(const Scene& scene, const PlacedScene& placed,
                                                   std::size_t body) {
+  assert(body < placed.bodies.size() && placed.bodies[body].block);
   const std::size_t program = scene.block_programs[block_model(scene, placed, body)];
   if (program == RobotSpawn::kNoProgram) return nullptr;
   LuaSettings settings;

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 #include <set>
@@ -116,7 +117,6 @@ class Scatter {
 
  private:
   std::int64_t cell(double x) const { return static_cast<std::int64_t>(std::floor(x / least_)); }
-  // 21 bits a coordinate: cells of centimetres in an arena of a kilometre.
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     const auto bits = [](std::int64_t v) { return static_cast<std::uint64_t>(v) & 0x1fffff; };
     return bits(x) << 42 | bits(y) << 21 | bits(z);
@@ -213,7 +213,6 @@ class Placer {
   void add_entry(std::size_t entry) {
     const BlockSpawn& spawn = scene_.blocks[entry];
     const std::vector<Pose> poses = poses_of(entry);
-    // count_of bounds a pyramid from above, by its layers alone.
     if (spawn.kind == SpawnKind::scatter && poses.size() < count_of(spawn)) {
       out_.add(
           Code::S605, spawn.range,
@@ -351,7 +350,6 @@ class Placer {
       out_.add(Code::S609, robots ? scene_.robots.front().range : first_range(), problem.what);
     } else if (problem.bodies.size() == 1) {
       const std::uint32_t body = problem.bodies[0];
-      // find_problems says the first part of a sentence; these are two of its phrases.
       const Code code = problem.what == "is outside of the arena" ? Code::S602
                         : problem.what == "is in the floor"       ? Code::S603
                                                                   : Code::S609;
@@ -373,6 +371,7 @@ class Placer {
 }  // namespace
 
 std::size_t block_model(const Scene& scene, const PlacedScene& placed, std::size_t body) {
+  assert(body < placed.bodies.size());
   // What comes while the scene runs has no entry of its own.
   return body < placed.config.bodies.size() ? scene.blocks[placed.bodies[body].entry].model
                                             : scene.stock_model;
@@ -380,6 +379,7 @@ std::size_t block_model(const Scene& scene, const PlacedScene& placed, std::size
 
 Pose jittered(const Pose& pose, double jitter, double turn, std::uint64_t seed, std::uint32_t entry,
               std::uint64_t number) {
+  assert(jitter >= 0 && turn >= 0);
   if (jitter == 0 && turn == 0) return pose;
   Noise noise(seed, entry, number);
   Pose out = pose;

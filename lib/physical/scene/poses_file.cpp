@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <string_view>
 #include <utility>
@@ -68,6 +69,7 @@ Quat turned(const Vec3& degrees_zyx) {
 }
 
 std::optional<std::vector<Pose>> read_poses_file(SourceRef source, Diagnostics& diagnostics) {
+  assert(source != nullptr);
   std::vector<Pose> poses;
   bool first = true;
   for (std::size_t number = 1; number <= source->line_count(); ++number) {

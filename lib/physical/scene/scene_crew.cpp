@@ -3,10 +3,13 @@
 // controllers, sensors and radios need, and points into the scene, which outlives it.
 #include "physical/scene/scene_crew.h"
 
+#include <cassert>
+
 namespace stig {
 
 CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t body,
                      const ControllerFactory& controllers) {
+  assert(body < placed.bodies.size());
   CrewBlock out;
   out.name = placed.bodies[body].name;
   out.body = BodyId{static_cast<std::uint32_t>(body)};
@@ -19,6 +22,7 @@ CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t 
 
 CrewConfig crew_of(const Scene& scene, const PlacedScene& placed,
                    const ControllerFactory& controllers) {
+  assert(placed.robots.size() == scene.robots.size());
   CrewConfig out;
   out.seed = placed.seed;
   out.lights = scene.lights;

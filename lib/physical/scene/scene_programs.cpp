@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <tuple>
 
@@ -123,6 +124,7 @@ class ProgramCheck {
 }  // namespace
 
 void check_programs(const Scene& scene, const PlacedScene& placed, Diagnostics& diagnostics) {
+  assert(placed.robots.size() == scene.robots.size());
   ProgramCheck(scene, placed, diagnostics).run();
 }
 

@@ -54,6 +54,7 @@ Bounds bounds_of(const std::vector<Vec3>& points) {
 
 PlaceIndex::PlaceIndex(std::vector<Bounds> bounds, double cell)
     : cell_(cell), bounds_(std::move(bounds)) {
+  assert(cell > 0);
   for (std::uint32_t i = 0; i < bounds_.size(); ++i) {
     const Bounds& b = bounds_[i];
     const std::int32_t x0 = cell_at(b.low.x, cell), x1 = cell_at(b.high.x, cell);

@@ -4,6 +4,7 @@
 #include "physical/sensors/range_sensor.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -33,6 +34,7 @@ std::optional<double> body_hit(const SensorIndex& index, std::uint32_t i, const 
 
 std::optional<double> closest_hit(const SensorIndex& index, const Vec3& p_W,
                                   const Vec3& direction_W, double range, std::uint32_t owner) {
+  assert(range >= 0);
   std::optional<double> closest;
   const auto note = [&](const std::optional<double>& hit) {
     if (hit && *hit <= range && (!closest || *hit < *closest)) closest = hit;
@@ -60,6 +62,7 @@ double calibrated(const RangeDevice& device, std::optional<double> distance) {
 
 double read_range(const SensorIndex& index, const RangeDevice& device, const Pose& X_WB,
                   std::uint32_t owner, const RangeNoise& noise, const NoiseAddress& address) {
+  assert(length(device.direction) > 0);
   const Vec3 direction_W = rotate(X_WB.q, normalised(device.direction));
   auto distance = closest_hit(index, X_WB * device.p_B, direction_W, device.range, owner);
   // Noise is drawn only for a hit: without one the device says so, which is not a length that could

@@ -3,6 +3,7 @@
 #include "physical/simulation/force_pushes.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "physical/simulation/run_state.h"
 
@@ -16,6 +17,7 @@ constexpr std::size_t kMostPushes = 1000;  ///< at a time
 
 // With 0 ticks it is gone before the step: scripts ask for one at least.
 bool ForcePushes::add(const RunState& run, BodyId body, const Vec3& force, std::uint64_t ticks) {
+  assert(is_finite(force));
   if (pushes_.size() >= kMostPushes) return false;
   pushes_.push_back({static_cast<std::uint32_t>(body), run.world.tick() + ticks, force});
   return true;

@@ -4,6 +4,7 @@
 #include "physical/simulation/run_agents.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "physical/scene/scene_crew.h"
 #include "physical/simulation/run_state.h"
@@ -77,6 +78,7 @@ bool RunAgents::load(BytesIn& in, RunState& run) {
 }
 
 Led led_of(const RunState& run, std::size_t body) {
+  assert(body < run.placed.bodies.size());
   const Crew* crew = run.agents.crew();
   if (crew == nullptr || body >= run.world.size()) return run.placed.bodies[body].colour;
   const auto block = block_at(crew, body);

@@ -3,6 +3,8 @@
 // once a call and kept until the script changes something.
 #include "physical/simulation/scene_script.h"
 
+#include <cassert>
+
 #include "physical/dynamics/ticks.h"
 #include "physical/readout/lattice_reading.h"
 
@@ -20,6 +22,7 @@ std::uint64_t SceneScript::seed() const { return run_.placed.seed; }
 std::size_t SceneScript::robots() const { return run_.scene->robots.size(); }
 
 ScriptBlock SceneScript::block(std::size_t place) const {
+  assert(place < bodies_.size());
   if (!read_) read();
   return (*read_)[place];
 }
@@ -60,6 +63,7 @@ void SceneScript::read() const {
 }
 
 ScriptRobot SceneScript::robot(std::size_t place) const {
+  assert(place < robots());
   const Crew& crew = *run_.agents.crew();
   return {crew.robot_name(place), crew.robot_pose(run_.world, place), crew.failed(place),
           crew.halted(place), run_.odometer.driven(place)};
@@ -79,6 +83,7 @@ std::optional<ScriptThing> SceneScript::find(std::string_view name) const {
 }
 
 BodyId SceneScript::body_of(ScriptThing thing) const {
+  assert(thing.place < (thing.robot ? robots() : bodies_.size()));
   return thing.robot ? run_.agents.crew()->root_body(thing.place) : bodies_[thing.place];
 }
 
@@ -114,6 +119,7 @@ std::string SceneScript::place(ScriptThing thing, const Vec3& at, const std::opt
 void SceneScript::halt(std::size_t robot) { run_.agents.crew()->halt(robot, run_.world.tick()); }
 
 void SceneScript::set_colour(std::size_t block, int colour) {
+  assert(block < bodies_.size());
   run_.agents.crew()->set_colour(run_.agents.crew()->block_of(bodies_[block]),
                                  static_cast<Led>(colour));
   read_.reset();

@@ -3,6 +3,8 @@
 // trace does not depend on when it was begun or looked at.
 #include "physical/simulation/trace_recorder.h"
 
+#include <cassert>
+
 #include "physical/dynamics/ticks.h"
 #include "physical/render/show_json.h"
 #include "physical/simulation/run_state.h"
@@ -44,6 +46,7 @@ bool is_due(const RunState& run, double seconds) {
 }  // namespace
 
 PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
+  assert(placed.robots.size() == scene.robots.size());
   PoseTraceHeader header;
   header.title = scene.title;
   header.seed = placed.seed;

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "physical/simulation/simulation.h"
 
@@ -11,6 +12,7 @@ namespace stig {
 
 TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
                              const RunHooks& hooks, const ControllerFactory& controllers) {
+  assert(loaded.placed.config.step > 0);
   TraceComparison report;
   Simulation run(loaded.scene, loaded.placed, false, controllers);
   const double step = loaded.placed.config.step;

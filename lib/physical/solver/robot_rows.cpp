@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physical/solver/robot_rows.h"
 
+#include <cassert>
 #include <optional>
 
 #include "physical/solver/mechanism_rows.h"
@@ -135,10 +136,12 @@ RowKind kind_of(const RowPoint& point) {
 }
 
 void apply_last_run(std::span<const RowPoint> run, const double* numbers) {
+  assert(!run.empty() && run[0].kind != RowKind::any);
   code_of(run[0]).apply_last(run, numbers);
 }
 
 double relax_run(std::span<RowPoint> run, const double* numbers, double inverse_dt) {
+  assert(!run.empty() && run[0].kind != RowKind::any);
   return code_of(run[0]).relax(run, numbers, inverse_dt);
 }
 

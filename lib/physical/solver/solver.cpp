@@ -240,6 +240,7 @@ void keep_impulses(const Patches& all, SolverTask& task, double parts) {
 }  // namespace
 
 void warm_start(Contact& contact, const Contact& last) {
+  assert(contact.count <= 4 && last.count <= 4);
   contact.touching = last.touching;
   // Turned by more than 18°: the old impulses would push elsewhere.
   if (dot(contact.normal, last.normal) < 0.95) return;
@@ -262,6 +263,7 @@ void warm_start(Contact& contact, const Contact& last) {
 }
 
 void solve(SolverTask& task) {
+  assert(task.dt > 0 && task.small_steps > 0);
   assert(task.slots.size() == task.contacts.size());
   // Substepping: `parts` small steps of dt each.
   const double parts = task.small_steps, dt = task.dt / parts;

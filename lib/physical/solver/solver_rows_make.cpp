@@ -3,6 +3,7 @@
 // J and W of all points in one list, in the order in which sweeps read them.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <cstddef>
 
@@ -221,18 +222,21 @@ Vec3 bend(const SolverTask& task, std::size_t contact, const Vec3& p_W) {
 }
 
 double least_shift(double gap, double dt) {
+  assert(dt > 0);
   // Still apart: the shift may close the gap and no more.
   if (gap > -kSlop) return -(gap + kSlop) / dt;
   return std::min(kOverlapCorrection * (-gap - kSlop) / dt, kMostRecovery);
 }
 
 bool needs_rows(const SolverTask& task, std::size_t contact) {
+  assert(contact < task.slots.size());
   const auto [a, b] = task.slots[contact];
   return task.bodies[a].link >= 0 || task.bodies[b].link >= 0 ||
          !(task.contacts[contact].axle == Vec3{});
 }
 
 void make_rows(SolverTask& task, Rows& rows) {
+  assert(task.slots.size() == task.contacts.size());
   rows.reach.clear();
   for (const SolverLink& link : task.links) rows.reach.push_back(reach_of(task, link));
   rows.numbers.clear();

@@ -4,6 +4,7 @@
 // once when a trace is opened, so that whoever asks for frames later cannot fail. docs/simulate.md
 // describes the format.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -354,6 +355,7 @@ std::optional<PoseTrace> read_pose_trace(const std::string& path, std::string by
 }
 
 TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
+  assert(!trace.chunks.empty());
   const auto later =
       std::upper_bound(trace.chunks.begin(), trace.chunks.end(), tick,
                        [](std::uint64_t t, const TraceChunk& c) { return t < c.first_tick; });
@@ -371,6 +373,7 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
 // A resumed run goes on in the same trace: what it had written up to its checkpoint is copied, so
 // that the bytes are those of a run that never stopped.
 void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer) {
+  assert(trace.header.frame_every > 0);
   RecordSinks sinks;
   bool begun = false;  // a chunk begins with a frame: what comes before the first one is left out
   sinks.frame = [&](const TraceFrame& frame) {

@@ -4,6 +4,7 @@
 // reader can begin in the middle. Quantised values are what is compared and summed up, so errors do
 // not add up over a chunk.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -128,12 +129,14 @@ void PoseTraceWriter::put_section(char tag, std::string_view payload) {
 
 // Ticks as differences: mostly a byte.
 void PoseTraceWriter::put_record(std::uint8_t tag, std::uint64_t tick) {
+  assert(tick >= tick_);
   chunk_.push_back(static_cast<char>(tag));
   put_varint(chunk_, tick - tick_);
   tick_ = tick;
 }
 
 void PoseTraceWriter::flush() {
+  assert(chunk_.empty() == (frames_ == 0));
   if (chunk_.empty()) return;
   // Places of chunks, in bytes of the file, so that a reader finds a moment by bisection.
   put_varint(index_, first_tick_);
