@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "base/text.h"
@@ -75,6 +76,7 @@ const char* colour_name(Led led) {
 /// Blocks that nobody uses yet, their centres' places on the floor.
 // One more on each side than its share, for a block that is pushed out of reach.
 std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
+  assert(!layout.caches.empty());
   const std::size_t sides = layout.caches.size();
   const std::size_t each = (wanted + sides - 1) / sides + 1;
   std::vector<Vec3> out;

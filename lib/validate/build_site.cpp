@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -64,10 +65,12 @@ BuildSite site_of(const PlacedBrick& first, const Pose& X_WB, double side, int q
 }  // namespace
 
 Vec3 centre_of(const BuildSite& site, Cell cell) {
+  assert(site.pitch > 0);
   return site.X_WL * (vector_of(cell - Cell{}) * site.pitch);
 }
 
 CellFit fit_of(const BuildSite& site, const Pose& X_WB) {
+  assert(site.pitch > 0);
   const Pose X_LB = inverse(site.X_WL) * X_WB;
   // To the nearest cell centre, along each axis of the lattice.
   const auto number = [&](double v) {
@@ -100,6 +103,7 @@ Colour colour_of(const RuleSet& rules, Led led) {
 std::optional<BuildSite> find_site(const RuleSet& rules, std::int32_t floor_level,
                                    const Scene& scene, const PlacedScene& placed,
                                    Diagnostics& diagnostics) {
+  assert(!rules.start.empty());
   std::optional<double> floats;
   const std::vector<FixedBlock> blocks = fixed_blocks(placed);
   const PlacedBrick& first = rules.start.front();

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
 #include <cmath>
 
 #include "base/degree.h"
@@ -141,6 +142,7 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
 }  // namespace
 
 std::vector<std::string> findings_of(const BuildTarget& target, const Trial& trial) {
+  assert(target.rules != nullptr);
   std::vector<std::string> out;
   const Judgement& judgement = trial.judgement;
   if (judgement.against) out.push_back("against the rules: " + judgement.against->reason);

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <tuple>
 
@@ -156,6 +157,7 @@ std::string brick_text(const RuleSet& rules, Led led, Cell cell) {
 
 Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& blocks,
                 const std::vector<BrickEvent>& events, const Closeness& closeness) {
+  assert(target.rules != nullptr && target.site.pitch > 0);
   std::map<Cell, Filled> filled;
   for (const WatchedBlock& block : blocks) {
     const CellFit fit = fit_of(target.site, block.X_WB);
@@ -208,6 +210,7 @@ bool stands(const BuildTarget& target, const Watch& watch) {
 }
 
 bool spoilt(const BuildTarget& target, const Watch& watch) {
+  assert(target.rules != nullptr);
   const auto& bricks = watch.bricks();
   return !std::all_of(bricks.begin(), bricks.end(),
                       [&](const auto& brick) { return is_right(target, brick); });

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -46,6 +47,7 @@ void add_work(const std::vector<ProgressCurve>& curves, ProgressBand::Row& row) 
 }  // namespace
 
 double round_step(double reach, double most) {
+  assert(most > 0);
   double step = 1;
   // 1, 2, 5, 10, 20, 50 …: the series of round numbers for axes.
   for (int i = 0; step * most < reach; ++i) step *= i % 3 == 1 ? 2.5 : 2;
@@ -55,6 +57,7 @@ double round_step(double reach, double most) {
 int ProgressCurve::at(double time) const { return value_at(steps, time); }
 
 ProgressCurve curve_of(const BuildTarget& target, const Trial& trial, const WorkSites* sites) {
+  assert(target.rules != nullptr);
   ProgressCurve curve;
   curve.seed = trial.seed;
   curve.end = trial.time;

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iterator>
 
@@ -133,6 +134,7 @@ std::string work_drawn(const Axes& axes, const ProgressBand& band) {
 
 std::string progress_svg(const std::vector<ProgressCurve>& curves, const ProgressBand& band,
                          int bricks) {
+  assert(bricks >= 0);
   Axes axes;
   axes.most = std::max(1, bricks);
   Axes below;

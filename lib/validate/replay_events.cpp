@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 
 #include "lattice/swarm.h"
@@ -53,6 +54,7 @@ std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site,
 }  // namespace
 
 Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>& events) {
+  assert(target.rules != nullptr);
   const RuleSet& rules = *target.rules;
   const RuleTable table(rules);
   std::map<Cell, Colour> standing;

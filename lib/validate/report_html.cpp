@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 #include <optional>
 
@@ -273,6 +274,7 @@ std::vector<ProgressCurve> curves_of(const ValidationReport& report) {
 }
 
 std::string report_html(const ValidationReport& report) {
+  assert(report.target != nullptr && !report.trials.empty());
   const BuildTarget& target = *report.target;
   const std::string title = target.rules->title.empty() ? target.rules->name : target.rules->title;
   const std::vector<ProgressCurve> curves = curves_of(report);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -185,6 +186,7 @@ std::string scene_head(const RuleSet& rules, double duration, double arena) {
 }  // namespace
 
 double most_build_time(const CompiledRules& compiled) {
+  assert(compiled.target != nullptr);
   // Structures of more than 16 bricks get more time than the usual.
   return std::max(kMostBuildTime, kTimeOfBrick * static_cast<double>(compiled.target->bricks()));
 }
@@ -195,6 +197,7 @@ int robots_of(const RuleSet& rules, std::optional<int> asked) {
 
 SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
                     const SetUpRequest& request) {
+  assert(request.robots > 0 && !compiled.sides.empty());
   return Layout(rules, compiled, request).layout();
 }
 

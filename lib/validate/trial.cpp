@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <deque>
 
@@ -207,6 +208,7 @@ std::string_view to_string(TrialEnd end) {
 
 Trial run_trial(const BuildTarget& target, const Scene& scene, const PlacedScene& placed,
                 const TrialSettings& settings, const TrialHooks& hooks) {
+  assert(target.rules != nullptr && settings.duration >= 0);
   return TrialRun(target, scene, placed, settings, hooks).go();
 }
 

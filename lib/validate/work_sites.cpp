@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "validate/work_sites.h"
 
+#include <cassert>
+
 #include "validate/build_site.h"
 
 namespace stig {
@@ -9,6 +11,7 @@ namespace stig {
 // new state, and asking is linear in the bricks.
 std::vector<std::pair<double, int>> WorkSites::over(const std::vector<BrickEvent>& events,
                                                     const RuleSet& rules) const {
+  assert(compiled_.target != nullptr);
   const TargetStates& target = *compiled_.target;
   std::vector<bool> stands(target.bricks());
   for (std::size_t i = 0; i < target.start_bricks(); ++i) stands[i] = true;

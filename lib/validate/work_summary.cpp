@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -27,6 +28,7 @@ void each_stretch(const ProgressCurve& curve, double end, const Use& use) {
 // that never comes has no length.
 /// Where one run's phases begin and end: 0, two bounds, the last brick.
 std::array<double, 4> bounds_of(const ProgressCurve& curve) {
+  assert(!curve.steps.empty());
   const double end = curve.steps.back().first;
   int most = 0;
   each_stretch(curve, end, [&](const TimeSpan&, int sites) { most = std::max(most, sites); });
