@@ -334,6 +334,7 @@ class Assembler {
 }  // namespace
 
 Assembly assemble(const AssemblyTask& task, double effort, const AssemblyHooks& hooks) {
+  assert(!task.target.cells.empty());
   return Assembler(task, effort, hooks).run();
 }
 

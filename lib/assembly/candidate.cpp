@@ -67,6 +67,7 @@ std::vector<std::uint32_t> open_bricks(const CandidateOrder& candidate, const Br
 
 CandidateOrder make_candidate(const TargetBricks& target, const Sequence& sequence,
                               const Builders& builders, Waiting waiting) {
+  assert(sequence.bricks.size() == target.bricks());
   CandidateOrder out;
   out.sequence = sequence;
   // Colours stand for "which brick": i + 1 for brick i, as far as colours go. Larger targets are

@@ -35,6 +35,7 @@ Case case_of(const Policy& policy, std::uint32_t observation) {
 }  // namespace
 
 Cases cases_of(const CandidateOrder& candidate) {
+  assert(candidate.walked);
   const Policy& policy = candidate.policy;
   Cases out;
   std::vector<std::uint32_t> number(policy.observations.size(), kNoCase);

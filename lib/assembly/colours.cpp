@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cadical.hpp>
+#include <cassert>
 #include <limits>
 #include <map>
 #include <set>
@@ -245,6 +246,7 @@ class Painter {
 
 PaintResult paint(const Target& target, const Cases& cases, const RuleView& rules, int k,
                   const Allowance& allowance) {
+  assert(rules.schedule && k > 0);
   return Painter(target, cases, rules, k, allowance).run();
 }
 

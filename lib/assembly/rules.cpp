@@ -4,6 +4,7 @@
 #include "assembly/rules.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <set>
 
@@ -138,6 +139,7 @@ void add_leds(RuleSet& rules) {
 RuleSet rules_of(const Target& target, const CandidateOrder& candidate, const RuleView& view,
                  const std::vector<Colour>& colours, const std::vector<ApproachSide>& sides,
                  std::optional<int> robots, const Wording& wording) {
+  assert(view.schedule && colours.size() == candidate.target->bricks());
   const std::vector<Colour> painted = renumbered(colours, target.bricks.size());
   Colouring by_orbit(view.brick.size());
   for (std::size_t i = 0; i < by_orbit.size(); ++i) by_orbit[i] = painted[view.brick[i]];

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 
 namespace stig {
 
@@ -113,6 +114,7 @@ bool add_keys(const CandidateOrder& candidate, const RuleView& view, std::size_t
 }  // namespace
 
 void look_at_rules(const Target& target, const CandidateOrder& candidate, RuleView& out) {
+  assert(candidate.target != nullptr);
   out.frame = make_frame(target, {{candidate.target->cell(0)}, Symmetry::none, true});
   Schedule schedule;
   schedule.frame = &out.frame;

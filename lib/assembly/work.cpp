@@ -4,12 +4,14 @@
 #include "assembly/work.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "compiler/open_work.h"
 
 namespace stig {
 
 std::vector<WorkStep> work_of(const CompiledRules& compiled, const std::vector<Cell>& liked) {
+  assert(compiled.target != nullptr && liked.size() == compiled.target->bricks());
   std::vector<std::uint32_t> rank(compiled.target->bricks(), 0);
   for (std::uint32_t i = 0; i < liked.size(); ++i) rank[compiled.target->brick_at(liked[i])] = i;
   const OpenWork open(compiled);
