@@ -2,6 +2,8 @@
 // A camera is named ROBOT:CAMERA, or ROBOT alone for its first one.
 #include "camera_place.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 #include "physical/render/scene_picture.h"
@@ -35,6 +37,7 @@ std::optional<CameraPlace> camera_named(const Simulation& run, const std::string
 }
 
 std::string view_png(const Simulation& run, const CameraPlace& place) {
+  assert(run.crew() != nullptr && place.robot < run.crew()->robots());
   const Crew& crew = *run.crew();
   // From the same snapshot that the robot's own sensors see, line of sight by line of sight.
   const CameraDevice& device = crew.model(place.robot).cameras[place.camera];

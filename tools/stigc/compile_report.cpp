@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
@@ -83,6 +84,7 @@ void show_drawings(const CompiledRules& compiled, const App& app) {
 }
 
 std::string compile_table(const CompileJob& job) {
+  assert(job.rules != nullptr && job.compiled != nullptr && job.compiled->decision != nullptr);
   const CompiledRules& compiled = *job.compiled;
   std::string out = fmt::format("{}: before the foremost column of a row\n\n", job.rules->name);
   out += decision_text(*job.rules, *compiled.decision);
@@ -100,11 +102,13 @@ std::string compile_table(const CompileJob& job) {
 }
 
 std::string compile_dot(const CompileJob& job) {
+  assert(job.rules != nullptr && job.compiled != nullptr && job.plan.chart != nullptr);
   // Two graphs in one file: dot draws both.
   return decision_dot(*job.rules, *job.compiled->decision) + chart_dot(*job.plan.chart);
 }
 
 std::string compile_ir(const CompileJob& job) {
+  assert(job.robot != nullptr && job.compiled != nullptr && job.plan.chart != nullptr);
   const CompiledRules& compiled = *job.compiled;
   const Abilities& robot = *job.robot;
   Json out = {{"stigc_ir", 1}, {"rules", job.rules->name}};
@@ -134,6 +138,7 @@ std::string compile_ir(const CompileJob& job) {
 }
 
 std::string line_map_json(const CompileJob& job, const ControllerText& program) {
+  assert(job.rules != nullptr);
   Json out = {{"stigc_line_map", 1}, {"rules", job.rules->name}, {"lines", Json::array()}};
   for (const LineOrigin& one : program.lines) {
     out["lines"].push_back(

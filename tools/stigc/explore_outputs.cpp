@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <iterator>
 
 #include "base/file_io.h"
@@ -62,6 +63,7 @@ std::string path_of_run(const std::string& path, std::uint32_t run) {
 }
 
 std::vector<std::string> names_of(const std::vector<Output>& outputs, int runs) {
+  assert(runs >= 1);
   // Ten thousand names are enough to find what is wrong with all.
   constexpr int kMostRunsNamed = 10'000;
   std::vector<std::string> names;
@@ -103,6 +105,7 @@ OutputWriter::OutputWriter(const std::vector<Output>& outputs, const RuleSet& ru
 }
 
 void OutputWriter::deposit(const Deposit& d) {
+  assert(wants_deposits());
   if (trace_) trace_->deposit(d);
   if (!log_wanted_) return;
   // Rules count from 1, as everywhere that people read; agents from 0, and -1 is none.

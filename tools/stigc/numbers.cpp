@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <charconv>
 
 namespace stig {
@@ -50,6 +51,7 @@ std::string parse_three(std::string_view text, std::int64_t low, std::int64_t hi
 
 std::string parse_integer(std::string_view text, std::int64_t low, std::int64_t high,
                           std::int64_t& out) {
+  assert(low <= high);
   if (!parse_whole(text, out)) {
     const bool digits = text.find_first_not_of("+-0123456789") == std::string_view::npos;
     // 19 digits may be too many for 64 bits: then it is a number, and too large.

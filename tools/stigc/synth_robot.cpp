@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/text.h"
 #include "certify/certificate.h"
@@ -170,6 +171,7 @@ int report(const SynthOptions& options, const Target& target, const Assembly& ma
 }  // namespace
 
 int synth_for_robot(const SynthOptions& options, App& app) {
+  assert(options.robot);
   if (const std::string problem = usage_problem(options); !problem.empty()) {
     app.complain(problem);
     return kUsage;

@@ -3,6 +3,8 @@
 // kept, and told once at the end.
 #include "trace_file.h"
 
+#include <cassert>
+
 namespace stig {
 
 bool TraceFile::open(const std::string& path) {
@@ -11,6 +13,7 @@ bool TraceFile::open(const std::string& path) {
 }
 
 PoseTraceWriter& TraceFile::begin(const PoseTraceHeader& header) {
+  assert(!writer_);
   return writer_.emplace(header, [this](std::string_view bytes) {
     // After the first failure the file is closed, and nothing more is tried.
     if (file_.is_open()) file_.append(bytes, error_);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <nlohmann/json.hpp>
 #include <span>
 
@@ -233,6 +234,7 @@ std::string table(const ValidationReport& report) {
 }  // namespace
 
 Json to_json(const ValidationReport& report) {
+  assert(report.target != nullptr);
   Json json{{"rules", report.target->rules->name},
             {"complete", all_complete(report)},
             {"bricks", report.target->whole.size()},
@@ -259,6 +261,7 @@ Json to_json(const ValidationReport& report) {
 }
 
 std::string lines_of(const ValidationReport& report, bool color) {
+  assert(report.target != nullptr && !report.trials.empty());
   std::string out = line("rules", printable(report.target->rules->name));
   // A single run in full; of many a table, and what went wrong in each.
   if (report.trials.size() == 1) return out + one_run(report, report.trials.front(), color);

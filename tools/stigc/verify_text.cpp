@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/hash.h"
 #include "base/text.h"
@@ -87,6 +88,7 @@ std::string never_fires_text(const VerifyReport& report) {
 }
 
 std::string proved_text(const VerifyReport& report) {
+  assert(report.result.structure);
   const VerifyResult& result = report.result;
   std::string out = line("world", in_box(report.box));
   out += line("bricks", fmt::format("{}: {} at the start, {} placed", result.structure->size(),
@@ -115,6 +117,7 @@ std::string end_in_words(const Structure& structure, bool ended) {
 }
 
 std::string refuted_text(const VerifyReport& report) {
+  assert(report.result.refutation);
   const DivergingOrders& found = *report.result.refutation;
   // Both orders have the first `common` deposits; then they part.
   const Deposit& decisive = found.second[found.common];
@@ -137,6 +140,7 @@ std::string refuted_text(const VerifyReport& report) {
 
 // One period is a run of deposits that leaves a translate of the structure behind.
 std::string endless_text(const VerifyReport& report) {
+  assert(report.result.endless);
   const EndlessGrowth& endless = *report.result.endless;
   std::string out = line("world", in_box(report.box));
   out +=
