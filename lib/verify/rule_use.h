@@ -13,7 +13,7 @@ struct RuleUse {
   std::vector<Blocking> blocking;   ///< one example for each pair of rules
 };
 
-/// Of a proved set.
+/// Reads the certificate of `result`, so the set must have been proved.
 RuleUse use_of_rules(const RuleSet& rules, const VerifyOptions& options,
                      const VerifyResult& result);
 
