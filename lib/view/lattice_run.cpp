@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Columns instead of a list of events: numbers of one kind lie together, so that their differences
+// are small. Names and texts come from files that anybody may have written: all go through
+// printable().
 #include "view/lattice_run.h"
 
 #include <fmt/format.h>
@@ -40,6 +43,8 @@ struct LatticeColumns {
   }
 };
 
+// A structure file may use colours that it has no names for; they get what symbol_of and rgb_of
+// give to such.
 /// Kinds of bricks up to the highest colour there is.
 Json kinds_json(const std::vector<Brick>& bricks, const Numbers& colours) {
   std::int64_t most = static_cast<std::int64_t>(bricks.size());
@@ -58,6 +63,7 @@ Json kinds_json(const std::vector<Brick>& bricks, const Numbers& colours) {
 Json rules_json(const RuleSet& rules) {
   Json out = Json::array();
   for (const Rule& rule : rules.rules) {
+    // A range ends behind its last character, which may be the first of the next line.
     const std::size_t last = rule.range.end > rule.range.begin ? rule.range.end - 1 : 0;
     out.push_back({{"name", printable(rule.name)},
                    {"place", rule.place},
@@ -68,6 +74,7 @@ Json rules_json(const RuleSet& rules) {
 }
 
 /// The text with every line safe to be looked at.
+// Line by line, as printable() would take line ends for control characters.
 std::string source_text(const SourceFile& file) {
   std::string out;
   for (std::size_t i = 1; i <= file.line_count(); ++i) {
@@ -102,6 +109,7 @@ Json facts_json(const Trace& trace, const RuleSet& rules) {
 }
 
 /// What is wrong with an event in the structure as it stands, in words; empty: nothing.
+// A trace is not trusted: its events may belong to other rules than those that it names.
 std::string problem_of(const Deposit& event, const RuleSet& rules, const Structure& structure) {
   if (event.colour > rules.bricks.size()) return "places a brick that its rules do not have";
   if (event.match.rule >= rules.rules.size()) return "is of a rule that there is not";
@@ -114,11 +122,15 @@ std::string problem_of(const Deposit& event, const RuleSet& rules, const Structu
 }  // namespace
 
 std::optional<std::string> add_lattice_run(const Trace& trace, const RuleSet& rules,
+                                           // The start's bricks come first in the columns of
+                                           // bricks, `start` says how many; rule, agent and step
+                                           // are those of events alone.
                                            const std::string& name, PageContent& page) {
   LatticeColumns columns;
   Structure structure(rules.lattice, rules.start);
   for (const PlacedBrick& brick : rules.start) columns.brick(brick.at, brick.brick);
   for (std::size_t i = 0; i < trace.events.size(); ++i) {
+    // Events are counted from 1 in messages.
     const Deposit& event = trace.events[i];
     const std::string problem = problem_of(event, rules, structure);
     if (!problem.empty()) return fmt::format("event {} {}", i + 1, problem);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Base64 adds a third to the bytes, but keeps the page a text that can be mailed and opened
+// anywhere.
 #include "view/page_data.h"
 
 #include <zlib.h>
@@ -31,6 +33,7 @@ Json PageColumns::add(std::span<const std::int64_t> numbers) {
 std::string page_data(const Json& json, const PageColumns& columns) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string all;
+  // The length comes first, so that the script knows where the JSON ends and the columns begin.
   put(all, static_cast<std::uint32_t>(text.size()));
   all += text;
   all += columns.bytes();
@@ -38,6 +41,7 @@ std::string page_data(const Json& json, const PageColumns& columns) {
 }
 
 std::string deflated(std::string_view bytes) {
+  // With room for the worst case, the buffer cannot be too small, and only memory can run out.
   std::string out(compressBound(bytes.size()), '\0');
   uLongf size = out.size();
   const int status =
