@@ -121,10 +121,9 @@ std::string problem_of(const Deposit& event, const RuleSet& rules, const Structu
 
 }  // namespace
 
+// The start's bricks come first in the columns of bricks, `start` says how many; rule, agent and
+// step are those of events alone.
 std::optional<std::string> add_lattice_run(const Trace& trace, const RuleSet& rules,
-                                           // The start's bricks come first in the columns of
-                                           // bricks, `start` says how many; rule, agent and step
-                                           // are those of events alone.
                                            const std::string& name, PageContent& page) {
   LatticeColumns columns;
   Structure structure(rules.lattice, rules.start);
