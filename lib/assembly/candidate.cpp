@@ -88,10 +88,10 @@ void walk(const Builders& builders, const std::shared_ptr<Visibility>& visibilit
   Sight sight(*candidate.target, visibility);
   const OpenBricks open = [&](const BrickSet& state) { return open_bricks(candidate, state); };
   candidate.policy = explore(*candidate.target, open, sight, builders.robot, builders.sides,
-                             // Only what leads to the whole structure stays: a structure from which
-                             // robots could get stuck is none that the colours may allow.
                              {PlacementKinds::all, true}, limits);
   if (candidate.policy.too_large) return;
+  // Only what leads to the whole structure stays: a structure from which robots could get stuck is
+  // none that the colours may allow.
   prune(*candidate.target, candidate.policy);
   candidate.walked = candidate.policy.complete;
 }

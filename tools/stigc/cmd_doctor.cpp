@@ -172,10 +172,10 @@ std::string coloured(Health health, bool color) {
 }  // namespace
 
 int run(const DoctorOptions& options, App& app) {
-  const std::vector<Finding> findings = {program(), libraries(), physics(), processor(), memory(),
-                                         // In the order in which things build upon each other.
-                                         pictures(), fonts(), temporary_folder(), terminal(app),
-                                         rule_sets(options.files)};
+  // In the order in which things build upon each other.
+  const std::vector<Finding> findings = {
+      program(),  libraries(), physics(),          processor(),   memory(),
+      pictures(), fonts(),     temporary_folder(), terminal(app), rule_sets(options.files)};
   Json json = Json::array();
   bool failed = false;
   for (const Finding& finding : findings) {

@@ -160,8 +160,8 @@ std::string zsh_options(const std::vector<OptionInfo>& options, const std::strin
   std::string out;
   for (const OptionInfo& option : options) {
     if (option.names.empty()) {
+      // `1` is the first argument, `*` all.
       out += fmt::format("{}{} \\\n", indent,
-                         // `1` is the first argument, `*` all.
                          shell_quoted((option.many ? "*" : "1") + zsh_value(option)));
     }
     for (const std::string& name : option.names) {

@@ -70,8 +70,8 @@ void choose_sign(TraceState& state, const TraceState& last) {
 
 void put_state(std::string& out, const TraceState& state, const TraceState& last) {
   const bool moved = state.place != last.place, turned = state.turn != last.turn;
+  // The awake and left flags are said of every body that changed.
   out.push_back(static_cast<char>((moved ? kMoved : 0) | (turned ? kTurned : 0) |
-                                  // The awake and left flags are said of every body that changed.
                                   (state.awake ? kAwake : 0) | (state.left ? kLeft : 0)));
   for (std::size_t i = 0; moved && i < 3; ++i) put_zigzag(out, state.place[i] - last.place[i]);
   for (std::size_t i = 0; turned && i < 4; ++i) put_zigzag(out, state.turn[i] - last.turn[i]);
