@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "view/page.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/text.h"
@@ -24,8 +25,17 @@ PageContent::~PageContent() = default;
 void PageContent::add(Json run) { runs_->push_back(std::move(run)); }
 
 std::string PageContent::data() const {
-  return page_data({{"version", kVersion}, {"title", printable(title_)}, {"runs", *runs_}},
-                   columns_);
+  return page_data({{"version", kVersion}, {"title", title()}, {"runs", *runs_}}, columns_);
+}
+
+std::string PageContent::title() const {
+  if (!title_.empty() || runs_->empty()) return printable(title_);
+  return runs_->front()["title"].get<std::string>();
+}
+
+bool PageContent::of_one_kind() const {
+  return std::all_of(runs_->begin(), runs_->end(),
+                     [&](const Json& run) { return run["kind"] == runs_->front()["kind"]; });
 }
 
 std::optional<std::string> page_of(std::string_view page_template, const PageContent& content) {
@@ -34,7 +44,7 @@ std::optional<std::string> page_of(std::string_view page_template, const PageCon
   if (title == std::string_view::npos || data == std::string_view::npos || data < title) return {};
   const std::size_t behind_title = title + kTitleMark.size();
   std::string out(page_template.substr(0, title));
-  out += escaped_markup(printable(content.title()));
+  out += escaped_markup(content.title());
   out += page_template.substr(behind_title, data - behind_title);
   out += content.data();
   out += page_template.substr(data + kDataMark.size());

@@ -15,14 +15,17 @@ namespace stig {
 /// Runs to be shown together. Each is an object of `runs`, see lattice_run.h.
 class PageContent {
  public:
-  explicit PageContent(std::string title);
+  /// Without a title: that of the first run.
+  explicit PageContent(std::string title = {});
   ~PageContent();
   PageContent(const PageContent&) = delete;
   PageContent& operator=(const PageContent&) = delete;
 
   PageColumns& columns() { return columns_; }
   void add(nlohmann::ordered_json run);
-  const std::string& title() const { return title_; }
+  std::string title() const;
+  /// Do all runs count time alike, as they must to be shown together?
+  bool of_one_kind() const;
   /// As the page holds it.
   std::string data() const;
 

@@ -15,10 +15,14 @@ int run(const ViewOptions& options, App& app) {
     return kUsage;
   }
   const std::vector<std::string> files = viewed_files(options.files);
-  PageContent page(options.title.value_or(file_name(files.front())));
+  PageContent page(options.title.value_or(""));
   bool good = true;
   for (const std::string& file : files) good = add_file(file, options, app, page) && good;
   if (!good) return kFailed;
+  if (!page.of_one_kind()) {
+    app.complain("runs on the lattice and runs in the physical world take a page each");
+    return kUsage;
+  }
   if (const int code = check_outputs({options.output}, app); code != kOk) return code;
   const auto text = page_template(app);
   if (!text) return kRunFailed;

@@ -619,16 +619,19 @@ void add_view(CLI::App& app, ViewOptions& o) {
       "  stigc explore rulesets/tiling.yaml --motion event --deposits 500 -o tiling.json\n"
       "  stigc view tiling.json -o tiling.html\n"
       "  stigc verify rulesets/order-dependent.yaml --witness two  # exit status 1: refuted\n"
-      "  stigc view two -o two-ends.html\n");
+      "  stigc view two -o two-ends.html\n"
+      "  stigc simulate scenes/drop.yaml --duration 1 --trace drop.stigp\n"
+      "  stigc view drop.stigp -o drop.html\n");
   sub->add_option("FILE", o.files,
-                  "a structure file (.vox .json .txt), a trace (.stigt), or the name that verify "
-                  "--witness was given; several are shown together")
+                  "a structure file (.vox .json .txt), a trace (.stigt .stigp), a folder of "
+                  "validate, or the name that verify --witness was given; several are shown "
+                  "together")
       ->type_name("FILE")
       ->required();
   sub->add_option("-o,--output", o.output, "the page, .html; nothing else is needed to open it")
       ->type_name("FILE")
       ->required();
-  path(sub, "--title", o.title, "what the page is called (default: the first file's name)")
+  path(sub, "--title", o.title, "what the page is called (default: the first file's title)")
       ->type_name("TEXT");
   lattice(sub, o.lattice);
 }

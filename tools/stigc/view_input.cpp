@@ -3,13 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "base/file_io.h"
 #include "outputs.h"
+#include "physical/trace/pose_trace.h"
 #include "structure_input.h"
 #include "trace_rules.h"
 #include "view/lattice_run.h"
+#include "view/pose_run.h"
 
 namespace stig {
 namespace {
@@ -18,13 +21,22 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
 
+bool add_poses(const std::string& path, std::string bytes, const App& app, PageContent& page) {
+  Diagnostics diagnostics;
+  const auto trace = read_pose_trace(path, std::move(bytes), diagnostics);
+  app.report(diagnostics);
+  if (trace) add_pose_run(*trace, file_name(path), page);
+  return trace.has_value();
+}
+
 bool add_trace(const std::string& path, const App& app, PageContent& page) {
   FileError error;
-  const auto bytes = read_file(path, kMostTraceBytes, error);
+  auto bytes = read_file(path, kMostTraceBytes, error);
   if (!bytes) {
     app.complain(error.message);
     return false;
   }
+  if (bytes->starts_with(kPoseTraceMagic)) return add_poses(path, std::move(*bytes), app, page);
   Diagnostics diagnostics;
   const std::optional<Trace> trace = read_trace(path, *bytes, diagnostics);
   app.report(diagnostics);
@@ -33,6 +45,21 @@ bool add_trace(const std::string& path, const App& app, PageContent& page) {
   const auto problem = add_lattice_run(*trace, *rules, file_name(path), page);
   if (problem) app.complain(fmt::format("'{}': {}", printable(path), *problem));
   return !problem;
+}
+
+/// The traces of a folder that validate wrote, by seed.
+std::vector<std::string> traces_in(const std::string& folder) {
+  std::vector<std::string> out;
+  std::error_code error;
+  for (auto it = fs::directory_iterator(folder, error); !error && it != fs::directory_iterator();
+       it.increment(error)) {
+    if (it->path().extension() == ".stigp") out.push_back(it->path().string());
+  }
+  // run-9 before run-10.
+  std::sort(out.begin(), out.end(), [](const std::string& a, const std::string& b) {
+    return std::pair(a.size(), a) < std::pair(b.size(), b);
+  });
+  return out;
 }
 
 /// The traces that write_witness has called so; none where there is a file of this very name.
@@ -50,8 +77,10 @@ std::vector<std::string> witness_of(const std::string& name) {
 
 std::vector<std::string> viewed_files(const std::vector<std::string>& names) {
   std::vector<std::string> out;
+  std::error_code ignored;
   for (const std::string& name : names) {
-    std::vector<std::string> parts = witness_of(name);
+    std::vector<std::string> parts =
+        fs::is_directory(name, ignored) ? traces_in(name) : witness_of(name);
     if (parts.empty()) parts = {name};
     out.insert(out.end(), parts.begin(), parts.end());
   }
@@ -60,7 +89,7 @@ std::vector<std::string> viewed_files(const std::vector<std::string>& names) {
 
 bool add_file(const std::string& path, const ViewOptions& options, const App& app,
               PageContent& page) {
-  if (path.ends_with(".stigt")) return add_trace(path, app, page);
+  if (path.ends_with(".stigt") || path.ends_with(".stigp")) return add_trace(path, app, page);
   const auto loaded = read_structure(path, options.lattice, app);
   if (loaded) add_structure(*loaded, file_name(path), page);
   return loaded.has_value();

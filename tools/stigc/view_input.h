@@ -10,7 +10,8 @@
 
 namespace stig {
 
-/// Names that stand for several files become those: that of a witness of verify.
+/// Names that stand for several files become those: that of a witness of verify, a folder of
+/// validate.
 std::vector<std::string> viewed_files(const std::vector<std::string>& names);
 
 /// Adds what a file holds to the page. Problems are reported; false when there was one.

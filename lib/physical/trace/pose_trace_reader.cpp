@@ -10,6 +10,7 @@
 
 #include "base/bytes.h"
 #include "base/packed.h"
+#include "physical/trace/pose_frames.h"
 #include "physical/trace/pose_trace.h"
 #include "physical/trace/pose_trace_format.h"
 
@@ -368,6 +369,12 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
   };
   decode(trace, chunk, sinks);
   return std::move(found).value_or(TraceFrame{});
+}
+
+void for_each_frame(const PoseTrace& trace, const std::function<void(const TraceFrame&)>& visit) {
+  RecordSinks sinks;
+  sinks.frame = visit;
+  for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);
 }
 
 // A resumed run goes on in the same trace: what it had written up to its checkpoint is copied, so

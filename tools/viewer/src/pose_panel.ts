@@ -2,8 +2,8 @@
 // What stands beside a physical run: the picked body, robots with what they show and say, events.
 import {factTable} from './brick_story.js';
 import {button, element, section} from './elements.js';
-import {kEventKinds, saidAt, type PoseRun} from './pose_run.js';
-import {rowsOf} from './shown_values.js';
+import {kEventKinds, lastBefore, saidAt, type PoseRun} from './pose_run.js';
+import {standingRows, type ShownRows} from './shown_values.js';
 import type {Choices, ViewState} from './view_state.js';
 
 const kTouched = 0;
@@ -28,19 +28,25 @@ export function robotOf(run: PoseRun, body: number): number {
   return run.robots.findIndex(robot => robot.bodies.includes(body));
 }
 
+function rowsAt({times, rows}: ShownRows, time: number): [string, string][] {
+  if (times.length === 0 || times[0] > time) return [];
+  return rows[lastBefore(times, time, 0, times.length)];
+}
+
 function robots(run: PoseRun, state: ViewState): {part: HTMLElement; show: () => void} {
   const rows = run.robots.map((robot, r) => {
     const follow = button('follow', 'the camera goes with it (v)',
                           () => state.set({follow: state.now.follow === r ? null : r}));
     const values = element('div', {class: 'values'});
     const row = element('div', {class: 'robot'}, element('h3', {text: robot.name}), follow, values);
-    return {row, follow, values, root: robot.bodies[0]};
+    const said = run.show.get(robot.bodies[0]) ?? {times: [], texts: []};
+    return {row, follow, values, shown: standingRows(said)};
   });
   const show = (): void => {
     const {time, follow} = state.now;
     rows.forEach((row, r) => {
       row.follow.classList.toggle('chosen', follow === r);
-      row.values.replaceChildren(factTable(rowsOf(saidAt(run.show.get(row.root), time))));
+      row.values.replaceChildren(factTable(rowsAt(row.shown, time)));
     });
   };
   return {part: section('robots', 'Robots', ...rows.map(({row}) => row)), show};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a robot's program shows (`robot.show`), as lib/physical/render/show_json.h writes it.
 
+import type {Said} from './pose_run.js';
+
 export interface ShownArrow {
   from: [number, number, number];
   to: [number, number, number];
@@ -35,8 +37,28 @@ export function arrowsOf(text: string | null): ShownArrow[] {
   return out;
 }
 
+/** Rows of a table from times on. */
+export interface ShownRows {
+  times: number[];
+  rows: [string, string][][];
+}
+
+/** What stands at each time: of each name its newest value, since programs show what changes. */
+export function standingRows(said: Said): ShownRows {
+  const newest = new Map<string, string>();
+  const out: ShownRows = {times: [], rows: []};
+  said.texts.forEach((text, i) => {
+    const rows = rowsOf(text);
+    if (rows.every(([name, value]) => newest.get(name) === value)) return;
+    for (const [name, value] of rows) newest.set(name, value);
+    out.times.push(said.times[i]);
+    out.rows.push([...newest]);
+  });
+  return out;
+}
+
 /** Texts first, then numbers, as rows of a table. */
-export function rowsOf(text: string | null): [string, string][] {
+function rowsOf(text: string | null): [string, string][] {
   const {numbers, texts} = parsed(text);
   const entries = (of: unknown): [string, unknown][] =>
     typeof of === 'object' && of !== null ? Object.entries(of) : [];
