@@ -9,6 +9,7 @@
 #include <numbers>
 #include <optional>
 
+#include "sensing/gaussian.h"
 #include "sensing/led_colour.h"
 #include "sensing/tag_pose.h"
 

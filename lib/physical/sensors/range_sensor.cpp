@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "sensing/gaussian.h"
+
 namespace stig {
 
 namespace {

@@ -37,9 +37,6 @@ struct NoiseAddress {
 };
 Random noise_stream(const NoiseAddress& address);
 
-/// A sample of mean 0 and standard deviation 1 (Box and Muller 1958).
-double gaussian(Random& random);
-
 /// Readings that arrive late. Until the first has arrived there are empty ones.
 template <class Reading>
 struct Late {
