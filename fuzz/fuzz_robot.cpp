@@ -33,10 +33,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   for (const auto& joint : robot->joints) require(joint.parent < bodies && joint.child < bodies);
   for (const auto& camera : robot->cameras) {
-    require(camera.body < bodies && camera.near < camera.far);
+    require(camera.near < camera.far);
     require(std::abs(stig::length(stig::rotate(camera.X_BC.q, {0, 0, 1})) - 1) < 1e-9);
   }
-  for (const auto& radio : robot->radios) require(radio.body < bodies);
+  stig::DeviceKinds::each([&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (stig::ListedKind<Kind>) {
+      for (const auto& device : Kind::devices(*robot)) {
+        if constexpr (requires { device.body; }) require(device.body < bodies);
+      }
+    }
+  });
   for (const auto& actuator : robot->actuators) {
     require(actuator.axis.axis < robot->joints.at(actuator.axis.joint).axes.size());
   }

@@ -99,4 +99,12 @@ void open_block(lua_State* state, BlockSide& side) {
   lua_pop(state, 1);
 }
 
+void put_readings(lua_State* state, const BlockSide& side, const BlockReadings& readings) {
+  push_kept(state, side.system);
+  put(state, "time", readings.time);
+  lua_pop(state, 1);
+  const std::size_t count = std::min(side.radios.size(), readings.radios.size());
+  for (std::size_t i = 0; i < count; ++i) put_received(state, side.radios[i], readings.radios[i]);
+}
+
 }  // namespace stig

@@ -21,12 +21,32 @@ struct LuaSide {
   std::size_t logged = 0;                   ///< bytes in this call
 };
 
+/// References to the tables that the readings of a kind of device go into.
+template <class Kind>
+struct KeptTables {
+  std::vector<int> references;
+};
+template <class Kinds>
+struct KeptTablesOf;
+template <class... Kinds>
+struct KeptTablesOf<KindList<Kinds...>> : KeptTables<Kinds>... {};
+
 struct RobotSide : LuaSide {
   RobotModel model;
   const RobotReadings* readings = nullptr;  ///< of the last step
   RobotCommands* commands = nullptr;
-  std::vector<int> cameras, rangefinders, radios, joints;
-  int encoders = 0, lift = 0, limits = 0, magnets = 0, system = 0;
+  KeptTablesOf<DeviceKinds> kept;
+  int system = 0;
+
+  /// In the order of the devices.
+  template <class Kind>
+  std::vector<int>& tables() {
+    return static_cast<KeptTables<Kind>&>(kept).references;
+  }
+  template <class Kind>
+  const std::vector<int>& tables() const {
+    return static_cast<const KeptTables<Kind>&>(kept).references;
+  }
 };
 
 struct BlockSide : LuaSide {

@@ -3,67 +3,25 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "robots/robot_extent.h"
-
 namespace stig {
 
 namespace {
 
-std::string drive_text(const DriveModel& drive) {
-  return fmt::format("   drive = {{ track = {:.6g}, speed = {:.6g}, acceleration = {:.6g} }},\n",
-                     drive.track, drive.most_speed, drive.most_acceleration);
-}
-
-std::string lift_text(const LiftModel& lift) {
-  return fmt::format("   lift = {{ top = {:.6g}, tolerance = {:.6g} }},\n", lift.high,
-                     lift.tolerance);
-}
-
-/// `neutral` is the charge at which the field of a destructive current takes away the passive one.
-std::string magnets_text(const RobotModel& robot) {
-  const MagnetCircuitModel& magnets = *robot.magnets;
-  std::string out = fmt::format("   magnets = {{ ahead = {:.6g}", middle_of_poles(robot).x);
-  if (magnets.active > 0) {
-    out += fmt::format(", neutral = {:.6g}", magnets.passive / magnets.active);
+/// A table with an entry for each device, of the figures that it lists.
+template <class Kind>
+std::string description_of_fields(const RobotModel& robot) {
+  const auto& devices = Kind::devices(robot);
+  if (devices.empty()) return {};
+  std::string out = fmt::format("   {} = {{\n", Kind::key);
+  for (const auto& device : devices) {
+    std::string figures;
+    const auto add = [&](const char* name, const auto& value, const char* /*unit*/) {
+      figures += fmt::format("{}{} = {:.6g}", figures.empty() ? "" : ", ", name, value);
+    };
+    Kind::Device::fields(add, device);
+    out += fmt::format("      [{}] = {{ {} }},\n", lua_quoted(device.name), figures);
   }
-  return out + " },\n";
-}
-
-/// The foremost of what goes up and down.
-std::string effector_text(const RobotModel& robot) {
-  const std::vector<bool> lifted = lifted_bodies(robot);
-  double front = -1e9;
-  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    if (lifted[i]) front = std::max(front, extent_of(robot.bodies[i]).high.x);
-  }
-  return fmt::format("   effector = {{ front = {:.6g} }},\n", front);
-}
-
-std::string place_text(const Vec3& p) {
-  return fmt::format("x = {:.6g}, y = {:.6g}, z = {:.6g}", p.x, p.y, p.z);
-}
-
-std::string camera_text(const RobotModel& robot) {
-  const CameraDevice& camera = robot.cameras.front();
-  return fmt::format("   camera = {{ anchor = {{ {} }}, focal = {:.6g} }},\n",
-                     place_text(robot.bodies[camera.body].X_RB.p), camera.intrinsics.fx);
-}
-
-std::string rangefinder_text(const RobotModel& robot, const RangeDevice& finder) {
-  constexpr const char* kCalibrations[] = {"metres", "power", "quadratic"};
-  std::string out =
-      fmt::format("      [{}] = {{ {}, range = {:.6g}, calibration = '{}'", lua_quoted(finder.name),
-                  place_text(robot.bodies[finder.body].X_RB * finder.p_B), finder.range,
-                  kCalibrations[static_cast<std::size_t>(finder.calibration)]);
-  if (finder.calibration != RangeDevice::Calibration::metres) {
-    const auto& c = finder.coefficients;
-    const bool power = finder.calibration == RangeDevice::Calibration::power;
-    out += fmt::format(", coefficients = {{ {}, {}", c[0], c[1]);
-    out += power ? " }" : fmt::format(", {} }}", c[2]);
-  }
-  return out + " },\n";
+  return out + "   },\n";
 }
 
 }  // namespace
@@ -83,16 +41,21 @@ std::string lua_quoted(std::string_view text) {
   return out + "'";
 }
 
+std::string described_place(const Vec3& p) {
+  return fmt::format("x = {:.6g}, y = {:.6g}, z = {:.6g}", p.x, p.y, p.z);
+}
+
 std::string robot_description(const RobotModel& robot) {
   std::string out = fmt::format("{{\n   name = {},\n", lua_quoted(robot.name));
-  if (robot.drive) out += drive_text(*robot.drive);
-  if (robot.lift) out += lift_text(*robot.lift);
-  if (robot.lift && robot.lift->axis.joint < robot.joints.size()) out += effector_text(robot);
-  if (robot.magnets && !robot.magnets->poles.empty()) out += magnets_text(robot);
-  if (!robot.cameras.empty()) out += camera_text(robot);
-  out += "   rangefinders = {\n";
-  for (const RangeDevice& finder : robot.rangefinders) out += rangefinder_text(robot, finder);
-  return out + "   },\n}";
+  DeviceKinds::each([&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (requires { Kind::description(robot); }) {
+      out += Kind::description(robot);
+    } else if constexpr (ListedKind<Kind>) {
+      if constexpr (HasFigures<typename Kind::Device>) out += description_of_fields<Kind>(robot);
+    }
+  });
+  return out + "}";
 }
 
 }  // namespace stig

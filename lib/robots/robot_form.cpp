@@ -88,28 +88,37 @@ const Form& joint_form() {
   return kForm;
 }
 
+/// A key for each kind of device.
+void add_device_keys(std::vector<FormKey>& out) {
+  DeviceKinds::each([&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (ListedKind<Kind>) {
+      out.push_back(parts(Kind::key, Kind::doc, Kind::form(), 0, kMany));
+    } else {
+      out.push_back(part(Kind::key, Kind::doc, Kind::form()));
+    }
+  });
+}
+
+Form make_robot_form() {
+  Form out{"robot file",
+           {version("stigc_robot", "Version of this format: 1.", 1),
+            required(words("name", FormKind::name, "Short, for reports.")),
+            words("title", FormKind::text, "One line."),
+            words("source", FormKind::text, "Where its figures come from."),
+            above_zero("control_period", "Seconds between two steps of its program (default: 0.2).",
+                       100),
+            words("program", FormKind::name, "Its Lua program, unless the scene names another."),
+            required(parts("bodies", "Its rigid parts.", body_form(), 1, kMany)),
+            parts("joints", "How they hang together: a tree.", joint_form(), 0, kMany)}};
+  add_device_keys(out.keys);
+  return out;
+}
+
 }  // namespace
 
 const Form& robot_form() {
-  static const Form kForm{
-      "robot file",
-      {version("stigc_robot", "Version of this format: 1.", 1),
-       required(words("name", FormKind::name, "Short, for reports.")),
-       words("title", FormKind::text, "One line."),
-       words("source", FormKind::text, "Where its figures come from."),
-       above_zero("control_period", "Seconds between two steps of its program (default: 0.2).",
-                  100),
-       words("program", FormKind::name, "Its Lua program, unless the scene names another."),
-       required(parts("bodies", "Its rigid parts.", body_form(), 1, kMany)),
-       parts("joints", "How they hang together: a tree.", joint_form(), 0, kMany),
-       part("differential_drive", "Wheels left and right.", drive_form()),
-       part("lift", "A joint that goes to a set height.", lift_form()),
-       part("electromagnets", "Poles on one circuit.", electromagnets_form()),
-       parts("cameras", "", camera_form(), 0, kMany),
-       parts("rangefinders", "", rangefinder_form(), 0, kMany),
-       parts("radios", "Near-field radios.", radio_form(), 0, kMany),
-       parts("leds", "Lights of any colour, seen from everywhere.", led_form(), 0, kMany),
-       parts("actuators", "Other axes, for the program to drive.", actuator_form(), 0, kMany)}};
+  static const Form kForm = make_robot_form();
   return kForm;
 }
 

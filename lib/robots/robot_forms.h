@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys of robot files; docs/robots.md explains them one by one.
+// The keys of robot files; docs/robots.md explains them one by one. Those of devices are with
+// their kinds.
 #pragma once
 
 #include "base/form.h"
@@ -8,14 +9,5 @@ namespace stig {
 
 /// The whole file.
 const Form& robot_form();
-/// Devices, from robot_device_forms.cpp.
-const Form& drive_form();
-const Form& lift_form();
-const Form& electromagnets_form();
-const Form& camera_form();
-const Form& rangefinder_form();
-const Form& radio_form();
-const Form& led_form();
-const Form& actuator_form();
 
 }  // namespace stig

@@ -33,10 +33,6 @@ std::size_t RobotModel::root() const {
   return root;
 }
 
-double without_hit(const RangeDevice& device) {
-  return device.calibration == RangeDevice::Calibration::metres ? device.range : 0;
-}
-
 Vec3 moments_of(const BodyModel& body) {
   assert(body.mass > 0);
   // A file's own moments win: real robots are not solid.

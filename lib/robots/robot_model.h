@@ -5,10 +5,10 @@
 // Frames: R is the robot's, on the floor under it, x ahead, y left, z up. Poses are those with
 // every joint at zero. Lengths in m, masses in kg, angles in rad.
 //
-// Devices name the joints and bodies they use; indices here are places in the lists below.
+// Devices name the joints and bodies they use; indices are places in the lists below. Lists of
+// devices are members that each kind brings (device_kinds.h).
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -18,7 +18,7 @@
 #include "base/rgb.h"
 #include "base/source.h"
 #include "base/vec.h"
-#include "sensing/camera.h"
+#include "robots/device_kinds.h"
 
 namespace stig {
 
@@ -66,98 +66,11 @@ struct JointModel {
   SourceRange place;
 };
 
-/// One axis of one joint.
-struct AxisRef {
-  std::size_t joint = 0, axis = 0;
-};
-
-struct DriveModel {
-  std::vector<AxisRef> left, right;  ///< wheels, positive forwards
-  double wheel_radius = 0, track = 0;
-  double most_speed = 0, most_acceleration = 0;  ///< of the rims, m/s and m/s²
-};
-
-struct LiftModel {
-  AxisRef axis;
-  double low = 0, high = 0;   ///< m: where the limit switches close
-  double tolerance = 0;       ///< error at which it rests
-  double inactive_below = 0;  ///< error under which it reports that it has arrived
-  /// Speed by error: the first entry whose error is exceeded; in falling order of errors.
-  std::vector<std::pair<double, double>> speeds;
-};
-
-/// Electromagnets of the end-effector, one circuit: charge follows its own dynamics, the
-/// current is the charge while discharging, with the mode's sign.
-struct MagnetCircuitModel {
-  struct Pole {
-    std::size_t body = 0;
-    Vec3 p_B;        ///< of the dipole, body frame
-    Vec3 direction;  ///< unit, body frame
-  };
-  std::vector<Pole> poles;
-  double passive = 0, active = 0;  ///< field = passive + active · current, the paper's unit
-  // How the charge changes: robot_devices.h, for both generations.
-  double charge_limit = 0;
-  double charge_per_second = 0;          ///< linear charging (G17)
-  double discharge_per_second = 0;       ///< exponential: charge' = -rate · charge (G17)
-  double relax_rate = 0;                 ///< exponential charging towards the limit (G21)
-  double sink_rate = 0, sink_level = 0;  ///< while discharging: -sink_rate (charge - level) (G21)
-};
-
-struct CameraDevice {
-  std::string name;
-  std::size_t body = 0;
-  Pose X_BC;  ///< optical frame: z ahead, x right, y down
-  CameraIntrinsics intrinsics;
-  double near = 0.05, far = 0.5;
-};
-
-struct RangeDevice {
-  std::string name;  ///< '1' … '12', 'left', …
-  std::size_t body = 0;
-  Vec3 p_B, direction;
-  double range = 0.2;
-  /// Counts = a · v^b or c0 + c1 v + c2 v², v = exp(-distance); metres: the distance itself.
-  enum class Calibration : std::uint8_t { metres, power, quadratic };
-  Calibration calibration = Calibration::metres;
-  std::array<double, 3> coefficients{};
-};
-
-/// What it reads when nothing is in reach: its range, or no counts.
-double without_hit(const RangeDevice& device);
-
-struct RadioDevice {
-  std::string name;
-  std::size_t body = 0;
-  Vec3 p_B;
-  double range = 0.02;
-};
-
-struct LedDevice {
-  std::string name;
-  std::size_t body = 0;
-  Vec3 p_B;
-};
-
-/// A joint's axis that the controller drives itself, under a name.
-struct ActuatorDevice {
-  std::string name;
-  AxisRef axis;
-};
-
-struct RobotModel {
+struct RobotModel : DeviceKinds::Devices {
   std::string name, title, source;
   double control_period = 0.2;  ///< s
   std::vector<BodyModel> bodies;
   std::vector<JointModel> joints;
-  std::optional<DriveModel> drive;
-  std::optional<LiftModel> lift;
-  std::optional<MagnetCircuitModel> magnets;
-  std::vector<CameraDevice> cameras;
-  std::vector<RangeDevice> rangefinders;
-  std::vector<RadioDevice> radios;
-  std::vector<LedDevice> leds;
-  std::vector<ActuatorDevice> actuators;
   std::string program;  ///< path of its Lua program as the file says it, or empty
 
   double mass() const;

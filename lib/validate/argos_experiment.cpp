@@ -12,6 +12,7 @@
 #include <cmath>
 
 #include "base/text.h"
+#include "robots/device_kinds.h"
 #include "validate/build_site.h"
 
 namespace stig {
@@ -20,23 +21,6 @@ namespace {
 constexpr double kMargin = 0.3;  ///< m, of the arena round the outermost block
 // Blocks lie in rows of three behind the cache, near enough to be found from there.
 constexpr int kInRow = 3;
-
-constexpr const char* kBuilderDevices = R"(      <actuators>
-        <builderbot_differential_drive implementation="default"/>
-        <builderbot_electromagnet_system implementation="default"/>
-        <builderbot_lift_system implementation="default"/>
-        <simple_radios implementation="default"/>
-      </actuators>
-      <sensors>
-        <builderbot_camera_system implementation="default"/>
-        <builderbot_differential_drive implementation="default"/>
-        <builderbot_electromagnet_system implementation="default"/>
-        <builderbot_lift_system implementation="default"/>
-        <builderbot_rangefinders implementation="default"/>
-        <builderbot_system implementation="default"/>
-        <simple_radios implementation="default"/>
-      </sensors>
-)";
 
 constexpr const char* kBlockDevices = R"(      <actuators>
         <directional_leds implementation="default"/>
@@ -66,6 +50,28 @@ constexpr const char* kPhysicsAndMedia = R"(  <physics_engines>
 
 </argos-configuration>
 )";
+
+/// Elements of a list of interfaces, by their names.
+std::string interfaces(std::vector<std::string_view> names) {
+  std::sort(names.begin(), names.end());
+  std::string out;
+  for (const std::string_view name : names) {
+    out += fmt::format("        <{} implementation=\"default\"/>\n", name);
+  }
+  return out;
+}
+
+/// The interfaces of ARGoS's BuilderBot, which has every kind of device that ARGoS knows.
+std::string builder_devices() {
+  std::vector<std::string_view> actuators, sensors = {"builderbot_system"};
+  DeviceKinds::each([&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (requires { Kind::argos_actuator; }) actuators.push_back(Kind::argos_actuator);
+    if constexpr (requires { Kind::argos_sensor; }) sensors.push_back(Kind::argos_sensor);
+  });
+  return "      <actuators>\n" + interfaces(actuators) + "      </actuators>\n      <sensors>\n" +
+         interfaces(sensors) + "      </sensors>\n";
+}
 
 /// What ARGoS's camera takes for a quadrant.
 const char* colour_name(Led led) {
@@ -107,8 +113,8 @@ std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) 
       sides.push_back(robot.side);
   }
   for (const ApproachSide side : sides) {
-    out +=
-        fmt::format("    <lua_controller id=\"builder{}\">\n{}", to_string(side), kBuilderDevices);
+    out += fmt::format("    <lua_controller id=\"builder{}\">\n{}", to_string(side),
+                       builder_devices());
     out += fmt::format("      <params script=\"{}\" side=\"{}\"/>\n    </lua_controller>\n",
                        escaped_markup(scripts.robot), to_string(side));
   }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -128,30 +129,20 @@ class TextReport {
 
   void print_devices() {
     Table table;
-    if (robot_.drive) add_drive(table, *robot_.drive);
-    if (robot_.lift) add_lift(table, *robot_.lift);
-    if (robot_.magnets) add_magnets(table, *robot_.magnets);
-    for (const CameraDevice& one : robot_.cameras) add_camera(table, one);
-    for (const RangeDevice& one : robot_.rangefinders) add_rangefinder(table, one);
-    for (const RadioDevice& one : robot_.radios) {
-      table.add("radio " + printable(one.name),
-                fmt::format("on {} at {}, reaches {} mm", body(one.body),
-                            in_robot(one.body, one.p_B), millimetres(one.range)));
-    }
-    for (const LedDevice& one : robot_.leds) {
-      table.add("LED " + printable(one.name),
-                fmt::format("on {} at {}", body(one.body), in_robot(one.body, one.p_B)));
-    }
-    for (const ActuatorDevice& one : robot_.actuators) {
-      // Axes count from 1 for people.
-      table.add("actuator " + printable(one.name),
-                fmt::format("axis {} of {}", one.axis.axis + 1,
-                            printable(robot_.joints[one.axis.joint].name)));
-    }
+    DeviceKinds::each([&](auto kind) {
+      using Kind = decltype(kind);
+      if constexpr (ListedKind<Kind>) {
+        for (const auto& one : Kind::devices(robot_)) {
+          table.add(fmt::format("{} {}", Kind::noun, printable(one.name)), words_of(one));
+        }
+      } else if (Kind::devices(robot_)) {
+        add(table, *Kind::devices(robot_));
+      }
+    });
     section("devices, places in the robot's frame (m)", table);
   }
 
-  static void add_drive(Table& table, const DriveModel& drive) {
+  static void add(Table& table, const DriveModel& drive) {
     table.add("differential drive",
               fmt::format("{} + {} wheels of radius {} mm, track {} mm, up to {} m/s and {} m/s²",
                           drive.left.size(), drive.right.size(), millimetres(drive.wheel_radius),
@@ -159,7 +150,7 @@ class TextReport {
                           number(drive.most_acceleration)));
   }
 
-  void add_lift(Table& table, const LiftModel& lift) {
+  void add(Table& table, const LiftModel& lift) const {
     std::string speeds;
     for (const auto& [above, speed] : lift.speeds) {
       speeds += fmt::format(", {} m/s above {} mm", number(speed), millimetres(above));
@@ -169,34 +160,60 @@ class TextReport {
                                   millimetres(lift.low), millimetres(lift.high), speeds));
   }
 
-  static void add_magnets(Table& table, const MagnetCircuitModel& magnets) {
+  static void add(Table& table, const MagnetCircuitModel& magnets) {
     table.add("electromagnets", fmt::format("{} poles, field {} + {} x current, charge up to {}",
                                             magnets.poles.size(), number(magnets.passive),
                                             number(magnets.active), number(magnets.charge_limit)));
   }
 
-  void add_camera(Table& table, const CameraDevice& one) {
+  std::string words_of(const CameraDevice& one) const {
     // The camera's z axis is what it looks along.
     const Pose X_RC = robot_.bodies[one.body].X_RB * one.X_BC;
     const CameraIntrinsics& c = one.intrinsics;
-    table.add("camera " + printable(one.name),
-              fmt::format("on {} at {}, looks {}, {} x {} pixels, f {} {}, sees {} to {} m",
-                          body(one.body), point(X_RC.p), point(rotate(X_RC.q, {0, 0, 1})), c.width,
-                          c.height, number(c.fx), number(c.fy), number(one.near), number(one.far)));
+    return fmt::format("on {} at {}, looks {}, {} x {} pixels, f {} {}, sees {} to {} m",
+                       body(one.body), point(X_RC.p), point(rotate(X_RC.q, {0, 0, 1})), c.width,
+                       c.height, number(c.fx), number(c.fy), number(one.near), number(one.far));
   }
-
-  void add_rangefinder(Table& table, const RangeDevice& one) {
+  std::string words_of(const RangeDevice& one) const {
     const Vec3 way = rotate(robot_.bodies[one.body].X_RB.q, one.direction);
-    table.add("rangefinder " + printable(one.name),
-              fmt::format("on {} at {}, looks {}, {} mm, {}", body(one.body),
-                          in_robot(one.body, one.p_B), point(way), millimetres(one.range),
-                          kCalibrations[static_cast<std::size_t>(one.calibration)]));
+    return fmt::format("on {} at {}, looks {}, {} mm, {}", body(one.body),
+                       in_robot(one.body, one.p_B), point(way), millimetres(one.range),
+                       kCalibrations[static_cast<std::size_t>(one.calibration)]);
+  }
+  std::string words_of(const RadioDevice& one) const {
+    return fmt::format("on {} at {}, reaches {} mm", body(one.body), in_robot(one.body, one.p_B),
+                       millimetres(one.range));
+  }
+  std::string words_of(const LedDevice& one) const {
+    return fmt::format("on {} at {}", body(one.body), in_robot(one.body, one.p_B));
+  }
+  std::string words_of(const ActuatorDevice& one) const {
+    // Axes count from 1 for people.
+    return fmt::format("axis {} of {}", one.axis.axis + 1,
+                       printable(robot_.joints[one.axis.joint].name));
+  }
+  template <class Device>
+  requires HasFigures<Device> std::string words_of(const Device& one)
+  const {
+    std::string out = fmt::format("on {}", body(one.body));
+    const auto add_figure = [&](const char* name, const auto& value, std::string_view unit) {
+      out += fmt::format(", {} {}{}{}", name, number(value), unit.empty() ? "" : " ", unit);
+    };
+    Device::fields(add_figure, one);
+    return out;
   }
 
   const RobotModel& robot_;
   bool color_;
   std::string out_;
 };
+
+std::string lower_case(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(), [](char c) {
+    return 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  });
+  return text;
+}
 
 Json json_of(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
 Json json_of(const Quat& q) { return {rounded(q.w), rounded(q.x), rounded(q.y), rounded(q.z)}; }
@@ -252,54 +269,71 @@ class JsonReport {
   }
 
   void add_devices(Json& out) const {
-    if (robot_.drive)
-      out.push_back({{"kind", "differential_drive"}, {"track", robot_.drive->track}});
-    if (robot_.lift) {
-      out.push_back({{"kind", "lift"}, {"switches", {robot_.lift->low, robot_.lift->high}}});
-    }
-    if (robot_.magnets) {
-      out.push_back({{"kind", "electromagnets"}, {"poles", robot_.magnets->poles.size()}});
-    }
-    for (const CameraDevice& one : robot_.cameras) {
-      const Pose X_RC = robot_.bodies[one.body].X_RB * one.X_BC;
-      Json json = device("camera", one, X_RC.p);
-      json["rotation"] = json_of(X_RC.q);
-      json["resolution"] = {one.intrinsics.width, one.intrinsics.height};
-      json["focal_length"] = {one.intrinsics.fx, one.intrinsics.fy};
-      json["near"] = one.near;
-      json["far"] = one.far;
-      out.push_back(std::move(json));
-    }
-    for (const RangeDevice& one : robot_.rangefinders) {
-      Json json = device("rangefinder", one, in_robot(one));
-      json["look"] = json_of(rotate(robot_.bodies[one.body].X_RB.q, one.direction));
-      json["range"] = one.range;
-      out.push_back(std::move(json));
-    }
-    for (const RadioDevice& one : robot_.radios) {
-      Json json = device("radio", one, in_robot(one));
-      json["range"] = one.range;
-      out.push_back(std::move(json));
-    }
-    for (const LedDevice& one : robot_.leds) out.push_back(device("led", one, in_robot(one)));
-    for (const ActuatorDevice& one : robot_.actuators) {
-      out.push_back({{"kind", "actuator"},
-                     {"name", one.name},
-                     {"joint", robot_.joints[one.axis.joint].name},
-                     {"axis", one.axis.axis + 1}});
-    }
+    DeviceKinds::each([&](auto kind) {
+      using Kind = decltype(kind);
+      if constexpr (ListedKind<Kind>) {
+        for (const auto& one : Kind::devices(robot_)) {
+          Json json{{"kind", lower_case(Kind::noun)}, {"name", one.name}};
+          add_figures(json, one);
+          out.push_back(std::move(json));
+        }
+      } else if (Kind::devices(robot_)) {
+        Json json{{"kind", Kind::key}};
+        add_figures(json, *Kind::devices(robot_));
+        out.push_back(std::move(json));
+      }
+    });
+  }
+
+  static void add_figures(Json& json, const DriveModel& drive) { json["track"] = drive.track; }
+  static void add_figures(Json& json, const LiftModel& lift) {
+    json["switches"] = {lift.low, lift.high};
+  }
+  static void add_figures(Json& json, const MagnetCircuitModel& magnets) {
+    json["poles"] = magnets.poles.size();
+  }
+  void add_figures(Json& json, const CameraDevice& one) const {
+    const Pose X_RC = robot_.bodies[one.body].X_RB * one.X_BC;
+    add_place(json, one.body, X_RC.p);
+    json["rotation"] = json_of(X_RC.q);
+    json["resolution"] = {one.intrinsics.width, one.intrinsics.height};
+    json["focal_length"] = {one.intrinsics.fx, one.intrinsics.fy};
+    json["near"] = one.near;
+    json["far"] = one.far;
+  }
+  void add_figures(Json& json, const RangeDevice& one) const {
+    add_place(json, one.body, in_robot(one));
+    json["look"] = json_of(rotate(robot_.bodies[one.body].X_RB.q, one.direction));
+    json["range"] = one.range;
+  }
+  void add_figures(Json& json, const RadioDevice& one) const {
+    add_place(json, one.body, in_robot(one));
+    json["range"] = one.range;
+  }
+  void add_figures(Json& json, const LedDevice& one) const {
+    add_place(json, one.body, in_robot(one));
+  }
+  void add_figures(Json& json, const ActuatorDevice& one) const {
+    json["joint"] = robot_.joints[one.axis.joint].name;
+    json["axis"] = one.axis.axis + 1;
+  }
+  template <class Device>
+  requires HasFigures<Device>
+  void add_figures(Json& json, const Device& one) const {
+    json["body"] = robot_.bodies[one.body].name;
+    const auto add_figure = [&](const char* name, const auto& value, const char* /*unit*/) {
+      json[name] = value;
+    };
+    Device::fields(add_figure, one);
   }
 
   template <class Device>
   Vec3 in_robot(const Device& one) const {
     return robot_.bodies[one.body].X_RB * one.p_B;
   }
-  template <class Device>
-  Json device(std::string_view kind, const Device& one, const Vec3& at) const {
-    return {{"kind", kind},
-            {"name", one.name},
-            {"body", robot_.bodies[one.body].name},
-            {"at", json_of(at)}};
+  void add_place(Json& json, std::size_t body, const Vec3& at) const {
+    json["body"] = robot_.bodies[body].name;
+    json["at"] = json_of(at);
   }
 
   const RobotModel& robot_;

@@ -171,7 +171,7 @@ void Crew::step_robot(World& world, std::size_t number) {
   Robot& robot = robots_[number];
   if (robot.failed || !config_.robots[number].controller) return;
   // What it is about to read is what it is fed when it is brought back.
-  if (config_.resumable) robot.history.add(bytes_of(robot.readings));
+  if (config_.resumable) robot.history.add(bytes_of(robot.readings, model(number)));
   RobotCommands commands;
   const ControllerStatus status = call_robot(number, commands);
   // The log is kept even of the step that failed.

@@ -2,12 +2,14 @@
 // What robots read, and the states of their devices: the members of each, for bytes and back.
 #pragma once
 
+#include <type_traits>
 #include <vector>
 
 #include "base/byte_members.h"
 #include "physical/robots/robot_body.h"
 #include "robots/robot_devices.h"
 #include "robots/robot_io.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 
@@ -27,22 +29,40 @@ void each_member(auto& each, EitherWay<CameraReading> auto& camera) {
   each(camera.enabled), each(camera.timestamp), each.list(camera.tags), each.list(camera.leds);
   each_member(each, camera.X_RC.p), each_member(each, camera.X_RC.q);
 }
-void each_member(auto& each, EitherWay<RangeReading> auto& range) {
-  each(range.proximity), each(range.illuminance);
+/// Readings that are a few figures.
+template <class Each, class Reading>
+requires HasFigures<Reading>
+void each_member(Each& each, Reading& reading) {
+  std::remove_const_t<Reading>::fields(
+      [&each](const char* /*name*/, auto& value, const char* /*unit*/) { each(value); }, reading);
 }
 void each_member(auto& each, EitherWay<std::vector<RangeReading>> auto& ranges) {
   each.list(ranges);
 }
-void each_member(auto& each, EitherWay<JointReading> auto& joint) {
-  each(joint.position), each(joint.velocity);
+
+/// Kinds of devices whose readings are in every record, in the order in which they have been there
+/// from the beginning. Those of other kinds follow in the order of the list, where the robot has
+/// such devices: so records of robots that have none stay the same bytes.
+using FirstInRecords = KindList<CameraKind, RangefinderKind, RadioKind, DriveKind, LiftKind,
+                                ElectromagnetsKind, ActuatorKind>;
+
+template <class Kind>
+void readings_of_kind(auto& each, auto& readings) {
+  if constexpr (ReadKind<Kind>) {
+    each.list(Kind::readings(readings));
+  } else if constexpr (requires { Kind::reading_members(each, readings); }) {
+    Kind::reading_members(each, readings);
+  }
 }
-void each_member(auto& each, EitherWay<RobotReadings> auto& r) {
+void reading_members(auto& each, EitherWay<RobotReadings> auto& r, const RobotModel& model) {
   each(r.tick), each(r.time), each(r.temperature);
-  each.list(r.cameras), each.list(r.rangefinders), each.list(r.radios);
-  each(r.left_encoder), each(r.right_encoder);
-  each(r.lift.active), each(r.lift.calibrating), each(r.lift.position);
-  each(r.lift.at_top), each(r.lift.at_bottom);
-  each(r.magnet_voltage), each.list(r.joints);
+  FirstInRecords::each([&](auto kind) { readings_of_kind<decltype(kind)>(each, r); });
+  DeviceKinds::each([&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (ReadKind<Kind> && !FirstInRecords::has<Kind>) {
+      if (!Kind::devices(model).empty()) readings_of_kind<Kind>(each, r);
+    }
+  });
 }
 void each_member(auto& each, EitherWay<RobotDevices> auto& d) {
   each(d.drive.left), each(d.drive.right), each(d.drive.left_target), each(d.drive.right_target);

@@ -8,15 +8,16 @@
 
 #include "base/bytes.h"
 #include "robots/robot_io.h"
+#include "robots/robot_model.h"
 
 namespace stig {
 
-std::string bytes_of(const RobotReadings& readings);
+std::string bytes_of(const RobotReadings& readings, const RobotModel& robot);
 /// `since`: ticks of the world since the block's step before.
 std::string bytes_of(const std::vector<std::vector<Message>>& inbox, std::uint64_t since);
 
-/// The reader is bad after bytes that are none.
-RobotReadings take_readings(ByteReader& in);
+/// The reader is bad after bytes that are none; lists are as long as the robot has devices.
+RobotReadings take_readings(ByteReader& in, const RobotModel& robot);
 void take_inbox(ByteReader& in, std::vector<std::vector<Message>>& inbox, std::uint64_t& since);
 
 }  // namespace stig

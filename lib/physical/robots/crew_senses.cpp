@@ -61,6 +61,27 @@ RobotSenses senses_of(const RobotModel& model) {
   return out;
 }
 
+NoiseAddress address_of(const CrewConfig& config, std::size_t robot, std::size_t device,
+                        const World& world) {
+  return {config.seed, static_cast<std::uint32_t>(robot), static_cast<std::uint32_t>(device),
+          world.tick()};
+}
+
+/// What the body sensors of a kind read.
+template <BodySensor Kind>
+void sense_bodies(const CrewConfig& config, const World& world, std::size_t number,
+                  RobotReadings& out) {
+  const CrewRobot& robot = config.robots[number];
+  auto& readings = Kind::readings(out);
+  readings.clear();
+  for (const typename Kind::Device& device : Kind::devices(*robot.model)) {
+    const BodyState body = world.state(robot.body.bodies[device.body]);
+    const std::size_t place = first_number<Kind>(*robot.model) + readings.size();
+    Random random = noise_stream(address_of(config, number, place, world));
+    readings.push_back(Kind::sense(device, {body.X_WB, body.velocity, body.spin}, random));
+  }
+}
+
 /// Whether no more is on its way than can be.
 template <class Queues>
 bool all_in_time(const Queues& queues, int latency) {
@@ -156,8 +177,12 @@ void CrewSenses::sense(const CrewConfig& config, const World& world, const Senso
   // In the first ticks, while readings are late.
   // Nothing has arrived yet: as if nothing were in reach.
   for (std::size_t i = out.rangefinders.size(); i < model.rangefinders.size(); ++i) {
-    out.rangefinders.push_back({without_hit(model.rangefinders[i]), 0});
+    out.rangefinders.push_back(reading_before<RangefinderKind>(model.rangefinders[i]));
   }
+  DeviceKinds::each([&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (BodySensor<Kind>) sense_bodies<Kind>(config, world, number, out);
+  });
 }
 
 CameraReading CrewSenses::see(const CrewConfig& config, const World& world,
@@ -169,8 +194,8 @@ CameraReading CrewSenses::see(const CrewConfig& config, const World& world,
   CameraReading out;
   if (senses.enabled[camera]) {
     // Addressed noise: what one sensor draws does not depend on what others do.
-    const NoiseAddress address{config.seed, static_cast<std::uint32_t>(number),
-                               static_cast<std::uint32_t>(camera), world.tick()};
+    const std::size_t place = first_number<CameraKind>(*robot.model) + camera;
+    const NoiseAddress address = address_of(config, number, place, world);
     const CameraView& view = senses.views[camera];
     out = read_camera(scene_, stig::look(index, view, X_WC), view, robot.camera_noise, address);
   }
@@ -188,10 +213,8 @@ std::vector<RangeReading> CrewSenses::feel(const CrewConfig& config, const World
   std::vector<RangeReading> out;
   for (std::size_t i = 0; i < model.rangefinders.size(); ++i) {
     const RangeDevice& device = model.rangefinders[i];
-    const NoiseAddress address{config.seed, static_cast<std::uint32_t>(number),
-                               // Cameras come first among a robot's sensors, for the addresses of
-                               // their noise.
-                               static_cast<std::uint32_t>(model.cameras.size() + i), world.tick()};
+    const std::size_t place = first_number<RangefinderKind>(model) + i;
+    const NoiseAddress address = address_of(config, number, place, world);
     out.push_back({read_range(index, device, pose_of(world, robot.body, device.body),
                               robot_owner(number), robot.range_noise, address),
                    0});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the robots of a crew perceive: their cameras and rangefinders, and the scene that those
-// look at.
+// What the robots of a crew perceive: their cameras and rangefinders, the scene that those look
+// at, and sensors that perceive nothing but their own body.
 #pragma once
 
 #include <vector>
@@ -33,7 +33,7 @@ class CrewSenses {
 
   /// Looks at everything as it stands now: for `sense`, as long as nothing moves.
   SensorIndex look(const CrewConfig& config, const World& world, const CrewSignals& signals);
-  /// Fills in what cameras and rangefinders read.
+  /// Fills in what sensors read.
   void sense(const CrewConfig& config, const World& world, const SensorIndex& index,
              std::size_t robot, RobotReadings& readings);
   /// Switches cameras on and off.

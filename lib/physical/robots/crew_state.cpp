@@ -10,10 +10,26 @@
 
 namespace stig {
 
+namespace {
+
+/// A reading for each device that has one.
+bool one_for_each(const RobotReadings& readings, const RobotModel& robot) {
+  bool out = true;
+  DeviceKinds::each([&](auto kind) {
+    using Kind = decltype(kind);
+    if constexpr (ReadKind<Kind>) {
+      out = out && Kind::readings(readings).size() == Kind::devices(robot).size();
+    }
+  });
+  return out;
+}
+
+}  // namespace
+
 // Histories and checkpoints take these bytes; their order is a format (base/byte_members.h).
-std::string bytes_of(const RobotReadings& readings) {
+std::string bytes_of(const RobotReadings& readings, const RobotModel& robot) {
   BytesOut out;
-  each_member(out, readings);
+  reading_members(out, readings, robot);
   return out.take();
 }
 
@@ -27,10 +43,12 @@ std::string bytes_of(const std::vector<std::vector<Message>>& inbox, std::uint64
   return out.take();
 }
 
-RobotReadings take_readings(ByteReader& in) {
+RobotReadings take_readings(ByteReader& in, const RobotModel& robot) {
   RobotReadings out;
   BytesIn each(in);
-  each_member(each, out);
+  reading_members(each, out, robot);
+  // Bytes of a checkpoint are untrusted: sizes must be those of the robot.
+  if (!one_for_each(out, robot)) in.fail();
   return out;
 }
 
@@ -99,19 +117,11 @@ bool Crew::fits() const {
 /// Feeds its program what it has read.
 bool Crew::bring_back_robot(std::size_t number) {
   Robot& robot = robots_[number];
-  const RobotModel& devices = model(number);
   // Restored by the history itself: begun iff there was a step.
   const bool begun = std::exchange(robot.begun, false);
   const bool good = robot.history.each([&](ByteReader& in) {
-    robot.readings = take_readings(in);
+    robot.readings = take_readings(in, model(number));
     if (!in.good() || !config_.robots[number].controller) return false;
-    const RobotReadings& r = robot.readings;
-    // Bytes of a checkpoint are untrusted: sizes must be those of the robot.
-    if (r.cameras.size() != devices.cameras.size() || r.radios.size() != devices.radios.size() ||
-        r.rangefinders.size() != devices.rangefinders.size() ||
-        r.joints.size() != devices.actuators.size()) {
-      return false;
-    }
     robot.commands = {};
     call_robot(number, robot.commands);
     return true;
