@@ -11,6 +11,7 @@
 
 #include "robots/device_actuator.h"
 #include "robots/device_camera.h"
+#include "robots/device_compass.h"
 #include "robots/device_drive.h"
 #include "robots/device_electromagnets.h"
 #include "robots/device_led.h"
@@ -31,7 +32,7 @@ struct KindList {
 };
 
 using DeviceKinds = KindList<DriveKind, LiftKind, ElectromagnetsKind, CameraKind, RangefinderKind,
-                             RadioKind, LedKind, ActuatorKind>;
+                             RadioKind, LedKind, ActuatorKind, CompassKind>;
 
 /// A robot may have several, each with a name.
 template <class Kind>
