@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// The settings of a scene's world.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "base/degree.h"
+#include "base/text.h"
+#include "physical/scene/scene_parts.h"
+
+namespace stig {
+
+namespace {
+
+// Numbers follow the first mention, so the same file gives the same numbers.
+/// The number of a material; a name seen for the first time gets the next.
+Material material_of(const std::string& name, std::vector<std::string>& names) {
+  const auto known = std::find(names.begin(), names.end(), name);
+  const auto number = static_cast<Material>(known - names.begin());
+  if (known == names.end()) names.push_back(name);
+  return number;
+}
+
+void read_friction_pairs(const FormView& table, Scene& scene) {
+  WorldConfig& config = scene.settings;
+  for (const FormView& pair : table.forms("pairs")) {
+    const auto of = pair.names("of");
+    if (scene.materials.size() > 250) return;  // of 256 there can be
+    const Material a = material_of(of[0], scene.materials), b = material_of(of[1], scene.materials);
+    // A pair that is listed again replaces the default, whichever way round it is written.
+    std::erase_if(config.frictions, [a, b](const FrictionPair& p) {
+      return (p.a == a && p.b == b) || (p.a == b && p.b == a);
+    });
+    config.frictions.push_back({a, b, pair.number("is")});
+  }
+}
+
+void read_magnets(const FormView& node, WorldConfig& config) {
+  config.magnet_cutoff = node.number("cutoff", config.magnet_cutoff);
+  config.magnet_contact = node.number("contact", config.magnet_contact);
+  config.relaxation.time = node.number("relaxation_time", config.relaxation.time);
+  config.relaxation.sweeps =
+      static_cast<int>(node.number("relaxation_sweeps", config.relaxation.sweeps));
+}
+
+void read_sleep(const FormView& node, SleepRules& sleep) {
+  sleep.enabled = node.flag("enabled", sleep.enabled);
+  sleep.time = node.number("time", sleep.time);
+  sleep.speed = node.number("speed", sleep.speed);
+  if (node.has("spin")) sleep.spin = node.number("spin") * kDegree;
+  sleep.waking_speed = node.number("waking_speed", sleep.waking_speed);
+  if (node.has("waking_spin")) sleep.waking_spin = node.number("waking_spin") * kDegree;
+  sleep.waking_force = node.number("waking_force", sleep.waking_force);
+}
+
+}  // namespace
+
+void read_settings(const FormView& root, SceneParts& parts) {
+  WorldConfig& config = parts.scene.settings;
+  config.step = root.number("step", config.step);
+  config.arena = root.number("arena", config.arena);
+  config.gravity = root.number("gravity", config.gravity);
+  config.floor = root.flag("floor", config.floor);
+  if (root.text("solver", "fast") == "stock") config.solver = SolverKind::stock;
+  parts.scene.sweeps = static_cast<int>(root.number("sweeps"));
+  // The paper's coefficients; files of blocks say others only to the compiler.
+  config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2}, {kBlockMaterial, kFloorMaterial, 0.4}};
+  config.friction = root.form("friction").number("default", config.friction);
+  read_friction_pairs(root.form("friction"), parts.scene);
+  read_magnets(root.form("magnets"), config);
+  parts.scene.magnets = root.form("magnets").flag("enabled", true);
+  read_sleep(root.form("sleep"), config.sleep);
+}
+
+/// Names of materials that nothing in the scene is made of are slips.
+void check_friction(const FormView& table, const SceneParts& parts) {
+  // Materials that robots of the scene do not have are still known names.
+  std::set<std::string_view> made{"block", "floor", "robot", "wheel", "caster"};
+  for (const RobotModel& robot : parts.scene.robot_models) {
+    for (const BodyModel& body : robot.bodies) made.insert(body.material);
+  }
+  const std::vector<std::string_view> known(made.begin(), made.end());
+  std::map<std::set<std::string>, FormView> pairs;
+  // By set: the order of the two does not matter.
+  for (const FormView& pair : table.forms("pairs")) {
+    const YamlNode* of = pair.find("of");
+    const auto names = pair.names("of");
+    const auto [first, fresh] = pairs.emplace(std::set(names.begin(), names.end()), pair);
+    if (!fresh && first->second.number("is") != pair.number("is")) {
+      parts.out
+          .add(Code::S609, parts.document.head(pair.node()),
+               "this pair of materials has another friction already")
+          .note(parts.document.head(first->second.node()), "it is given here");
+    }
+    for (const std::string& name : pair.names("of")) {
+      if (made.contains(name)) continue;
+      const std::string_view near = nearest(name, known);
+      parts.out.add(Code::S609, parts.document.head(of == nullptr ? pair.node() : *of),
+                    fmt::format("nothing is made of {}: materials are {}{}", in_quotes(name),
+                                fmt::join(known, ", "),
+                                near.empty() ? "" : fmt::format("; did you mean '{}'?", near)));
+    }
+  }
+}
+
+}  // namespace stig
