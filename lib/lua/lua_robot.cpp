@@ -91,6 +91,8 @@ void LuaDevice<Kind>::update(lua_State* state, const RobotSide& side,
                              const RobotReadings& readings) {
   const std::vector<int>& tables = side.tables<Kind>();
   const auto& told = Kind::readings(readings);
+  // Readings of a caller may be shorter than the robot's lists (tests do so); nobody is given what
+  // is not there.
   for (std::size_t i = 0; i < tables.size() && i < told.size(); ++i) {
     push_kept(state, tables[i]);
     put_fields(state, told[i]);
@@ -112,8 +114,6 @@ void open_robot(lua_State* state, RobotSide& side) {
 }
 
 void put_readings(lua_State* state, const RobotSide& side, const RobotReadings& readings) {
-  // Readings of a caller may be shorter than the robot's lists (tests do so); nobody is given what
-  // is not there.
   push_kept(state, side.system);
   put(state, "time", readings.time);
   put(state, "temperature", readings.temperature);

@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "base/hash.h"
+#include "physical/dynamics/world_settings.h"
 #include "physical/dynamics/world_state.h"
 
 namespace stig {
@@ -199,23 +200,19 @@ bool read_definitions(Taker& in, WorldConfig& out) {
   return in.good();
 }
 
+void write_setting(Writer& out, const auto& value) { out(value); }
+void write_setting(Writer& out, const std::vector<FrictionPair>& pairs) {
+  out(pairs.size());
+  for (const FrictionPair& pair : pairs) out(pair.a), out(pair.b), out(pair.coefficient);
+}
+
 // A checkpoint of another configuration would be read without complaint but for this.
 /// A hash of everything in the first configuration that a step depends on.
 std::uint64_t hash_of(const WorldState& world) {
   const WorldConfig& config = world.config;
   Writer out;
-  out(config.solver), out(config.step), out(config.gravity), out(config.floor), out(config.arena);
-  out(config.friction), out(config.frictions.size());
-  for (const FrictionPair& pair : config.frictions) {
-    out(pair.a), out(pair.b), out(pair.coefficient);
-  }
-  out(config.damping), out(config.angular_damping), out(config.magnet_cutoff),
-      out(config.magnet_contact), out(config.relaxation.time), out(config.relaxation.sweeps),
-      out(config.magnets), out(config.bearing_damping), out(config.snap.force);
-  const SleepRules& sleep = config.sleep;
-  out(config.small_steps), out(config.sweeps), out(sleep.enabled), out(sleep.time),
-      out(sleep.speed), out(sleep.spin);
-  out(sleep.waking_speed), out(sleep.waking_spin), out(sleep.waking_force);
+  visit_settings(
+      [&out](const Setting& /*setting*/, const auto& value) { write_setting(out, value); }, config);
   // Additions are in the checkpoint itself and so no part of the hash.
   write_definitions(out, config, 0, world.first_bodies, 0, world.first_joints);
   return hash_text(out.take());

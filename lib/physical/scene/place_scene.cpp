@@ -191,7 +191,6 @@ class Placer {
     check_names();
     if (out_.has_errors()) return std::nullopt;
     add_stock();
-    if (scene_.sweeps > 0) placed_.config.sweeps = scene_.sweeps;
     report_problems();
     if (out_.has_errors()) return std::nullopt;
     return std::move(placed_);

@@ -93,7 +93,6 @@ struct Scene {
   bool stop_failed = false;  ///< it ends as soon as every robot's program has failed
   WorldConfig settings;      ///< without bodies
   bool magnets = true;       ///< false: no block has any
-  int sweeps = 0;            ///< of the contact solver, in each small step; 0: as it chooses
   /// By number; robots' bodies name theirs.
   std::vector<std::string> materials{"block", "floor"};
   std::vector<BlockModel> models;

@@ -4,6 +4,7 @@
 // than a machine has, and so that units mistaken (mm for m) are noticed.
 #include "physical/scene/scene_keys.h"
 
+#include "physical/dynamics/world_settings.h"
 #include "physical/scene/scene.h"
 
 namespace stig {
@@ -62,42 +63,54 @@ const Form& friction_pair_keys() {
   return kKeys;
 }
 
+FormKey key_of(const Setting& setting, double /*value*/) {
+  FormKey key = real(setting.key, setting.doc, setting.low, setting.high);
+  key.above_low = setting.above_low;
+  return key;
+}
+FormKey key_of(const Setting& setting, int /*value*/) {
+  return whole(setting.key, setting.doc, setting.low, setting.high);
+}
+FormKey key_of(const Setting& setting, bool /*value*/) { return flag(setting.key, setting.doc); }
+template <class Choice>
+requires std::is_enum_v<Choice> FormKey key_of(const Setting& setting, Choice /*value*/) {
+  return word(setting.key, setting.doc, setting.words);
+}
+FormKey key_of(const Setting& setting, const std::vector<FrictionPair>& /*value*/) {
+  return {.name = setting.key,
+          .kind = forms,
+          .doc = setting.doc,
+          .form = &friction_pair_keys(),
+          .most = 1000};
+}
+
+/// The keys of a world's settings that stand in one mapping.
+void add_settings(std::string_view group, std::vector<FormKey>& out) {
+  const WorldConfig any;
+  visit_settings(
+      [&](const Setting& setting, const auto& value) {
+        if (setting.group == group) out.push_back(key_of(setting, value));
+      },
+      any);
+}
+Form settings_form(std::string_view title, std::string_view group, std::vector<FormKey> others) {
+  add_settings(group, others);
+  return {title, std::move(others)};
+}
+
 const Form& friction_keys() {
-  static const Form kKeys{"table of friction",
-                          {real("default", "Of pairs that are not listed (default: 0.5).", 0, 10),
-                           {.name = "pairs",
-                            .kind = forms,
-                            .doc = "Others than [block, block] 0.2 and [block, floor] 0.4.",
-                            .form = &friction_pair_keys(),
-                            .most = 1000}}};
+  static const Form kKeys = settings_form("table of friction", "friction", {});
   return kKeys;
 }
 
 const Form& magnet_keys() {
-  static const Form kKeys{
-      "magnets' settings",
-      {
-          flag("enabled", "false: no block has magnets."),
-          above_zero("cutoff", "m, beyond which magnets ignore each other.", 10),
-          above_zero("contact", "m: nearer magnets pull as at this distance.", 10),
-          above_zero("relaxation_time", "s, in which free magnets turn to the field.", 1),
-          whole("relaxation_sweeps", "Turns of every magnet in a step.", 1, 1000),
-      }};
+  static const Form kKeys = settings_form("magnets' settings", "magnets",
+                                          {flag("enabled", "false: no block has magnets.")});
   return kKeys;
 }
 
 const Form& sleep_keys() {
-  static const Form kKeys{
-      "sleep settings",
-      {
-          flag("enabled", "false: nothing ever sleeps."),
-          above_zero("time", "s, for which all that touch must be at rest.", 1e3),
-          real("speed", "m/s, below which a body is at rest.", 0, 10),
-          real("spin", "Degrees a second, likewise.", 0, 1e4),
-          real("waking_speed", "m/s, of a body that wakes what it touches.", 0, 10),
-          real("waking_spin", "Degrees a second, likewise.", 0, 1e4),
-          real("waking_force", "N, of passing magnets that wake.", 0, 1e3),
-      }};
+  static const Form kKeys = settings_form("sleep settings", "sleep", {});
   return kKeys;
 }
 
@@ -216,76 +229,69 @@ const Form& noise_keys() {
   return kKeys;
 }
 
+/// What stands in the scene, and what is done with it.
+std::vector<FormKey> content_keys() {
+  return {
+      {.name = "blocks",
+       .kind = forms,
+       .doc = "Blocks and structures of blocks.",
+       .form = &block_keys(),
+       .most = 20'000},
+      {.name = "robots",
+       .kind = forms,
+       .doc = "Robots and their programs.",
+       .form = &robot_keys(),
+       .most = 1000},
+      {.name = "caches",
+       .kind = forms,
+       .doc = "Where new blocks come from.",
+       .form = &cache_keys(),
+       .most = 1000},
+      {.name = "robot_program",
+       .kind = text,
+       .doc = "Lua file that robots without a program of their own run."},
+      {.name = "block_program",
+       .kind = text,
+       .doc = "Lua file that every block runs: stigmergic.lua is the paper's."},
+      {.name = "script",
+       .kind = text,
+       .doc = "Lua file of the experiment: on_start, on_step, on_end."},
+      whole("stock", "Blocks that the script may drop (default: 0).", 0, 10'000),
+      flag("lights", "false: no LED shines."),
+      {.name = "noise",
+       .kind = form,
+       .doc = "What sensors get wrong (default: nothing).",
+       .form = &noise_keys()},
+  };
+}
+
+Form make_scene_form() {
+  Form out{"scene",
+           {{.name = "stigc_scene",
+             .kind = version,
+             .required = true,
+             .doc = "Version of the format: 1.",
+             .high = 1},
+            {.name = "title", .kind = FormKind::name, .doc = "One line for people."},
+            // 2^53: a seed beyond could not be written in YAML or JSON without loss.
+            whole("seed", "Of all random choices (default: 1).", 0, 9007199254740992.0),
+            above_zero("duration", "s of simulated time (default: 10).", kMostSeconds)}};
+  add_settings("", out.keys);
+  const auto add_form = [&out](std::string_view name, std::string_view doc, const Form& form) {
+    out.keys.push_back({.name = name, .kind = FormKind::form, .doc = doc, .form = &form});
+  };
+  add_form("friction", "Coefficients of pairs of materials.", friction_keys());
+  add_form("magnets", "How magnets are computed.", magnet_keys());
+  add_form("sleep", "When bodies fall asleep and wake.", sleep_keys());
+  add_form("stop", "What ends a run before its duration.", stop_keys());
+  for (FormKey& key : content_keys()) out.keys.push_back(std::move(key));
+  return out;
+}
+
 }  // namespace
 
 const Form& scene_keys() {
-  static const Form kKeys{
-      // 2^53: a seed beyond could not be written in YAML or JSON without loss.
-      "scene",
-      {
-          {.name = "stigc_scene",
-           .kind = version,
-           .required = true,
-           .doc = "Version of the format: 1.",
-           .high = 1},
-          {.name = "title", .kind = FormKind::name, .doc = "One line for people."},
-          whole("seed", "Of all random choices (default: 1).", 0, 9007199254740992.0),
-          above_zero("duration", "s of simulated time (default: 10).", kMostSeconds),
-          real("step", "s (default: 0.005).", 1e-6, 0.02),
-          above_zero("arena", "m: what is farther from the origin has left (default: 100).", kFar),
-          real("gravity", "m/s² (default: 9.8).", 0, 1000),
-          flag("floor", "Is there a floor at z = 0? (default: true)"),
-          {.name = "friction",
-           .kind = form,
-           .doc = "Coefficients of pairs of materials.",
-           .form = &friction_keys()},
-          word("solver", "fast, or stock: DART's own, slow, for comparison (default: fast).",
-               {"fast", "stock"}),
-          whole("sweeps", "Of the contact solver, in each of its small steps (default: 1).", 1,
-                10'000),
-          {.name = "magnets",
-           .kind = form,
-           .doc = "How magnets are computed.",
-           .form = &magnet_keys()},
-          {.name = "sleep",
-           .kind = form,
-           .doc = "When bodies fall asleep and wake.",
-           .form = &sleep_keys()},
-          {.name = "stop",
-           .kind = form,
-           .doc = "What ends a run before its duration.",
-           .form = &stop_keys()},
-          {.name = "blocks",
-           .kind = forms,
-           .doc = "Blocks and structures of blocks.",
-           .form = &block_keys(),
-           .most = 20'000},
-          {.name = "robots",
-           .kind = forms,
-           .doc = "Robots and their programs.",
-           .form = &robot_keys(),
-           .most = 1000},
-          {.name = "caches",
-           .kind = forms,
-           .doc = "Where new blocks come from.",
-           .form = &cache_keys(),
-           .most = 1000},
-          {.name = "robot_program",
-           .kind = text,
-           .doc = "Lua file that robots without a program of their own run."},
-          {.name = "block_program",
-           .kind = text,
-           .doc = "Lua file that every block runs: stigmergic.lua is the paper's."},
-          {.name = "script",
-           .kind = text,
-           .doc = "Lua file of the experiment: on_start, on_step, on_end."},
-          whole("stock", "Blocks that the script may drop (default: 0).", 0, 10'000),
-          flag("lights", "false: no LED shines."),
-          {.name = "noise",
-           .kind = form,
-           .doc = "What sensors get wrong (default: nothing).",
-           .form = &noise_keys()},
-      }};
+  static const Form kKeys = make_scene_form();
   return kKeys;
 }
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "base/degree.h"
 #include "base/text.h"
+#include "physical/dynamics/world_settings.h"
 #include "physical/scene/scene_parts.h"
 
 namespace stig {
@@ -37,41 +37,37 @@ void read_friction_pairs(const FormView& table, Scene& scene) {
   }
 }
 
-void read_magnets(const FormView& node, WorldConfig& config) {
-  config.magnet_cutoff = node.number("cutoff", config.magnet_cutoff);
-  config.magnet_contact = node.number("contact", config.magnet_contact);
-  config.relaxation.time = node.number("relaxation_time", config.relaxation.time);
-  config.relaxation.sweeps =
-      static_cast<int>(node.number("relaxation_sweeps", config.relaxation.sweeps));
+void read_value(const FormView& view, const Setting& setting, auto& value) {
+  using Value = std::remove_cvref_t<decltype(value)>;
+  if (!view.has(setting.key)) return;
+  if constexpr (std::is_enum_v<Value>) {
+    const auto& words = setting.words;
+    const auto word = std::find(words.begin(), words.end(), view.text(setting.key));
+    value = static_cast<Value>(word - words.begin());
+  } else {
+    value = static_cast<Value>(view.number(setting.key) * setting.unit);
+  }
 }
-
-void read_sleep(const FormView& node, SleepRules& sleep) {
-  sleep.enabled = node.flag("enabled", sleep.enabled);
-  sleep.time = node.number("time", sleep.time);
-  sleep.speed = node.number("speed", sleep.speed);
-  if (node.has("spin")) sleep.spin = node.number("spin") * kDegree;
-  sleep.waking_speed = node.number("waking_speed", sleep.waking_speed);
-  if (node.has("waking_spin")) sleep.waking_spin = node.number("waking_spin") * kDegree;
-  sleep.waking_force = node.number("waking_force", sleep.waking_force);
+void read_value(const FormView& view, const Setting& setting, bool& value) {
+  value = view.flag(setting.key, value);
 }
+/// Their materials take more: see read_friction_pairs.
+void read_value(const FormView& /*view*/, const Setting& /*setting*/,
+                std::vector<FrictionPair>& /*pairs*/) {}
 
 }  // namespace
 
 void read_settings(const FormView& root, SceneParts& parts) {
   WorldConfig& config = parts.scene.settings;
-  config.step = root.number("step", config.step);
-  config.arena = root.number("arena", config.arena);
-  config.gravity = root.number("gravity", config.gravity);
-  config.floor = root.flag("floor", config.floor);
-  if (root.text("solver", "fast") == "stock") config.solver = SolverKind::stock;
-  parts.scene.sweeps = static_cast<int>(root.number("sweeps"));
   // The paper's coefficients; files of blocks say others only to the compiler.
   config.frictions = {{kBlockMaterial, kBlockMaterial, 0.2}, {kBlockMaterial, kFloorMaterial, 0.4}};
-  config.friction = root.form("friction").number("default", config.friction);
+  visit_settings(
+      [&root](const Setting& setting, auto& value) {
+        read_value(setting.group.empty() ? root : root.form(setting.group), setting, value);
+      },
+      config);
   read_friction_pairs(root.form("friction"), parts.scene);
-  read_magnets(root.form("magnets"), config);
   parts.scene.magnets = root.form("magnets").flag("enabled", true);
-  read_sleep(root.form("sleep"), config.sleep);
 }
 
 /// Names of materials that nothing in the scene is made of are slips.

@@ -204,17 +204,19 @@ TEST_CASE("configurations that make no world are refused, with the body named") 
   CHECK(complaint([](auto& c) { c.bodies[0].X_WB.p.x += 0.02; }) == "bodies 0 and 1 overlap");
   CHECK(complaint([](auto& c) { c.bodies[0].shape = Shape::sphere(9.9); }) ==
         "the largest body is more than 200 times the smallest");
-  CHECK(complaint([](auto& c) { c.step = 1; }) == "the step must be above 0, at most 20 ms");
+  CHECK(complaint([](auto& c) { c.step = 1; }) == "step must be at least 1e-06 and at most 0.02");
   CHECK(complaint([](auto& c) { c.magnets = MagnetModel::integrated; }) ==
         "integrated magnets need a step of at most 1 ms");
   CHECK(complaint([](auto& c) { c.bearing_damping = -1; }) ==
-        "bearing damping must not be negative");
-  CHECK(complaint([](auto& c) { c.snap.force = 0; }) == "the force of a snap must be above 0");
+        "magnets.bearing_damping must be at least 0 and at most 1");
+  CHECK(complaint([](auto& c) { c.snap.force = 0; }) ==
+        "magnets.snap_force must be above 0 and at most 10000");
   CHECK(complaint([](auto& c) { c.bodies[0].magnets[3].inertia = 0; }) ==
         "body 0 has a magnet that is none");
   CHECK(complaint([](auto& c) { c.bodies[0].magnets[3].active = kNaN; }) ==
         "body 0 has a magnet that is none");
-  CHECK(complaint([](auto& c) { c.friction = -1; }) == "friction must not be negative");
+  CHECK(complaint([](auto& c) { c.friction = -1; }) ==
+        "friction.default must be at least 0 and at most 10");
   CHECK(complaint([](auto& c) { c.bodies.resize(100'000, c.bodies[0]); }) ==
         "there may be at most 20000 bodies");
 }
