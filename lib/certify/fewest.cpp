@@ -250,7 +250,8 @@ class Derivation {
   }
 
   /// Every pair of cells that the rule compares is in the clause as "differs"; more would
-  /// only weaken it. Under B the clause may also say that the two sites are equal.
+  /// only weaken it. Under B the clause also says that the two sites are equal: colours under
+  /// which they look alike are none of a clash if they are.
   bool compares_all(const Clause& clause, Cell from, Cell to, const Orientation& g,
                     std::uint32_t state, std::optional<std::uint32_t> same_site) const {
     const auto pair_of = [&](Cell x, Cell y) {
@@ -258,6 +259,7 @@ class Derivation {
       return std::pair(std::min(a, b), std::max(a, b));
     };
     std::set<std::pair<std::int64_t, std::int64_t>> differ;
+    bool equal = false;
     for (const std::int64_t literal : clause) {
       const auto found = pairs_.find(literal < 0 ? -literal : literal);
       // A literal that is no known pair could make the clause mean anything; with it,
@@ -265,7 +267,9 @@ class Derivation {
       if (found == pairs_.end()) return false;
       if (literal < 0) {
         differ.insert(found->second);
-      } else if (!same_site || found->second != pair_of(from, to)) {
+      } else if (same_site && found->second == pair_of(from, to)) {
+        equal = true;
+      } else {
         return false;
       }
     }
@@ -280,8 +284,8 @@ class Derivation {
       // literal is needed.
       if (pair.first != pair.second && !differ.contains(pair)) return false;
     }
-    // Two sites of one orbit have one colour: they do not clash.
-    return !same_site || pair_of(from, to).first != pair_of(from, to).second;
+    // Never so for sites of one orbit, which do not clash: a pair has two.
+    return !same_site || equal;
   }
 
   const ColourProblem& p_;
