@@ -33,11 +33,16 @@ TEST_CASE("what cannot come in is refused, and nothing changes") {
   World world(column_scene(paper_block(), 2));
   run(world, 0.1);
   const std::uint64_t hash = world.hash();
-  CHECK(world.add({{block_at({0, 0, 0.03})}, {}}).problem == "body 0 overlaps body 0 of the world");
+  const AddResult onto = world.add({{block_at({0, 0, 0.09})}, {}});
+  CHECK(onto.problem == "body 0 overlaps body 1 of the world");
+  CHECK(onto.overlaps);
+  CHECK(onto.other == BodyId{1});
   CHECK(world.add({{block_at({1, 0, 0.2}), block_at({1, 0, 0.22})}, {}}).problem ==
         "bodies 0 and 1 overlap");
   CHECK(world.add({{block_at({1, 0, 0})}, {}}).problem == "body 0 is in the floor");
-  CHECK(world.add({{block_at({1e6, 0, 1})}, {}}).problem == "body 0 is outside of the arena");
+  const AddResult outside = world.add({{block_at({1e6, 0, 1})}, {}});
+  CHECK(outside.problem == "body 0 is outside of the arena");
+  CHECK_FALSE(outside.overlaps);
   BodyDef none = block_at({1, 0, 1});
   none.mass = 0;
   CHECK(world.add({{none}, {}}).problem == "body 0 has a mass that is not positive");

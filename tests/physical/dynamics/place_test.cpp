@@ -77,7 +77,9 @@ TEST_CASE("where it cannot be it is not put, and nothing changes") {
   CHECK(onto.body == BodyId{2});
   CHECK(onto.other == BodyId{0});
   CHECK(onto.problem == "body 2 would overlap body 0");
-  CHECK(world.place(BodyId{2}, {{1, 0, 0.02}, {}}).problem == "it would be in the floor");
+  const PlaceResult sunk = world.place(BodyId{2}, {{1, 0, 0.02}, {}});
+  CHECK(sunk.problem == "it would be in the floor");
+  CHECK_FALSE(sunk.overlaps);
   CHECK(world.place(BodyId{2}, {{11, 0, 1}, {}}).problem == "it would be outside of the arena");
   CHECK(world.place(BodyId{2}, {{1e308 * 10, 0, 1}, {}}).problem ==
         "it would be outside of the arena");
