@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The keys of a rule set file, as one table.
 //
-// Two readers share it: check_shape, which holds a file to it and reports every
-// diagnostic R1xx, and json_schema, which prints it as JSON Schema draft 7 for
-// editors. What the table cannot say (symbols that are not defined, rules that
+// Two share it that know nothing else of a file: check_shape, which holds a file to it and
+// reports every diagnostic R1xx, and json_schema, which prints it as JSON Schema draft 7 for
+// editors. The reader of plain values and the printer take from it what belongs to the members
+// of RuleSet (key_field.h). What the table cannot say (symbols that are not defined, rules that
 // contradict each other) are diagnostics R2xx and R3xx; a schema cannot see them.
 #pragma once
 
@@ -70,6 +71,8 @@ struct ObjectSchema {
 };
 
 const ObjectSchema& object_schema(ObjectKind kind);
+/// Of a key that is there; `a/b` is the key b of the mapping under a (key_field.h).
+const KeySchema& key_schema(ObjectKind kind, std::string_view path);
 
 /// The version of the file format that is read.
 inline constexpr int kFormatVersion = 1;
