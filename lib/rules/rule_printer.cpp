@@ -10,6 +10,7 @@
 #include "base/yaml.h"
 #include "rules/pattern_text.h"
 #include "rules/rule_schema.h"
+#include "rules/value_texts.h"
 
 namespace stig {
 
@@ -57,7 +58,7 @@ RuleSet with_whole_legend(RuleSet rules) {
 /// Writes the file line by line, each comment with the element it belongs to.
 class Printer {
  public:
-  explicit Printer(const RuleSet& rules) : rules_(rules) {
+  explicit Printer(const RuleSet& rules) : rules_(rules), texts_(rules) {
     for (const Comment& comment : rules.comments) {
       Comments& of = comments_[comment.element];
       (comment.trailing && of.trailing.empty() ? of.trailing : of.leading).push_back(comment.text);
@@ -65,15 +66,17 @@ class Printer {
   }
 
   std::string print() {
-    header();
-    bricks();
-    legend();
-    box();
-    stages();
-    start();
-    physical();
-    expect();
-    rule_list();
+    RuleSet usual;
+    // The symmetry is always written: without it nobody can say what a rule means.
+    usual.symmetry = rules_.symmetry == Symmetry::none ? Symmetry::rotations : Symmetry::none;
+    for (const KeySchema& schema : object_schema(ObjectKind::rule_set).keys) {
+      if (schema.name == "stigc") line(0, "stigc", fmt::format("stigc: {}", kFormatVersion));
+      for_each_pair(rules_, usual, [&](const auto& field, const auto& otherwise) {
+        if (field.key != schema.name) return;
+        const bool written = schema.required || !same_fields(field.value, otherwise.value);
+        written ? member(schema, field.value) : absent(0, std::string(schema.name));
+      });
+    }
     for (const std::string& text : comments_[""].leading) out_ += text + "\n";
     return std::move(out_);
   }
@@ -95,6 +98,14 @@ class Printer {
     comments_before(indent, element);
     put_comments(indent, comments_[element].trailing);
   }
+  /// The same of all keys of a mapping that are not written.
+  void absent_keys(const std::string& path, ObjectKind kind, const std::vector<KeyText>& written) {
+    for (const KeySchema& schema : object_schema(kind).keys) {
+      const bool found = std::any_of(written.begin(), written.end(),
+                                     [&](const KeyText& key) { return key.key == schema.name; });
+      if (!found) absent(2, path + "/" + std::string(schema.name));
+    }
+  }
   void put(std::size_t indent, const std::string& element, std::string_view text) {
     out_ += std::string(indent, ' ');
     out_ += text;
@@ -105,186 +116,82 @@ class Printer {
     comments_before(indent, element);
     put(indent, element, text);
   }
-  void rows(std::size_t indent, std::string_view text) {
-    for (std::size_t i = 0; i < text.size();) {
-      const std::size_t end = std::min(text.find('\n', i), text.size());
-      out_ += std::string(indent, ' ');
-      out_ += text.substr(i, end - i);
+  void key_lines(std::size_t indent, const std::string& path, const KeyText& key) {
+    line(indent, path + "/" + key.key, key.key + ": " + key.text);
+    for (std::size_t i = 0; i < key.rows.size();) {
+      const std::size_t end = std::min(key.rows.find('\n', i), key.rows.size());
+      out_ += std::string(indent + 2, ' ');
+      out_ += key.rows.substr(i, end - i);
       out_ += "\n";
       i = end + 1;
     }
   }
-  void key(const std::string& name, bool present, const std::string& value) {
-    present ? line(0, name, name + ": " + value) : absent(0, name);
+
+  /// On one line.
+  template <class T>
+  void member(const KeySchema& schema, const T& value) {
+    const std::string name(schema.name);
+    line(0, name, name + ": " + texts_.text(value, schema, false));
   }
 
-  void header() {
-    key("stigc", true, fmt::format("{}", kFormatVersion));
-    key("name", true, yaml_text(rules_.name));
-    key("title", !rules_.title.empty(), yaml_text(rules_.title));
-    key("source", !rules_.source.empty(), yaml_text(rules_.source));
-    key("lattice", true, std::string(to_string(rules_.lattice)));
-    key("symmetry", true, std::string(to_string(rules_.symmetry)));
-    key("inversion", rules_.inversion, "true");
-    key("floor", rules_.floor, "true");
-    key("conflicts", rules_.conflicts != Conflicts::error,
-        std::string(to_string(rules_.conflicts)));
-  }
-
-  void bricks() {
+  void member(const KeySchema& schema, const std::vector<Brick>& bricks) {
     line(0, "bricks", "bricks:");
-    for (const Brick& brick : rules_.bricks) {
-      std::string fields;
-      if (brick.name != brick.symbol) fields += "name: " + yaml_text(brick.name, true) + ", ";
-      fields += fmt::format("color: \"{}\"", brick.color);
-      if (!brick.led.empty()) fields += ", led: " + brick.led;
-      line(2, "bricks/" + brick.symbol, fmt::format("{}: {{{}}}", yaml_text(brick.symbol), fields));
+    for (const Brick& brick : bricks) {
+      Brick usual;
+      usual.name = brick.symbol;
+      line(2, "bricks/" + brick.symbol,
+           yaml_text(brick.symbol) + ": " + texts_.mapping(brick, usual, schema.object));
     }
   }
 
-  /// Symbols in brackets that together stand for a set of states.
-  std::string state_list(StateSet states, bool by_legend) const {
-    const auto symbol = find_symbol(rules_, states);
-    const bool is_legend = std::any_of(rules_.legend.begin(), rules_.legend.end(),
-                                       [&](const auto& entry) { return entry.symbol == symbol; });
-    if (symbol && (by_legend || !is_legend)) return "[" + yaml_text(*symbol, true) + "]";
-    std::string out;
-    const auto add = [&](std::string_view text) {
-      out += (out.empty() ? "" : ", ") + yaml_text(text, true);
-    };
-    if (states.contains(kEmpty)) add(".");
-    for (Colour c = 1; c <= rules_.colours(); ++c) {
-      if (states.contains(c)) add(rules_.brick(c).symbol);
-    }
-    if (states.contains(kFloor)) add("=");
-    return "[" + out + "]";
-  }
-
-  void legend() {
-    if (rules_.legend.empty()) return absent(0, "legend");
+  void member(const KeySchema& /*schema*/, const std::vector<LegendEntry>& legend) {
     line(0, "legend", "legend:");
-    for (const LegendEntry& entry : rules_.legend) {
+    for (const LegendEntry& entry : legend) {
       line(2, "legend/" + entry.symbol,
-           yaml_text(entry.symbol) + ": " + state_list(entry.states, false));
+           yaml_text(entry.symbol) + ": " + texts_.state_list(entry.states, false));
     }
   }
 
-  void box() {
-    if (!rules_.box) return absent(0, "box");
-    const BoxSpec& box = *rules_.box;
-    std::string text = fmt::format("box: {{size: [{}, {}, {}]", box.size.x, box.size.y, box.size.z);
-    if (box.origin) {
-      text += fmt::format(", origin: [{}, {}, {}]", box.origin->x, box.origin->y, box.origin->z);
-    }
-    line(0, "box", text + (box.periodic ? ", periodic: true}" : "}"));
-  }
-
-  void stages() {
-    if (rules_.stages.empty()) return absent(0, "stages");
-    std::string text;
-    for (const auto& [stage, deposits] : rules_.stages) {
-      text += fmt::format("{}{}: {}", text.empty() ? "" : ", ", stage, deposits);
-    }
-    line(0, "stages", "stages: {" + text + "}");
-  }
-
-  void start() {
-    line(0, "start", rules_.start.empty() ? "start: []" : "start:");
-    for (std::size_t i = 0; i < rules_.start.size(); ++i) {
-      const auto& [at, brick] = rules_.start[i];
+  void member(const KeySchema& schema, const std::vector<PlacedBrick>& start) {
+    line(0, "start", start.empty() ? "start: []" : "start:");
+    for (std::size_t i = 0; i < start.size(); ++i) {
       line(2, fmt::format("start/{}", i),
-           fmt::format("- {{at: [{}, {}, {}], brick: {}}}", at.x, at.y, at.z,
-                       yaml_text(rules_.brick(brick).symbol, true)));
+           "- " + texts_.mapping(start[i], PlacedBrick(), schema.object));
     }
   }
 
-  void physical() {
-    if (!rules_.physical) return absent(0, "physical");
-    const PhysicalSpec& physical = *rules_.physical;
-    if (physical.sides.empty()) absent(0, "physical/sides");
-    line(0, "physical", physical.sides.empty() && !physical.robots ? "physical: {}" : "physical:");
-    if (!physical.sides.empty()) {
-      line(2, "physical/sides", fmt::format("sides: [{}]", fmt::join(physical.sides, ", ")));
-    }
-    if (physical.robots) line(2, "physical/robots", fmt::format("robots: {}", *physical.robots));
+  /// A mapping with a line for each key.
+  template <HasFields T>
+  void member(const KeySchema& schema, const std::optional<T>& object) {
+    const std::string name(schema.name);
+    const auto keys = texts_.keys(*object, T(), schema.object, false);
+    absent_keys(name, schema.object, keys);
+    line(0, name, keys.empty() ? name + ": {}" : name + ":");
+    for (const KeyText& key : keys) key_lines(2, name, key);
+  }
+  void member(const KeySchema& schema, const std::optional<BoxSpec>& box) {
+    line(0, "box", "box: " + texts_.mapping(*box, BoxSpec(), schema.object));
   }
 
-  void expect() {
-    if (!rules_.expect) return absent(0, "expect");
-    const Expectation& expect = *rules_.expect;
-    const bool any = expect.bricks || expect.verdict || !expect.structure.empty();
-    line(0, "expect", any ? "expect:" : "expect: {}");
-    if (expect.bricks) line(2, "expect/bricks", fmt::format("bricks: {}", *expect.bricks));
-    if (expect.verdict) {
-      line(2, "expect/verdict", fmt::format("verdict: {}", to_string(*expect.verdict)));
-    }
-    if (expect.structure.empty()) return;
-    line(2, "expect/structure", "structure: |");
-    rows(4, draw_structure(rules_, expect.structure));
-  }
-
-  void rule_list() {
-    line(0, "rules", rules_.rules.empty() ? "rules: []" : "rules:");
-    for (std::size_t i = 0; i < rules_.rules.size(); ++i) {
-      one_rule(rules_.rules[i], fmt::format("rules/{}", i));
+  void member(const KeySchema& schema, const std::vector<Rule>& rules) {
+    line(0, "rules", rules.empty() ? "rules: []" : "rules:");
+    for (std::size_t i = 0; i < rules.size(); ++i) {
+      one_rule(texts_.keys(rules[i], Rule(), schema.object, false), fmt::format("rules/{}", i));
     }
   }
 
-  /// The keys of a rule that are written, but for its drawing, in order.
-  std::vector<std::pair<std::string, std::string>> fields(const Rule& rule) const {
-    std::vector<std::pair<std::string, std::string>> out;
-    if (rule.stage > 0) out.emplace_back("stage", fmt::format("{}", rule.stage));
-    out.emplace_back("place", yaml_text(rules_.brick(rule.place).symbol));
-    if (rule.probability != 1) out.emplace_back("probability", fmt::format("{}", rule.probability));
-    if (rule.weight != 1) out.emplace_back("weight", fmt::format("{}", rule.weight));
-    if (rule.symmetry) out.emplace_back("symmetry", to_string(*rule.symmetry));
-    if (rule.inversion) out.emplace_back("inversion", *rule.inversion ? "true" : "false");
-    out.emplace_back("when", rules_.lattice == Lattice::hexagonal ? "|2" : "|");
-    if (rule.height_min || rule.height_max) out.emplace_back("height", height(rule));
-    if (!rule.counts.empty()) out.emplace_back("count", counts(rule));
-    return out;
-  }
-
-  void one_rule(const Rule& rule, const std::string& path) {
-    const auto written = fields(rule);
-    for (const KeySchema& schema : object_schema(ObjectKind::rule).keys) {
-      const bool found = schema.name == "name" ||
-                         std::any_of(written.begin(), written.end(),
-                                     [&](const auto& field) { return field.first == schema.name; });
-      if (!found) absent(2, path + "/" + std::string(schema.name));
-    }
+  /// The name comes first, and its line begins the rule.
+  void one_rule(const std::vector<KeyText>& keys, const std::string& path) {
+    absent_keys(path, ObjectKind::rule, keys);
     comments_before(2, path);
     comments_before(2, path + "/name");
     put_comments(2, comments_[path].trailing);
-    put(2, path + "/name", "- name: " + yaml_text(rule.name));
-    for (const auto& [name, value] : written) {
-      line(4, path + "/" + name, name + ": " + value);
-      if (name == "when") rows(6, draw_pattern(rules_, rule.pattern));
-    }
-  }
-
-  static std::string height(const Rule& rule) {
-    std::string out;
-    if (rule.height_min) out = fmt::format("min: {}", *rule.height_min);
-    if (rule.height_max) {
-      out += fmt::format("{}max: {}", out.empty() ? "" : ", ", *rule.height_max);
-    }
-    return "{" + out + "}";
-  }
-
-  std::string counts(const Rule& rule) const {
-    std::string out;
-    for (const CountCondition& count : rule.counts) {
-      out += (out.empty() ? "{of: " : ", {of: ") + state_list(count.of, true);
-      if (count.faces_only) out += ", among: faces";
-      if (count.min > 0) out += fmt::format(", min: {}", count.min);
-      if (count.max < kMaxNeighbours) out += fmt::format(", max: {}", count.max);
-      out += "}";
-    }
-    return "[" + out + "]";
+    put(2, path + "/name", "- name: " + keys.front().text);
+    for (std::size_t i = 1; i < keys.size(); ++i) key_lines(4, path, keys[i]);
   }
 
   const RuleSet& rules_;
+  ValueTexts texts_;
   std::string out_;
   std::unordered_map<std::string, Comments> comments_;
 };

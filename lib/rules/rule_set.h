@@ -3,13 +3,10 @@
 // (rule_table.h) is the compiled form that worlds run on; neither turns into the
 // other in place.
 //
-// Meaning. A rule places one brick in an empty site whose neighbourhood matches
-// its pattern, in some orientation of the symmetry group, when its conditions
-// hold. Bricks are never removed. A site with a match is an event; agents only
-// choose the order of events. See docs/language.md for the file form.
+// A site where a rule of it matches (rule.h) is an event; agents only choose the order of
+// events. See docs/language.md for the file form.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -17,44 +14,13 @@
 #include <vector>
 
 #include "base/source.h"
+#include "rules/cell.h"
+#include "rules/key_field.h"
 #include "rules/neighbourhood.h"
+#include "rules/rule.h"
 #include "rules/symmetry.h"
 
 namespace stig {
-
-/// The states allowed at each neighbour index; unused indices hold anything().
-struct Pattern {
-  std::array<StateSet, kMaxNeighbours> allowed;
-  Pattern() { allowed.fill(StateSet::anything()); }
-  bool operator==(const Pattern&) const = default;
-};
-
-/// How many neighbours show a state of a set: min <= number <= max.
-struct CountCondition {
-  StateSet of;
-  bool faces_only = false;  ///< among: faces | all
-  int min = 0;
-  int max = kMaxNeighbours;
-  SourceRange range;
-};
-
-/// Stages are numbered 1..kMaxStage, so that a set of stages fits a 64-bit word.
-inline constexpr int kMaxStage = 63;
-
-struct Rule {
-  std::string name;
-  Colour place = 0;
-  Pattern pattern;
-  std::optional<int> height_min, height_max;  ///< of the site, inclusive; floor = 0
-  std::vector<CountCondition> counts;
-  double probability = 1;            ///< in (0, 1]: chance to fire when chosen
-  double weight = 1;                 ///< > 0: share in `conflicts: random`
-  int stage = 0;                     ///< 1..; 0: active in every stage
-  std::optional<Symmetry> symmetry;  ///< for this rule alone
-  std::optional<bool> inversion;     ///< for this rule alone
-  SourceRange range;                 ///< the whole entry
-  SourceRange name_range, place_range, when_range;
-};
 
 struct Brick {
   std::string symbol;  ///< what drawings use
@@ -147,6 +113,60 @@ struct RuleSet {
   Symmetry symmetry_of(const Rule& rule) const { return rule.symmetry.value_or(symmetry); }
   bool inversion_of(const Rule& rule) const { return rule.inversion.value_or(inversion); }
 };
+
+template <SameButConst<Brick> B>
+auto fields(B& brick) {
+  auto& [symbol, name, color, led, range] = brick;
+  return std::tuple(KeyField{"", symbol}, KeyField{"name", name, Hashed::never},
+                    KeyField{"color", color, Hashed::never}, KeyField{"led", led});
+}
+
+template <SameButConst<LegendEntry> E>
+auto fields(E& entry) {
+  auto& [symbol, states, range] = entry;
+  return std::tuple(KeyField{"", symbol}, KeyField{"", states});
+}
+
+template <SameButConst<PlacedBrick> B>
+auto fields(B& placed) {
+  auto& [at, brick] = placed;
+  return std::tuple(KeyField{"at", at}, KeyField{"brick", brick});
+}
+
+template <SameButConst<BoxSpec> B>
+auto fields(B& box) {
+  auto& [size, origin, periodic] = box;
+  return std::tuple(KeyField{"size", size}, KeyField{"origin", origin},
+                    KeyField{"periodic", periodic});
+}
+
+template <SameButConst<PhysicalSpec> P>
+auto fields(P& physical) {
+  auto& [sides, robots] = physical;
+  return std::tuple(KeyField{"sides", sides}, KeyField{"robots", robots});
+}
+
+template <SameButConst<Expectation> E>
+auto fields(E& expect) {
+  auto& [bricks, verdict, structure, range, bricks_range, verdict_range, structure_range] = expect;
+  return std::tuple(KeyField{"bricks", bricks}, KeyField{"verdict", verdict},
+                    KeyField{"structure", structure});
+}
+
+template <SameButConst<RuleSet> S>
+auto fields(S& set) {
+  auto& [name, title, source, lattice, symmetry, inversion, floor, conflicts, bricks, legend, start,
+         rules, stages, box, physical, expect, file, places, comments] = set;
+  // The order is that of the hash. The legend only names sets that the drawings hold.
+  return std::tuple(KeyField{"name", name, Hashed::never}, KeyField{"title", title, Hashed::never},
+                    KeyField{"source", source, Hashed::never}, KeyField{"lattice", lattice},
+                    KeyField{"symmetry", symmetry}, KeyField{"inversion", inversion},
+                    KeyField{"floor", floor}, KeyField{"conflicts", conflicts},
+                    KeyField{"bricks", bricks}, KeyField{"legend", legend, Hashed::never},
+                    KeyField{"start", start}, KeyField{"rules", rules}, KeyField{"stages", stages},
+                    KeyField{"box", box}, KeyField{"physical", physical, Hashed::never},
+                    KeyField{"expect", expect, Hashed::never});
+}
 
 /// Same meaning and words; source ranges and comments do not count.
 bool operator==(const RuleSet& a, const RuleSet& b);
