@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "rules/plain_reader.h"
+
+#include <array>
+
+namespace stig {
+
+namespace {
+
+std::int64_t whole_number(const YamlNode& node) {
+  return static_cast<std::int64_t>(number_of(node).value());
+}
+
+std::array<std::int32_t, 3> triple(const YamlNode& node) {
+  std::array<std::int32_t, 3> out{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    out[i] = static_cast<std::int32_t>(whole_number(node.items[i]));
+  }
+  return out;
+}
+
+}  // namespace
+
+const YamlNode* PlainReader::good(const YamlNode& mapping, std::string_view path) const {
+  const std::size_t slash = path.find('/');
+  const YamlNode* value = mapping.find(path.substr(0, slash));
+  if (value == nullptr || !is_good(*value)) return nullptr;
+  return slash == std::string_view::npos ? value : good(*value, path.substr(slash + 1));
+}
+
+SourceRange PlainReader::key_range(const YamlNode& mapping, std::string_view key) const {
+  for (const YamlPair& pair : mapping.pairs) {
+    if (pair.key.text == key) return document_.range(pair.key);
+  }
+  return {};
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& schema, bool& value) {
+  value = node.text == (schema.kind == ValueKind::choice ? schema.words.front() : "true");
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/, int& value) {
+  value = static_cast<int>(whole_number(node));
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/,
+                             std::int64_t& value) {
+  value = whole_number(node);
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/, double& value) {
+  value = number_of(node).value();
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/,
+                             std::string& value) {
+  // A folded or literal block ends in a line end that its author did not mean.
+  value = node.text.substr(0, node.text.find_last_not_of(" \t\r\n") + 1);
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/, Offset& value) {
+  const auto numbers = triple(node);
+  value = {numbers[0], numbers[1], numbers[2]};
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& schema, Cell& value) {
+  Offset from_origin;
+  read_value(node, schema, from_origin);
+  value = Cell{} + from_origin;
+}
+
+void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/,
+                             std::vector<std::string>& value) {
+  for (const YamlNode& word : node.items) value.push_back(word.text);
+}
+
+}  // namespace stig
