@@ -7,7 +7,7 @@
 #include <string>
 
 #include "rules/rule_checks.h"
-#include "support/draws.h"
+#include "support/draw_fields.h"
 
 namespace stig {
 
@@ -118,11 +118,7 @@ Rule random_rule(const RuleSet& rules, int index) {
   if (chance()) rule.height_min = rules.floor ? 1 + below(4) : below(9) - 4;
   if (chance()) rule.counts.push_back({random_states(rules), chance(), 0, 8 + below(19), {}});
   if (chance()) rule.counts.push_back({StateSet::bricks(rules.colours()), false, 1, 26, {}});
-  if (chance()) rule.probability = *rc::gen::element(0.5, 0.1, 1e-7, 0.3333333333333333);
-  if (chance()) rule.weight = *rc::gen::element(2.0, 0.25, 1e9, 12345.678);
-  rule.stage = below(4);
-  if (chance()) rule.symmetry = static_cast<Symmetry>(below(3));
-  if (chance()) rule.inversion = chance();
+  draw_fields(rule, ObjectKind::rule, 2, {"height/min", "height/max"});
   return rule;
 }
 
@@ -153,10 +149,7 @@ RuleSet random_whole_rule_set() {
   rules.name = random_line();
   if (chance()) rules.title = random_text();
   if (chance()) rules.source = random_text() + "\nsecond line";
-  rules.lattice = chance() ? Lattice::cubic : Lattice::hexagonal;
-  rules.symmetry = static_cast<Symmetry>(below(3));
-  rules.inversion = chance();
-  rules.floor = chance();
+  draw_fields(rules, ObjectKind::rule_set, 2, {"conflicts"});
   rules.conflicts = chance() ? Conflicts::random : Conflicts::first;
   rules.bricks = random_bricks();
   for (int i = below(3); i > 0; --i) {

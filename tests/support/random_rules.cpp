@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "support/draw_fields.h"
+
 namespace stig {
 namespace {
 
@@ -68,12 +70,8 @@ Rule random_rule(const RuleSet& rules) {
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
     rule.pattern.allowed[i] = random_cell(rules, manner);
   }
-  if (one_in(4)) rule.height_min = number(-2, 2);
-  if (one_in(4)) rule.height_max = number(0, 4);
   if (one_in(3)) rule.counts.push_back(random_count(rules));
-  rule.stage = number(0, 2);
-  if (one_in(4)) rule.symmetry = static_cast<Symmetry>(number(0, 2));
-  if (one_in(4)) rule.inversion = one_in(2);
+  draw_fields(rule, ObjectKind::rule, 4, {});
   return rule;
 }
 
