@@ -17,6 +17,7 @@
 #include "lattice/firing_graph.h"
 #include "rules/conflicts.h"
 #include "rules/rule_table.h"
+#include "rules/site_condition.h"
 
 namespace stig {
 namespace {
@@ -105,9 +106,9 @@ class Closure {
       const Rule& rule = rules_.rules[entry.source.rule];
       // A rule that is known to fire is looked at again only where its colour could be new.
       if (fires_[entry.source.rule] && here.contains(rule.place)) continue;
-      if (rule.stage != 0 && rule.stage != stage) continue;
+      if (!allows(site_condition(rule), {site.z, stage})) continue;
       if (looks_left_-- <= 1) return false;
-      if (!may_match(rule, entry.pattern, shows, site.z)) continue;
+      if (!may_match(rule, entry.pattern, shows)) continue;
       count_ += fires_[entry.source.rule] ? 0 : 1;
       fires_[entry.source.rule] = true;
       here = here | StateSet::of(rule.place);
@@ -121,11 +122,7 @@ class Closure {
     return true;
   }
 
-  bool may_match(const Rule& rule, const Pattern& pattern, const MayShow& shows,
-                 std::int32_t z) const {
-    if ((rule.height_min && z < *rule.height_min) || (rule.height_max && z > *rule.height_max)) {
-      return false;
-    }
+  bool may_match(const Rule& rule, const Pattern& pattern, const MayShow& shows) const {
     MayShow both;
     bool beside = false;  // rules act beside bricks alone
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_.size); ++i) {

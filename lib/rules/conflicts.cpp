@@ -17,6 +17,7 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "rules/rule_printer.h"
+#include "rules/site_condition.h"
 #include "rules/view_search.h"
 
 namespace stig {
@@ -45,7 +46,7 @@ class Groups {
     bool heights = rules_.floor;
     for (const Rule& rule : rules_.rules) {
       of(rule);
-      heights = heights || rule.height_min || rule.height_max;
+      heights = heights || !allows_every_height(site_condition(rule));
     }
     return groups_.size() == 1 && !(groups_.begin()->first.second && heights);
   }
@@ -76,15 +77,9 @@ std::uint64_t hash_of(const Pattern& pattern, int size) {
   return hash;
 }
 
-bool active_together(const Rule& a, const Rule& b) {
-  return a.stage == 0 || b.stage == 0 || a.stage == b.stage;
-}
-
-bool heights_apart(const Rule& a, const Rule& b) {
-  const auto above = [](const Rule& x, const Rule& y) {
-    return x.height_min && y.height_max && *x.height_min > *y.height_max;
-  };
-  return above(a, b) || above(b, a);
+/// Is there a height and a stage that both rules allow?
+bool meet(const Rule& a, const Rule& b) {
+  return allowed_height(both(site_condition(a), site_condition(b)), Interval()).has_value();
 }
 
 /// All distinct orientations of a rule, the identity first: messages do not name that one.
@@ -210,8 +205,7 @@ class ConflictSearch {
     const Rule& first = rules_.rules[std::min(a.rule, b.rule)];
     const Rule& second = rules_.rules[std::max(a.rule, b.rule)];
     if (budget_ < 0) return give_up(second);
-    if (first.place == second.place || !active_together(first, second)) return;
-    if (heights_apart(first, second)) return;
+    if (first.place == second.place || !meet(first, second)) return;
     if (found_.count(std::minmax(a.rule, b.rule)) > 0) return;
     // The tests above are in the order of their cost; only what comes now searches.
     Example example;
@@ -289,12 +283,12 @@ class ConflictSearch {
 /// Everything but the drawing that makes two rules the same. A hash to find candidates;
 /// same_conditions decides.
 std::uint64_t conditions_hash(const Rule& rule) {
-  std::uint64_t hash = combine(rule.place, static_cast<std::uint64_t>(rule.stage));
-  const auto add = [&](std::int64_t value) {
-    hash = combine(hash, static_cast<std::uint64_t>(value));
-  };
-  add(rule.height_min.value_or(INT32_MIN));
-  add(rule.height_max.value_or(INT32_MAX));
+  std::uint64_t hash = rule.place;
+  for_each_part(site_condition(rule), {},
+                [&](std::string_view, const Interval& asked, std::int64_t) {
+                  hash = combine(hash, static_cast<std::uint64_t>(asked.low));
+                  hash = combine(hash, static_cast<std::uint64_t>(asked.high));
+                });
   std::uint64_t counts = 0;  // a sum: their order does not matter
   for (const CountCondition& c : rule.counts) {
     counts +=
@@ -310,8 +304,7 @@ bool same_conditions(const Rule& a, const Rule& b) {
       out.emplace(c.of.bits(), c.faces_only, c.min, c.max);
     return out;
   };
-  return a.place == b.place && a.stage == b.stage && a.height_min == b.height_min &&
-         a.height_max == b.height_max && counts(a) == counts(b);
+  return a.place == b.place && site_condition(a) == site_condition(b) && counts(a) == counts(b);
 }
 
 /// Is every pattern of `entries` among those of `others`? A rule repeats an earlier one if

@@ -7,6 +7,7 @@
 #include <cassert>
 
 #include "rules/rule_table.h"
+#include "rules/site_condition.h"
 
 namespace stig {
 namespace {
@@ -23,21 +24,26 @@ std::vector<FailedCell> failed_cells(const Neighbourhood& neighbours, const Patt
   return failed;
 }
 
+/// A bound, unless it stands for none.
+std::optional<int> bound(std::int64_t value, std::int64_t none) {
+  return value == none ? std::nullopt : std::optional(static_cast<int>(value));
+}
+
 std::vector<FailedCondition> failed_conditions(const Rule& rule, const Neighbourhood& neighbours,
-                                               const View& view, std::int32_t z, int stage) {
-  using Kind = FailedCondition::Kind;
+                                               const View& view, const SiteState& site) {
   std::vector<FailedCondition> failed;
-  if (rule.stage != 0 && rule.stage != stage) {
-    failed.push_back({Kind::stage, 0, stage, rule.stage, rule.stage});
-  }
-  if ((rule.height_min && z < *rule.height_min) || (rule.height_max && z > *rule.height_max)) {
-    failed.push_back({Kind::height, 0, z, rule.height_min, rule.height_max});
-  }
+  for_each_part(
+      site_condition(rule), site,
+      [&](std::string_view key, const Interval& asked, std::int64_t value) {
+        if (asked.contains(value)) return;
+        failed.push_back({key, 0, static_cast<int>(value), bound(asked.low, Interval().low),
+                          bound(asked.high, Interval().high)});
+      });
   for (std::size_t i = 0; i < rule.counts.size(); ++i) {
     const CountCondition& condition = rule.counts[i];
     const int number = count_in_view(condition, neighbours, view);
     if (number >= condition.min && number <= condition.max) continue;
-    failed.push_back({Kind::count, i, number, condition.min, condition.max});
+    failed.push_back({"count", i, number, condition.min, condition.max});
   }
   return failed;
 }
@@ -63,7 +69,7 @@ Explanation explain(const RuleSet& rules, const View& view, std::int32_t z, int 
       said.cells = std::move(cells);
       said.orientation = static_cast<std::uint32_t>(t);
     }
-    said.conditions = failed_conditions(rule, neighbours, view, z, stage);
+    said.conditions = failed_conditions(rule, neighbours, view, {z, stage});
     said.fires = said.cells.empty() && said.conditions.empty();
     result.rules.push_back(std::move(said));
   }

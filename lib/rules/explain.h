@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "rules/rule_set.h"
@@ -29,8 +30,7 @@ struct FailedCell {
 
 /// A condition that does not hold: `seen` is outside [min, max].
 struct FailedCondition {
-  enum class Kind : std::uint8_t { stage, height, count };
-  Kind kind = Kind::stage;
+  std::string_view key;         ///< "stage", "height", … (site_condition.h), "count"
   std::size_t index = 0;        ///< count: index into Rule::counts
   int seen = 0;                 ///< the stage, the height, the number counted
   std::optional<int> min, max;  ///< not set: no bound on this side

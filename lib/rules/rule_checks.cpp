@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "rules/conflicts.h"
 #include "rules/rule_printer.h"
+#include "rules/site_condition.h"
 #include "rules/view_search.h"
 
 namespace stig {
@@ -47,8 +48,8 @@ bool matches_bare(const RuleSet& rules, const Demand& demand, bool on_floor) {
   const View view = bare_view(rules.lattice, on_floor);
   if (on_floor) return fulfils(demand, rules.lattice, view, 0);
   const std::int64_t lowest = rules.floor ? 1 : INT32_MIN;
-  const std::int64_t z = std::max(lowest, demand.height_min);
-  return fulfils(demand, rules.lattice, view, z);
+  const auto z = allowed_height(demand.where, {lowest, INT32_MAX});
+  return z && fulfils(demand, rules.lattice, view, *z);
 }
 
 /// A rule that fires in empty space would fill the world from nothing; agents act beside
@@ -79,11 +80,8 @@ bool possible_without(const RuleSet& rules, const Rule& rule, Budget& budget, We
 
 /// Which condition is it that nothing fulfils?
 void note_obstacle(const RuleSet& rules, const Rule& rule, Budget& budget, Diagnostic& diagnostic) {
-  const bool has_height = rule.height_min || rule.height_max;
-  const auto no_height = [](Demand& demand) {
-    demand.height_min = INT32_MIN;
-    demand.height_max = INT32_MAX;
-  };
+  const bool has_height = !allows_every_height(site_condition(rule));
+  const auto no_height = [](Demand& demand) { demand.where = {}; };
   if (has_height && possible_without(rules, rule, budget, no_height)) {
     diagnostic.note(rules.floor ? "without its height it could: the floor is seen below a site at "
                                   "height 0, and at that height nothing else is"
@@ -218,7 +216,7 @@ void check_stages(const RuleSet& rules, Diagnostics& out) {
 /// One warning is enough when the key stands at the top of the file.
 void check_inversion(const RuleSet& rules, Diagnostics& out) {
   for (const Rule& rule : rules.rules) {
-    const bool height = rule.height_min || rule.height_max;
+    const bool height = !allows_every_height(site_condition(rule));
     if (!rules.inversion_of(rule) || (!height && !rules.floor)) continue;
     const SourceRange place = rule.inversion ? rule_place(rule) : rules.places.inversion;
     Diagnostic& warning = out.add(Code::R316, place,

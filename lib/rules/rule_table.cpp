@@ -33,10 +33,6 @@ struct ViewHash {
 };
 constexpr ViewHash kViewHash;
 
-bool height_holds(const std::optional<int>& low, const std::optional<int>& high, std::int32_t z) {
-  return (!low || z >= *low) && (!high || z <= *high);
-}
-
 std::optional<View> as_view(const Pattern& pattern, int size) {
   View view;
   for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
@@ -189,8 +185,8 @@ RuleTable::RuleTable(const RuleSet& rules)
   assert(stage_count_ <= kMaxStage);
   for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
     const Rule& rule = rules.rules[r];
-    actions_.push_back({rule.place, rule.stage, rule.probability, rule.weight, rule.height_min,
-                        rule.height_max, rule.counts});
+    actions_.push_back(
+        {rule.place, rule.stage, rule.probability, rule.weight, site_condition(rule), rule.counts});
     for (Entry& entry : entries_of(rules, r)) {
       index_->add(entry, static_cast<std::uint32_t>(entries_.size()), size_);
       entries_.push_back(std::move(entry));
@@ -224,22 +220,21 @@ std::int64_t RuleTable::stage_limit(int stage) const {
   return stage_limits_[static_cast<std::size_t>(stage)];
 }
 
-bool RuleTable::conditions_hold(const Action& action, const View& view, std::int32_t z) const {
-  if (!height_holds(action.height_min, action.height_max, z)) return false;
+bool RuleTable::counts_hold(const Action& action, const View& view) const {
   return std::all_of(action.counts.begin(), action.counts.end(), [&](const CountCondition& c) {
     const int number = count_in_view(c, neighbours(), view);
     return number >= c.min && number <= c.max;
   });
 }
 
-/// Calls found(match) for each entry that matches, whatever its stage, until it returns
-/// true; says whether one did.
+/// Calls found(match, action) for each entry whose pattern matches until it returns true;
+/// says whether one did.
 template <class Visit>
-bool RuleTable::visit(const View& view, std::int32_t z, const Visit& found) const {
+bool RuleTable::visit(const View& view, const Visit& found) const {
   const Index& index = *index_;
   const auto accepted = [&](std::uint32_t entry) {
     const Match& source = entries_[entry].source;
-    return conditions_hold(actions_[source.rule], view, z) && found(source);
+    return found(source, actions_[source.rule]);
   };
   if (!index.exact.empty()) {
     const std::uint64_t hash = kViewHash(view, size_);
@@ -265,9 +260,8 @@ bool RuleTable::visit(const View& view, std::int32_t z, const Visit& found) cons
 }
 
 bool RuleTable::enabled(const View& view, std::int32_t z, int stage) const {
-  return visit(view, z, [&](const Match& match) {
-    const int own = actions_[match.rule].stage;
-    return own == 0 || own == stage;
+  return visit(view, [&](const Match&, const Action& action) {
+    return allows(action.where, {z, stage}) && counts_hold(action, view);
   });
 }
 
@@ -275,8 +269,9 @@ bool RuleTable::enabled(const View& view, std::int32_t z, int stage) const {
 /// particular.
 std::uint64_t RuleTable::open_stages(const View& view, std::int32_t z, int from) const {
   std::uint64_t open = 0;
-  visit(view, z, [&](const Match& match) {
-    const int own = actions_[match.rule].stage;
+  visit(view, [&](const Match&, const Action& action) {
+    if (!allows_height(action.where, z) || !counts_hold(action, view)) return false;
+    const int own = action.stage;
     if (own == 0 || own >= from) open |= std::uint64_t{1} << own;
     return stage_count_ == 1;  // nothing else to find
   });
@@ -286,9 +281,8 @@ std::uint64_t RuleTable::open_stages(const View& view, std::int32_t z, int from)
 void RuleTable::matches(const View& view, std::int32_t z, int stage,
                         std::vector<Match>& out) const {
   out.clear();
-  visit(view, z, [&](const Match& match) {
-    const int own = actions_[match.rule].stage;
-    if (own == 0 || own == stage) out.push_back(match);
+  visit(view, [&](const Match& match, const Action& action) {
+    if (allows(action.where, {z, stage}) && counts_hold(action, view)) out.push_back(match);
     return false;
   });
   // One match for each rule, in the first of its orientations that matches.

@@ -5,17 +5,17 @@
 // Two indices share the work. Exact entries (one state a cell) sit in a hash
 // table under the view. The rest are matched together by bit sets: for each
 // (neighbour, state) the set of entries that accept it; the matches of a view
-// are the intersection over its neighbours. Heights and counts are then checked
-// one by one, and the rule's stage with them: rules of all stages share the indices.
+// are the intersection over its neighbours. Heights, stages and counts are then
+// checked one by one: rules of all stages share the indices.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "rules/rule_set.h"
+#include "rules/site_condition.h"
 
 namespace stig {
 
@@ -70,16 +70,16 @@ class RuleTable {
   /// What a rule does and its conditions besides the pattern.
   struct Action {
     Colour place;
-    int stage;
+    int stage;  ///< its bit in open_stages()
     double probability, weight;
-    std::optional<int> height_min, height_max;
+    SiteCondition where;
     std::vector<CountCondition> counts;
   };
   struct Index;
 
-  bool conditions_hold(const Action& action, const View& view, std::int32_t z) const;
+  bool counts_hold(const Action& action, const View& view) const;
   template <class Visit>
-  bool visit(const View& view, std::int32_t z, const Visit& found) const;
+  bool visit(const View& view, const Visit& found) const;
 
   Lattice lattice_;
   bool floor_;

@@ -21,14 +21,14 @@ constexpr std::size_t kMostConditions = 64 / kBits;
 
 /// One kind of neighbourhood that a world has.
 struct World {
-  std::int64_t height_min, height_max;
+  Interval heights;
   bool on_floor;  ///< the slice below is floor
 };
 
 /// With a floor there are two kinds of sites, those on it and those above; without, one.
 std::vector<World> worlds_of(const RuleSet& rules) {
-  if (!rules.floor) return {{INT32_MIN, INT32_MAX, false}};
-  return {{0, 0, true}, {1, INT32_MAX, false}};
+  if (!rules.floor) return {{Interval(), false}};
+  return {{{0, 0}, true}, {{1, INT32_MAX}, false}};
 }
 
 /// Conditions on the same thing become one; those that always hold go. Fewer conditions
@@ -181,8 +181,7 @@ std::vector<StateSet> cells_in(const World& world, const RuleSet& rules, const D
 Demand demand_of(const Rule& rule) {
   Demand demand;
   demand.pattern = rule.pattern;
-  if (rule.height_min) demand.height_min = *rule.height_min;
-  if (rule.height_max) demand.height_max = *rule.height_max;
+  demand.where = site_condition(rule);
   demand.counts = rule.counts;
   return demand;
 }
@@ -193,8 +192,7 @@ Demand both(const Demand& a, const Demand& b) {
   for (std::size_t i = 0; i < out.pattern.allowed.size(); ++i) {
     out.pattern.allowed[i] = a.pattern.allowed[i] & b.pattern.allowed[i];
   }
-  out.height_min = std::max(a.height_min, b.height_min);
-  out.height_max = std::min(a.height_max, b.height_max);
+  out.where = both(a.where, b.where);
   out.counts.insert(out.counts.end(), b.counts.begin(), b.counts.end());
   return out;
 }
@@ -214,12 +212,11 @@ Answer find_view(const RuleSet& rules, const Demand& demand, Example& example, B
   Answer answer = Answer::no;
   for (const World& world : worlds_of(rules)) {
     budget -= 30;
-    const std::int64_t low = std::max(world.height_min, demand.height_min);
-    const std::int64_t high = std::min(world.height_max, demand.height_max);
-    if (low > high) continue;
+    const std::optional<std::int64_t> height = allowed_height(demand.where, world.heights);
+    if (!height) continue;
     const std::vector<StateSet> cells = cells_in(world, rules, demand);
     if (std::any_of(cells.begin(), cells.end(), [](StateSet s) { return s.none(); })) continue;
-    example.z = static_cast<std::int32_t>(std::clamp<std::int64_t>(0, low, high));
+    example.z = static_cast<std::int32_t>(*height);
     example.view = View{};
     const Answer found = CountSearch(neighbours, cells, counts, budget).run(example.view);
     if (found == Answer::yes) return found;
@@ -230,7 +227,7 @@ Answer find_view(const RuleSet& rules, const Demand& demand, Example& example, B
 
 bool fulfils(const Demand& demand, Lattice lattice, const View& view, std::int64_t z) {
   const Neighbourhood& neighbours = neighbourhood(lattice);
-  if (z < demand.height_min || z > demand.height_max) return false;
+  if (!allows_height(demand.where, z)) return false;
   for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours.size); ++i) {
     if (!demand.pattern.allowed[i].contains(view.at[i])) return false;
   }

@@ -8,13 +8,14 @@
 #include <vector>
 
 #include "rules/rule_set.h"
+#include "rules/site_condition.h"
 
 namespace stig {
 
 /// What one rule, or several at once, demand of a site.
 struct Demand {
   Pattern pattern;
-  std::int64_t height_min = INT32_MIN, height_max = INT32_MAX;
+  SiteCondition where;
   std::vector<CountCondition> counts;
 };
 Demand demand_of(const Rule& rule);
@@ -33,11 +34,11 @@ struct Example {
 /// Elementary steps a search may still take; shared by many searches.
 using Budget = std::int64_t;
 
-/// Looks for a view that fulfils the demand in a world of this set's colours, with
+/// Looks for a view that fulfils the demand in some stage, in a world of this set's colours, with
 /// or without floor. `unknown` when the budget ends first.
 Answer find_view(const RuleSet& rules, const Demand& demand, Example& example, Budget& budget);
 
-/// Does a given view at height z fulfil the demand?
+/// Does a given view at height z fulfil the demand, in some stage?
 bool fulfils(const Demand& demand, Lattice lattice, const View& view, std::int64_t z);
 
 }  // namespace stig

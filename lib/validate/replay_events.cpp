@@ -46,9 +46,8 @@ std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site,
   }
   // A rule that does not fire lacks a cell or a condition.
   const FailedCondition& failed = nearest->conditions.front();
-  return out + (failed.kind == FailedCondition::Kind::height
-                    ? fmt::format(" is not for height {}", failed.seen)
-                    : fmt::format(" counts {} neighbours", failed.seen));
+  return out + (failed.key == "height" ? fmt::format(" is not for height {}", failed.seen)
+                                       : fmt::format(" counts {} neighbours", failed.seen));
 }
 
 }  // namespace

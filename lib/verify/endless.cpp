@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "rules/site_condition.h"
+
 namespace stig {
 namespace {
 
@@ -36,13 +38,12 @@ bool heights_allow(const RuleSet& rules, const std::vector<Deposit>& run, std::s
   if (rules.floor && step.z < 0) return false;
   // Where the first rule that matches acts, one that begins to match higher up takes over.
   const bool bounds = std::any_of(rules.rules.begin(), rules.rules.end(), [](const Rule& rule) {
-    return rule.height_min || rule.height_max;
+    return !allows_every_height(site_condition(rule));
   });
   if (rules.conflicts == Conflicts::first && bounds) return false;
   for (std::size_t i = from; i < run.size(); ++i) {
-    const Rule& rule = rules.rules[run[i].match.rule];
-    if (step.z > 0 && rule.height_max) return false;
-    if (step.z < 0 && rule.height_min) return false;
+    const SiteCondition where = site_condition(rules.rules[run[i].match.rule]);
+    if (!allows_for_ever(where, step.z > 0)) return false;
     if (rules.floor && run[i].site.z < 1) return false;  // it sees the floor, later ones will not
   }
   return true;

@@ -11,10 +11,12 @@
 namespace stig {
 
 EntryIndex::EntryIndex(const RuleSet& rules, const RuleTable& table, int stage)
-    : rules_(&rules), table_(&table), size_(static_cast<std::size_t>(table.neighbours().size)) {
+    : stage_(stage), size_(static_cast<std::size_t>(table.neighbours().size)) {
   for (std::uint32_t e = 0; e < table.entries().size(); ++e) {
-    const int own = rules.rules[table.entries()[e].source.rule].stage;
-    if (own == 0 || own == stage) entries_.push_back(e);
+    const SiteCondition where = site_condition(rules.rules[table.entries()[e].source.rule]);
+    if (!where.stage.contains(stage)) continue;
+    entries_.push_back(e);
+    where_.push_back(where);
   }
   words_ = (entries_.size() + 63) / 64;
   // Rows are numbered without gaps. Patterns use all 64 bits for "anything", but only the
@@ -51,14 +53,10 @@ void EntryIndex::possible(const PossibleStates& states, std::int32_t z,
       alive &= accepted;
     }
     for (; alive != 0; alive &= alive - 1) {
-      const std::uint32_t entry =
-          entries_[w * 64 + static_cast<std::size_t>(std::countr_zero(alive))];
+      const std::size_t k = w * 64 + static_cast<std::size_t>(std::countr_zero(alive));
       // Heights are tested one by one: few rules have any, and a table over z would be
       // unbounded.
-      const Rule& rule = rules_->rules[table_->entries()[entry].source.rule];
-      const bool low = rule.height_min && z < *rule.height_min;
-      const bool high = rule.height_max && z > *rule.height_max;
-      if (!low && !high) out.push_back(entry);
+      if (allows(where_[k], {z, stage_})) out.push_back(entries_[k]);
     }
   }
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rules/rule_table.h"
+#include "rules/site_condition.h"
 
 namespace stig {
 
@@ -17,7 +18,7 @@ using PossibleStates = std::array<StateSet, kMaxNeighbours>;
 
 class EntryIndex {
  public:
-  /// Indexes the rules that act in a stage (1-based). The table and the rules must outlive it.
+  /// Indexes the rules that act in a stage (1-based).
   EntryIndex(const RuleSet& rules, const RuleTable& table, int stage);
 
   /// Entries (positions in RuleTable::entries) that accept one of the possible states of
@@ -26,11 +27,11 @@ class EntryIndex {
                 std::vector<std::uint32_t>& out) const;
 
  private:
-  const RuleSet* rules_;
-  const RuleTable* table_;
+  int stage_;
   std::size_t size_;                    ///< of the neighbourhood
   std::size_t words_;                   ///< of a set of entries
   std::vector<std::uint32_t> entries_;  ///< those of the stage
+  std::vector<SiteCondition> where_;    ///< beside entries_
   std::array<std::uint8_t, 64> row_{};  ///< of a state
   std::size_t rows_ = 0;
   std::uint64_t known_ = 0;            ///< states that have a row

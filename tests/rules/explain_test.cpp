@@ -83,9 +83,8 @@ TEST_CASE("every condition that fails is said at once") {
   rule.height_max = 3;
   rule.counts.push_back({StateSet::of(1), true, 1, 2, {}});
   const RuleExplanation said = explain(rules, View{}, 5, 1).rules.at(0);
-  using Kind = FailedCondition::Kind;
   const std::vector<FailedCondition> expected = {
-      {Kind::stage, 0, 1, 2, 2}, {Kind::height, 0, 5, 1, 3}, {Kind::count, 0, 0, 1, 2}};
+      {"stage", 0, 1, 2, 2}, {"height", 0, 5, 1, 3}, {"count", 0, 0, 1, 2}};
   CHECK(said.conditions == expected);
   CHECK_FALSE(said.fires);
 }

@@ -73,13 +73,11 @@ std::string condition_in_words(const ExplainedSite& scene, const Rule& rule,
     bounds = failed.min ? fmt::format("at least {}", *failed.min)
                         : fmt::format("at most {}", *failed.max);
   }
-  switch (failed.kind) {
-    case FailedCondition::Kind::stage:
-      return fmt::format("its stage is {}, this is stage {}", bounds, failed.seen);
-    case FailedCondition::Kind::height:
-      return fmt::format("wants height {}, the site is at {}", bounds, failed.seen);
-    case FailedCondition::Kind::count:
-      break;
+  if (failed.key == "stage") {
+    return fmt::format("its stage is {}, this is stage {}", bounds, failed.seen);
+  }
+  if (failed.key != "count") {
+    return fmt::format("wants {} {}, the site is at {}", failed.key, bounds, failed.seen);
   }
   const CountCondition& count = rule.counts[failed.index];
   return fmt::format("wants {} neighbours{} of {}, sees {}", bounds,
@@ -170,8 +168,7 @@ Json to_json(const ExplainedSite& scene, const RuleExplanation& said) {
                              {"seen", symbol_of(scene.rules, StateSet::of(cell.seen))}});
   }
   for (const FailedCondition& failed : said.conditions) {
-    constexpr std::string_view kKinds[] = {"stage", "height", "count"};
-    Json condition{{"kind", kKinds[static_cast<std::size_t>(failed.kind)]},
+    Json condition{{"kind", failed.key},
                    {"seen", failed.seen},
                    {"text", condition_in_words(scene, rule, failed)}};
     condition["min"] = failed.min ? Json(*failed.min) : Json(nullptr);
