@@ -29,6 +29,7 @@ std::optional<int> bound(std::int64_t value, std::int64_t none) {
   return value == none ? std::nullopt : std::optional(static_cast<int>(value));
 }
 
+/// Conditions are listed whether or not the drawing matches.
 std::vector<FailedCondition> failed_conditions(const Rule& rule, const Neighbourhood& neighbours,
                                                const View& view, const SiteState& site) {
   std::vector<FailedCondition> failed;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Bricks get their colours by their order in the file, from 1 on; 0 is the empty cell (state.h).
+// Symbols that cannot be read are kept as known ones wherever that is possible: one mistake in
+// the palette would otherwise be reported again at every drawing that uses it.
 #include "rules/palette_reader.h"
 
 #include <fmt/format.h>
@@ -28,6 +31,7 @@ void PaletteReader::read_bricks(const YamlNode* node) {
       known_ = known_ && pair.key.kind == YamlKind::scalar;
       continue;
     }
+    // Colour and position in `bricks` must agree, so a symbol that is refused takes no number.
     const auto colour = static_cast<Colour>(rules_.bricks.size() + 1);
     if (!symbols_.add(pair.key.text, {StateSet::of(colour), colour, true})) continue;
     rules_.bricks.push_back(read_brick(pair));
@@ -42,6 +46,7 @@ Brick PaletteReader::read_brick(const YamlPair& pair) const {
   plain_.read(pair.value, ObjectKind::brick, brick);
   brick.symbol = pair.key.text;
   if (brick.name.empty()) brick.name = brick.symbol;
+  // Lower case is the canonical form; the hash leaves colours of pictures out.
   std::transform(brick.color.begin(), brick.color.end(), brick.color.begin(),
                  [](char c) { return c >= 'A' && c <= 'F' ? static_cast<char>(c + 32) : c; });
   brick.range = context_.document.range(pair.key);
@@ -65,6 +70,7 @@ void PaletteReader::read_legend(const YamlNode* node) {
     if (!symbols_.add(pair.key.text, {found.value_or(StateSet()), 0, false})) continue;
     if (found) rules_.legend.push_back({pair.key.text, *found, range});
   }
+  // A copy, since the rule set is moved out before unused entries are reported.
   legend_ = rules_.legend;
 }
 
@@ -78,6 +84,8 @@ std::optional<StateSet> PaletteReader::states(const YamlNode& list, bool in_lege
   bool sound = true;
   for (const YamlNode& item : list.items) {
     const SymbolTable::Entry* entry = symbols_.find(item.text);
+    // "*" marks the site in drawings and stands for no states. Within the legend other entries
+    // are refused, or entries would depend on their order.
     const bool refused = item.text == "*" || (in_legend && entry != nullptr && entry->colour == 0);
     const auto found = refused ? std::nullopt : symbols_.states(item.text);
     if (!found) unknown_symbol(item, in_legend);

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// Conversions of scalars whose shape and range the schema has checked (rule_shape.cpp): a value
+// that does not fit the type cannot come here, so none of these functions reports anything.
 #include "rules/plain_reader.h"
 
 #include <array>
@@ -22,6 +24,7 @@ std::array<std::int32_t, 3> triple(const YamlNode& node) {
 }  // namespace
 
 const YamlNode* PlainReader::good(const YamlNode& mapping, std::string_view path) const {
+  // A bad mapping makes all that is within it bad, so the check goes down the path.
   const std::size_t slash = path.find('/');
   const YamlNode* value = mapping.find(path.substr(0, slash));
   if (value == nullptr || !is_good(*value)) return nullptr;

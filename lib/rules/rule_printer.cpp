@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The canonical form: one way to write every rule set. Reading it back gives an equal set,
+// and printing that the same bytes; tests hold both as laws. Defaults are left out, keys
+// have a fixed order, and comments are printed with the element that they belong to
+// (comments.h).
 #include "rules/rule_printer.h"
 
 #include <fmt/format.h>
@@ -16,6 +20,7 @@ namespace stig {
 
 namespace {
 
+/// One line each, without its line end.
 using Lines = std::vector<std::string>;
 
 /// The sets of states that need a symbol of their own.
@@ -39,6 +44,8 @@ std::string fresh_symbol(const std::set<std::string>& taken, int& next) {
   }
 }
 
+/// Sets of states that came from a program may have no symbol yet; they get one in the
+/// legend.
 RuleSet with_whole_legend(RuleSet rules) {
   std::set<std::string> taken;
   for (const Brick& brick : rules.bricks) taken.insert(brick.symbol);
@@ -60,12 +67,15 @@ class Printer {
  public:
   explicit Printer(const RuleSet& rules) : rules_(rules), texts_(rules) {
     for (const Comment& comment : rules.comments) {
+      // An element has one line for a trailing comment; further ones go before it.
       Comments& of = comments_[comment.element];
       (comment.trailing && of.trailing.empty() ? of.trailing : of.leading).push_back(comment.text);
     }
   }
 
   std::string print() {
+    // Keys go by the schema and not by the members, so that the schema alone decides the order
+    // of a file.
     RuleSet usual;
     // The symmetry is always written: without it nobody can say what a rule means.
     usual.symmetry = rules_.symmetry == Symmetry::none ? Symmetry::rotations : Symmetry::none;
@@ -93,7 +103,8 @@ class Printer {
   void comments_before(std::size_t indent, const std::string& element) {
     put_comments(indent, comments_[element].leading);
   }
-  /// The comments of an element that is not printed, since it says what holds anyway.
+  /// The comments of an element that is not printed, since it says what holds anyway. A
+  /// comment must not vanish because its element does.
   void absent(std::size_t indent, const std::string& element) {
     comments_before(indent, element);
     put_comments(indent, comments_[element].trailing);
@@ -116,6 +127,7 @@ class Printer {
     comments_before(indent, element);
     put(indent, element, text);
   }
+  /// A drawing's rows are set in below the key, by the same two spaces as "|2" announces.
   void key_lines(std::size_t indent, const std::string& path, const KeyText& key) {
     line(indent, path + "/" + key.key, key.key + ": " + key.text);
     for (std::size_t i = 0; i < key.rows.size();) {
@@ -144,6 +156,7 @@ class Printer {
     }
   }
 
+  // An entry is written out, since entries cannot refer to each other.
   void member(const KeySchema& /*schema*/, const std::vector<LegendEntry>& legend) {
     line(0, "legend", "legend:");
     for (const LegendEntry& entry : legend) {
@@ -180,7 +193,8 @@ class Printer {
     }
   }
 
-  /// The name comes first, and its line begins the rule.
+  /// The name comes first, and its line begins the rule. Comments on keys that are not printed
+  /// stand before it, where they still belong to the same rule when the file is read again.
   void one_rule(const std::vector<KeyText>& keys, const std::string& path) {
     absent_keys(path, ObjectKind::rule, keys);
     comments_before(2, path);

@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: MIT
+// Reads a rule set in three passes: YAML into a tree (base/yaml.h), the tree against the schema
+// (rule_shape.cpp), and what is sound of it into a RuleSet, which is then checked as a whole
+// (rule_checks.h). Each pass reports all that it finds, so that an author sees every mistake of
+// a file at once; a set is handed out only when none was an error.
 #include "rules/rule_reader.h"
 
 #include <fmt/format.h>
@@ -39,6 +43,8 @@ class Reader {
         palette_(plain_, symbols_, context_, rules_) {}
 
   RuleSet read() {
+    // In an order in which each part has what it needs: drawings need the lattice, the floor and
+    // all symbols, and the legend needs the bricks.
     rules_.file = document_.source;
     const YamlNode& root = document_.root;
     read_header(root);
@@ -73,6 +79,7 @@ class Reader {
     if (const YamlNode* stages = plain_.good(root, "stages")) {
       const KeySchema& schema = key_schema(ObjectKind::rule_set, "stages");
       for (const YamlPair& pair : stages->pairs) {
+        // The shape has been checked: the key is a number from 1 to kMaxStage.
         const int stage = std::stoi(pair.key.text);
         PlainReader::read_value(pair.value, schema, rules_.stages[stage]);
         rules_.places.stages[stage] = document_.range(pair.key);
@@ -98,12 +105,14 @@ class Reader {
   }
 
   void read_rules(const YamlNode* node) {
+    // Too many are an error that has been reported; reading them would only take time.
     if (node == nullptr || node->items.size() > static_cast<std::size_t>(kMaxRules)) return;
     SeenNames names;
     rules_.rules.reserve(node->items.size());
     for (const YamlNode& entry : node->items) {
       if (entry.kind != YamlKind::mapping) continue;
       std::optional<Rule> rule = read_rule(entry);
+      // A rule that is not sound has a name all the same, and a second one of it is a mistake.
       const YamlNode* name = plain_.good(entry, "name");
       if (name != nullptr) check_unique(names, name->text, document_.range(*name), "rule", out_);
       if (rule) rules_.rules.push_back(std::move(*rule));
@@ -136,6 +145,7 @@ class Reader {
 
   bool read_when(const YamlNode& when, Rule& rule) {
     rule.when_range = document_.range(when);
+    // Without lattice and palette every drawing would seem wrong; the cause has been reported.
     if (!lattice_known_ || !palette_.known()) return false;
     const auto pattern = read_pattern(when, rules_.inversion_of(rule), context_);
     if (pattern) rule.pattern = *pattern;
@@ -179,6 +189,7 @@ class Reader {
     expect.structure_range = range_of("structure");
     const YamlNode* structure = plain_.good(*node, "structure");
     if (structure != nullptr && palette_.known()) {
+      // A drawing that cannot be read has been reported, and the set is not handed out.
       expect.structure = read_structure(*structure, context_).value_or(std::vector<PlacedBrick>());
     }
   }
@@ -212,6 +223,7 @@ std::optional<RuleSet> read_rule_set(SourceRef source, Diagnostics& diagnostics)
     if (whole) reader.report_unused_legend();
     rules->comments = place_comments(*document);
   }
+  // The caller's list may hold errors of other files, which must not spoil this one.
   diagnostics.append(found);
   return found.has_errors() ? std::nullopt : std::move(rules);
 }

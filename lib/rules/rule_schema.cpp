@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The keys of the file format as data, one list for each kind of mapping, so that a key is
+// described once. Their order is the order in which a canonical file has them. Ranges are part
+// of the format, and bound the work and memory that a hostile file can ask for.
 #include "rules/rule_schema.h"
 
 #include <algorithm>
@@ -16,7 +19,9 @@ namespace {
 using enum ValueKind;
 constexpr double kFar = kMaxCoordinate;
 
-// Designated initialisers name only what a key needs; the rest keeps its default.
+// Designated initialisers name only what a key needs; the rest keeps its default. GCC warns
+// of members that an initialiser leaves to their defaults, which is what these tables rely
+// on.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
@@ -221,6 +226,7 @@ std::vector<KeySchema> expect_keys() {
 }  // namespace
 
 const ObjectSchema& object_schema(ObjectKind kind) {
+  // In the order of ObjectKind; the assertion below checks it at every use.
   static const std::array<ObjectSchema, 9> kTable = {{
       {ObjectKind::rule_set, "rule set", "stigc: 1 …", rule_set_keys()},
       {ObjectKind::brick, "brick", "{color: \"#8d99ae\"}", brick_keys()},

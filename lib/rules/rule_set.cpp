@@ -12,12 +12,15 @@ Colour RuleSet::colour_of(std::string_view symbol) const {
   return 0;
 }
 
+/// Gaps in the numbers are reported by the checks; here the highest counts.
 int RuleSet::stage_count() const {
   int highest = 1;
   for (const Rule& rule : rules) highest = std::max(highest, rule.stage);
   return highest;
 }
 
+// Equality compares what a file says and not where it says it: the members that are ranges are
+// not among those listed.
 bool operator==(const RuleSet& a, const RuleSet& b) { return same_fields(a, b); }
 
 std::string_view to_string(Conflicts conflicts) {

@@ -33,6 +33,7 @@ struct ViewHash {
 };
 constexpr ViewHash kViewHash;
 
+/// A pattern with one state in every cell is a view.
 std::optional<View> as_view(const Pattern& pattern, int size) {
   View view;
   for (std::size_t i = 0; i < static_cast<std::size_t>(size); ++i) {
@@ -231,6 +232,7 @@ bool RuleTable::counts_hold(const Action& action, const View& view) const {
 /// says whether one did.
 template <class Visit>
 bool RuleTable::visit(const View& view, const Visit& found) const {
+  // Exact entries come before loose ones; callers that need the order of rules sort.
   const Index& index = *index_;
   const auto accepted = [&](std::uint32_t entry) {
     const Match& source = entries_[entry].source;

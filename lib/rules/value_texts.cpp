@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// The inverse of the readers (plain_reader.cpp, palette_reader.cpp, drawing.cpp): whatever is
+// written here is read back as the same value. Texts are the shortest that do that, so that two
+// equal rule sets print the same bytes.
 #include "rules/value_texts.h"
 
 #include <fmt/format.h>
@@ -31,6 +34,7 @@ std::string ValueTexts::text(std::int64_t value, const KeySchema& /*schema*/,
   return fmt::to_string(value);
 }
 
+// The shortest decimal number that is read back as the same double, on every platform.
 std::string ValueTexts::text(double value, const KeySchema& /*schema*/, bool /*in_line*/) const {
   return fmt::to_string(value);
 }
@@ -47,7 +51,7 @@ std::string ValueTexts::text(StateSet value, const KeySchema& /*schema*/, bool /
   return state_list(value, true);
 }
 
-// A first row that is set in needs to be told where the block begins.
+// Hexagonal drawings begin with spaces, from which YAML would guess a wrong indentation.
 std::string ValueTexts::text(const Pattern& /*value*/, const KeySchema& /*schema*/,
                              bool /*in_line*/) const {
   return rules_.lattice == Lattice::hexagonal ? "|2" : "|";

@@ -216,6 +216,7 @@ Answer find_view(const RuleSet& rules, const Demand& demand, Example& example, B
     if (!height) continue;
     const std::vector<StateSet> cells = cells_in(world, rules, demand);
     if (std::any_of(cells.begin(), cells.end(), [](StateSet s) { return s.none(); })) continue;
+    // As near to 0 as the interval allows, so that examples are easy to picture.
     example.z = static_cast<std::int32_t>(*height);
     example.view = View{};
     const Answer found = CountSearch(neighbours, cells, counts, budget).run(example.view);
