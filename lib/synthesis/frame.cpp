@@ -108,9 +108,9 @@ std::optional<Asymmetry> find_asymmetry(const Target& target, const Placing& pla
       const Cell cell = target.cells[i];
       const std::optional<Cell> image = turning.image(g, cell);
       const int there = image ? index_in(target.cells, *image) : -1;
-      if (there < 0) return Asymmetry{cell, image.value_or(cell), g.name, false};
+      if (there < 0) return Asymmetry{cell, image, g.name, false};
       if ((target.colours[i] & target.colours[static_cast<std::size_t>(there)]).none()) {
-        return Asymmetry{cell, *image, g.name, true};
+        return Asymmetry{cell, image, g.name, true};
       }
     }
   }

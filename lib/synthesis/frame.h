@@ -53,7 +53,8 @@ struct Placing {
 
 /// A cell whose image under the group is not of the target, or of another colour.
 struct Asymmetry {
-  Cell cell, image;
+  Cell cell;
+  std::optional<Cell> image;  ///< nothing: it lies between cells, as the start's middle does
   std::string orientation;
   bool colours_differ = false;
 };

@@ -53,6 +53,20 @@ std::optional<Obstacle> start_problem(const Target& target, const Placing& placi
   return std::nullopt;
 }
 
+std::string asymmetry_text(const Asymmetry& asymmetry) {
+  const std::string cell = cell_text(asymmetry.cell);
+  if (!asymmetry.image) {
+    return fmt::format("the image of {} ({}) lies between cells, as the start's middle does", cell,
+                       asymmetry.orientation);
+  }
+  const std::string image = cell_text(*asymmetry.image);
+  if (asymmetry.colours_differ) {
+    return fmt::format("{} and its image {} ({}) have different colours", cell, image,
+                       asymmetry.orientation);
+  }
+  return fmt::format("it has {}, but not its image {} ({})", cell, image, asymmetry.orientation);
+}
+
 }  // namespace
 
 /// Order matters: later checks presuppose a start that lies in the target.
@@ -72,20 +86,11 @@ std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placi
                     {}};
   }
   if (const auto asymmetry = find_asymmetry(target, placing)) {
-    return Obstacle{
-        Kind::asymmetric,
-        true,
-        asymmetry->colours_differ
-            ? fmt::format("the target is not symmetric about the start: {} and its image {} ({}) "
-                          "have different colours",
-                          cell_text(asymmetry->cell), cell_text(asymmetry->image),
-                          asymmetry->orientation)
-            : fmt::format("the target is not symmetric about the start: it has {}, but not its "
-                          "image {} ({})",
-                          cell_text(asymmetry->cell), cell_text(asymmetry->image),
-                          asymmetry->orientation),
-        "",
-        {}};
+    return Obstacle{Kind::asymmetric,
+                    true,
+                    "the target is not symmetric about the start: " + asymmetry_text(*asymmetry),
+                    "",
+                    {}};
   }
   return std::nullopt;
 }

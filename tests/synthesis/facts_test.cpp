@@ -75,6 +75,16 @@ TEST_CASE("T7: what start and rules share, the target must have") {
   CHECK_FALSE(result.best);
 }
 
+TEST_CASE("a turn about an edge's middle takes cells to where there are none, and it is said so") {
+  SynthesisOptions options;
+  options.symmetry = Symmetry::rotations;
+  options.start = {{0, 0, 0}, {1, 0, 0}};
+  const Synthesis result = synthesise(box({2, 2, 1}), options);
+  REQUIRE(result.obstacle);
+  CHECK(result.obstacle->kind == Obstacle::Kind::asymmetric);
+  CHECK(result.obstacle->what.find("lies between cells") != std::string::npos);
+}
+
 int fewest_colours(const Target& target, Cell start) {
   SynthesisOptions options;
   options.start = {start};
