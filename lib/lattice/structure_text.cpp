@@ -34,8 +34,12 @@ std::map<std::string, State, std::less<>> states_by_symbol(const std::vector<Bri
 
 class TextReader {
  public:
-  TextReader(SourceRef source, const std::vector<Brick>& bricks, Diagnostics& diagnostics)
-      : source_(std::move(source)), states_(states_by_symbol(bricks)), diagnostics_(diagnostics) {}
+  TextReader(SourceRef source, const std::vector<Brick>& bricks, RowForm form,
+             Diagnostics& diagnostics)
+      : source_(std::move(source)),
+        states_(states_by_symbol(bricks)),
+        joined_(form == RowForm::joined),
+        diagnostics_(diagnostics) {}
 
   std::optional<Structure> read(Lattice lattice, Offset corner) {
     const std::string& text = source_->text();
@@ -80,7 +84,7 @@ class TextReader {
     const std::string_view text = source_->text();
     const std::size_t cells_before = cells_.size();
     for (std::size_t at = begin; at < end;) {
-      const std::size_t stop = std::min(text.find_first_of(kSpaces, at), end);
+      const std::size_t stop = joined_ ? at + 1 : std::min(text.find_first_of(kSpaces, at), end);
       cells_.push_back(state_of(at, stop));
       at = std::min(text.find_first_not_of(kSpaces, stop), end);
     }
@@ -165,6 +169,7 @@ class TextReader {
 
   SourceRef source_;
   std::map<std::string, State, std::less<>> states_;
+  bool joined_;
   Diagnostics& diagnostics_;
   std::vector<State> cells_;  // in reading order
   std::size_t width_ = 0, height_ = 0, rows_ = 0, slices_ = 0, errors_ = 0;
@@ -176,8 +181,8 @@ class TextReader {
 
 std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
                                              const std::vector<Brick>& bricks,
-                                             Diagnostics& diagnostics, Cell corner) {
-  return TextReader(std::move(source), bricks, diagnostics)
+                                             Diagnostics& diagnostics, Cell corner, RowForm form) {
+  return TextReader(std::move(source), bricks, form, diagnostics)
       .read(lattice, {corner.x, corner.y, corner.z});
 }
 

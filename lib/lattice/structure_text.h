@@ -17,13 +17,17 @@
 
 namespace stig {
 
+/// How a row's symbols are told apart: by spaces, or as one character each ("##.#").
+enum class RowForm { spaced, joined };
+
 /// Symbols are those of `bricks`; errors (unknown symbol, ragged rows, slices of
 /// different size) are reported. `corner` is the place of the lowest, left-most drawn
 /// cell. Blank lines and lines that start with "//" are
 /// passed over; of a blank line between rows of one slice a warning says so.
 std::optional<Structure> read_structure_text(SourceRef source, Lattice lattice,
                                              const std::vector<Brick>& bricks,
-                                             Diagnostics& diagnostics, Cell corner = {});
+                                             Diagnostics& diagnostics, Cell corner = {},
+                                             RowForm form = RowForm::spaced);
 /// For tests: digits 1-9 are colours 1-9; asserts on a malformed literal.
 Structure structure_literal(std::string_view text, Lattice lattice = Lattice::cubic);
 

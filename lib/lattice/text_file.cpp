@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <set>
 
@@ -148,22 +149,54 @@ class HeadReader {
   bool good_ = true;
 };
 
-// The bricks of slices that nobody has named: none, for numbers, when all symbols are
-// numbers; otherwise the symbols as they appear, as many as a structure has room for.
-// Numbers mean colours by their value; letters mean them by the order of appearance.
-std::vector<Brick> bricks_drawn(std::string_view text) {
-  std::vector<std::string_view> symbols;
-  std::set<std::string_view> seen{"."};
-  bool numbers = true;
-  while (!text.empty() && symbols.size() < kMaxColours) {
+// The rows of all slices, without what is passed over and what parts slices.
+std::vector<std::string_view> rows_of(std::string_view text) {
+  std::vector<std::string_view> rows;
+  while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view line = trimmed(text.substr(0, end));
     text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.starts_with("//") || line == "---") continue;
-    for (const std::string_view word : words_of(line)) {
-      if (!seen.insert(word).second) continue;
-      if (symbols.size() < kMaxColours) symbols.push_back(word);
-      numbers &= number_of(word, 1, kMaxColours).has_value();
+    if (!line.empty() && !line.starts_with("//") && line != "---") rows.push_back(line);
+  }
+  return rows;
+}
+
+// Somebody who draws "##.#" means four cells. A row of one word is taken for that when it cannot
+// well be a symbol: "." and "#" occur in no name, and a number of three digits is no colour. Words
+// of letters, and numbers of two digits, stay symbols of a structure one cell wide.
+RowForm form_of(const std::vector<std::string_view>& rows) {
+  const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  bool told = false;
+  for (const std::string_view row : rows) {
+    const bool same = row.size() == rows.front().size() && row.size() > 1;
+    const bool drawn = std::all_of(row.begin(), row.end(), [&](char c) {
+      return plain(c) || c == '.' || c == '#' || c == '?';
+    });
+    if (!same || !drawn) return RowForm::spaced;
+    const bool digits = row.find_first_not_of("0123456789") == std::string_view::npos;
+    told = told || row.find_first_of(".#?") != std::string_view::npos || (digits && row.size() > 2);
+  }
+  return told ? RowForm::joined : RowForm::spaced;
+}
+
+// The bricks of slices that nobody has named: none, for numbers, when all symbols are
+// numbers; otherwise the symbols as they appear, as many as a structure has room for.
+// Numbers mean colours by their value; letters mean them by the order of appearance.
+std::vector<Brick> bricks_drawn(const std::vector<std::string_view>& rows, RowForm form) {
+  std::vector<std::string_view> symbols;
+  std::set<std::string_view> seen{"."};
+  bool numbers = true;
+  const auto add = [&](std::string_view word) {
+    if (!seen.insert(word).second) return;
+    if (symbols.size() < kMaxColours) symbols.push_back(word);
+    numbers &= number_of(word, 1, kMaxColours).has_value();
+  };
+  for (const std::string_view row : rows) {
+    if (symbols.size() >= kMaxColours) break;
+    if (form == RowForm::joined) {
+      for (std::size_t i = 0; i < row.size(); ++i) add(row.substr(i, 1));
+    } else {
+      for (const std::string_view word : words_of(row)) add(word);
     }
   }
   return numbers ? std::vector<Brick>{} : bricks_of(symbols);
@@ -204,9 +237,15 @@ std::optional<LoadedStructure> read_text_file(const SourceRef& source,
   }
   if (!lattice) lattice = head.lattice.value_or(Lattice::cubic);
   std::vector<Brick> known = bricks;
-  if (known.empty()) known = head.bricks ? *head.bricks : bricks_drawn(source->text());
+  RowForm form = RowForm::spaced;
+  if (known.empty() && head.bricks) known = *head.bricks;
+  if (known.empty()) {
+    const auto rows = rows_of(source->text());
+    form = form_of(rows);
+    known = bricks_drawn(rows, form);
+  }
   auto structure =
-      read_structure_text(source, *lattice, known, diagnostics, head.corner.value_or(Cell{}));
+      read_structure_text(source, *lattice, known, diagnostics, head.corner.value_or(Cell{}), form);
   if (!structure) return std::nullopt;
   if (known.empty()) known = numbered_bricks(highest_colour(*structure));
   return LoadedStructure{std::move(*structure), std::move(known), head.corner.has_value()};

@@ -20,7 +20,8 @@ namespace stig {
 
 /// A lattice and bricks that are given win over the head; another lattice there is a
 /// diagnostic. Without either the lattice is cubic, the corner (0, 0, 0), and the bricks
-/// are numbers when all symbols are, otherwise the symbols in order of appearance.
+/// are numbers when all symbols are, otherwise the symbols in order of appearance. Rows that are
+/// one word each, such as "##.#", are then read a character a cell.
 std::optional<LoadedStructure> read_text_file(const SourceRef& source,
                                               std::optional<Lattice> lattice,
                                               const std::vector<Brick>& bricks,

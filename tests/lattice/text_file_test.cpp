@@ -57,6 +57,26 @@ TEST_CASE("law: what is printed is read back, lattice, place and symbols too") {
   }));
 }
 
+TEST_CASE("rows drawn without spaces have a cell for each character") {
+  const auto bricks_in = [](const std::string& text) {
+    Diagnostics diagnostics;
+    const auto loaded = read(text, diagnostics);
+    REQUIRE(loaded.has_value());
+    CHECK(diagnostics.all().empty());
+    return loaded->structure;
+  };
+  CHECK(bricks_in("##.\n###\n---\n###\n###\n") == bricks_in("# # .\n# # #\n---\n# # #\n# # #\n"));
+  CHECK(bricks_in("// a plate\n121\n.2.\n") == bricks_in("1 2 1\n. 2 .\n"));
+  CHECK(bricks_in("111\n121\n") == bricks_in("1 1 1\n1 2 1\n"));
+  CHECK(bricks_in("#?\n") == bricks_in("# ?\n"));
+  // A structure one cell wide: its rows are symbols.
+  CHECK(bricks_in("red\nred\n").size() == 2);
+  CHECK(bricks_in("12\n---\n13\n").size() == 2);
+  CHECK(bricks_in("// bricks: #. b\n#.\nb\n").size() == 2);
+  // Neither the one nor the other: one word here, several there.
+  CHECK(complaint("##.\n# # #\n") == "F403 2:1");
+}
+
 TEST_CASE("symbols that cannot be drawn with become numbers") {
   const Structure s = structure_literal("1 2");
   for (const auto& symbols : {std::vector<std::string>{"a b", "c"},
