@@ -2,7 +2,8 @@
 -- The robot's camera: where it is, what of the surroundings is in its picture, and from where a
 -- block is seen.
 
-local SIDE = require('common.geometry').SIDE
+local geometry = require 'common.geometry'
+
 local LOWEST_OF_VIEW = 0.92    -- of the half height of the picture
 local WHOLLY_IN_VIEW = 0.92    -- likewise of its upper half
 local TAG_EDGE = 0.016         -- m, from the middle of the tag on top to its nearer edge, and some more
@@ -62,7 +63,7 @@ end
 function Camera:farthest_in_sight(lift, block)
    local x, z = self:place_when_down()
    local half = WHOLLY_IN_VIEW * self.robot.camera_system.resolution.y / 2 / self.description.camera.focal
-   return x + (z + lift - block.z - TAG_FOOT) * (1 + half) / (1 - half) + SIDE / 2
+   return x + (z + lift - block.z - TAG_FOOT) * (1 + half) / (1 - half) + geometry.SIDE / 2
 end
 
 -- How far ahead a block is whose mark is in the picture's middle, at a height of the lift.
