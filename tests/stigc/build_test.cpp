@@ -18,6 +18,10 @@ TEST_CASE("build refuses a folder of the user's, and says why nothing can be bui
   CHECK(apart.exit_code == 1);
   CHECK(apart.out.starts_with("impossible: "));
   CHECK_FALSE(place.has("out/rules.yaml"));
+  // Rules of an earlier build are written over, which is not to be taken for an input.
+  CHECK(place.shell("mkdir ours && echo 'source: compiled by stigc synth' > ours/rules.yaml")
+            .exit_code == 0);
+  CHECK(place.stigc({"build", "apart.txt", "-o", "ours"}).exit_code == 1);
   // The folder is no other's now: the drawing mended, the same command goes on.
   CHECK(place.stigc({"build", "apart.txt", "-o", "out"}).exit_code == 1);
   CHECK(place.stigc({"build", "line.txt"}).exit_code == 2);

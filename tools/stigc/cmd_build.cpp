@@ -8,14 +8,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
-#include "base/file_io.h"
 #include "base/text.h"
 #include "commands.h"
 #include "lattice/structure_files.h"
 #include "outputs.h"
 #include "robot_input.h"
-#include "rules/rule_reader.h"
 #include "synth_words.h"
 #include "validate_runs.h"
 
@@ -28,6 +27,17 @@ constexpr const char* kRules = "rules.yaml";
 constexpr const char* kDecisions = "decisions.txt";
 constexpr const char* kTarget = "target.png";
 constexpr const char* kBuilt = "built.png";
+constexpr std::size_t kMostHead = 1 << 16;
+
+/// The rules are the first file that a build writes, and say near their begin by whom. They are
+/// looked at and not read as an input is, over which nothing could be written afterwards.
+bool made_by_synth(const std::string& path) {
+  std::ifstream rules(path);
+  std::string head(kMostHead, '\0');
+  rules.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(rules.gcount()));
+  return head.find(kMadeBySynth) != std::string::npos;
+}
 
 class BuildWork {
  public:
@@ -56,10 +66,7 @@ class BuildWork {
       app_.report(diagnostics);
       return kFailed;
     }
-    // The rules are the first file that is written, and say by whom.
-    FileError none;
-    const auto rules = read_file(in_folder(kRules), kMaxRuleFileBytes, none);
-    const bool ours = rules && rules->find(kMadeBySynth) != std::string::npos;
+    const bool ours = made_by_synth(in_folder(kRules));
     return prepare_folder({options_.output, {kRules, kDecisions, kTarget, kBuilt}, ours, "build"},
                           app_);
   }
