@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <vector>
 
 namespace stig {
@@ -152,7 +153,10 @@ std::string_view word_of(Severity severity) {
 
 }  // namespace
 
-const CodeExample& example_of(Code code) { return kExamples[static_cast<std::size_t>(code)]; }
+const CodeExample& example_of(Code code) {
+  assert(static_cast<std::size_t>(code) < std::size(kExamples));
+  return kExamples[static_cast<std::size_t>(code)];
+}
 
 /// Keys that the example gives replace those of the good file, lines below them included.
 std::string example_file(ExampleForm form, std::string_view keys) {

@@ -13,6 +13,7 @@
 
 #include <array>
 #include <atomic>
+#include <cassert>
 #include <cerrno>
 #include <climits>
 #include <cstdint>
@@ -231,6 +232,7 @@ bool GrowingFile::open(const std::string& path, FileError& error) {
 }
 
 bool GrowingFile::append(std::string_view bytes, FileError& error) {
+  assert(is_open());
   if (write_all(fd_, bytes)) return true;
   fail(error, "write", path_);
   discard();
@@ -239,6 +241,7 @@ bool GrowingFile::append(std::string_view bytes, FileError& error) {
 
 /// From here on the old file exists until the moment of the rename.
 bool GrowingFile::commit(FileError& error) {
+  assert(is_open());
   // Another may have been written there, or read, since this one was begun.
   if (!check_unguarded(target_, path_, error)) {
     discard();

@@ -37,6 +37,7 @@ class Document {
   // as they are.
   void add(const std::vector<GlbNode>& nodes, std::size_t number) {
     const GlbNode& node = nodes[number];
+    assert(node.parent < static_cast<int>(number));
     json out = {{"name", node.name}};
     if (!node.primitives.empty()) {
       out["mesh"] = json_.contains("meshes") ? json_["meshes"].size() : 0;
@@ -133,6 +134,7 @@ class Document {
 /// them exactly.
 std::uint32_t GlbPrimitive::add_vertex(const std::array<float, 3>& at,
                                        const std::array<float, 3>& normal) {
+  assert(lines || normals.size() == positions.size());
   if (vertices == 0) low = high = at;
   for (std::size_t i = 0; i < 3; ++i) {
     low[i] = std::min(low[i], at[i]);
@@ -144,11 +146,13 @@ std::uint32_t GlbPrimitive::add_vertex(const std::array<float, 3>& at,
 }
 
 void GlbPrimitive::add_triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  assert(!lines && a < vertices && b < vertices && c < vertices);
   for (const std::uint32_t corner : {a, b, c}) put(indices, corner);
   corners += 3;
 }
 
 void GlbPrimitive::add_line(std::uint32_t a, std::uint32_t b) {
+  assert(lines && a < vertices && b < vertices);
   put(indices, a);
   put(indices, b);
   corners += 2;

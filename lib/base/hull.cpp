@@ -64,6 +64,7 @@ class Hull {
   /// of an edge.
   std::vector<std::size_t> go_round(const HullFace& face) const {
     const auto& all = face.corners;
+    assert(!all.empty());
     std::vector<std::size_t> out;
     std::size_t at = *std::max_element(all.begin(), all.end(), [&](std::size_t a, std::size_t b) {
       const Vec3 d = points_[a] - points_[b];

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
@@ -126,6 +127,7 @@ std::string unquoted_number(const YamlNode& node) {
 
 /// By the first letter, which is right for the nouns of the forms.
 std::string with_article(std::string_view noun) {
+  assert(!noun.empty());
   return (std::string_view("aeiou").find(noun[0]) != std::string_view::npos ? "an " : "a ") +
          std::string(noun);
 }

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 
@@ -25,6 +26,7 @@ bool is_hidden(char32_t c) {
 }  // namespace
 
 CodePoint decode_utf8(std::string_view text) {
+  assert(!text.empty());
   const auto lead = static_cast<unsigned char>(text[0]);
   if (lead < 0x80) return {lead, 1, true};
   const CodePoint bad{lead, 1, false};

@@ -11,6 +11,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <cassert>
 #include <sstream>
 #include <unordered_map>
 
@@ -193,6 +194,7 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void close(char bracket) {
+    assert(!stack_.empty());
     YamlNode node = std::move(stack_.back().node);
     stack_.pop_back();
     const std::size_t inner = std::max<std::size_t>(last_end_, node.begin);

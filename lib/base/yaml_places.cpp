@@ -5,6 +5,7 @@
 #include "base/yaml_places.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 
@@ -47,6 +48,7 @@ std::size_t plain_end(std::string_view source, std::size_t begin, std::string_vi
 /// In double quotes a backslash escapes the next character; in single quotes a quote is
 /// doubled.
 std::size_t quoted_end(std::string_view source, std::size_t begin) {
+  assert(begin < source.size());
   const char quote = source[begin];
   for (std::size_t i = begin + 1; i < source.size(); ++i) {
     if (quote == '"' && source[i] == '\\') {
