@@ -5,6 +5,7 @@
 #include "lattice/box.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -12,6 +13,7 @@ namespace {
 /// C++'s remainder takes the sign of the dividend, a cell's image has to lie within the
 /// box.
 std::int32_t wrap_one(std::int32_t value, std::int32_t low, std::int32_t size) {
+  assert(size >= 1);
   const std::int32_t rest = (value - low) % size;
   return low + (rest < 0 ? rest + size : rest);
 }

@@ -8,6 +8,7 @@
 #include <cairo.h>
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <string_view>
 
@@ -113,6 +114,7 @@ Canvas::~Canvas() = default;
 
 void Canvas::polygon(const PagePoint* corners, std::size_t count, Rgb fill, Rgb edge,
                      double edge_width) {
+  assert(page_->cairo != nullptr);
   cairo_t* cairo = page_->cairo;
   cairo_new_path(cairo);
   for (std::size_t i = 0; i < count; ++i) cairo_line_to(cairo, corners[i].x, corners[i].y);

@@ -7,6 +7,7 @@
 #include "lattice/cell_marks.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/hash.h"
 
@@ -57,6 +58,7 @@ bool CellMarks::set(Cell cell, std::uint64_t marks) {
 
 /// Constant time. References to positions in the list do not survive it.
 void CellMarks::erase(std::size_t slot) {
+  assert(slots_[slot] != 0);
   const std::uint32_t number = slots_[slot];
   free_slot(slot);
   if (number < entries_.size()) {  // the last entry takes its place in the list

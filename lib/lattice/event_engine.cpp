@@ -3,6 +3,8 @@
 // takes one. What later stages open is kept up to date beside it, so that a stage
 // begins without a look at the whole structure.
 #include "lattice/cell_marks.h"
+
+#include <cassert>
 #include "lattice/engines.h"
 
 namespace stig {
@@ -56,6 +58,7 @@ class EventRun {
   }
 
   void step() {
+    assert(open_.size() > 0);
     const std::uint64_t step = log_.begin_step();
     // One stream of random numbers for each step, addressed by its number: the choice of a
     // site, of a rule and of its firing come from it in this order, which traces and their

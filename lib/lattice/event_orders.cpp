@@ -108,7 +108,10 @@ class Layer {
   std::size_t depth() const { return depth_; }
   std::size_t size() const { return hashes_.size(); }
   std::uint64_t words() const { return events_.size() + open_.size() + 6 * size(); }
-  const Event* events(std::size_t state) const { return events_.data() + state * depth_; }
+  const Event* events(std::size_t state) const {
+    assert(state < size());
+    return events_.data() + state * depth_;
+  }
   const Event* open_begin(std::size_t state) const { return open_.data() + open_from_[state]; }
   const Event* open_end(std::size_t state) const {
     return open_.data() + (state + 1 < size() ? open_from_[state + 1] : open_.size());
@@ -240,6 +243,7 @@ class Search {
 
   /// A state in which the stage begins: its events are found from scratch.
   void add_first(Layer& layer, const Events& state) {
+    assert(state.size() == layer.depth());
     if (given_up_ || !layer.insert(state)) return;
     for (const Cell cell : enabled_sites(structure_of(state), rules_, box_, stage_)) {
       // Fetched first: numbering a cell may move the states.
@@ -272,6 +276,7 @@ class Search {
   /// written here.
   void open_after(const Layer& layer, std::size_t state, Event event, Layer& next) {
     const std::uint32_t site = site_of(event);
+    assert(site >= Sites::kFirst);
     const auto& around = sites_.around(site);
     const auto touched = [&](std::uint32_t other) {
       return other == site || std::find(around.begin(), around.end(), other) != around.end();

@@ -215,6 +215,7 @@ void judge_structure(const RuleSet& rules, const Findings& findings,
 
 std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& findings,
                                    const ExpectationLimits& limits) {
+  assert(rules.expect);
   const Expectation& expect = *rules.expect;
   std::vector<ExpectationItem> items;
   if (expect.bricks) {

@@ -216,6 +216,7 @@ FiringGraph firing_graph(const RuleSet& rules) {
 }
 
 std::string to_dot(const FiringGraph& graph, const RuleSet& rules) {
+  assert(graph.nodes.size() == rules.rules.size());
   const std::string& title = rules.title.empty() ? rules.name : rules.title;
   std::string out = fmt::format("digraph {} {{\n", dot_string(rules.name));
   out += fmt::format("  label={};\n  labelloc=t;\n  rankdir=LR;\n", dot_string(title));

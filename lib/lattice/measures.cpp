@@ -5,6 +5,7 @@
 #include "lattice/measures.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/islands.h"
 
@@ -88,6 +89,7 @@ class CavityFlood {
 
  private:
   std::size_t index(Cell c) const {
+    assert(inside(c));
     const Offset o = c - low_;
     return (static_cast<std::size_t>(o.z) * static_cast<std::size_t>(size_.y) +
             static_cast<std::size_t>(o.y)) *
@@ -132,6 +134,7 @@ Cell image(const Orientation& g, Cell cell) { return Cell{} + g.apply(cell - Cel
 
 /// CellBounds of the bricks' image under g.
 CellBounds image_bounds(const std::vector<PlacedBrick>& bricks, const Orientation& g) {
+  assert(!bricks.empty());
   CellBounds bounds{image(g, bricks.front().at), image(g, bricks.front().at)};
   auto& [low, high] = bounds;
   for (const PlacedBrick& b : bricks) {

@@ -150,6 +150,7 @@ std::vector<Rectangle> stacked(const std::vector<Rectangle>& runs) {
 
 // Corners of a merged face: those beyond the middle of the face move out with it.
 Polygon grown(Lattice lattice, std::size_t face, const Rectangle& rectangle) {
+  assert(face < cell_faces(lattice).size());
   const CellFace& shape = cell_faces(lattice)[face];
   Polygon polygon{rectangle.first.colour,
                   static_cast<std::uint8_t>(face),

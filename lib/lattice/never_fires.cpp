@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <deque>
 
 #include "base/text.h"
@@ -95,6 +96,7 @@ class Closure {
   }
 
   bool look(Cell site, int stage) {
+    assert(placeable(site));
     if (looks_left_-- <= 1) return false;
     MayShow shows;
     for (std::size_t i = 0; i < static_cast<std::size_t>(n_.size); ++i) {

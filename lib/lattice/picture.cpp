@@ -76,6 +76,7 @@ struct Layout {
 // another row.
 void fit_panels(Layout& layout, std::size_t panels, PagePoint content, PagePoint room,
                 double most_scale) {
+  assert(content.x > 0 && content.y > 0);
   layout.scale = 0;
   const int count = static_cast<int>(panels);
   for (int rows = 1; rows <= count; ++rows) {

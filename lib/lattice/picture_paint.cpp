@@ -4,6 +4,7 @@
 // slightly different directions make them softer the higher their bricks are.
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "lattice/picture_scene.h"
@@ -82,6 +83,7 @@ double cross(PagePoint o, PagePoint a, PagePoint b) {
 // Monotone chain (Andrew 1979). A. Andrew, "Another efficient algorithm for convex hulls in
 // two dimensions" (Information Processing Letters, 1979).
 std::vector<PagePoint> convex_hull(std::vector<PagePoint> points) {
+  assert(points.size() >= 3);
   const auto before = [](PagePoint a, PagePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };
   std::sort(points.begin(), points.end(), before);
   std::vector<PagePoint> hull;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 
 #include "lattice/rgb.h"
@@ -132,6 +133,7 @@ PictureScene make_scene(const Structure& structure, bool floor) {
 void share_frame(std::vector<PictureScene>& scenes) {
   // A common frame and ground keep several panels comparable: equal cells have equal sizes
   // and places.
+  assert(!scenes.empty());
   PictureScene all = scenes.front();
   for (const PictureScene& scene : scenes) {
     extend(all.box, scene.box);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include "base/bytes.h"
+
+#include <cassert>
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 
@@ -39,6 +41,7 @@ std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double
     vertices += polygon.corners;
     quads += polygon.corners / 2U - 1;
   }
+  assert(vertices <= static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()));
   std::string out = fmt::format(fmt::runtime(kHeader), scale, vertices, quads);
   for (const Polygon& polygon : mesh.polygons) {
     const Point normal = cell_faces(mesh.lattice)[polygon.face].normal;

@@ -104,6 +104,7 @@ Structure::Chunk& Structure::find_or_make(Cell cell) {
 }
 
 void Structure::insert_in_index(std::size_t number) {
+  assert(number >= 1 && number <= chunks_.size());
   const std::size_t mask = index_.size() - 1;
   std::size_t slot = chunk_hash(chunks_[number - 1].origin) & mask;
   while (index_[slot] != 0) slot = (slot + 1) & mask;

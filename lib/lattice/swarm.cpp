@@ -121,6 +121,7 @@ RunLog::RunLog(const SwarmConfig& config, const SwarmHooks& hooks, std::size_t r
 }
 
 void RunLog::record(const Deposit& deposit) {
+  assert(deposit.match.rule < result_.rules.size());
   ++result_.deposits;
   ++result_.rules[deposit.match.rule].fired;
   if (hooks_->deposit) hooks_->deposit(deposit);

@@ -5,6 +5,8 @@
 // decompressed size by a limit, before anything is allocated for them.
 #include "lattice/trace.h"
 
+#include <cassert>
+
 #include <nlohmann/json.hpp>
 
 #include "base/bytes.h"
@@ -188,6 +190,7 @@ TraceWriter::TraceWriter(const RuleSet& rules, const SwarmConfig& config, const 
 TraceWriter::~TraceWriter() = default;
 
 void TraceWriter::deposit(const Deposit& d) {
+  assert(d.agent >= -1);
   State& s = *state_;
   std::string& out = s.pending;
   out.push_back(static_cast<char>(kEvent));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <string_view>
 
 #include "base/bytes.h"
@@ -65,6 +66,7 @@ std::vector<PlacedBrick> sorted_by_block(const Structure& structure, Cell low) {
 
 /// Trimmed bounds keep models small where a block is mostly empty.
 CellBounds bounds_of(const PlacedBrick* begin, const PlacedBrick* end) {
+  assert(begin != end);
   CellBounds bounds{begin->at, begin->at};
   for (const PlacedBrick* b = begin; b != end; ++b) {
     bounds.low = {std::min(bounds.low.x, b->at.x), std::min(bounds.low.y, b->at.y),

@@ -69,6 +69,7 @@ class EmptyCells {
     list_.push_back(cell);
   }
   void remove(std::int32_t cell) {
+    assert(list_[place_[static_cast<std::size_t>(cell)]] == cell);
     const std::uint32_t at = place_[static_cast<std::size_t>(cell)];
     list_[at] = list_.back();
     place_[static_cast<std::size_t>(list_.back())] = at;
@@ -208,6 +209,7 @@ std::int32_t AgentRun::random_free_cell(std::uint32_t agent) const {
   // The box is nearly full: count what is free and take one of it.
   const auto last = flags_.begin() + field_.size;
   const auto free = static_cast<std::uint64_t>(std::count(flags_.begin(), last, std::uint8_t{0}));
+  assert(free > 0);
   std::uint64_t skip = random.below(free);
   std::int32_t cell = 0;
   while (flags_[static_cast<std::size_t>(cell)] != 0 || skip-- != 0) ++cell;

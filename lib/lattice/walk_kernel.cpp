@@ -4,12 +4,15 @@
 // for each move.
 #include "lattice/walk_kernel.h"
 
+#include <cassert>
+
 #include "base/random.h"
 
 namespace stig {
 
 void draw_moves(std::uint64_t seed, std::uint32_t run, std::uint64_t block, const Moves& moves,
                 bool vectorise, std::array<std::vector<std::int32_t>, 4>& out) {
+  assert(moves.count >= 1 && moves.count <= moves.step.size());
   const auto counter = random_address(run, Purpose::move, 0, block);
   const auto key = random_key(seed);
   const std::size_t agents = out[0].size();
