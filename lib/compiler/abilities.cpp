@@ -85,6 +85,7 @@ std::vector<std::string> lacking(const RobotModel& robot) {
 
 Abilities abilities_of(const RobotModel& robot, const BlockFigures& block) {
   assert(lacking(robot).empty());
+  assert(block.look.side > 0);
   Abilities out;
   out.block = block.look;
   out.block_weight = block.mass * kGravity;

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -217,6 +218,7 @@ bool behind_robot(const SideCell& site, const SideCell& brick, const Abilities& 
 /// The first obstruction is returned, with the figures that explain it.
 ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, ApproachSide side,
                   const Abilities& robot) {
+  assert(!target.filled(state, cell));
   const View3 view{target, state, side};
   const SideCell site = seen_from(side, cell);
   const int level = site.z - target.floor_level();
@@ -243,6 +245,7 @@ ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, 
 /// Overhangs are left out: whether one holds depends on what else hangs there.
 bool reach_between(const TargetBricks& target, const BrickSet& least, const BrickSet& most,
                    const BrickSet& lane, Cell cell, ApproachSide side, const Abilities& robot) {
+  assert(most.contains(least));
   const View3 few{target, least, side}, many{target, most, side};
   const SideCell site = seen_from(side, cell);
   if (site.z - target.floor_level() >= robot.levels || most.meets(lane)) return false;

@@ -4,6 +4,8 @@
 // point of most conflicts is that a decision was right when it was made.
 #include "compiler/conflict_text.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 #include "base/text.h"
@@ -22,6 +24,7 @@ std::string work_text(const TargetStates& target, const Work& work) {
 
 /// The rule that speaks of the work that the conflict is about.
 SourceRange range_of(const RuleSet& rules, const CompiledRules& compiled) {
+  assert(!compiled.concurrency.conflicts.empty());
   const Conflict& conflict = compiled.concurrency.conflicts.front();
   const auto& work = conflict.other ? conflict.other : conflict.placed;
   if (!work) return {rules.file, 0, 0};

@@ -26,7 +26,11 @@ std::string plain(std::string_view text) {
   return out;
 }
 
-int led_number(const RuleSet& rules, Colour colour) { return rules.brick(colour).led[1] - '0'; }
+int led_number(const RuleSet& rules, Colour colour) {
+  const std::string& led = rules.brick(colour).led;
+  assert(led.size() == 2);
+  return led[1] - '0';
+}
 
 std::string cell_text(const WindowCell& cell) {
   return fmt::format("{}, {}, {}", cell.du, cell.dv, cell.z);

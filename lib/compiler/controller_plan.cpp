@@ -4,6 +4,7 @@
 #include "compiler/controller_plan.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 namespace stig {
@@ -36,6 +37,7 @@ int transport_colour(const RuleSet& rules) {
 
 ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
                                const CompiledRules& compiled) {
+  assert(compiled.decision != nullptr && compiled.target != nullptr);
   ControllerPlan out;
   out.chart = &building_chart();
   out.decision = compiled.decision.get();

@@ -35,6 +35,7 @@ auto preference(const std::optional<Placement>& placement) {
 
 /// What all cases may do.
 Choices common(const std::vector<Case>& cases) {
+  assert(!cases.empty());
   Choices out = cases.front().choices;
   for (const Case& one : cases) {
     std::erase_if(out, [&](const auto& choice) { return !one.choices.contains(choice); });
@@ -43,6 +44,7 @@ Choices common(const std::vector<Case>& cases) {
 }
 
 std::unique_ptr<DecisionNode> leaf(const std::vector<Case>& cases, const Choices& choices) {
+  assert(!choices.empty());
   auto node = std::make_unique<DecisionNode>();
   node->placement =
       *std::min_element(choices.begin(), choices.end(),

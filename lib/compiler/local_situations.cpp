@@ -6,6 +6,7 @@
 #include "compiler/local_situations.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 #include <set>
 
@@ -88,6 +89,7 @@ bool LocalSituations::always_comes(ApproachSide side, int u, int v, std::uint32_
 bool LocalSituations::for_each(ApproachSide side, int u, int v, const BrickSet& given,
                                const BrickSet& missing, std::size_t& most,
                                const Visit& visit) const {
+  assert(!given.meets(missing));
   Search search{{side, u, v, given, missing}, {}, most, visit};
   search.situation.least.add(target_.start());
   BrickSet& out = search.situation.most;

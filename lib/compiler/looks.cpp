@@ -7,6 +7,7 @@
 #include "compiler/looks.h"
 
 #include <algorithm>
+#include <cassert>
 #include <numeric>
 #include <set>
 
@@ -58,6 +59,7 @@ std::vector<LookedAt> columns_that_arise(Sight& sight, const CompiledRules& comp
 }  // namespace
 
 std::vector<Stance> choose_looks(const Abilities& robot, const CompiledRules& compiled) {
+  assert(compiled.decision != nullptr);
   Sight sight(*compiled.target, robot);
   const std::vector<LookedAt> columns = columns_that_arise(sight, compiled);
   const std::vector<Stance>& stances = sight.stances();

@@ -4,11 +4,14 @@
 // the structure is looked up; after a local proof the view is computed anew.
 #include "compiler/open_work.h"
 
+#include <cassert>
+
 #include "compiler/columns.h"
 
 namespace stig {
 
 OpenWork::OpenWork(const CompiledRules& compiled) : compiled_(compiled) {
+  assert(compiled.decision != nullptr);
   if (compiled.local_situations > 0) {
     sight_.emplace(*compiled.target, compiled.visibility);
     return;

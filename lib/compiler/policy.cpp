@@ -318,6 +318,7 @@ Policy explore(const TargetBricks& target, const OpenBricks& open, Sight& sight,
 }
 
 bool withdraw(Policy& policy, const Withdrawal& withdrawal) {
+  assert(withdrawal.observation < policy.allowed.size());
   if (policy.allowed[withdrawal.observation].erase(withdrawal.placement) == 0) return false;
   policy.withdrawn.push_back(withdrawal);
   return true;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "base/text.h"
@@ -54,7 +55,10 @@ class Explainer {
 
  private:
   // The fullest structure from which nothing goes on; the policy has set it.
-  const BrickSet& stuck() const { return policy_.states[*policy_.stuck]; }
+  const BrickSet& stuck() const {
+    assert(policy_.stuck);
+    return policy_.states[*policy_.stuck];
+  }
 
   std::string draw(const BrickSet& state) const {
     return draw_structure(rules_, target_.structure(state).bricks());

@@ -20,6 +20,7 @@ constexpr int kBefore = 4, kBehind = 4, kBeside = 3;
 constexpr int kRows = 2 * kBeside + 1, kDepth = kBefore + kBehind + 1;
 
 std::size_t around_index(int du, int dv, int z) {
+  assert(std::abs(dv) <= kBeside && du >= -kBehind && du <= kBefore);
   return static_cast<std::size_t>((z * kDepth + du + kBehind) * kRows + dv + kBeside);
 }
 
@@ -225,6 +226,7 @@ const std::vector<Observation>& Visibility::of(const std::string& filled) {
 Observation Visibility::observe(const std::string& filled,
                                 const std::vector<TagLook>& looks) const {
   Observation out;
+  assert(filled.size() == around_cells(levels_));
   out.cells.assign(static_cast<std::size_t>(levels_ * kWindowColumns), kUnseen);
   const CellWords bricks = words_of(filled);
   for (const TagLook& look : looks) {

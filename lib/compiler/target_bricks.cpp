@@ -10,16 +10,19 @@
 namespace stig {
 
 bool BrickSet::contains(const BrickSet& other) const {
+  assert(words_.size() == other.words_.size());
   std::uint64_t missing = 0;
   for (std::size_t i = 0; i < words_.size(); ++i) missing |= other.words_[i] & ~words_[i];
   return missing == 0;
 }
 
 void BrickSet::add(const BrickSet& others) {
+  assert(words_.size() == others.words_.size());
   for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= others.words_[i];
 }
 
 bool BrickSet::meets(const BrickSet& other) const {
+  assert(words_.size() == other.words_.size());
   std::uint64_t both = 0;
   for (std::size_t i = 0; i < words_.size(); ++i) both |= words_[i] & other.words_[i];
   return both != 0;
@@ -43,6 +46,7 @@ std::uint64_t BrickSet::hash() const {
 std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
   std::uint32_t i = 0;
   while (i < bricks && before.has(i) == after.has(i)) ++i;
+  assert(i < bricks);
   return i;
 }
 

@@ -86,6 +86,7 @@ bool TargetStates::due_between(const BrickSet& least, const BrickSet& most,
 /// Intersections over the rules that place the brick's colour: what all of them need, and
 /// what all of them forbid.
 Demands TargetStates::demands(std::size_t brick) const {
+  assert(brick >= start_bricks());
   const StageSite& site = model_->sites[brick - start_bricks()];
   Mask always = site.bricks, never = site.bricks;
   for (const LocalRule& rule : site.rules) {
