@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/text.h"
 #include "rules/drawing_rows.h"
@@ -75,6 +76,7 @@ bool check_structure_shape(const YamlTextMap& places, const std::vector<Slice>& 
 /// An expected structure is compared up to translation, so its place in the drawing means
 /// nothing.
 void move_to_origin(std::vector<PlacedBrick>& bricks) {
+  assert(!bricks.empty());
   Cell low = bricks.front().at;
   for (const PlacedBrick& b : bricks) {
     low = {std::min(low.x, b.at.x), std::min(low.y, b.at.y), std::min(low.z, b.at.z)};

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 
 #include "base/text.h"
@@ -125,6 +126,7 @@ class PatternReader {
   // Column and row of the drawing to an offset; the inverse of the order in
   // neighbourhood.cpp.
   Offset offset_of(std::size_t row, std::size_t column) const {
+    assert(row < 3);
     const std::size_t slice = column / width(row);
     const int y = 1 - static_cast<int>(row);
     // The lower row of a hexagonal slice starts one further along x.
@@ -180,6 +182,7 @@ class PatternReader {
     }
     const std::optional<StateSet> states = states_of(token);
     if (token.text == "=") check_floor(token, offset);
+    assert(neighbours_.index_of(offset) >= 0);
     const auto index = static_cast<std::size_t>(neighbours_.index_of(offset));
     if (states) pattern_.allowed[index] = *states;
   }
@@ -222,6 +225,7 @@ class PatternReader {
       for (std::size_t column = 0; column < rows_[row].tokens.size(); ++column) {
         const Offset offset = offset_of(row, column);
         if (offset.z != z) continue;
+        assert(neighbours_.index_of(offset) >= 0);
         const auto index = static_cast<std::size_t>(neighbours_.index_of(offset));
         const StateSet& allowed = pattern_.allowed[index];
         if (allowed == StateSet::floor() && floor == nullptr) floor = &rows_[row].tokens[column];

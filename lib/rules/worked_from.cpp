@@ -6,6 +6,7 @@
 #include "rules/worked_from.h"
 
 #include <algorithm>
+#include <cassert>
 #include <set>
 #include <string_view>
 
@@ -19,6 +20,7 @@ constexpr std::string_view kSides[] = {"+x", "+y", "-x", "-y"};
 /// Where a robot at +x stands after the turn.
 std::string_view side_of(const Orientation& orientation) {
   const Offset at = orientation.apply({1, 0, 0});
+  assert((at.x == 0) != (at.y == 0));
   if (at.x != 0) return at.x > 0 ? kSides[0] : kSides[2];
   return at.y > 0 ? kSides[1] : kSides[3];
 }
