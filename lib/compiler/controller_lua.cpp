@@ -191,9 +191,9 @@ void print_task(Printer& out, const ControllerPlan& plan) {
   out.line(
       fmt::format("   asks = {{ {}}},  -- cells: towards the robot, to its left, level", list));
   out.line("   looks = {  -- m: from the camera to the column, height of the lift");
-  for (const Stance& look : plan.looks) {
-    out.line(
-        fmt::format("      {{ distance = {:.3f}, lift = {:.4f} }},", look.distance, look.lift));
+  for (const Viewpoint& viewpoint : plan.viewpoints) {
+    out.line(fmt::format("      {{ distance = {:.3f}, lift = {:.4f} }},", viewpoint.distance,
+                         viewpoint.lift));
   }
   out.line("   },");
   list.clear();

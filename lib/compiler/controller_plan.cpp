@@ -44,7 +44,7 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   std::set<WindowCell> asks;
   gather_asks(*out.decision, asks);
   out.asks.assign(asks.begin(), asks.end());
-  out.looks = choose_looks(robot, compiled);
+  out.viewpoints = choose_viewpoints(robot, compiled);
   out.sides = compiled.sides;
   out.turns = compiled.directions != KnownDirections::declared;
   out.levels = compiled.target->levels();

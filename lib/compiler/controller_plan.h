@@ -4,14 +4,14 @@
 //
 //     chart      what follows what (chart.h), the same for all rule sets
 //     decision   what to do before a column (decision.h), the rules
-//     looks      from where to look at it
+//     viewpoints from where to look at it
 #pragma once
 
 #include <string>
 #include <vector>
 
 #include "compiler/chart.h"
-#include "compiler/looks.h"
+#include "compiler/viewpoints.h"
 
 namespace stig {
 
@@ -19,7 +19,7 @@ struct ControllerPlan {
   const Chart* chart = nullptr;
   const DecisionNode* decision = nullptr;  ///< owned by the compiled rules
   std::vector<WindowCell> asks;            ///< cells that the decision asks for, rising
-  std::vector<Stance> looks;
+  std::vector<Viewpoint> viewpoints;
   std::vector<ApproachSide> sides;
   bool turns = false;       ///< any side will do, whatever its name
   int levels = 0;           ///< of the structure

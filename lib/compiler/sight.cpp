@@ -36,11 +36,11 @@ std::size_t around_cells(int levels) { return static_cast<std::size_t>(levels * 
 /// A camera before a column: what its place alone decides.
 class Shot {
  public:
-  Shot(const Abilities& robot, const CarriedCamera& camera, const Stance& stance, int levels)
+  Shot(const Abilities& robot, const CarriedCamera& camera, const Viewpoint& viewpoint, int levels)
       : robot_(robot), camera_(camera), levels_(levels) {
     X_RC_ = camera.X_RC;
-    if (camera.lifted) X_RC_.p.z += stance.lift;
-    column_x_ = X_RC_.p.x + stance.distance + robot.block.side / 2;
+    if (camera.lifted) X_RC_.p.z += viewpoint.lift;
+    column_x_ = X_RC_.p.x + viewpoint.distance + robot.block.side / 2;
     X_CR_ = inverse(X_RC_);
   }
 
@@ -167,13 +167,13 @@ Visibility::Visibility(const Abilities& robot, int levels) : levels_(levels) {
   // lowest to its highest.
   for (const double distance : {0.08, 0.10, 0.14, 0.20}) {
     for (int i = 0; i < kLifts; ++i) {
-      stances_.push_back({distance, robot.lift_travel * i / (kLifts - 1)});
+      viewpoints_.push_back({distance, robot.lift_travel * i / (kLifts - 1)});
     }
   }
-  for (const Stance& stance : stances_) {
+  for (const Viewpoint& viewpoint : viewpoints_) {
     looks_.emplace_back();
     for (const CarriedCamera& camera : robot.cameras)
-      add_looks(Shot(robot, camera, stance, levels));
+      add_looks(Shot(robot, camera, viewpoint, levels));
   }
 }
 

@@ -46,7 +46,7 @@ inline std::size_t window_index(const WindowCell& c) {
 WindowCell window_cell(std::size_t index);
 
 /// A camera at a distance from the column's face, the lift at a height; m.
-struct Stance {
+struct Viewpoint {
   double distance = 0, lift = 0;
 };
 
@@ -69,11 +69,11 @@ class Visibility {
   /// `levels` of the window.
   Visibility(const Abilities& robot, int levels);
 
-  /// What each stance shows of the column in the middle of what is filled, '\0' or anything else a
-  /// cell: kUnseen, kSeenEmpty or kSeenBrick by window_index.
+  /// What each viewpoint shows of the column in the middle of what is filled, '\0' or anything else
+  /// a cell: kUnseen, kSeenEmpty or kSeenBrick by window_index.
   const std::vector<Observation>& of(const std::string& filled);
   int levels() const { return levels_; }
-  const std::vector<Stance>& stances() const { return stances_; }
+  const std::vector<Viewpoint>& viewpoints() const { return viewpoints_; }
   /// The window, and all around it that can hide some of it.
   std::vector<WindowCell> cells_that_matter() const;
 
@@ -83,8 +83,8 @@ class Visibility {
   Observation observe(const std::string& filled, const std::vector<TagLook>& looks) const;
 
   int levels_ = 0;
-  std::vector<Stance> stances_;
-  std::vector<std::vector<TagLook>> looks_;  ///< by stance
+  std::vector<Viewpoint> viewpoints_;
+  std::vector<std::vector<TagLook>> looks_;  ///< by viewpoint
   std::unordered_map<std::string, std::vector<Observation>> known_;
 };
 /// Levels of the window for a target of so many.
@@ -98,17 +98,17 @@ class Sight {
 
   /// What is seen of the column (u, v) from this side.
   const Observation& look(const BrickSet& state, ApproachSide side, int u, int v);
-  /// The same from each of stances() alone.
+  /// The same from each of viewpoints() alone.
   const std::vector<Observation>& look_from_each(const BrickSet& state, ApproachSide side, int u,
                                                  int v);
   int levels() const { return visibility_->levels(); }
   std::vector<WindowCell> cells_that_matter() const { return visibility_->cells_that_matter(); }
-  const std::vector<Stance>& stances() const { return visibility_->stances(); }
+  const std::vector<Viewpoint>& viewpoints() const { return visibility_->viewpoints(); }
 
  private:
   /// What stands around a column, and what is seen of it.
   struct Seen {
-    std::vector<Observation> from;  ///< by stance
+    std::vector<Observation> from;  ///< by viewpoint
     Observation all;
   };
   const Seen& seen(const BrickSet& state, ApproachSide side, int u, int v);

@@ -124,18 +124,19 @@ TEST_CASE("from the chosen looks alone every column that can arise leads to the 
   for (const char* name : {"staircase", "stepped-pyramid"}) {
     CAPTURE(name);
     const Planned planned(shipped(name));
-    CHECK(planned.plan.looks.size() <= 3);
+    CHECK(planned.plan.viewpoints.size() <= 3);
     Sight sight(*planned.compiled.target, planned.robot);
     std::vector<std::size_t> used;
-    for (std::size_t i = 0; i < sight.stances().size(); ++i) {
-      const Stance& one = sight.stances()[i];
-      if (std::any_of(planned.plan.looks.begin(), planned.plan.looks.end(), [&](const Stance& l) {
-            return l.distance == one.distance && l.lift == one.lift;
-          })) {
+    for (std::size_t i = 0; i < sight.viewpoints().size(); ++i) {
+      const Viewpoint& one = sight.viewpoints()[i];
+      if (std::any_of(planned.plan.viewpoints.begin(), planned.plan.viewpoints.end(),
+                      [&](const Viewpoint& l) {
+                        return l.distance == one.distance && l.lift == one.lift;
+                      })) {
         used.push_back(i);
       }
     }
-    REQUIRE(used.size() == planned.plan.looks.size());
+    REQUIRE(used.size() == planned.plan.viewpoints.size());
     const Policy& policy = planned.compiled.policy;
     for (const Situation& at : policy.situations) {
       if (!policy.reached[at.state]) continue;

@@ -91,10 +91,10 @@ std::string compile_table(const CompileJob& job) {
   out += fmt::format("\nstructure    {}, {} at the start\n",
                      counted(compiled.target->bricks(), "brick"), compiled.target->start_bricks());
   out += fmt::format("sides        {}; {}\n", sides_text(compiled), to_string(compiled.directions));
-  for (const Stance& look : job.plan.looks) {
+  for (const Viewpoint& viewpoint : job.plan.viewpoints) {
     // In mm, as one measures on a table.
     out += fmt::format("looks from   {:.0f} mm before the column, lift at {:.0f} mm\n",
-                       1e3 * look.distance, 1e3 * look.lift);
+                       1e3 * viewpoint.distance, 1e3 * viewpoint.lift);
   }
   out += fmt::format("proved       {}\n", completion_text(compiled));
   out += fmt::format("robots       {}\n", robots_text(compiled));
@@ -128,8 +128,8 @@ std::string compile_ir(const CompileJob& job) {
   out["robots"] = robots_json(compiled);
   out["decision"] = node_json(*job.rules, *compiled.decision);
   out["looks"] = Json::array();
-  for (const Stance& look : job.plan.looks) {
-    out["looks"].push_back({{"distance", look.distance}, {"lift", look.lift}});
+  for (const Viewpoint& viewpoint : job.plan.viewpoints) {
+    out["looks"].push_back({{"distance", viewpoint.distance}, {"lift", viewpoint.lift}});
   }
   out["transport"] = job.plan.transport;
   out["longest_wait"] = job.plan.longest_wait;

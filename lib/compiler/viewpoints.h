@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // From where a robot looks at a column before it decides.
 //
-// The proof takes for granted that a robot has looked from every stance (sight.h). Few of them
+// The proof takes for granted that a robot has looked from every viewpoint (sight.h). Few of them
 // tell what the decision asks for; this finds a few that lead to the same decision in every
 // situation that can arise.
 #pragma once
@@ -13,6 +13,6 @@
 namespace stig {
 
 /// Far ones first; never empty.
-std::vector<Stance> choose_looks(const Abilities& robot, const CompiledRules& compiled);
+std::vector<Viewpoint> choose_viewpoints(const Abilities& robot, const CompiledRules& compiled);
 
 }  // namespace stig

@@ -4,7 +4,7 @@
 // lift far from its middle) are dropped first. The result is irreducible and not
 // necessarily the smallest; a set-cover search would gain a second or two of a robot's
 // time.
-#include "compiler/looks.h"
+#include "compiler/viewpoints.h"
 
 #include <algorithm>
 #include <cassert>
@@ -15,7 +15,7 @@ namespace stig {
 
 namespace {
 
-/// What a column shows from each stance, and what is to be done before it.
+/// What a column shows from each viewpoint, and what is to be done before it.
 struct LookedAt {
   std::optional<ApproachSide> side;  ///< where it counts
   std::vector<Observation> from;
@@ -58,22 +58,22 @@ std::vector<LookedAt> columns_that_arise(Sight& sight, const CompiledRules& comp
 
 }  // namespace
 
-std::vector<Stance> choose_looks(const Abilities& robot, const CompiledRules& compiled) {
+std::vector<Viewpoint> choose_viewpoints(const Abilities& robot, const CompiledRules& compiled) {
   assert(compiled.decision != nullptr);
   Sight sight(*compiled.target, robot);
   const std::vector<LookedAt> columns = columns_that_arise(sight, compiled);
-  const std::vector<Stance>& stances = sight.stances();
+  const std::vector<Viewpoint>& viewpoints = sight.viewpoints();
   // Near ones go first, then those with the lift far up or down: they take the longest to get to.
-  std::vector<std::size_t> order(stances.size());
+  std::vector<std::size_t> order(viewpoints.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const auto off = [&](std::size_t i) {
-      return std::abs(stances[i].lift - robot.lift_travel / 2);
+      return std::abs(viewpoints[i].lift - robot.lift_travel / 2);
     };
-    return std::pair(stances[a].distance, -off(a)) < std::pair(stances[b].distance, -off(b));
+    return std::pair(viewpoints[a].distance, -off(a)) < std::pair(viewpoints[b].distance, -off(b));
   });
-  std::vector<bool> used(stances.size(), true);
-  std::size_t left = stances.size();
+  std::vector<bool> used(viewpoints.size(), true);
+  std::size_t left = viewpoints.size();
   for (const std::size_t one : order) {
     if (left == 1) break;
     used[one] = false;
@@ -86,11 +86,11 @@ std::vector<Stance> choose_looks(const Abilities& robot, const CompiledRules& co
       used[one] = true;
     }
   }
-  std::vector<Stance> out;
-  for (std::size_t i = 0; i < stances.size(); ++i) {
-    if (used[i]) out.push_back(stances[i]);
+  std::vector<Viewpoint> out;
+  for (std::size_t i = 0; i < viewpoints.size(); ++i) {
+    if (used[i]) out.push_back(viewpoints[i]);
   }
-  std::sort(out.begin(), out.end(), [](const Stance& a, const Stance& b) {
+  std::sort(out.begin(), out.end(), [](const Viewpoint& a, const Viewpoint& b) {
     return std::pair(-a.distance, a.lift) < std::pair(-b.distance, b.lift);
   });
   return out;
