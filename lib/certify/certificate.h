@@ -15,7 +15,7 @@
 //            `before` steps leads from q to p. Steps between neighbours of one site are
 //            found by the checker; a far fact says what it would have to go far to see.
 //
-// What the checker holds it to stands in check.h. The text form, a line an item:
+// What is verified of it stands in check.h. The text form, a line an item:
 //
 //   stigc-certificate 1
 //   rules 5f0c…            rule_set_hash of the set

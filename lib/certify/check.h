@@ -29,7 +29,7 @@ struct CheckReport {
   std::uint64_t local_states = 0;      ///< of all sites
 };
 
-/// Holds a certificate to the rules and to the box that the file says.
+/// Verifies a certificate for these rules in the box that the file says.
 CheckReport check_certificate(const RuleSet& rules, const Certificate& certificate);
 /// The same in another box than the file's, or in none. Without an origin it is laid
 /// around the start as lattice/box.h does.

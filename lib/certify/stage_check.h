@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One stage of a certificate, held to the five conditions of docs/proofs.md:
+// One stage of a certificate, checked against the five conditions of docs/proofs.md:
 //
 //   order     each brick has a place of its own, a deposit of the run can be made by some
 //             rule, `before` and `far` point to bricks that come earlier

@@ -139,8 +139,8 @@ Standing standing_of_agreement(const Findings& findings) {
 }
 
 /// Two different ends settle two of the verdicts at once, each in its own direction.
-void judge_verdict(Verdict expected, const Findings& findings, const ExpectationLimits& limits,
-                   ExpectationItem& item) {
+void assess_verdict(Verdict expected, const Findings& findings, const ExpectationLimits& limits,
+                    ExpectationItem& item) {
   item.found = ends_in_words(findings, limits);
   item.method = findings.method();
   switch (expected) {
@@ -165,8 +165,8 @@ void judge_verdict(Verdict expected, const Findings& findings, const Expectation
   }
 }
 
-void judge_bricks(std::int64_t expected, const Findings& findings, const ExpectationLimits& limits,
-                  ExpectationItem& item) {
+void assess_bricks(std::int64_t expected, const Findings& findings, const ExpectationLimits& limits,
+                   ExpectationItem& item) {
   const auto fits = [&](const Structure& end) {
     return end.size() == static_cast<std::size_t>(expected);
   };
@@ -196,8 +196,8 @@ std::string first_difference(const RuleSet& rules, const Structure& wanted, cons
   return "nothing";
 }
 
-void judge_structure(const RuleSet& rules, const Findings& findings,
-                     const ExpectationLimits& limits, ExpectationItem& item) {
+void assess_structure(const RuleSet& rules, const Findings& findings,
+                      const ExpectationLimits& limits, ExpectationItem& item) {
   // Structures are compared up to translation, as files draw them at the origin.
   const Structure wanted = to_origin(Structure(rules.lattice, rules.expect->structure));
   item.method = findings.method();
@@ -213,19 +213,19 @@ void judge_structure(const RuleSet& rules, const Findings& findings,
   item.found = findings.ends.empty() ? no_end_in_words(findings, limits) : "as drawn";
 }
 
-std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& findings,
-                                   const ExpectationLimits& limits) {
+std::vector<ExpectationItem> assess(const RuleSet& rules, const Findings& findings,
+                                    const ExpectationLimits& limits) {
   assert(rules.expect);
   const Expectation& expect = *rules.expect;
   std::vector<ExpectationItem> items;
   if (expect.bricks) {
     items.push_back({"bricks", {}, fmt::to_string(*expect.bricks), {}, {}, expect.bricks_range});
-    judge_bricks(*expect.bricks, findings, limits, items.back());
+    assess_bricks(*expect.bricks, findings, limits, items.back());
   }
   if (expect.verdict) {
     items.push_back(
         {"verdict", {}, std::string(to_string(*expect.verdict)), {}, {}, expect.verdict_range});
-    judge_verdict(*expect.verdict, findings, limits, items.back());
+    assess_verdict(*expect.verdict, findings, limits, items.back());
   }
   if (!expect.structure.empty()) {
     items.push_back({"structure",
@@ -234,7 +234,7 @@ std::vector<ExpectationItem> judge(const RuleSet& rules, const Findings& finding
                      {},
                      {},
                      expect.structure_range});
-    judge_structure(rules, findings, limits, items.back());
+    assess_structure(rules, findings, limits, items.back());
   }
   return items;
 }
@@ -263,8 +263,8 @@ bool ExpectationReport::passed() const {
          });
 }
 
-ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLimits& limits,
-                                      const EventOrdersHooks& hooks) {
+ExpectationReport verify_expectation(const RuleSet& rules, const ExpectationLimits& limits,
+                                     const EventOrdersHooks& hooks) {
   ExpectationReport report;
   if (!rules.expect) return report;
   const RuleTable table(rules);
@@ -280,7 +280,7 @@ ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLim
   }
   report.states = findings.states;
   report.interrupted = findings.interrupted;
-  if (!report.interrupted) report.items = judge(rules, findings, limits);
+  if (!report.interrupted) report.items = assess(rules, findings, limits);
   return report;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Holding a rule set to its own `expect`, with the method said honestly.
+// Verifies a rule set against its own `expect`, and says by which method.
 //
 // First many event orders are sampled, each with its own stream of random numbers;
 // two different ends settle much. If all samples agree, every order is tried
@@ -65,7 +65,7 @@ struct ExpectationReport {
 
 /// Progress is told of the exhaustive search. Runs in the file's box, in unbounded space when it
 /// has none, by event motion.
-ExpectationReport hold_to_expectation(const RuleSet& rules, const ExpectationLimits& limits = {},
-                                      const EventOrdersHooks& hooks = {});
+ExpectationReport verify_expectation(const RuleSet& rules, const ExpectationLimits& limits = {},
+                                     const EventOrdersHooks& hooks = {});
 
 }  // namespace stig

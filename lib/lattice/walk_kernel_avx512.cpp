@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The vector path of draw_moves (see walk_kernel.h): Philox4x32-10 in sixteen lanes.
-// Tests hold it to base/random.h.
+// Tests compare it with base/random.h.
 #include "lattice/walk_kernel.h"
 
 #if defined(__x86_64__)

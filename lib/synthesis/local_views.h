@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Local states as views: what rules are held to. With colours chosen, every state of
+// Local states as views: what rules are checked against. With colours chosen, every state of
 // every site is a neighbourhood that an agent may meet, in any orientation, and for
 // each it is known which brick, if any, belongs there.
 #pragma once

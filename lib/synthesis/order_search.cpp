@@ -18,7 +18,7 @@ constexpr int kPatience = 400;
 /// the time.
 constexpr std::size_t kMostClashes = 5000;
 
-struct Judged {
+struct Evaluated {
   std::optional<Schedule> schedule;
   std::vector<Clash> clashes;
 };
@@ -33,13 +33,13 @@ class Searcher {
     Random random(number, 0, Purpose::order, 0, 0);
     places_.assign(first.rank.begin(), first.rank.end());
     for (std::int32_t& place : places_) place *= kSpread;
-    Judged now = judge();
+    Evaluated now = evaluate();
     for (int idle = 0; idle < kPatience && !allowance_.passed(); ++idle) {
       if (!now.schedule) return false;
       if (now.clashes.empty()) return true;
       const std::vector<std::int32_t> before = places_;
       move_one(now, random);
-      Judged next = judge();
+      Evaluated next = evaluate();
       if (!next.schedule || next.clashes.size() > now.clashes.size()) {
         places_ = before;
         continue;
@@ -56,29 +56,29 @@ class Searcher {
   // Gaps between places leave room to move an orbit between two others.
   static constexpr std::int32_t kSpread = 4;
 
-  Judged judge() {
+  Evaluated evaluate() {
     ++result.tried;
     const Order order = grown(frame_, "search among orders", [&](Cell c) {
       const auto cell = static_cast<std::size_t>(index_in(frame_.cells, c));
       return std::vector<std::int32_t>{places_[static_cast<std::size_t>(frame_.orbit_of[cell])]};
     });
     BadOrder bad;
-    Judged judged{make_schedule(frame_, order, bad), {}};
-    allowance_.spend(judged.schedule ? 2 * cost_of(*judged.schedule) : places_.size());
-    if (!judged.schedule) return judged;
-    judged.clashes = find_clashes(*judged.schedule, colours_, 4, kMostClashes);
-    if (judged.clashes.empty()) {
+    Evaluated evaluated{make_schedule(frame_, order, bad), {}};
+    allowance_.spend(evaluated.schedule ? 2 * cost_of(*evaluated.schedule) : places_.size());
+    if (!evaluated.schedule) return evaluated;
+    evaluated.clashes = find_clashes(*evaluated.schedule, colours_, 4, kMostClashes);
+    if (evaluated.clashes.empty()) {
       result.order = order;
-    } else if (judged.clashes.size() < fewest_) {
-      fewest_ = judged.clashes.size();
-      result.nearest = judged.schedule;
-      result.clash = judged.clashes.front();
+    } else if (evaluated.clashes.size() < fewest_) {
+      fewest_ = evaluated.clashes.size();
+      result.nearest = evaluated.schedule;
+      result.clash = evaluated.clashes.front();
     }
-    return judged;
+    return evaluated;
   }
 
   /// Moves a cell of a clash, or one beside it, to somewhere else.
-  void move_one(const Judged& now, Random& random) {
+  void move_one(const Evaluated& now, Random& random) {
     const Clash& clash = now.clashes[random.below(now.clashes.size())];
     const std::int32_t from = now.schedule->keys[static_cast<std::size_t>(clash.key)].site;
     std::int32_t site = random.below(2) == 0 ? from : clash.site;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // An order for colours that are all given: nothing is left for a solver, the linear
-// check alone judges an order, and so orders are searched by small changes: a cell that
+// check alone decides about an order, and so orders are searched by small changes: a cell that
 // takes part in a clash is moved to another place in the order, and the change is kept
 // if there are no more clashes than before.
 #pragma once

@@ -40,14 +40,14 @@ AskingRule asking(const MergedRule& merged, std::size_t neighbours) {
   return rule;
 }
 
-/// Is what must not be there taken as absent, or held to the finished target? For "nothing
+/// Is what must not be there taken as absent, or compared with the finished target? For "nothing
 /// wrong is ever placed" an absence is granted, since the cell may still be empty; for
 /// "this can be placed" it must hold in the finished target.
-enum class Absences : std::uint8_t { granted, held };
+enum class Absences : std::uint8_t { granted, compared };
 
-class GrowthJudge {
+class GrowthCheck {
  public:
-  GrowthJudge(const SolidGrid& grid, const PlaceColours& colours, std::int32_t start,
+  GrowthCheck(const SolidGrid& grid, const PlaceColours& colours, std::int32_t start,
               const std::vector<MergedRule>& rules, const Allowance& allowance)
       : grid_(grid), colours_(colours), start_(start), allowance_(allowance) {
     assert(colours.size() == grid.solid.size());
@@ -99,7 +99,7 @@ class GrowthJudge {
 
   bool any_rule(std::int32_t site) const {
     return std::any_of(rules_.begin(), rules_.end(), [&](const AskingRule& rule) {
-      return rule.place == colour(site) && matches(rule, site, Absences::held, false);
+      return rule.place == colour(site) && matches(rule, site, Absences::compared, false);
     });
   }
 
@@ -127,11 +127,11 @@ std::optional<std::vector<std::int32_t>> order_of_growth(const SolidGrid& grid,
                                                          std::int32_t start,
                                                          const std::vector<MergedRule>& rules,
                                                          const Allowance& allowance) {
-  GrowthJudge judge(grid, colours, start, rules, allowance);
-  if (!judge.never_wrong()) return std::nullopt;
-  judge.follow();
-  if (judge.order().size() != grid.cells.size() || allowance.passed()) return std::nullopt;
-  return judge.order();
+  GrowthCheck check(grid, colours, start, rules, allowance);
+  if (!check.never_wrong()) return std::nullopt;
+  check.follow();
+  if (check.order().size() != grid.cells.size() || allowance.passed()) return std::nullopt;
+  return check.order();
 }
 
 }  // namespace stig

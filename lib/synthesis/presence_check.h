@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Rules that ask only that bricks are there, or that a cell does not show some colours, are
-// quickly judged, for what they match in a structure they go on matching as it grows.
+// quickly checked, for what they match in a structure they go on matching as it grows.
 //
 // Let X be the target with its colours. If no rule that matches at a site while all of X is around
 // it places anything but X's brick there, and X follows from the start, then every order of

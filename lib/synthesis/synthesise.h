@@ -3,8 +3,8 @@
 //
 // Orders of placement are tried family by family. For each, conditions on the colours
 // follow (clashes.h); a solver finds the fewest colours that meet them (colouring.h);
-// the exact rules are merged into general ones (merge.h); and what comes out is held
-// to every local state of every site once more (check_rules.h).
+// the exact rules are merged into general ones (merge.h); and what comes out is checked
+// at every local state of every site once more (check_rules.h).
 //
 // Before that, a skeleton of rays and fills is looked for, whose rules ask for heights
 // (by_skeleton.h); where one colour does, or the target is large, nothing else is tried.

@@ -173,7 +173,7 @@ class SiteChecker {
     // in any state.
     visit(seen_ & ~order_.after, [&](Mask state) {
       // Bricks that do not matter to the rules may be there all the same.
-      if (fits(state)) judge(state, true);
+      if (fits(state)) examine(state, true);
       return !result_.failure;
     });
   }
@@ -181,11 +181,11 @@ class SiteChecker {
   void check_by_window(const Window& window) {
     const auto number = static_cast<std::uint32_t>(&window - invariant_.windows.data());
     std::vector<Mask> states = projections(number, site_.bricks);
-    for (const Mask state : states) judge(state, site_.beside);
+    for (const Mask state : states) examine(state, site_.beside);
   }
 
   /// What a state that may occur allows. Conditions 2 and 3 for one state.
-  void judge(Mask state, bool beside) {
+  void examine(Mask state, bool beside) {
     ++result_.states;
     const std::uint64_t placed = colours_placed(model_, site_, state, beside);
     const std::uint64_t wanted = site_.colour == 0 ? 0 : std::uint64_t{1} << site_.colour;

@@ -51,7 +51,7 @@ class Verification {
       result_.stage = world_.stage();
       decide_stage();
     } while (result_.verdict == ProofVerdict::proved && world_.next_stage());
-    if (result_.verdict == ProofVerdict::proved) hold_to_checker();
+    if (result_.verdict == ProofVerdict::proved) verify_certificate();
     if (result_.verdict == ProofVerdict::proved || have_structure_) {
       result_.structure = world_.take_structure();
     }
@@ -66,7 +66,7 @@ class Verification {
   /// Nothing is called proved that the checker does not accept. The last instance is the
   /// checker, which shares no code with the search. A refusal is a fault of the search and
   /// is reported as unknown, with the checker's reason.
-  void hold_to_checker() {
+  void verify_certificate() {
     say("checking the certificate");
     budget_.spend(world_.structure().size() * kStepsOfLook + result_.local_states * kStepsOfState);
     certificate_.bricks = world_.structure().size();

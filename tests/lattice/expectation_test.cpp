@@ -12,7 +12,7 @@ namespace {
 /// The standing of one key.
 Standing standing(const RuleSet& rules, const std::string& key,
                   const ExpectationLimits& limits = {}) {
-  for (const ExpectationItem& item : hold_to_expectation(rules, limits).items) {
+  for (const ExpectationItem& item : verify_expectation(rules, limits).items) {
     if (item.key == key) return item.standing;
   }
   FAIL("not judged: " << key);
@@ -28,7 +28,7 @@ const std::string kRaceRules = east_of("1", "2") + east_of("1", "3");
 TEST_CASE("coordinated is held by exhaustion") {
   const RuleSet rules = small_set(kChain, expecting("  verdict: coordinated\n  bricks: 3\n"
                                                     "  structure: |\n    1 2 3\n"));
-  const ExpectationReport report = hold_to_expectation(rules);
+  const ExpectationReport report = verify_expectation(rules);
   REQUIRE(report.items.size() == 3);
   for (const ExpectationItem& item : report.items) CHECK(item.standing == Standing::held);
   CHECK(report.items[1].method == "all 3 reachable states");
@@ -39,7 +39,7 @@ TEST_CASE("without the states to be exhaustive, agreement is no proof and says s
   ExpectationLimits limits;
   limits.search.states = 2;
   const RuleSet rules = small_set(kChain, expecting("  verdict: coordinated\n"));
-  const ExpectationReport report = hold_to_expectation(rules, limits);
+  const ExpectationReport report = verify_expectation(rules, limits);
   CHECK(report.items.at(0).standing == Standing::not_contradicted);
   CHECK(report.items[0].method == "64 sampled orders; trying all was given up after 2 states");
   CHECK(report.passed());
@@ -58,13 +58,13 @@ TEST_CASE("order-dependent fails where one end is proved, and stays open where i
   ExpectationLimits limits;
   limits.search.states = 2;
   CHECK(standing(rules, "verdict", limits) == Standing::undecided);
-  CHECK_FALSE(hold_to_expectation(rules, limits).passed());
+  CHECK_FALSE(verify_expectation(rules, limits).passed());
 }
 
 TEST_CASE("what ends is not endless; growth past the limit does not contradict it") {
   const std::string endless = expecting("  verdict: endless\n");
   CHECK(standing(small_set(kChain, endless), "verdict") == Standing::failed);
-  const ExpectationReport report = hold_to_expectation(small_set(east_of("1", "1"), endless));
+  const ExpectationReport report = verify_expectation(small_set(east_of("1", "1"), endless));
   CHECK(report.items.at(0).standing == Standing::not_contradicted);
   CHECK(report.items[0].found ==
         "no end found; 8 of 8 sampled orders still growing after 20000 deposits");
@@ -77,7 +77,7 @@ TEST_CASE("growth past the limit proves nothing of an end: it may come later") {
   const RuleSet rules =
       small_set(east_of("1", "1"),
                 expecting("  verdict: coordinated\n  bricks: 3\n  structure: |\n    1 1 1\n"));
-  const ExpectationReport report = hold_to_expectation(rules, limits);
+  const ExpectationReport report = verify_expectation(rules, limits);
   REQUIRE(report.items.size() == 3);
   for (const ExpectationItem& item : report.items) CHECK(item.standing == Standing::undecided);
   CHECK(standing(small_set(east_of("1", "1"), expecting("  verdict: order-dependent\n")), "verdict",
@@ -103,7 +103,7 @@ TEST_CASE("a limit on steps leaves open what needs more of them") {
   limits.search.states = 5;
   const RuleSet rules = small_set(
       east_of("1", "1"), "box: {size: [90, 1, 1]}\n" + expecting("  verdict: coordinated\n"));
-  const ExpectationReport report = hold_to_expectation(rules, limits);
+  const ExpectationReport report = verify_expectation(rules, limits);
   CHECK(report.items.at(0).standing == Standing::undecided);
   CHECK(report.items[0].found == "no end found; 8 of 8 sampled orders stopped after 20 steps");
 }
@@ -126,7 +126,7 @@ TEST_CASE("growth that a box stops is not endless") {
 
 TEST_CASE("another number of bricks, and another structure, fail with words") {
   const RuleSet rules = small_set(kChain, expecting("  bricks: 4\n  structure: |\n    1 2 3 3\n"));
-  const ExpectationReport report = hold_to_expectation(rules);
+  const ExpectationReport report = verify_expectation(rules);
   REQUIRE(report.items.size() == 2);
   CHECK(report.items[0].standing == Standing::failed);
   CHECK(report.items[0].found == "one end, 3 bricks");
@@ -144,14 +144,14 @@ TEST_CASE("low probability is waited for, up to the limit on steps") {
 TEST_CASE("a stop ends it without a judgement") {
   const std::atomic<bool> stop{true};
   const RuleSet rules = small_set(east_of("1", "1"), expecting("  verdict: endless\n"));
-  const ExpectationReport report = hold_to_expectation(rules, {}, {{}, &stop});
+  const ExpectationReport report = verify_expectation(rules, {}, {{}, &stop});
   CHECK(report.interrupted);
   CHECK(report.items.empty());
   CHECK_FALSE(report.passed());
 }
 
 TEST_CASE("a set without expectations has nothing to be held to") {
-  CHECK(hold_to_expectation(small_set(kChain)).items.empty());
+  CHECK(verify_expectation(small_set(kChain)).items.empty());
 }
 
 TEST_CASE("every shipped set is as it expects") {
@@ -159,7 +159,7 @@ TEST_CASE("every shipped set is as it expects") {
     CAPTURE(name);
     ExpectationLimits limits;
     limits.search.states = 200000;  // what is larger is left to the sampled orders
-    CHECK(hold_to_expectation(shipped(name), limits).passed());
+    CHECK(verify_expectation(shipped(name), limits).passed());
   }
 }
 

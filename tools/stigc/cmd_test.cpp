@@ -158,7 +158,7 @@ int run(const TestOptions& options, App& app) {
     };
     const std::optional<RuleSet> rules = app.read_rules(file);
     ExpectationReport report;
-    if (rules) report = hold_to_expectation(*rules, limits, hooks);
+    if (rules) report = verify_expectation(*rules, limits, hooks);
     if (rules && !report.interrupted) settle_by_proof(*rules, report);
     const int code = rules ? exit_code(report) : kFailed;
     progress.clear();
