@@ -17,12 +17,15 @@ export function stigc(args, expected = 0) {
   return done.stdout;
 }
 
+const kPatience = 180_000;  // ms: a machine may have much else to do
+
 let browser = null;
 
 export async function startBrowser() {
   // Tests may run as root, and where there is nothing but a processor to draw.
   browser = await chromium.launch({
     executablePath: process.env.BROWSER,
+    timeout: kPatience,
     args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader'],
   });
 }
@@ -36,6 +39,7 @@ export async function open(name, {width = 900, height = 620, dark = false, hash 
   const context = await browser.newContext(
       {viewport: {width, height}, colorScheme: dark ? 'dark' : 'light'});
   const page = await context.newPage();
+  page.setDefaultTimeout(kPatience);
   const problems = [];
   page.on('console', message => {
     // The driver's own remarks on speed are not the page's.
@@ -61,7 +65,7 @@ export async function open(name, {width = 900, height = 620, dark = false, hash 
 /** Waits until a function is true in the page. The page's policy forbids the driver's own way. */
 export async function until(page, wanted) {
   for (let tries = 0; !await page.evaluate(wanted); ++tries) {
-    assert.ok(tries < 600, `never came true: ${wanted}`);
+    assert.ok(tries < kPatience / 50, `never came true: ${wanted}`);
     await page.waitForTimeout(50);
   }
 }
