@@ -146,8 +146,8 @@ class LocalCases {
 
   /// Whatever brick can be the next in an order of ways on, is. False when none can.
   bool add_ways_on() {
-    return can_go_on(target_, [&](std::uint32_t q, const BrickSet& before) {
-      return precedence_.all_before(before, q) && add_ways_on(q, before);
+    return can_go_on(target_, precedence_, [&](std::uint32_t q, const BrickSet& before) {
+      return add_ways_on(q, before);
     });
   }
 

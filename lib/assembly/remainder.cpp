@@ -41,15 +41,20 @@ std::vector<Bar> bars_of(const TargetBricks& target, const BrickSet& others, std
   return out;
 }
 
-bool take_one(const TargetBricks& target, const Builders& builders,
-              std::optional<std::uint32_t> start, BrickSet& left) {
-  for (std::uint32_t i = 0; i < target.bricks(); ++i) {
+/// Takes away what can be taken away, in the order of the numbers and back; false when nothing can.
+bool take_some(const TargetBricks& target, const Builders& builders,
+               std::optional<std::uint32_t> start, BrickSet& left) {
+  const auto count = static_cast<std::uint32_t>(target.bricks());
+  bool some = false;
+  for (std::uint32_t k = 0; k < 2 * count; ++k) {
+    const std::uint32_t i = k < count ? k : 2 * count - 1 - k;
     if (!left.has(i) || start == i) continue;
     left.remove(i);
-    if (bars_of(target, left, i, builders).size() < builders.sides.size()) return true;
-    left.add(i);
+    const bool barred = bars_of(target, left, i, builders).size() == builders.sides.size();
+    if (barred) left.add(i);
+    some = some || !barred;
   }
-  return false;
+  return some;
 }
 
 }  // namespace
@@ -57,7 +62,7 @@ bool take_one(const TargetBricks& target, const Builders& builders,
 Remainder find_remainder(const TargetBricks& target, const Builders& builders,
                          std::optional<std::uint32_t> start) {
   Remainder out{target.whole(), {}};
-  while (take_one(target, builders, start, out.bricks)) {
+  while (take_some(target, builders, start, out.bricks)) {
   }
   if (out.bricks.count() < 2) return {BrickSet{}, {}};
   for (std::uint32_t i = 0; i < target.bricks(); ++i) {

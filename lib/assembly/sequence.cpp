@@ -2,26 +2,16 @@
 #include "assembly/sequence.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <numeric>
 #include <set>
 
-#include "assembly/faces.h"
+#include "assembly/last_brick.h"
 #include "base/hash.h"
-#include "compiler/columns.h"
 
 namespace stig {
 
 namespace {
-
-bool beside_a_column(const TargetBricks& target, const BrickSet& state, std::uint32_t brick,
-                     ApproachSide side) {
-  const std::vector<std::pair<int, int>> columns = columns_before(target, state, side);
-  return std::any_of(columns.begin(), columns.end(), [&](const auto& column) {
-    return next_to_column(target, state, side, column.second, column.first, brick).has_value();
-  });
-}
 
 // Outweighs the other terms of a score, so that rows decide first.
 constexpr std::int64_t kSpine = 100'000;
@@ -84,7 +74,9 @@ class Dismantler {
         liking_(liking),
         order_(by_liking(target, liking)),
         most_(most),
-        left_(target.whole()) {}
+        left_(target.whole()),
+        connected_(target),
+        obstacles_(target.bricks()) {}
 
   std::optional<Sequence> run() {
     // Depth first. A place in order_ is all that a choice needs, so undoing one goes on behind it.
@@ -120,28 +112,6 @@ class Dismantler {
     return std::abs(apart.x) + std::abs(apart.y) + std::abs(apart.z) == 1;
   }
 
-  /// One brick is put next to another, so what is left hangs together.
-  bool hangs_together() {
-    std::uint32_t first = 0;
-    while (!left_.has(first)) ++first;
-    BrickSet met(target_.bricks());
-    met.add(first);
-    edge_ = {first};
-    std::size_t count = 1;
-    while (!edge_.empty()) {
-      const Cell cell = target_.cell(edge_.back());
-      edge_.pop_back();
-      for (const Offset step : kFaces) {
-        const std::uint32_t brick = target_.brick_at(cell + step);
-        if (brick == TargetBricks::kNone || !left_.has(brick) || met.has(brick)) continue;
-        met.add(brick);
-        edge_.push_back(brick);
-        ++count;
-      }
-    }
-    return count + gone_.size() + 1 == target_.bricks();
-  }
-
   /// Can what is left be a start?
   bool can_begin() const {
     if (gone_.size() + 2 != target_.bricks() || start_) return true;
@@ -151,14 +121,24 @@ class Dismantler {
     return false;
   }
 
+  /// Is it known that it cannot go, as long as what was in the way stands?
+  bool stays(std::uint32_t brick) const {
+    const std::vector<std::uint32_t>& obstacles = obstacles_[brick];
+    return !obstacles.empty() && std::all_of(obstacles.begin(), obstacles.end(),
+                                             [&](std::uint32_t one) { return left_.has(one); });
+  }
+
   bool remove_one(std::size_t from) {
     for (std::size_t i = from; i < 2 * order_.size() && most_ > 0; ++i) {
       const std::uint32_t brick = order_[i % order_.size()];
       if (!left_.has(brick) || start_ == brick || follows(brick) != (i < order_.size())) continue;
+      if (stays(brick)) continue;
       --most_;
       left_.remove(brick);
-      if (!dead_.contains(left_) && hangs_together() && can_begin()) {
-        if (const auto side = side_for(target_, left_, brick, builders_)) {
+      // One brick is put next to another, so what is left hangs together.
+      if (!dead_.contains(left_) && connected_.without(left_, brick) && can_begin()) {
+        obstacles_[brick].clear();
+        if (const auto side = side_for(target_, left_, brick, builders_, &obstacles_[brick])) {
           gone_.push_back({i, *side});
           return true;
         }
@@ -189,24 +169,13 @@ class Dismantler {
   std::vector<std::uint32_t> order_;
   std::uint64_t& most_;
   BrickSet left_;
+  Connected connected_;
   std::vector<Gone> gone_;
   std::set<BrickSet> dead_;
-  std::vector<std::uint32_t> edge_;
+  std::vector<std::vector<std::uint32_t>> obstacles_;  ///< by brick; empty: nothing is known
 };
 
 }  // namespace
-
-std::optional<ApproachSide> side_for(const TargetBricks& target, const BrickSet& state,
-                                     std::uint32_t brick, const Builders& builders) {
-  for (const ApproachSide side : builders.sides) {
-    if (reach(target, state, target.cell(brick), side, builders.robot).obstruction ==
-            Obstruction::none &&
-        beside_a_column(target, state, brick, side)) {
-      return side;
-    }
-  }
-  return std::nullopt;
-}
 
 std::optional<Sequence> find_sequence(const TargetBricks& target, const Builders& builders,
                                       std::optional<std::uint32_t> start, const Liking& liking,

@@ -11,15 +11,9 @@
 #include <optional>
 #include <vector>
 
-#include "compiler/approach.h"
+#include "assembly/last_brick.h"
 
 namespace stig {
-
-/// Who builds: what a robot can do, and from which sides it works.
-struct Builders {
-  Abilities robot;
-  std::vector<ApproachSide> sides;
-};
 
 /// Which bricks come late: those of the highest score, a sum of coordinates so weighted and of
 /// chance.
@@ -39,10 +33,6 @@ struct Sequence {
   std::vector<std::uint32_t> bricks;  ///< the start first
   std::vector<ApproachSide> sides;    ///< from where each can be put; the start's means nothing
 };
-
-/// From where the brick can be put when the others of `state` stand, next to some column.
-std::optional<ApproachSide> side_for(const TargetBricks& target, const BrickSet& state,
-                                     std::uint32_t brick, const Builders& builders);
 
 /// Begins with `start` or, where none is given, with a brick on the floor. Nothing when there is
 /// no such order or, with `most` at 0, when none was found by looking at so many bricks; what was

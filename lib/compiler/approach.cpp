@@ -34,14 +34,24 @@ struct View3 {
   }
 };
 
+/// Rows to either side of its own that a robot's body reaches into.
+int rows_beside(const Abilities& robot) {
+  const double side = robot.block.side;
+  return std::max(0, static_cast<int>(std::ceil((robot.body_half_width - side / 2) / side - 1e-9)));
+}
+
 /// The first brick that stands in the way of a robot to `site`.
 std::optional<Cell> in_the_way(const View3& view, SideCell site, const Abilities& robot) {
-  for (std::size_t i = 0; i < view.target.bricks(); ++i) {
-    if (!view.state.has(i)) continue;
-    const Cell cell = view.target.cell(i);
-    if (in_lane(site, seen_from(view.side, cell), robot)) return cell;
+  std::uint32_t first = TargetBricks::kNone;
+  const int beside = rows_beside(robot);
+  for (int v = site.v - beside; v <= site.v + beside; ++v) {
+    for (const std::uint32_t i : row_from(view.target, view.side, v)) {
+      if (i >= first) break;
+      if (!view.state.has(i)) continue;
+      if (in_lane(site, seen_from(view.side, view.target.cell(i)), robot)) first = i;
+    }
   }
-  return std::nullopt;
+  return first == TargetBricks::kNone ? std::nullopt : std::optional(view.target.cell(first));
 }
 
 /// Do bricks bear the cell from the floor up?
@@ -196,6 +206,12 @@ Cell cell_from(ApproachSide side, SideCell c) {
   return {};
 }
 
+const std::vector<std::uint32_t>& row_from(const TargetBricks& target, ApproachSide side, int v) {
+  const Cell at = cell_from(side, {0, v, 0});
+  const bool along_x = side == ApproachSide::plus_x || side == ApproachSide::minus_x;
+  return along_x ? target.with_y(at.y) : target.with_x(at.x);
+}
+
 bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot) {
   const double side = robot.block.side;
   // Cells that the body reaches into, beyond the block's near face, in rows as far as its
@@ -203,9 +219,8 @@ bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot
   // cells closer than it stay free of the body.
   const double gap = robot.carried_x - side / 2 - robot.body_front;
   const int first = site.u + 1 + static_cast<int>(std::max(0.0, std::floor(gap / side)));
-  const int rows = static_cast<int>(std::ceil((robot.body_half_width - side / 2) / side - 1e-9));
   const int across = std::abs(brick.v - site.v);
-  if (brick.u >= first && across <= rows) return true;
+  if (brick.u >= first && across <= rows_beside(robot)) return true;
   // The block itself passes along its row.
   return brick.u > site.u && across == 0 && brick.z >= site.z;
 }
@@ -259,8 +274,11 @@ bool reach_between(const TargetBricks& target, const BrickSet& least, const Bric
 BrickSet lane_to(const TargetBricks& target, Cell cell, ApproachSide side, const Abilities& robot) {
   const SideCell site = seen_from(side, cell);
   BrickSet out(target.bricks());
-  for (std::size_t i = 0; i < target.bricks(); ++i) {
-    if (in_lane(site, seen_from(side, target.cell(i)), robot)) out.add(i);
+  const int beside = rows_beside(robot);
+  for (int v = site.v - beside; v <= site.v + beside; ++v) {
+    for (const std::uint32_t i : row_from(target, side, v)) {
+      if (in_lane(site, seen_from(side, target.cell(i)), robot)) out.add(i);
+    }
   }
   return out;
 }

@@ -67,6 +67,8 @@ ReachResult reach(const TargetBricks& target, const BrickSet& state, Cell cell, 
 /// Does a brick here stand in the lane of a robot at `site`: the cells that its body passes on
 /// the way there and back?
 bool in_lane(const SideCell& site, const SideCell& brick, const Abilities& robot);
+/// Bricks of the row v as the side sees it, rising.
+const std::vector<std::uint32_t>& row_from(const TargetBricks& target, ApproachSide side, int v);
 /// Does a cell of that lane lie behind the robot when it is as deep in the lane as it goes?
 bool behind_robot(const SideCell& site, const SideCell& brick, const Abilities& robot);
 /// The bricks of the whole structure that stand in it.

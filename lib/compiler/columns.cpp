@@ -8,6 +8,18 @@ namespace stig {
 
 namespace {
 
+/// Where the bricks of a row that stand end towards the robot; nothing where none stands.
+std::optional<int> end_of_row(const TargetBricks& target, const BrickSet& state, ApproachSide side,
+                              int v) {
+  std::optional<int> out;
+  for (const std::uint32_t i : row_from(target, side, v)) {
+    if (!state.has(i)) continue;
+    const int u = seen_from(side, target.cell(i)).u;
+    out = std::max(out.value_or(u), u);
+  }
+  return out;
+}
+
 /// By row: the foremost column. Only the foremost brick of a row can be driven up to; those
 /// behind it are out of sight and reach.
 std::map<int, int> foremost(const TargetBricks& target, const BrickSet& state, ApproachSide side) {
@@ -38,6 +50,16 @@ std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, cons
     if (free) out.emplace_back(v, u);
   }
   return out;
+}
+
+bool comes_to_column(const TargetBricks& target, const BrickSet& state, ApproachSide side, int u,
+                     int v) {
+  if (end_of_row(target, state, side, v) != u) return false;
+  for (const int beside : {v - 1, v + 1}) {
+    const std::optional<int> end = end_of_row(target, state, side, beside);
+    if (end && *end >= u + 2) return false;
+  }
+  return true;
 }
 
 /// A robot before a column can serve the column itself, the cell before it, and the two

@@ -2,6 +2,7 @@
 // Columns before which a robot stands, and places next to them.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -11,10 +12,19 @@
 
 namespace stig {
 
+/// Columns from which a robot may put a brick, as (u, v) from the brick's own: that one, the one
+/// behind it, and those beside it.
+inline constexpr std::array<std::pair<int, int>, 4> kColumnsAbout = {
+    {{0, 0}, {-1, 0}, {0, 1}, {0, -1}}};
+
 /// Foremost columns of a structure's rows as (v, u), by row: those that a robot can drive up to
 /// from this side, as far as to put a block before them.
 std::vector<std::pair<int, int>> columns_before(const TargetBricks& target, const BrickSet& state,
                                                 ApproachSide side);
+
+/// Is it one of them?
+bool comes_to_column(const TargetBricks& target, const BrickSet& state, ApproachSide side, int u,
+                     int v);
 
 /// Where a missing brick is from the column (u, v), when it is next to it: on top, in front of a
 /// brick or beside one.

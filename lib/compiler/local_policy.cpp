@@ -187,7 +187,7 @@ class LocalPolicy {
 
   /// Has each brick its way on in some order?
   bool always_goes_on() {
-    return can_go_on(target_, [&](std::uint32_t q, const BrickSet& before) {
+    return can_go_on(target_, precedence_, [&](std::uint32_t q, const BrickSet& before) {
       return !stopped() && has_way_on(q, before);
     });
   }
@@ -203,7 +203,6 @@ class LocalPolicy {
 
   // Columns next to the site are tried from all sides until one serves.
   bool has_way_on(std::uint32_t q, const BrickSet& before) {
-    if (!precedence_.all_before(before, q)) return false;
     for (const ApproachSide side : compiled_.sides) {
       const SideCell site = seen_from(side, target_.cell(q));
       for (const auto& [du, dv] : kColumnsAbout) {

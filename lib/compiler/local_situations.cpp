@@ -19,21 +19,40 @@ struct LocalSituations::Search {
   const Visit& visit;
 };
 
+namespace {
+
+/// Wakes the bricks before whose columns another can be seen: those columns are next to them.
+void wake_about(const TargetBricks& target, Cell at, std::vector<bool>& awake) {
+  constexpr int kFar = kFarthestSeen + 1;
+  for (std::int32_t x = at.x - kFar; x <= at.x + kFar; ++x) {
+    for (const std::uint32_t brick : target.with_x(x)) {
+      if (std::abs(target.cell(brick).y - at.y) <= kFar) awake[brick] = true;
+    }
+  }
+}
+
+}  // namespace
+
 /// Greedy, and complete: what can be next with fewer bricks can be next with more, so no
 /// choice is wrong.
 bool can_go_on(
-    const TargetBricks& target,
+    const TargetBricks& target, const Precedence& precedence,
     const std::function<bool(std::uint32_t brick, const BrickSet& before)>& can_be_next) {
   BrickSet before = target.start();
+  std::vector<bool> awake(target.bricks(), true);
   std::vector<std::uint32_t> missing;
   for (auto q = static_cast<std::uint32_t>(target.start_bricks()); q < target.bricks(); ++q) {
     missing.push_back(q);
   }
   while (!missing.empty()) {
-    const auto next = std::find_if(missing.begin(), missing.end(),
-                                   [&](std::uint32_t q) { return can_be_next(q, before); });
+    const auto next = std::find_if(missing.begin(), missing.end(), [&](std::uint32_t q) {
+      if (!awake[q] || !precedence.all_before(before, q)) return false;
+      awake[q] = false;
+      return can_be_next(q, before);
+    });
     if (next == missing.end()) return false;
     before.add(*next);
+    wake_about(target, target.cell(*next), awake);
     missing.erase(next);
   }
   return true;
@@ -62,11 +81,13 @@ std::vector<std::pair<int, int>> LocalSituations::columns(ApproachSide side) con
 /// from one cell further on.
 std::vector<std::uint32_t> LocalSituations::in_front(ApproachSide side, int u, int v) const {
   std::vector<std::uint32_t> out;
-  for (std::uint32_t i = 0; i < target_.bricks(); ++i) {
-    const SideCell at = seen_from(side, target_.cell(i));
-    const int first = at.v == v ? u + 1 : u + 2;
-    if (std::abs(at.v - v) <= 1 && at.u >= first) out.push_back(i);
+  for (const int row : {v - 1, v, v + 1}) {
+    for (const std::uint32_t i : row_from(target_, side, row)) {
+      const int first = row == v ? u + 1 : u + 2;
+      if (seen_from(side, target_.cell(i)).u >= first) out.push_back(i);
+    }
   }
+  std::sort(out.begin(), out.end());
   return out;
 }
 

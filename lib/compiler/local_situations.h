@@ -11,24 +11,21 @@
 // not with the number of structures.
 #pragma once
 
-#include <array>
 #include <functional>
 #include <utility>
 
+#include "compiler/columns.h"
 #include "compiler/precedence.h"
 #include "compiler/sight.h"
 
 namespace stig {
 
-/// Columns from which a robot may put a brick, from the brick's own: that one, the one behind it,
-/// and those beside it.
-inline constexpr std::array<std::pair<int, int>, 4> kColumnsAbout = {
-    {{0, 0}, {-1, 0}, {0, 1}, {0, -1}}};
-
 /// Is there an order of the bricks after the start in which each can be the next, given all before
-/// it? The more stand, the fewer structures there are to go on in, so that whatever brick can be
-/// the next may be. Asks no more of a brick once it can.
-bool can_go_on(const TargetBricks& target,
+/// it, which are all that have to come before? The more stand, the fewer structures there are to
+/// go on in, so that whatever brick can be the next may be. Asks no more of a brick once it can,
+/// and after it could not only when something has been added in sight of it (kFarthestSeen): that
+/// is all that the answer may depend on.
+bool can_go_on(const TargetBricks& target, const Precedence& precedence,
                const std::function<bool(std::uint32_t brick, const BrickSet& before)>& can_be_next);
 
 /// A column that is the foremost of its row, with lanes free as for columns_before.

@@ -61,9 +61,7 @@ void Precedence::add(std::uint32_t first, std::uint32_t then) {
 }
 
 bool Precedence::all_before(const BrickSet& state, std::uint32_t brick) const {
-  BrickSet with = state;
-  with.add(brick);
-  return with.contains(below_[brick]);
+  return state.contains_but(below_[brick], brick);
 }
 
 /// Ordered by the number of predecessors: a predecessor has strictly fewer.

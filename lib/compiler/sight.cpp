@@ -17,6 +17,7 @@ namespace {
 // What stands around a column, as a text of states: enough to hide or be hidden. Bricks
 // farther away than this hide nothing within the window from any viewpoint.
 constexpr int kBefore = 4, kBehind = 4, kBeside = 3;
+static_assert(std::max({kBefore, kBehind, kBeside}) <= kFarthestSeen);
 constexpr int kRows = 2 * kBeside + 1, kDepth = kBefore + kBehind + 1;
 
 std::size_t around_index(int du, int dv, int z) {
@@ -255,18 +256,27 @@ Sight::Sight(const TargetBricks& target, std::shared_ptr<Visibility> visibility)
   assert(visibility_ != nullptr);
 }
 
-/// Views are cached by what stands around the column: few different surroundings occur.
-const Sight::Seen& Sight::seen(const BrickSet& state, ApproachSide side, int u, int v) {
-  std::string around(static_cast<std::size_t>(levels() * kDepth * kRows), '\0');
+const Sight::Around& Sight::around_column(ApproachSide side, int u, int v) {
+  const auto [at, added] = around_[static_cast<std::size_t>(side)].try_emplace({u, v});
+  if (!added) return at->second;
   for (int z = 0; z < levels(); ++z) {
     for (int du = -kBehind; du <= kBefore; ++du) {
       for (int dv = -kBeside; dv <= kBeside; ++dv) {
         const Cell cell = cell_from(side, {u + du, v + dv, z + target_->floor_level()});
         const std::uint32_t brick = target_->brick_at(cell);
-        if (brick == TargetBricks::kNone || !state.has(brick)) continue;
-        around[around_index(du, dv, z)] = static_cast<char>(target_->colour(brick));
+        if (brick == TargetBricks::kNone) continue;
+        at->second.emplace_back(static_cast<std::uint16_t>(around_index(du, dv, z)), brick);
       }
     }
+  }
+  return at->second;
+}
+
+/// Views are cached by what stands around the column: few different surroundings occur.
+const Sight::Seen& Sight::seen(const BrickSet& state, ApproachSide side, int u, int v) {
+  std::string around(around_cells(levels()), '\0');
+  for (const auto& [place, brick] : around_column(side, u, v)) {
+    if (state.has(brick)) around[place] = static_cast<char>(target_->colour(brick));
   }
   const auto found = known_.find(around);
   if (found != known_.end()) return found->second;

@@ -12,7 +12,9 @@
 // level that the robot can build on and the one above.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +40,9 @@ struct Observation {
   std::optional<ApproachSide> side;
   bool operator==(const Observation&) const = default;
 };
+
+/// No cell farther from a column than so many steps, along or across, matters to what is seen.
+inline constexpr int kFarthestSeen = 4;
 
 inline constexpr int kWindowColumns = 9;
 inline std::size_t window_index(const WindowCell& c) {
@@ -112,11 +117,15 @@ class Sight {
     Observation all;
   };
   const Seen& seen(const BrickSet& state, ApproachSide side, int u, int v);
+  /// Bricks of the target around a column, each with its place in the text of what stands there.
+  using Around = std::vector<std::pair<std::uint16_t, std::uint32_t>>;
+  const Around& around_column(ApproachSide side, int u, int v);
   Seen coloured(const std::string& around);
 
   const TargetBricks* target_;
   std::shared_ptr<Visibility> visibility_;
   std::unordered_map<std::string, Seen> known_;  ///< by what stands around the column
+  std::array<std::map<std::pair<int, int>, Around>, kAllSides.size()> around_;  ///< by (u, v)
 };
 
 /// The level of the highest brick of the column itself, the one below its first empty cell,

@@ -11,9 +11,19 @@ namespace stig {
 
 bool BrickSet::contains(const BrickSet& other) const {
   assert(words_.size() == other.words_.size());
-  std::uint64_t missing = 0;
-  for (std::size_t i = 0; i < words_.size(); ++i) missing |= other.words_[i] & ~words_[i];
-  return missing == 0;
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    if ((other.words_[i] & ~words_[i]) != 0) return false;
+  }
+  return true;
+}
+
+bool BrickSet::contains_but(const BrickSet& other, std::size_t brick) const {
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    std::uint64_t missing = other.words_[i] & ~words_[i];
+    if (i == brick / 64) missing &= ~(std::uint64_t{1} << (brick % 64));
+    if (missing != 0) return false;
+  }
+  return true;
 }
 
 void BrickSet::add(const BrickSet& others) {
@@ -21,11 +31,23 @@ void BrickSet::add(const BrickSet& others) {
   for (std::size_t i = 0; i < words_.size(); ++i) words_[i] |= others.words_[i];
 }
 
+void BrickSet::remove(const BrickSet& others) {
+  for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= ~others.words_[i];
+}
+
+BrickSet BrickSet::first(std::size_t bricks) {
+  BrickSet out(bricks);
+  for (std::uint64_t& word : out.words_) word = ~std::uint64_t{0};
+  if (bricks % 64 != 0) out.words_.back() = (std::uint64_t{1} << (bricks % 64)) - 1;
+  return out;
+}
+
 bool BrickSet::meets(const BrickSet& other) const {
   assert(words_.size() == other.words_.size());
-  std::uint64_t both = 0;
-  for (std::size_t i = 0; i < words_.size(); ++i) both |= words_[i] & other.words_[i];
-  return both != 0;
+  for (std::size_t i = 0; i < words_.size(); ++i) {
+    if ((words_[i] & other.words_[i]) != 0) return true;
+  }
+  return false;
 }
 
 std::size_t BrickSet::count() const {
@@ -46,7 +68,6 @@ std::uint64_t BrickSet::hash() const {
 std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
   std::uint32_t i = 0;
   while (i < bricks && before.has(i) == after.has(i)) ++i;
-  assert(i < bricks);
   return i;
 }
 
@@ -64,6 +85,23 @@ TargetBricks::TargetBricks(const std::vector<PlacedBrick>& bricks, std::size_t s
   // Robots stand on the floor, which is where the lowest brick is; levels count from there.
   floor_level_ = low->z;
   levels_ = high->z - low->z + 1;
+  sort_into_lines();
+}
+
+void TargetBricks::sort_into_lines() {
+  Cell low = cells_.front(), high = low;
+  for (const Cell& c : cells_) {
+    low = {std::min(low.x, c.x), std::min(low.y, c.y), 0};
+    high = {std::max(high.x, c.x), std::max(high.y, c.y), 0};
+  }
+  low_x_ = low.x;
+  low_y_ = low.y;
+  with_x_.resize(static_cast<std::size_t>(high.x - low.x) + 1);
+  with_y_.resize(static_cast<std::size_t>(high.y - low.y) + 1);
+  for (std::uint32_t i = 0; i < cells_.size(); ++i) {
+    with_x_[static_cast<std::size_t>(cells_[i].x - low.x)].push_back(i);
+    with_y_[static_cast<std::size_t>(cells_[i].y - low.y)].push_back(i);
+  }
 }
 
 BrickSet TargetBricks::start() const {
@@ -73,17 +111,11 @@ BrickSet TargetBricks::start() const {
 }
 
 BrickSet TargetBricks::others(const BrickSet& set) const {
-  BrickSet out(bricks());
-  for (std::size_t i = 0; i < bricks(); ++i) {
-    if (!set.has(i)) out.add(i);
-  }
+  BrickSet out = whole();
+  out.remove(set);
   return out;
 }
 
-BrickSet TargetBricks::whole() const {
-  BrickSet out(bricks());
-  for (std::size_t i = 0; i < bricks(); ++i) out.add(i);
-  return out;
-}
+BrickSet TargetBricks::whole() const { return BrickSet::first(bricks()); }
 
 }  // namespace stig
