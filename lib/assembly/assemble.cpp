@@ -18,10 +18,18 @@ namespace stig {
 
 namespace {
 
-constexpr std::size_t kMostStates = 3'000;    ///< of a candidate
-constexpr std::uint64_t kMostLooks = 20'000;  ///< at bricks, for one order
+constexpr std::size_t kMostStates = 3'000;  ///< of a candidate
+/// At bricks, for one order: so many, or so many a brick.
+constexpr std::uint64_t kMostLooks = 20'000, kMostLooksOfBrick = 20;
+/// Structures that compile may walk where its proof column by column is not enough.
+constexpr std::size_t kMostCompiledStates = 20'000;
 constexpr std::uint64_t kStepsOfLook = 5'000, kStepsOfSituation = 20'000, kStepsOfJudging = 60'000;
 constexpr std::size_t kMostCandidates = 4'000;
+/// Of larger targets the first candidates grow from a spine, in repeated colours (texture.h), and
+/// no candidate's colours are looked for longer than that.
+constexpr std::size_t kMostPlainBricks = 200;
+constexpr std::uint64_t kStepsOfPaint = 2'000'000'000;
+constexpr int kConflictsAtOnce = 1000;
 /// Candidates for one robot are taken when so many more did not do for several.
 constexpr std::size_t kPatience = 24;
 /// Those of fewer sides than robots likewise, or earlier: see Assembler::suffices.
@@ -61,6 +69,22 @@ std::vector<Liking> regular_likings() {
   return out;
 }
 
+/// A spine grows from the sides that it shows, and so do the rows beside it.
+bool suits(const Liking& liking, const Sides& sides) {
+  const auto has = [&](ApproachSide side) {
+    return std::find(sides.begin(), sides.end(), side) != sides.end();
+  };
+  switch (liking.spine) {
+    case Liking::Spine::along_x:
+      return has(ApproachSide::plus_y) && has(ApproachSide::minus_y);
+    case Liking::Spine::along_y:
+      return has(ApproachSide::plus_x) && has(ApproachSide::minus_x);
+    case Liking::Spine::none:
+      break;
+  }
+  return true;
+}
+
 Liking liking_of(std::uint64_t seed) {
   constexpr int kWeights[] = {-9, -3, -1, 0, 1, 3, 9};
   const auto weight = [&](std::uint64_t which) {
@@ -98,10 +122,13 @@ class Assembler {
             std::make_shared<Visibility>(task.robot, window_levels(task.robot, bricks_.levels()))) {
     if (task.sides.empty()) widest_.sides.assign(kAllSides.begin(), kAllSides.end());
     if (task.start) start_ = bricks_.brick_at(*task.start);
+    if (!large()) return;
+    std::stable_partition(regular_.begin(), regular_.end(),
+                          [](const Liking& one) { return one.spine != Liking::Spine::none; });
   }
 
   Assembly run() {
-    out_.obstacle = find_obstacle(bricks_, widest_, start_);
+    out_.obstacle = find_obstacle(bricks_, widest_, start_, task_.most_colours);
     if (out_.obstacle) return result();
     std::vector<Sides> sides = choices_of_sides(task_);
     // A set of sides from which even a robot that knows all could not build is left out for good.
@@ -180,8 +207,11 @@ class Assembler {
                                        [&](const Sides& some) { return worth_trying(some); });
   }
 
+  bool large() const { return bricks_.bricks() > kMostPlainBricks; }
+
   /// False when there is no order at all from these sides.
   bool try_one(const Builders& builders, std::uint64_t seed) {
+    if (large() && !suits(liking(seed), builders.sides)) return true;
     ++out_.counts.candidates;
     bool exhausted = false;
     const auto sequence = sequence_of(builders, seed, exhausted);
@@ -191,13 +221,15 @@ class Assembler {
     }
     // Walking needs a colour for each brick and all structures on the way, which large targets
     // exceed; there neighbours wait for each other throughout, so that less can occur.
-    const bool large = bricks_.bricks() > kMostWalkedBricks;
-    const Waiting waiting = large || combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
+    const bool all_wait = bricks_.bricks() > kMostWalkedBricks;
+    const Waiting waiting = all_wait || combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
     CandidateOrder candidate = make_candidate(bricks_, *sequence, builders, waiting);
     if (!is_new(candidate, builders.sides)) return true;
     ++out_.counts.looked_at;
     if (const auto cases = cases_on_the_way(candidate, builders)) {
-      paint_and_judge(candidate, *cases, builders);
+      const Texture texture =
+          large() ? texture_of(*candidate.target, liking(seed)) : no_texture(bricks_.bricks());
+      paint_and_judge(candidate, *cases, texture, builders);
     }
     return true;
   }
@@ -242,21 +274,26 @@ class Assembler {
   }
 
   Liking liking(std::uint64_t seed) const {
-    static const std::vector<Liking> regular = regular_likings();
     if (bricks_.bricks() <= kMostWalkedFirst) return liking_of(seed);
-    return seed < regular.size() ? regular[seed] : liking_of(seed - regular.size());
+    return seed < regular_.size() ? regular_[seed] : liking_of(seed - regular_.size());
   }
 
   std::optional<Sequence> sequence_of(const Builders& builders, std::uint64_t seed,
                                       bool& exhausted) {
-    std::uint64_t most = kMostLooks;
+    const std::uint64_t all = std::max(kMostLooks, kMostLooksOfBrick * bricks_.bricks());
+    std::uint64_t most = all;
     auto out = find_sequence(bricks_, builders, start_, liking(seed), most);
-    allowance_.spend((kMostLooks - most) * kStepsOfLook);
+    allowance_.spend((all - most) * kStepsOfLook);
     exhausted = !out && most > 0;
     return out;
   }
 
-  void paint_and_judge(const CandidateOrder& candidate, const Cases& cases,
+  PaintLimits paint_limits() const {
+    if (!large()) return {allowance_};
+    return {allowance_.within(kStepsOfPaint), kConflictsAtOnce, true};
+  }
+
+  void paint_and_judge(const CandidateOrder& candidate, const Cases& cases, const Texture& texture,
                        const Builders& builders) {
     RuleView view;
     look_at_rules(task_.target, candidate, view);
@@ -264,7 +301,8 @@ class Assembler {
       ++out_.counts.no_colours;
       return;
     }
-    const PaintResult painted = paint(task_.target, cases, view, task_.most_colours, allowance_);
+    const PaintResult painted =
+        paint(task_.target, cases, view, task_.most_colours, texture, paint_limits());
     if (painted.answer != Answered::yes) {
       ++out_.counts.no_colours;
       return;
@@ -310,6 +348,9 @@ class Assembler {
     plan.rules = std::make_unique<RuleSet>(std::move(*rules));
     CompileOptions options;
     options.verify.stop = options.limits.stop = hooks_.deadline.stop;
+    if (bricks_.bricks() > kMostWalkedFirst) {
+      options.limits.states = bricks_.bricks() > kMostWalkedBricks ? 0 : kMostCompiledStates;
+    }
     plan.compiled = compile_rules(*plan.rules, task_.robot, options, diagnostics);
     allowance_.spend((plan.compiled.policy.situations.size() + plan.compiled.local_situations) *
                      kStepsOfJudging);
@@ -325,6 +366,7 @@ class Assembler {
   TargetBricks bricks_;
   Builders widest_;
   std::optional<std::uint32_t> start_;
+  std::vector<Liking> regular_ = regular_likings();
   std::shared_ptr<Visibility> visibility_;
   std::set<std::vector<std::uint64_t>> known_;
   std::uint64_t found_after_ = 0;  ///< steps that the first plan took

@@ -17,7 +17,6 @@ namespace {
 constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
 constexpr std::size_t kClausesOfRound = 4000;
 constexpr std::uint64_t kStepsOfPair = 100, kStepsOfConflict = 20'000;
-constexpr int kConflictsOfCall = 20'000;
 constexpr int kMostRounds = 400;
 
 using BrickPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -28,8 +27,14 @@ class Painter {
           // The problem has two kinds of variables: "brick b has colour c", and "choice c of case i
           // is done". All others (open, differ, equal) only imply, they are not defined both ways;
           // that is enough since they occur where being true is the harder part.
-          const Allowance& allowance)
-      : rules_(rules), k_(k), allowance_(allowance), cases_(cases), likenesses_(cases.cases) {
+          const Texture& texture, const PaintLimits& limits)
+      : rules_(rules),
+        k_(k),
+        texture_(target.bricks.empty() ? texture : no_texture(texture.size())),
+        limits_(limits),
+        allowance_(limits.allowance),
+        cases_(cases),
+        likenesses_(cases.cases) {
     solver_.set("quiet", 1);
     next_ = static_cast<int>(target.cells.size()) * k_ + 1;
     add_domains(target);
@@ -39,9 +44,7 @@ class Painter {
   PaintResult run() {
     for (int round = 0; round < kMostRounds; ++round) {
       if (allowance_.passed()) return {};
-      solver_.limit("conflicts", kConflictsOfCall);
-      const int result = solver_.solve();
-      allowance_.spend(kStepsOfConflict);
+      const int result = solve();
       if (result == kUnsatisfiable) return {Answered::no, {}};
       if (result != kSatisfiable) return {};
       read_solution();
@@ -51,8 +54,21 @@ class Painter {
   }
 
  private:
+  /// As CaDiCaL says it; 0: given up.
+  int solve() {
+    const std::uint64_t steps = kStepsOfConflict * static_cast<std::uint64_t>(limits_.conflicts);
+    for (;;) {
+      solver_.limit("conflicts", limits_.conflicts);
+      const int result = solver_.solve();
+      allowance_.spend(limits_.counted && result == 0 ? steps : kStepsOfConflict);
+      if (result != 0 || !limits_.counted || allowance_.passed()) return result;
+    }
+  }
+
   // Variables count from 1, as in DIMACS: colour c of brick b is b · k + c.
-  int has(std::uint32_t brick, int colour) const { return static_cast<int>(brick) * k_ + colour; }
+  int has(std::uint32_t brick, int colour) const {
+    return static_cast<int>(texture_[brick]) * k_ + colour;
+  }
 
   void clause(const std::vector<int>& literals) {
     for (const int literal : literals) solver_.add(literal);
@@ -62,6 +78,7 @@ class Painter {
   void add_domains(const Target& target) {
     for (std::size_t orbit = 0; orbit < rules_.brick.size(); ++orbit) {
       const std::uint32_t brick = rules_.brick[orbit];
+      if (texture_[brick] != brick) continue;
       std::vector<int> some;
       for (int c = 1; c <= k_; ++c) {
         if (rules_.frame.orbits[orbit].colours.contains(static_cast<State>(c))) {
@@ -114,23 +131,29 @@ class Painter {
     return first_choice_[i] + static_cast<int>(c);
   }
 
-  /// True only where the two have different colours.
-  int differ(const BrickPair& pair) {
+  BrickPair pair(std::uint32_t a, std::uint32_t b) const {
+    return std::minmax(texture_[a], texture_[b]);
+  }
+  /// Adds a literal that is true only where the two have different colours, if they ever can.
+  void add_differ(std::uint32_t a, std::uint32_t b, std::vector<int>& out) {
+    const BrickPair both = pair(a, b);
+    if (both.first == both.second) return;
     // Made when first asked for: most pairs of bricks are never compared.
-    const auto [at, added] = differ_.emplace(pair, next_);
+    const auto [at, added] = differ_.emplace(both, next_);
     if (added) {
       ++next_;
       for (int c = 1; c <= k_; ++c)
-        clause({-at->second, -has(pair.first, c), -has(pair.second, c)});
+        clause({-at->second, -has(both.first, c), -has(both.second, c)});
     }
-    return at->second;
+    out.push_back(at->second);
   }
   /// True only where they have the same.
-  int equal(const BrickPair& pair) {
-    const auto [at, added] = equal_.emplace(pair, next_);
+  int equal(std::uint32_t a, std::uint32_t b) {
+    const BrickPair both = pair(a, b);
+    const auto [at, added] = equal_.emplace(both, next_);
     if (added) {
       ++next_;
-      for (int c = 1; c <= k_; ++c) clause({-at->second, -has(pair.first, c), has(pair.second, c)});
+      for (int c = 1; c <= k_; ++c) clause({-at->second, -has(both.first, c), has(both.second, c)});
     }
     return at->second;
   }
@@ -174,20 +197,19 @@ class Painter {
       // needed.
       if (rules_.frame.sites[from].at.z != to.at.z) continue;
       std::vector<int> literals;
-      for (const auto& [a, b] : compared_orbits(schedule, clash))
-        literals.push_back(differ(pair(a, b)));
+      for (const auto& [a, b] : compared_orbits(schedule, clash)) {
+        add_differ(brick_of(a), brick_of(b), literals);
+      }
       // Where the other site has a brick of the same colour due, the clash does no harm.
-      if (clash.intended) literals.push_back(equal(pair(static_cast<int>(from), to.orbit)));
+      if (clash.intended) {
+        literals.push_back(equal(brick_of(static_cast<int>(from)), brick_of(to.orbit)));
+      }
       clause(literals);
       ++added;
     }
     return added;
   }
-  BrickPair pair(int orbit, int other) const {
-    const std::uint32_t a = rules_.brick[static_cast<std::size_t>(orbit)];
-    const std::uint32_t b = rules_.brick[static_cast<std::size_t>(other)];
-    return {std::min(a, b), std::max(a, b)};
-  }
+  std::uint32_t brick_of(int orbit) const { return rules_.brick[static_cast<std::size_t>(orbit)]; }
 
   std::size_t add_lookalikes() {
     std::size_t added = 0;
@@ -211,10 +233,11 @@ class Painter {
       if (there.at != done.at) continue;
       // The same choice is there as well and means the same colour: nothing wrong would be done.
       if (colours_[there.brick] == colours_[done.brick]) return 0;
-      literals.push_back(
-          equal({std::min(there.brick, done.brick), std::max(there.brick, done.brick)}));
+      literals.push_back(equal(there.brick, done.brick));
     }
-    for (const BrickPair& bricks : compared_bricks(a, b)) literals.push_back(differ(bricks));
+    for (const BrickPair& bricks : compared_bricks(a, b)) {
+      add_differ(bricks.first, bricks.second, literals);
+    }
     if (!likeness.unless_idle) {
       clause(literals);
       return 1;
@@ -230,6 +253,8 @@ class Painter {
 
   const RuleView& rules_;
   int k_;
+  Texture texture_;
+  const PaintLimits& limits_;
   const Allowance& allowance_;
   const Cases& cases_;
   Likenesses likenesses_;
@@ -245,9 +270,9 @@ class Painter {
 }  // namespace
 
 PaintResult paint(const Target& target, const Cases& cases, const RuleView& rules, int k,
-                  const Allowance& allowance) {
+                  const Texture& texture, const PaintLimits& limits) {
   assert(rules.schedule && k > 0);
-  return Painter(target, cases, rules, k, allowance).run();
+  return Painter(target, cases, rules, k, texture, limits).run();
 }
 
 }  // namespace stig

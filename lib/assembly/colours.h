@@ -19,6 +19,7 @@
 
 #include "assembly/cases.h"
 #include "assembly/schedule.h"
+#include "assembly/texture.h"
 #include "synthesis/colouring.h"
 
 namespace stig {
@@ -28,8 +29,17 @@ struct PaintResult {
   std::vector<Colour> colours;  ///< by brick of the candidate
 };
 
-/// With colours 1..k, by brick of the candidate those that the target allows.
+/// The solver is asked again and again, each time for so many conflicts at most, and is given up
+/// when the allowance has passed.
+struct PaintLimits {
+  Allowance allowance;
+  int conflicts = 20'000;
+  bool counted = false;  ///< is the work of each conflict taken off, or only that of each call?
+};
+
+/// With colours 1..k, by brick of the candidate those that the target allows. Bricks of one texture
+/// get one colour where the target leaves all free.
 PaintResult paint(const Target& target, const Cases& cases, const RuleView& rules, int k,
-                  const Allowance& allowance);
+                  const Texture& texture, const PaintLimits& limits);
 
 }  // namespace stig

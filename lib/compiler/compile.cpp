@@ -200,17 +200,46 @@ bool walk_structures(const Abilities& robot, const CompileOptions& options, Comp
   return true;
 }
 
+/// What a proof column by column found.
+struct LocalProof {
+  Policy policy;
+  std::unique_ptr<DecisionNode> decision;
+  Concurrency concurrency;
+  std::size_t situations = 0;
+};
+
+LocalProof taken_from(CompiledRules& compiled) {
+  LocalProof out{std::move(compiled.policy), std::move(compiled.decision),
+                 std::move(compiled.concurrency), compiled.local_situations};
+  compiled.policy = {};
+  compiled.decision.reset();
+  compiled.concurrency = {};
+  compiled.local_situations = 0;
+  return out;
+}
+
+void put_back(LocalProof proof, CompiledRules& compiled) {
+  compiled.policy = std::move(proof.policy);
+  compiled.decision = std::move(proof.decision);
+  compiled.concurrency = std::move(proof.concurrency);
+  compiled.local_situations = proof.situations;
+}
+
 /// What can be done where, by the one way or the other; false when there are too many structures
 /// for either.
 bool find_decision(const Abilities& robot, const CompileOptions& options, CompiledRules& out) {
-  const bool large = out.target->bricks() > kMostWalkedFirst;
+  if (out.target->bricks() <= kMostWalkedFirst) {
+    return walk_structures(robot, options, out) || settle_locally(robot, options.limits, out);
+  }
+  const bool local = settle_locally(robot, options.limits, out);
+  if (local && (out.robots == 1 || out.concurrency.conflicts.empty())) return true;
   // A walk may find several robots no harm where this does. The local proof errs on the
   // side of conflicts between robots, the walk is exact.
-  const auto good_enough = [&] { return out.robots == 1 || out.concurrency.conflicts.empty(); };
-  if (large && settle_locally(robot, options.limits, out) && good_enough()) return true;
-  out.decision.reset();
-  out.local_situations = 0;
-  return walk_structures(robot, options, out) || settle_locally(robot, options.limits, out);
+  LocalProof proof = taken_from(out);
+  const bool walked = walk_structures(robot, options, out);
+  if (!local || (walked && out.decision)) return walked;
+  put_back(std::move(proof), out);
+  return true;
 }
 
 }  // namespace
