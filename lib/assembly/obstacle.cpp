@@ -33,7 +33,7 @@ BrickSet part_of(const TargetBricks& target, std::uint32_t first) {
 }  // namespace
 
 std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const Builders& builders,
-                                              std::optional<std::uint32_t> start) {
+                                              std::optional<std::uint32_t> start, int colours) {
   AssemblyObstacle out;
   out.part = part_of(target, start.value_or(0));
   if (!target.complete(out.part)) {
@@ -41,8 +41,14 @@ std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const 
     return out;
   }
   out.remainder = find_remainder(target, builders, start);
-  if (out.remainder.barred.empty()) return std::nullopt;
-  out.kind = AssemblyObstacle::Kind::remainder;
+  if (!out.remainder.barred.empty()) {
+    out.kind = AssemblyObstacle::Kind::remainder;
+    return out;
+  }
+  out.runs = runs_too_long(target, start, colours);
+  if (out.runs.empty()) return std::nullopt;
+  out.kind = AssemblyObstacle::Kind::runs;
+  out.colours = colours;
   return out;
 }
 

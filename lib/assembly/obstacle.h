@@ -4,6 +4,7 @@
 #pragma once
 
 #include "assembly/remainder.h"
+#include "assembly/run.h"
 
 namespace stig {
 
@@ -12,13 +13,16 @@ struct AssemblyObstacle {
     exhausted,  ///< every order was looked at: each leaves a brick that nobody can put
     apart,      ///< bricks that share no face with the rest, and so are next to no column of it
     remainder,  ///< bricks of which none can be put last (remainder.h)
+    runs,       ///< runs of bricks that so few colours do not tell apart (run.h)
   } kind = Kind::exhausted;
   BrickSet part{0};     ///< apart: those that hang together with the first brick, or the start
   Remainder remainder;  ///< remainder: what is left
+  std::vector<FreeRun> runs;
+  int colours = 0;  ///< runs: how many there are
 };
 
-/// What can be said without a search.
+/// What can be said without a search. `colours`: how many there may be.
 std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const Builders& builders,
-                                              std::optional<std::uint32_t> start);
+                                              std::optional<std::uint32_t> start, int colours);
 
 }  // namespace stig

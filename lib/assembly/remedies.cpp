@@ -28,6 +28,11 @@ class Healer {
                         made.obstacle->remainder.bricks.has(i);
       if (left) concerned_.push_back(task.target.cells[i]);
     }
+    if (made.obstacle) {
+      for (const FreeRun& run : made.obstacle->runs) {
+        concerned_.insert(concerned_.end(), run.rbegin(), run.rend());
+      }
+    }
     if (concerned_.empty()) concerned_ = task.target.cells;
   }
 

@@ -6,10 +6,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "assembly/expected_time.h"
 #include "base/text.h"
 #include "compiler/conflict_text.h"
 #include "lattice/structure_text.h"
@@ -23,7 +25,7 @@ namespace {
 /// So many bricks of a remainder are spoken of; the rest looks like them.
 constexpr std::size_t kMostBarred = 4;
 constexpr std::int32_t kMostDrawnAcross = 20;
-constexpr std::size_t kMostOpenShown = 60;
+constexpr std::size_t kMostOpenShown = 60, kPartsOfWork = 10;
 
 std::string sides_text(const std::vector<ApproachSide>& sides) {
   std::vector<std::string_view> words;
@@ -68,18 +70,50 @@ std::string order_drawing(const AssemblyPlan& plan) {
   return out;
 }
 
+/// Means over equal parts of the work.
+std::vector<double> open_by_parts(const std::vector<WorkStep>& work) {
+  std::vector<double> out;
+  for (std::size_t part = 0; part < kPartsOfWork; ++part) {
+    const std::size_t from = work.size() * part / kPartsOfWork;
+    const std::size_t to = work.size() * (part + 1) / kPartsOfWork;
+    double sum = 0;
+    for (std::size_t i = from; i < to; ++i) sum += static_cast<double>(work[i].open);
+    out.push_back(sum / static_cast<double>(to - from));
+  }
+  return out;
+}
+
 std::string open_text(const std::vector<WorkStep>& work) {
   std::size_t most = 0, sum = 0;
   for (const WorkStep& step : work) {
     most = std::max(most, step.open);
     sum += step.open;
   }
-  std::string out = fmt::format("{:.1f} on average, {} at most",
-                                static_cast<double>(sum) / static_cast<double>(work.size()), most);
-  if (work.size() > kMostOpenShown) return out;
+  const std::string out =
+      fmt::format("{:.1f} on average, {} at most",
+                  static_cast<double>(sum) / static_cast<double>(work.size()), most);
+  if (work.size() > kMostOpenShown) {
+    return fmt::format("{}; by tenths of the work {:.1f}", out,
+                       fmt::join(open_by_parts(work), " "));
+  }
   std::vector<std::size_t> open;
   for (const WorkStep& step : work) open.push_back(step.open);
   return fmt::format("{}: {}", out, fmt::join(open, " "));
+}
+
+/// As many as were asked for; one and two where nobody said.
+std::vector<int> robots_of(const AssemblyPlan& plan) {
+  if (plan.compiled.robots) return {*plan.compiled.robots};
+  return plan.any_number ? std::vector<int>{1, 2} : std::vector<int>{1};
+}
+
+std::string time_text(const AssemblyPlan& plan) {
+  std::vector<std::string> parts;
+  for (const int robots : robots_of(plan)) {
+    parts.push_back(fmt::format("{:.0f} min by {}", expected_seconds(plan.work, robots) / 60,
+                                counted(static_cast<std::size_t>(robots), "robot")));
+  }
+  return fmt::format("about {}, at {:.0f} s a brick", fmt::join(parts, ", "), kSecondsOfBrick);
 }
 
 std::string remainder_drawing(const Target& target, const BrickSet& left) {
@@ -114,12 +148,36 @@ std::string remainder_lines(const Target& target, const Remainder& remainder) {
   return out;
 }
 
+std::string run_lines(const Target& target, const AssemblyObstacle& obstacle) {
+  std::string out = fmt::format(
+      "of a row of bricks that stands alone (#) a rule sees one brick at a time; with {} it goes "
+      "on "
+      "for {} from the start, or from where it leaves the rest, and no farther\n",
+      counted(static_cast<std::size_t>(obstacle.colours), "colour"),
+      counted(static_cast<std::size_t>(obstacle.colours - 1), "brick"));
+  BrickSet shown(target.cells.size());
+  for (const FreeRun& run : obstacle.runs) {
+    for (const Cell cell : run) {
+      const auto at = std::lower_bound(target.cells.begin(), target.cells.end(), cell);
+      shown.add(static_cast<std::size_t>(at - target.cells.begin()));
+    }
+  }
+  out += remainder_drawing(target, shown);
+  for (const FreeRun& run : obstacle.runs) {
+    out += fmt::format("  from {} to its end at {}: {} after the first\n", cell_text(run.front()),
+                       cell_text(run.back()), counted(run.size() - 1, "brick"));
+  }
+  return out;
+}
+
 std::string_view word_of(AssemblyObstacle::Kind kind) {
   switch (kind) {
     case AssemblyObstacle::Kind::apart:
       return "not-connected";
     case AssemblyObstacle::Kind::remainder:
       return "remainder";
+    case AssemblyObstacle::Kind::runs:
+      return "runs";
     case AssemblyObstacle::Kind::exhausted:
       break;
   }
@@ -128,6 +186,11 @@ std::string_view word_of(AssemblyObstacle::Kind kind) {
 
 Json obstacle_json(const Target& target, const AssemblyObstacle& obstacle) {
   Json out = {{"reason", word_of(obstacle.kind)}};
+  for (const FreeRun& run : obstacle.runs) {
+    Json cells = Json::array();
+    for (const Cell cell : run) cells.push_back(to_json(cell));
+    out["runs"].push_back(std::move(cells));
+  }
   if (obstacle.kind != AssemblyObstacle::Kind::remainder) return out;
   out["remainder"] = Json::array();
   for (std::size_t i = 0; i < target.cells.size(); ++i) {
@@ -155,8 +218,13 @@ Json plan_json(const AssemblyPlan& plan) {
               {"sides", Json::array()},
               {"robots", compiled.robots ? Json(*compiled.robots) : Json(nullptr)},
               {"any_number", plan.any_number},
+              {"expected_time", Json::array()},
               {"order", Json::array()}};
   for (const ApproachSide side : compiled.sides) out["sides"].push_back(to_string(side));
+  for (const int robots : robots_of(plan)) {
+    out["expected_time"].push_back(
+        {{"robots", robots}, {"s", std::round(expected_seconds(plan.work, robots))}});
+  }
   for (const WorkStep& step : plan.work) {
     out["order"].push_back(
         {{"at", to_json(step.at)}, {"from", to_string(step.from)}, {"open", step.open}});
@@ -191,7 +259,10 @@ std::string plan_lines(const Target& target, const Assembly& made) {
   out += line("order", fmt::format("of {}; the number says when, the sign from which side",
                                    counted(made.counts.candidates, "candidate")));
   out += order_drawing(plan);
-  if (!plan.work.empty()) out += line("sites open", open_text(plan.work));
+  if (!plan.work.empty()) {
+    out += line("sites open", open_text(plan.work));
+    out += line("time", time_text(plan));
+  }
   return out + line("proof", fmt::format("every order of events builds it ({} local states); {}",
                                          compiled.proof.local_states, completion_text(compiled)));
 }
@@ -209,6 +280,8 @@ std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacl
              remainder_drawing(target, obstacle.part);
     case AssemblyObstacle::Kind::remainder:
       return impossible + remainder_lines(target, obstacle.remainder);
+    case AssemblyObstacle::Kind::runs:
+      return impossible + run_lines(target, obstacle);
     case AssemblyObstacle::Kind::exhausted:
       break;
   }

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Rules for robots for larger and larger targets of a few forms: processor seconds against bricks,
+// and the exponent that fits them.
+//
+//   bench_assembly_sizes [MOST_BRICKS]
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "assembly/assemble.h"
+#include "compiler/block_figures.h"
+#include "robots/block.h"
+#include "robots/robot_reader.h"
+
+namespace stig {
+namespace {
+
+SourceRef source(const std::string& path) {
+  std::ifstream file(std::string(STIG_SOURCE_DIR) + "/" + path);
+  return std::make_shared<const SourceFile>(path,
+                                            std::string(std::istreambuf_iterator<char>(file), {}));
+}
+
+Abilities paper_robot() {
+  Diagnostics diagnostics;
+  const auto robot = read_robot(source("robots/bebot.yaml"), diagnostics);
+  const auto block = read_block(source("blocks/stigmergic.yaml"), diagnostics);
+  if (!robot || !block) std::abort();
+  return abilities_of(*robot, figures_of(*block));
+}
+
+/// A target of a size: so many rows of so many bricks.
+Target box(int wide, int deep, int high) {
+  Target out;
+  for (int x = 0; x < wide; ++x) {
+    for (int y = 0; y < deep; ++y) {
+      for (int z = 0; z < high; ++z) out.cells.push_back({x, y, z});
+    }
+  }
+  out.colours.assign(out.cells.size(), StateSet::anything());
+  return out;
+}
+
+struct Form {
+  const char* name;
+  Target (*of)(int);
+  std::vector<int> sizes;
+};
+
+/// Processor seconds; the bricks go with them.
+double time_of(const Form& form, int size, const Abilities& robot, std::size_t& bricks) {
+  AssemblyTask task;
+  task.target = form.of(size);
+  task.robot = robot;
+  task.wording = {"target", form.name, {}};
+  bricks = task.target.cells.size();
+  const std::clock_t before = std::clock();
+  const Assembly made = assemble(task, 1);
+  const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+  std::cout << fmt::format("{:12} {:6} {:9.2f}  {}\n", form.name, bricks, seconds,
+                           !made.plan              ? made.obstacle ? "impossible" : "not found"
+                           : made.plan->any_number ? "any number of robots"
+                                                   : "one robot")
+            << std::flush;
+  return seconds;
+}
+
+/// The slope of the line through the logarithms, by least squares.
+double exponent(const std::vector<std::pair<double, double>>& points) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const auto& [bricks, seconds] : points) {
+    const double a = std::log(bricks), b = std::log(std::max(seconds, 1e-3));
+    x += a;
+    y += b;
+    xx += a * a;
+    xy += a * b;
+  }
+  const auto n = static_cast<double>(points.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+void measure_sizes(std::size_t most, const Abilities& robot) {
+  const std::vector<Form> forms = {
+      {"wall N×1×3", [](int n) { return box(n, 1, 3); }, {8, 15, 30, 60, 120, 240, 480}},
+      {"slab N×3×3", [](int n) { return box(n, 3, 3); }, {4, 8, 15, 30, 60, 120}},
+      {"plate N×N", [](int n) { return box(n, n, 1); }, {5, 7, 10, 14, 20, 28, 40, 57}}};
+  std::cout << "form         bricks   seconds\n";
+  for (const Form& form : forms) {
+    std::vector<std::pair<double, double>> points;
+    for (const int size : form.sizes) {
+      std::size_t bricks = form.of(size).cells.size();
+      if (bricks > most) break;
+      const double seconds = time_of(form, size, robot, bricks);
+      points.emplace_back(static_cast<double>(bricks), seconds);
+    }
+    if (points.size() > 2) {
+      std::cout << fmt::format("{:12} time ~ bricks^{:.1f}\n", form.name, exponent(points));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace stig
+
+int main(int argc, char** argv) {
+  const std::size_t most = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
+  stig::measure_sizes(most, stig::paper_robot());
+}
