@@ -72,7 +72,8 @@ export async function until(page, wanted) {
 
 /** Waits until no frame has been drawn for half a second. */
 export async function still(page) {
-  for (let last = -1;;) {
+  for (let last = -1, tries = 0;; ++tries) {
+    assert.ok(tries < kPatience / 500, 'never still');
     const frames = await page.evaluate(() => window.stigView.stage.frames);
     if (frames === last) return;
     last = frames;
