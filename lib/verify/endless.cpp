@@ -15,8 +15,8 @@ namespace stig {
 namespace {
 
 constexpr std::size_t kLongestPeriod = 1000;
-/// Three repetitions that see nothing old are what the proof asks for; before them, one may
-/// have been influenced by the start, hence four.
+/// The proof (docs/proofs.md) asks for three. A fourth leaves room for a first one that the
+/// start still influenced.
 constexpr std::size_t kFewestRepetitions = 4;
 
 /// How far along the step a cell lies, in units of the step's squared length.

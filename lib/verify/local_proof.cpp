@@ -52,7 +52,6 @@ class SiteChecker {
     }
     seen_ = 0;
     for (const LocalRule& rule : site_.rules) seen_ |= rule.sees();
-    // A window enumerates the brick's own states and checks them as condition 3 demands.
     if (in_group()) return result_;  // its window answers for it
     order_ = local_order(model_, invariant_, site_);
     run_ = is_brick ? first_[number] & site_.bricks : 0;
@@ -169,8 +168,6 @@ class SiteChecker {
       }
       return true;
     };
-    // `true`: bricks outside `seen_` can be there, so the site may have a brick beside it
-    // in any state.
     visit(seen_ & ~order_.after, [&](Mask state) {
       // Bricks that do not matter to the rules may be there all the same.
       if (fits(state)) examine(state, true);

@@ -167,8 +167,8 @@ bool OtherOrders::shown_by(const Window& window, const LocalFailure& failure) {
   StageSite site;
   model_.look(failure.site, site);
   std::vector<std::pair<std::size_t, bool>> wanted;
-  // An exact window has all bricks around the site, or the filling does not determine the
-  // state.
+  // A filling determines the state only if all bricks around the site that matter are in
+  // the window's group.
   for (Mask left = site.bricks & failure.seen; left != 0; left &= left - 1) {
     const int i = std::countr_zero(left);
     const auto at = std::lower_bound(window.group.begin(), window.group.end(),

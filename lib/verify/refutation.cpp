@@ -54,8 +54,7 @@ class Explainer {
       : rules_(rules), table_(table), begin_(begin), other_(other), plan_(first), budget_(budget) {}
 
   std::optional<DivergingOrders> explain(const std::vector<Deposit>& earlier) {
-    // Half of the range of integers stands for no limit and cannot overflow when more is
-    // added.
+    // Half of the range of integers stands for no limit, and adding to it cannot overflow.
     Ending first = go_on(0, ~std::uint64_t{0} >> 1);
     if (!first.ended) return std::nullopt;
     most_ = first.deposits.size() + kBeyond;

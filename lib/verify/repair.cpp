@@ -65,10 +65,9 @@ class Repairer {
   }
 
  private:
-  // Removals are tried after single additions and before pairs: a set that lacks a rule is
-  // the more frequent fault.
+  /// Breadth first: fewer new rules before more. Removals are tried after single additions
+  /// and before pairs, since a set that lacks a rule is the more frequent fault.
   std::optional<Repair> search(const VerifyResult& refuted) {
-    // Breadth first: fewer new rules before more.
     struct Candidate {
       Repair repair;
       VerifyResult result;
@@ -106,8 +105,8 @@ class Repairer {
     repair.bricks = result.structure->size();
   }
 
-  // Later stages are cut off first: whether they can be proved is another question, and
-  // proving them costs the budget that the search needs.
+  /// Verifies a set without its later stages: whether those can be proved is another
+  /// question, and proving them costs the budget that the search needs.
   VerifyResult verify_up_to(int stage, RuleSet rules) const {
     std::erase_if(rules.rules, [&](const Rule& rule) { return rule.stage > stage; });
     return verify_within(rules, options_, budget_);
@@ -147,8 +146,8 @@ class Repairer {
       for (const PlacedBrick& brick : more->bricks()) {
         if (less->at(brick.at) != kEmpty || seen.size() >= kMostMissing) continue;
         const View view = view_at(*less, table, options_.box, brick.at);
-        // Equal views ask for the same rule; the empty view is that of a cell outside the
-        // box.
+        // Equal views ask for the same rule. Where a view is empty no brick is beside the
+        // cell, and no rule can fire there.
         if (view == View{} || std::find(seen.begin(), seen.end(), view) != seen.end()) continue;
         seen.push_back(view);
         Repair repair = so_far;

@@ -66,8 +66,8 @@ class Uses {
     return found == site.rules.end() ? nullptr : &*found;
   }
 
-  // A brick closes a site if some rule acts without it and none with it, its predecessors
-  // being there. One example is kept for each pair of rules, the first by site.
+  /// A brick closes a site if some rule acts without it and none with it, its predecessors
+  /// being there. One example is kept for each pair of rules, the first by site.
   void look_for_blocking(const StageModel& model, const StageSite& site, const LocalOrder& order) {
     Mask seen = 0;
     for (const LocalRule& rule : site.rules) seen |= rule.sees();

@@ -101,8 +101,8 @@ class StageProver {
       invariant_.over_at = static_cast<std::uint64_t>(limit);
     }
     for (const auto& group : groups) {
+      // Group bricks give up their `before`, as condition 4 asks.
       for (const std::uint32_t brick : group) {
-        // Group bricks give up their `before`, as condition 4 asks.
         invariant_.before[brick] = 0;
         invariant_.group_of[brick] = static_cast<std::uint32_t>(invariant_.windows.size());
       }
@@ -138,8 +138,8 @@ class StageProver {
     return true;
   }
 
-  // Weaker claims about a context brick let it come earlier, so windows with it in their
-  // context have to be explored again.
+  /// Weaker claims about a context brick let it come earlier, so windows with it in their
+  /// context have to be explored again.
   bool context_changed(const std::vector<Mask>& held) const {
     for (const Window& window : invariant_.windows) {
       for (const std::uint32_t brick : window.context) {
@@ -195,8 +195,8 @@ class StageProver {
 
   void write_proof(const Groups& groups) {
     proof_.kind = StageProof::Kind::proved;
-    proof_.method = groups.empty() ? ProofMethod::certificate : ProofMethod::components;
     // The method names the least local argument that was needed.
+    proof_.method = groups.empty() ? ProofMethod::certificate : ProofMethod::components;
     if (groups.size() == 1 && groups.front().size() == model_.bricks()) {
       proof_.method = ProofMethod::exhaustive;
     }
@@ -266,8 +266,8 @@ std::vector<Deposit> run_with_delays(const LatticeWorld& before, const std::vect
 
 StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
                        const StageRun& run, const Budget& budget) {
-  // A witness in which bricks come as late as they can leaves less to be shown of them.
   assert(run.ended);
+  // A witness in which bricks come as late as they can leaves less to be shown of them.
   std::set<Cell> late;
   std::vector<Deposit> witness = run.deposits;
   for (int i = 0; i < kMostWitnesses; ++i) {

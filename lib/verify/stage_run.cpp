@@ -60,8 +60,8 @@ class OpenSites {
 };
 
 /// The rule that places what the plan says, if there is one that acts; else any of those
-/// that do, whatever their weights: what is unlikely happens too. With a plan, the planned
-/// colour is preferred; with `conflicts: first` there is no choice to make.
+/// that do, whatever their weights: what is unlikely happens too. With `conflicts: first`
+/// there is no choice to make.
 Match choose(LatticeWorld& world, Cell site, const Plan* plan, Random& random) {
   const RuleTable& rules = world.rules();
   if (rules.conflicts() == Conflicts::first) return world.choose(site, random);
@@ -96,8 +96,8 @@ StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budg
     }
     if (run.deposits.size() >= config.most || budget.spent_at(step)) return run;
     budget.spend(kStepsOfDeposit);
-    // A fresh stream of random numbers for each step, keyed by the step: a run continued
-    // from a prefix makes the same choices.
+    // A fresh stream of random numbers for each step, keyed by run and step: what a step
+    // draws does not depend on how many numbers earlier steps drew.
     Random random(kSeed, config.run, Purpose::event, 0, step);
     const Cell site = open.next(random);
     const Match match = choose(world, site, config.plan, random);

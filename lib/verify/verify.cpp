@@ -83,8 +83,8 @@ class Verification {
     if (options_.progress) options_.progress(world_.stage(), what);
   }
 
-  // The copy of the world at the stage's beginning is what every later search starts from.
   void decide_stage() {
+    // The copy of the world at the stage's beginning is what every later search starts from.
     const LatticeWorld begin = world_;
     StageRun probe;
     std::optional<Repetition> repetition;
@@ -167,9 +167,9 @@ class Verification {
   void leave_open(const std::vector<Deposit>& run, const std::string& why) {
     result_.verdict = ProofVerdict::unknown;
     result_.open = why;
+    keep(run);
     // One run's end is shown, even if others may end elsewhere, but only when it went
     // through all stages.
-    keep(run);
     have_structure_ = world_.stage() == table_.stage_count();
   }
 

@@ -67,8 +67,8 @@ class Exploration {
   }
 
  private:
-  // The context is all bricks of the stage around the group. Sorted, so that the
-  // certificate is the same whatever the order of discovery.
+  /// The context is all bricks of the stage around the group. It is sorted, so that the
+  /// certificate is the same whatever the order of discovery.
   void collect_context() {
     window_.context.clear();
     std::vector<std::uint32_t> found;
@@ -189,7 +189,7 @@ class Exploration {
     slots_[slot] = static_cast<std::uint32_t>(filling + 1);
     return true;
   }
-  // Fillings keep their numbers; only the slots are recomputed.
+  /// Fillings keep their numbers; only the slots are recomputed.
   void grow() {
     slots_.assign(slots_.size() * 2, 0);
     for (std::size_t f = 0; f < window_.count(); ++f) insert(f);
