@@ -15,9 +15,7 @@
 #include "assembly/assemble.h"
 #include "assembly/oracle.h"
 #include "assembly/targets.h"
-#include "compiler/block_figures.h"
-#include "robots/block.h"
-#include "robots/robot_reader.h"
+#include "paper_robot.h"
 #include "rules/rule_reader.h"
 
 namespace stig::bench {
@@ -27,23 +25,6 @@ namespace {
 /// The oracle gives up beyond.
 constexpr std::size_t kMostSets = 200'000;
 constexpr double kEffort = 1;  ///< the program's own
-
-SourceRef source(const std::string& path) {
-  std::ifstream file(std::string(STIG_SOURCE_DIR) + "/" + path);
-  return std::make_shared<const SourceFile>(path,
-                                            std::string(std::istreambuf_iterator<char>(file), {}));
-}
-
-const Abilities& paper_robot() {
-  static const Abilities robot = [] {
-    Diagnostics diagnostics;
-    const auto read = read_robot(source("robots/bebot.yaml"), diagnostics);
-    const auto block = read_block(source("blocks/stigmergic.yaml"), diagnostics);
-    if (!read || !block) std::abort();
-    return abilities_of(*read, figures_of(*block));
-  }();
-  return robot;
-}
 
 std::optional<bool> possible(const Target& target) {
   std::vector<PlacedBrick> bricks;

@@ -8,45 +8,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <string>
 #include <vector>
 
 #include "assembly/assemble.h"
-#include "compiler/block_figures.h"
-#include "robots/block.h"
-#include "robots/robot_reader.h"
+#include "paper_robot.h"
+#include "synthesis/shapes.h"
 
-namespace stig {
+namespace stig::bench {
 namespace {
-
-SourceRef source(const std::string& path) {
-  std::ifstream file(std::string(STIG_SOURCE_DIR) + "/" + path);
-  return std::make_shared<const SourceFile>(path,
-                                            std::string(std::istreambuf_iterator<char>(file), {}));
-}
-
-Abilities paper_robot() {
-  Diagnostics diagnostics;
-  const auto robot = read_robot(source("robots/bebot.yaml"), diagnostics);
-  const auto block = read_block(source("blocks/stigmergic.yaml"), diagnostics);
-  if (!robot || !block) std::abort();
-  return abilities_of(*robot, figures_of(*block));
-}
-
-/// A target of a size: so many rows of so many bricks.
-Target box(int wide, int deep, int high) {
-  Target out;
-  for (int x = 0; x < wide; ++x) {
-    for (int y = 0; y < deep; ++y) {
-      for (int z = 0; z < high; ++z) out.cells.push_back({x, y, z});
-    }
-  }
-  out.colours.assign(out.cells.size(), StateSet::anything());
-  return out;
-}
 
 struct Form {
   const char* name;
@@ -88,9 +59,9 @@ double exponent(const std::vector<std::pair<double, double>>& points) {
 
 void measure_sizes(std::size_t most, const Abilities& robot) {
   const std::vector<Form> forms = {
-      {"wall N×1×3", [](int n) { return box(n, 1, 3); }, {8, 15, 30, 60, 120, 240, 480}},
-      {"slab N×3×3", [](int n) { return box(n, 3, 3); }, {4, 8, 15, 30, 60, 120}},
-      {"plate N×N", [](int n) { return box(n, n, 1); }, {5, 7, 10, 14, 20, 28, 40, 57}}};
+      {"wall N×1×3", [](int n) { return box({n, 1, 3}); }, {8, 15, 30, 60, 120, 240, 480}},
+      {"slab N×3×3", [](int n) { return box({n, 3, 3}); }, {4, 8, 15, 30, 60, 120}},
+      {"plate N×N", [](int n) { return box({n, n, 1}); }, {5, 7, 10, 14, 20, 28, 40, 57}}};
   std::cout << "form         bricks   seconds\n";
   for (const Form& form : forms) {
     std::vector<std::pair<double, double>> points;
@@ -107,9 +78,9 @@ void measure_sizes(std::size_t most, const Abilities& robot) {
 }
 
 }  // namespace
-}  // namespace stig
+}  // namespace stig::bench
 
 int main(int argc, char** argv) {
   const std::size_t most = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
-  stig::measure_sizes(most, stig::paper_robot());
+  stig::bench::measure_sizes(most, stig::bench::paper_robot());
 }
