@@ -21,7 +21,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
@@ -29,22 +28,24 @@
 #include <iterator>
 #include <map>
 #include <mutex>
-#include <thread>
 
 #include "assembly/targets.h"
 #include "assembly_rows.h"
 #include "assembly_trial.h"
+#include "base/parallel.h"
 
 namespace stig::bench {
 namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::uint64_t kMostJobs = 4096;
+
 struct Order {
   std::string stigc;  ///< empty: nothing is built
   std::string folder;
   bool temporary = true;
-  std::uint64_t jobs = std::max(1U, std::thread::hardware_concurrency());
+  int jobs = thread_count(0);
   std::uint64_t seeds = 10, first = 1;
   std::vector<std::string> kinds{kTargetKinds.begin(), kTargetKinds.end()};
 };
@@ -80,7 +81,7 @@ Order order_from(std::vector<std::string> words) {
       out.folder = value;
       out.temporary = false;
     } else if (words[i - 1] == "--jobs") {
-      out.jobs = number_from(value);
+      out.jobs = static_cast<int>(std::min<std::uint64_t>(number_from(value), kMostJobs));
     } else {
       refuse(fmt::format("unknown option '{}'", words[i - 1]));
     }
@@ -114,9 +115,7 @@ class Measurement {
   }
 
   std::vector<AssemblyRow> run() {
-    std::vector<std::thread> threads;
-    for (std::uint64_t i = 0; i < order_.jobs; ++i) threads.emplace_back([this] { work(); });
-    for (std::thread& thread : threads) thread.join();
+    run_parallel(targets_.size(), order_.jobs, [this](std::size_t i) { work(targets_[i]); });
     std::vector<AssemblyRow> out;
     for (const auto& target : targets_) out.push_back(rows_.at(target));
     return out;
@@ -136,24 +135,18 @@ class Measurement {
     return found != rows_.end() && (found->second.built || order_.stigc.empty());
   }
 
-  void work() {
-    for (;;) {
-      const std::size_t mine = next_++;
-      if (mine >= targets_.size()) return;
-      if (is_done(targets_[mine])) continue;
-      AssemblyRow row =
-          try_target(targets_[mine].first, targets_[mine].second, order_.stigc, order_.folder);
-      const std::lock_guard guard(mutex_);
-      std::cerr << progress_line(row);
-      std::ofstream(file_, std::ios::app) << to_json_line(row);
-      keep(std::move(row));
-    }
+  void work(const TargetName& target) {
+    if (is_done(target)) return;
+    AssemblyRow row = try_target(target.first, target.second, order_.stigc, order_.folder);
+    const std::lock_guard guard(mutex_);
+    std::cerr << progress_line(row);
+    std::ofstream(file_, std::ios::app) << to_json_line(row);
+    keep(std::move(row));
   }
 
   const Order& order_;
   const std::string file_;
   std::vector<TargetName> targets_;
-  std::atomic<std::size_t> next_ = 0;
   std::mutex mutex_;  ///< of what follows, and of the file
   std::map<TargetName, AssemblyRow> rows_;
 };

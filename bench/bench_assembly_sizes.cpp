@@ -58,10 +58,21 @@ double exponent(const std::vector<std::pair<double, double>>& points) {
 }
 
 void measure_sizes(std::size_t most, const Abilities& robot) {
-  const std::vector<Form> forms = {
-      {"wall N×1×3", [](int n) { return box({n, 1, 3}); }, {8, 15, 30, 60, 120, 240, 480}},
-      {"slab N×3×3", [](int n) { return box({n, 3, 3}); }, {4, 8, 15, 30, 60, 120}},
-      {"plate N×N", [](int n) { return box({n, n, 1}); }, {5, 7, 10, 14, 20, 28, 40, 57}}};
+  const std::vector<Form> forms = {{"wall N×1×3",
+                                    [](int n) {
+                                      return box({n, 1, 3});
+                                    },
+                                    {8, 15, 30, 60, 120, 240, 480}},
+                                   {"slab N×3×3",
+                                    [](int n) {
+                                      return box({n, 3, 3});
+                                    },
+                                    {4, 8, 15, 30, 60, 120}},
+                                   {"plate N×N",
+                                    [](int n) {
+                                      return box({n, n, 1});
+                                    },
+                                    {5, 7, 10, 14, 20, 28, 40, 57}}};
   std::cout << "form         bricks   seconds\n";
   for (const Form& form : forms) {
     std::vector<std::pair<double, double>> points;
