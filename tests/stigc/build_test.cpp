@@ -14,6 +14,8 @@ TEST_CASE("build refuses a folder of the user's, and says why nothing can be bui
   CHECK(mine.exit_code == 2);
   CHECK(mine.err.find("no earlier build wrote it") != std::string::npos);
   CHECK(place.file("mine/rules.yaml") == "kept\n");
+  CHECK(place.shell("mkdir piped && mkfifo piped/rules.yaml").exit_code == 0);
+  CHECK(place.stigc({"build", "line.txt", "-o", "piped"}).exit_code != 0);
   const Outcome apart = place.stigc({"build", "apart.txt", "-o", "out"});
   CHECK(apart.exit_code == 1);
   CHECK(apart.out.starts_with("impossible: "));

@@ -32,6 +32,8 @@ constexpr std::size_t kMostHead = 1 << 16;
 /// The rules are the first file that a build writes, and say near their begin by whom. They are
 /// looked at and not read as an input is, over which nothing could be written afterwards.
 bool made_by_synth(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;  // a pipe would be waited for
   std::ifstream rules(path);
   std::string head(kMostHead, '\0');
   rules.read(head.data(), static_cast<std::streamsize>(head.size()));
