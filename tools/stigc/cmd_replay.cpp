@@ -8,7 +8,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "base/file_io.h"
 #include "base/hash.h"
 #include "commands.h"
 #include "lattice/trace.h"
@@ -20,9 +19,6 @@
 
 namespace stig {
 namespace {
-
-// As large as traces get; they are read whole.
-constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
 
 void print(const ReplayOptions& options, const Trace& trace, const RuleSet& rules,
            const ReplayReport& report, App& app) {
@@ -51,12 +47,8 @@ void print(const ReplayOptions& options, const Trace& trace, const RuleSet& rule
 }  // namespace
 
 int run(const ReplayOptions& options, App& app) {
-  FileError error;
-  auto bytes = read_file(options.trace, kMostTraceBytes, error);
-  if (!bytes) {
-    app.complain(error.message);
-    return kFailed;
-  }
+  auto bytes = trace_bytes(options.trace, app);
+  if (!bytes) return kFailed;
   // The two kinds of traces are told apart by their first bytes, as `file` would.
   if (bytes->starts_with(kPoseTraceMagic)) return replay_poses(options, std::move(*bytes), app);
   if (options.at || options.picture) {

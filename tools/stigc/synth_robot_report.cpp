@@ -151,8 +151,7 @@ std::string remainder_lines(const Target& target, const Remainder& remainder) {
 std::string run_lines(const Target& target, const AssemblyObstacle& obstacle) {
   std::string out = fmt::format(
       "of a row of bricks that stands alone (#) a rule sees one brick at a time; with {} it goes "
-      "on "
-      "for {} from the start, or from where it leaves the rest, and no farther\n",
+      "on for {} from the start, or from where it leaves the rest, and no farther\n",
       counted(static_cast<std::size_t>(obstacle.colours), "colour"),
       counted(static_cast<std::size_t>(obstacle.colours - 1), "brick"));
   BrickSet shown(target.cells.size());

@@ -1,9 +1,24 @@
 // SPDX-License-Identifier: MIT
 #include "trace_rules.h"
 
+#include "base/file_io.h"
 #include "rules/rule_reader.h"
 
 namespace stig {
+
+namespace {
+
+// As large as traces get; they are read whole.
+constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
+
+}  // namespace
+
+std::optional<std::string> trace_bytes(const std::string& path, const App& app) {
+  FileError error;
+  auto bytes = read_file(path, kMostTraceBytes, error);
+  if (!bytes) app.complain(error.message);
+  return bytes;
+}
 
 std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, const App& app) {
   Diagnostics diagnostics;

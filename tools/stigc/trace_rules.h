@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule set that a trace on the lattice carries.
+// Trace files, and the rule set that a trace on the lattice carries.
 #pragma once
 
 #include <optional>
@@ -9,6 +9,9 @@
 #include "lattice/trace.h"
 
 namespace stig {
+
+/// The bytes of a trace of either kind; complains when there are none.
+std::optional<std::string> trace_bytes(const std::string& path, const App& app);
 
 /// Problems are reported under the trace's name.
 std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, const App& app);

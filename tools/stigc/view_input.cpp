@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "base/file_io.h"
 #include "outputs.h"
 #include "physical/trace/pose_trace.h"
 #include "structure_input.h"
@@ -19,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
-
 bool add_poses(const std::string& path, std::string bytes, const App& app, PageContent& page) {
   Diagnostics diagnostics;
   const auto trace = read_pose_trace(path, std::move(bytes), diagnostics);
@@ -30,12 +27,8 @@ bool add_poses(const std::string& path, std::string bytes, const App& app, PageC
 }
 
 bool add_trace(const std::string& path, const App& app, PageContent& page) {
-  FileError error;
-  auto bytes = read_file(path, kMostTraceBytes, error);
-  if (!bytes) {
-    app.complain(error.message);
-    return false;
-  }
+  auto bytes = trace_bytes(path, app);
+  if (!bytes) return false;
   if (bytes->starts_with(kPoseTraceMagic)) return add_poses(path, std::move(*bytes), app, page);
   Diagnostics diagnostics;
   const std::optional<Trace> trace = read_trace(path, *bytes, diagnostics);
