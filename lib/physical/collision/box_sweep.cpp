@@ -32,7 +32,8 @@ Passage passage(const Placed& a, const Placed& b, const Vec3& way, Vec3 n, int k
   out.axis = {n, along - sum, kind};
   out.closing = -gone;
   const double end = along + gone;
-  // The gap is least at one end of the way, or zero distance in between when the centres pass.
+  // The gap is least at one end of the way, or in between where the centres pass each other and
+  // their distance along the axis is zero.
   out.least = (end <= 0 ? 0 : std::min(along, end)) - sum;
   // Without motion along the axis they overlap all the time or never; 2 lies beyond the way's end.
   if (std::abs(gone) < 1e-12) {
@@ -41,7 +42,7 @@ Passage passage(const Placed& a, const Placed& b, const Vec3& way, Vec3 n, int k
   }
   const double one = (deep - along) / gone, other = (-deep - along) / gone;
   out.in = std::min(one, other);
-  // A box thinner than the graze is in no part of the way deep enough.
+  // Boxes that are together no wider than the graze are deep enough in no part of the way.
   out.out = deep > 0 ? std::max(one, other) : -1;
   return out;
 }
@@ -55,7 +56,8 @@ struct Way {
   void take(const Passage& p) {
     if (p.in > in) in = p.in, entry = p;
     out = std::min(out, p.out);
-    // Edges win by more than faces do, as in box_touch.cpp: resting boxes keep their points.
+    // A pair of edges has to be better by more than a face has, as in box_touch.cpp, so that
+    // resting boxes keep their points.
     const double preference = p.axis.kind < 6 ? 1e-9 : kFacePreference;
     if (widest.axis.gap < -1e29 || p.least > widest.least + preference) widest = p;
   }

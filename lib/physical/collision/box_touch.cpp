@@ -26,9 +26,9 @@ void consider(BoxAxis& best, const Placed& a, const Placed& b, Vec3 n, int kind,
   if (gap > best.gap + preference) best = {n, gap, kind};
 }
 
-// Two boxes that pass each other edge on: no face of either lies against the other, and a contact
-// along a face's normal would catch at an edge that is not there.
-/// Whether the other box lies beyond two of this one's faces, but for a graze.
+/// Whether the other box lies beyond two of this one's faces, but for a graze. Then they pass each
+/// other edge on: no face of either lies against the other, and a contact along a face's normal
+/// would catch at an edge that is not there.
 bool beyond_edge(const Placed& box, const Placed& other) {
   int beyond = 0;
   for (int i = 0; i < 3; ++i) {
@@ -59,8 +59,8 @@ BoxAxis separating_axis(const Placed& a, const Placed& b, double margin) {
   return best;
 }
 
-// "Most against" is decided with a margin, so that a tie goes to the lower axis always.
-/// The quadrilateral of a box's face whose outward normal lies most against n.
+/// The quadrilateral of a box's face whose outward normal lies most against n. That is decided with
+/// a margin, so that a tie always goes to the lower axis.
 std::array<Vec3, 4> face_against(const Placed& box, const Vec3& n) {
   int axis = 0;
   for (int i = 1; i < 3; ++i) {
@@ -123,8 +123,8 @@ PointList face_points(const Placed& reference, int axis, const Vec3& outward, co
   return out;
 }
 
-/// The middle of the box's edge along `axis` that lies farthest along n.
-// An edge's middle suffices, since the lines through both edges are met, not the segments.
+/// The middle of the box's edge along `axis` that lies farthest along n. One point of an edge
+/// suffices, since it is the lines through both edges that are brought together, not the segments.
 Vec3 edge_middle(const Placed& box, int axis, const Vec3& n) {
   Vec3 p = box.p;
   for (int k = 1; k < 3; ++k) {
@@ -167,7 +167,8 @@ Touch touch_boxes_along(const Placed& a, const Placed& b, const BoxAxis& axis, d
 Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
   const BoxAxis axis = separating_axis(a, b, margin);
   if (axis.gap >= margin) return {};
-  // A gap, or a touch that is no more than a graze.
+  // A gap along a face's normal, or an overlap no deeper than a graze, is no contact where the
+  // boxes pass each other edge on.
   if (axis.kind < 6 && axis.gap > -kGraze && (beyond_edge(a, b) || beyond_edge(b, a))) return {};
   return touch_boxes_along(a, b, axis, margin);
 }

@@ -19,8 +19,7 @@ namespace {
 
 constexpr int kSides = 20;  ///< of the prism that stands for a cylinder
 
-// Ties go to the first, whatever the compiler.
-/// Index of the point for which `score` is largest.
+/// Index of the point for which `score` is largest; of equal ones the first.
 template <class Score>
 int best(const TouchPoint* points, int count, Score score) {
   int at = 0;
@@ -107,7 +106,8 @@ Touch single_touch(const Vec3& normal, const Vec3& p, double gap, double margin)
 }
 
 Vec3 lines_meet(const Vec3& pa, const Vec3& ua, const Vec3& pb, const Vec3& ub) {
-  // The two lines' common perpendicular; they are not parallel, which the caller has seen to.
+  // The middle of the two lines' common perpendicular; the caller has seen to it that they are not
+  // parallel.
   const double uu = dot(ua, ub);
   const Vec3 d = pb - pa;
   const double det = 1 - uu * uu;
@@ -156,7 +156,7 @@ Touch touch_sphere(const Placed& ball, const Placed& b, double margin) {
   return touch_sphere_hull(ball, b, margin);
 }
 
-// Against a plane every shape touches with its corners alone.
+// A hull touches a plane with its corners alone.
 Touch floor_corners(const Placed& a, double margin) {
   std::array<TouchPoint, kMostHullPoints> points;
   int count = 0;
@@ -180,7 +180,7 @@ Touch touch(const Placed& a, const Placed& b, double margin) {
   return out;
 }
 
-// The floor is the plane z = 0, seen from below: its normal is up.
+// The floor is the plane z = 0, and the normal points up from it to the body.
 Touch touch_floor(const Placed& a, double margin) {
   const Vec3 up{0, 0, 1};
   if (a.shape.kind == ShapeKind::sphere) {

@@ -26,8 +26,8 @@ void add_edge(Convex& out, std::uint16_t a, std::uint16_t b) {
   }
 }
 
-// Points within the hull, or within a face, are no corners: nobody needs them.
-/// Copies the corners that some face has; says where each went.
+/// Copies the corners that some face has; says where each went. Points within the hull, or within a
+/// face, are no corners, and nobody needs them.
 std::vector<std::uint16_t> take_corners(const std::vector<HullFace>& faces,
                                         const std::vector<Vec3>& points, Convex& out) {
   std::vector<bool> used(points.size(), false);
@@ -74,8 +74,8 @@ Square symmetric(const Vec3& d, const Vec3& o) {
 }
 
 /// Turns the frame about one axis so that the product of the other two is gone (Jacobi).
-// The smaller of the two angles, by the formula that loses no digits (Golub and Van Loan, Matrix
-// Computations, on Jacobi's method).
+/// It is the smaller of the two angles that do so, by the formula that loses no digits (Golub and
+/// Van Loan, Matrix Computations, on Jacobi's method).
 void rotate_away(Square& m, Square& axes, std::size_t p, std::size_t q) {
   if (m[p][q] == 0) return;
   const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);

@@ -28,8 +28,7 @@ const Convex& cube() {
   return *kCube;
 }
 
-/// A hull in its place.
-// Corners are moved once, since every axis asks for all of them.
+/// A hull in its place. Its corners are moved once, since every axis asks for all of them.
 struct Solid {
   const Convex& convex;
   const Placed& placed;
@@ -49,9 +48,8 @@ struct Solid {
     return dot(n, points[face.corners[0]]);
   }
   /// It reaches at least so far from its centre along n and against it, times |n|, which is
-  /// `long_n`. Cheap: of a cylinder sin a >= 1 - cos a, of a hull that it holds its centre.
-  // A bound from below on how far the solid reaches, from its centre along n: if even with this the
-  // gap cannot beat the best one found, the corners need not be looked at.
+  /// `long_n`. When even with this bound the gap cannot beat the best one found, the corners need
+  /// not be looked at. Cheap: of a cylinder sin a >= 1 - cos a, of a hull that it holds its centre.
   double least_reach(const Vec3& n, double long_n) const {
     const Mat3& r = placed.r;
     const Vec3& half = placed.shape.half;
@@ -92,7 +90,7 @@ void consider_faces(Axis& best, const Solid& one, const Solid& other, bool of_a,
     const Vec3 n = one.normal(face);
     const double level = one.level(face, n);
     const double preference = best.face == nullptr ? 0 : of_a ? 1e-9 : kFacePreference / 10;
-    // The largest gap that there can be, by that bound.
+    // The largest gap that there can be, by the bound of least_reach.
     const double most = dot(n, other.placed.p) - other.least_reach(n, 1) - level + kRounding;
     if (most <= best.gap + preference) continue;
     const double gap = span_along(other, n).low - level;
@@ -148,8 +146,8 @@ struct CutFace {
   }
 };
 
-// One for each thread: worlds may step in several at once.
-/// Kept for their memory alone: they are large, and it takes long to clear them.
+/// Kept for their memory alone: they are large, and it takes long to clear them. Each thread has
+/// its own, since worlds may step in several at once.
 struct Scratch {
   CutFace polygon, next;
   std::array<TouchPoint, 2 * kMostHullPoints> points;
@@ -242,8 +240,8 @@ Vec3 nearest_on(const Solid& solid, const ConvexFace& face, const Vec3& p) {
   for (std::size_t i = 0; i < face.corners.size(); ++i) {
     const Vec3 from = solid.points[face.corners[i]];
     const Vec3 way = solid.points[face.corners[(i + 1) % face.corners.size()]] - from;
-    // Beyond this edge: the nearest point lies on it or on another.
     if (dot(cross(way, below - from), n) >= 0) continue;
+    // Beyond this edge: the nearest point lies on it or on another.
     const double part = std::clamp(dot(below - from, way) / squared(way), 0.0, 1.0);
     const Vec3 on = from + way * part;
     if (least < 0 || squared(on - p) < least) least = squared(on - p), best = on;
@@ -269,7 +267,7 @@ Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin) {
   const Solid solid(hull);
   const ConvexFace* nearest = nullptr;  // the one that the centre is least behind
   double outside = -std::numeric_limits<double>::infinity();
-  // Outside of all faces at once is what "outside" means; the largest distance tells.
+  // The centre is inside when it is behind all faces, so the largest of the distances tells.
   for (const ConvexFace& face : solid.convex.faces) {
     const Vec3 n = solid.normal(face);
     const double above = dot(n, ball.p) - solid.level(face, n);

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Cylinders against the floor and against balls, exactly; against the rest they are prisms.
+//
+// A prism on the floor would roll in 20 jolts a turn; wheels have to roll smoothly. So the lowest
+// line or rim is found exactly. A ball against a cylinder is a point against a solid of revolution:
+// a problem in the half plane through the axis.
 #include <algorithm>
 #include <cassert>
 
@@ -7,9 +11,6 @@
 
 namespace stig {
 
-// A prism on the floor would roll in 20 jolts a turn; wheels have to roll smoothly. So the lowest
-// line or rim is found exactly. A ball against a cylinder is a point against a solid of revolution:
-// a problem in the half plane through the axis.
 namespace {
 
 constexpr double kStraight = 1e-6;  ///< sine of a tilt below which a cap is level
@@ -36,8 +37,8 @@ Touch touch_floor_cylinder(const Placed& a, double margin) {
   assert(a.shape.kind == ShapeKind::cylinder);
   PointList points;
   const Vec3 half = a.r.z * a.shape.half.z;
-  // Lying: the two ends of its lowest line. Standing: the rim of one cap.
-  // Tilted by more than 45° it counts as lying: then no rim carries it, only the ends of a line.
+  // Lying: the two ends of its lowest line. Standing: the rim of one cap. With its axis more than
+  // about 45° away from upright it counts as lying.
   const double level = std::abs(a.r.z.z);
   if (level < 0.7) {
     const Vec3 down = normalised(Vec3{0, 0, -1} + a.r.z * a.r.z.z) * a.shape.half.x;

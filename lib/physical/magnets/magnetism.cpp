@@ -109,8 +109,8 @@ bool has_magnets(const MagnetOwner& owner) { return owner.begin < owner.end; }
 
 void add_couple(const std::vector<MagnetOwner>& owners, std::uint32_t i, std::uint32_t k,
                 double reach, std::vector<Couple>& out) {
-  // When both are awake, only one finds the other. Awake ones come up as i and as k; the lower
-  // number does the work.
+  // Two that are awake come up twice, each once as i: the pair is noted when i has the lower
+  // number.
   if (i == k || (owners[k].awake && k < i)) return;
   if (squared(owners[i].centre - owners[k].centre) < reach * reach) {
     out.emplace_back(std::minmax(i, k));
@@ -165,8 +165,8 @@ DipoleWrench dipole_wrench(const Vec3& m0, const Vec3& m1, const Vec3& r) {
   const double d2 = squared(r);
   assert(d2 > 0);
   const double d = std::sqrt(d2);
-  const Vec3 n = r * (1 / d);
   // Unit vector n and both moments' components along it; docs/physics.md, "Magnets".
+  const Vec3 n = r * (1 / d);
   const double a = dot(m0, n), b = dot(m1, n);
   const Vec3 force =
       (n * (3 * dot(m0, m1) - 15 * a * b) + (m0 * b + m1 * a) * 3) * (kDipoleConstant / (d2 * d2));
@@ -192,8 +192,7 @@ std::vector<MagnetPair> magnet_pairs(const std::vector<Magnet>& magnets,
                                      double cutoff) {
   std::vector<MagnetPair> out;
   NearLists near;
-  // Rounding must not leave out a magnet that lies at the radius itself.
-  // Owners' centres are rounded too.
+  // Rounding, of owners' centres too, must not leave out a magnet that lies at the radius itself.
   const double ball = radius * (1 + 1e-9);
   for (const auto& [a, b] : couples_of(owners, cutoff + 2 * radius)) {
     add_pairs(magnets, owners[a], owners[b], ball, cutoff, near, out);

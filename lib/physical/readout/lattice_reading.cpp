@@ -47,7 +47,7 @@ Mat3 product_transposed(const Mat3& a, const Mat3& b) {
 double trace(const Mat3& m) { return m.x.x + m.y.y + m.z.z; }
 double turn_angle(const Mat3& r) { return std::acos(std::clamp((trace(r) - 1) / 2, -1.0, 1.0)); }
 
-// 24: six directions for x, four for y that are across it; z follows.
+/// All 24 turns of a cube: six directions for x, four for y that are across it; z follows.
 const std::vector<CubeTurn>& cube_turns() {
   static const std::vector<CubeTurn> turns = [] {
     std::vector<CubeTurn> out;
@@ -64,8 +64,8 @@ const std::vector<CubeTurn>& cube_turns() {
   return turns;
 }
 
-/// The turn of the cube that is nearest to a rotation.
-// The trace of RᵀT is 1 + 2 cos of the angle between them: the largest is the nearest.
+/// The turn T of the cube that is nearest to a rotation R: the trace of TᵀR is 1 + 2 cos of the
+/// angle between them, so the one with the largest trace is nearest.
 const CubeTurn& nearest_turn(const Mat3& r) {
   const auto nearness = [&](const CubeTurn& turn) { return trace(product_transposed(turn, r)); };
   return *std::max_element(
@@ -83,7 +83,7 @@ struct Join {
 
 std::optional<Join> joined(const std::vector<PlacedBlock>& blocks, const std::vector<Mat3>& axes,
                            std::size_t a, std::size_t b, double side, const Tolerance& tolerance) {
-  // In a's own frame, so the neighbour would be a step along one axis.
+  // In a's own frame, in which a neighbour lies a step along one axis away.
   const Vec3 away = axes[a].transposed(blocks[b].X_WB.p - blocks[a].X_WB.p);
   int longest = 0;
   for (int i = 1; i < 3; ++i) {
@@ -105,8 +105,8 @@ std::optional<Join> joined(const std::vector<PlacedBlock>& blocks, const std::ve
 
 using Joins = std::vector<std::vector<Join>>;
 
-// Cells of the grid are as wide as a join can be long: 27 of them hold all candidates.
-/// Joins of each block, in both directions. Candidates come from a grid of cells.
+/// Joins of each block, in both directions. Candidates come from a grid of cells that are as wide
+/// as a join can be long, so that 27 of them hold all candidates.
 Joins find_joins(const std::vector<PlacedBlock>& blocks, const std::vector<Mat3>& axes, double side,
                  const Tolerance& tolerance) {
   const double reach = side + tolerance.offset;
@@ -170,9 +170,9 @@ std::vector<Member> grow(std::size_t seed, const std::vector<Mat3>& axes, const 
   };
   add({seed, {}, {}});
   while (!open.empty()) {
-    // A candidate may have been taken since it was pushed, by a better join.
     const Candidate next = open.top();
     open.pop();
+    // Its block may have been taken since it was pushed, by a better join.
     if (taken[next.join.b]) continue;
     const Member from = members[next.from];
     const LatticeCell cell = from.cell + turned(from.turn, next.join.step);
@@ -257,10 +257,10 @@ Fit fit(const std::vector<Member>& members, const std::vector<PlacedBlock>& bloc
     }
   }
   Fit out{best_rotation(sum), {}, side};
+  // The pitch follows from the rotation, by least squares over the cells' places.
   double along = 0, extent = 0;
   for (const Member& member : members) {
     const Vec3 c = centre(member.cell) - mean_c;
-    // The scale follows from the rotation, by least squares along each cell's place.
     along += dot(blocks[member.block].X_WB.p - mean_p, out.r * c);
     extent += squared(c);
   }
@@ -273,7 +273,7 @@ Fit fit(const std::vector<Member>& members, const std::vector<PlacedBlock>& bloc
 CubeTurn upright(const Mat3& r) {
   const auto better = [&](const CubeTurn& a, const CubeTurn& b) {
     const Mat3 ra = product(r, a), rb = product(r, b);
-    // z first, then x and y together; ties within rounding go to the first turn.
+    // Then x and y together; ties within rounding go to the first turn.
     if (std::abs(ra.z.z - rb.z.z) > 1e-9) return ra.z.z < rb.z.z;
     return ra.x.x + ra.y.y < rb.x.x + rb.y.y - 1e-9;
   };
@@ -308,8 +308,9 @@ ReadLattice describe(std::vector<Member> members, const std::vector<PlacedBlock>
     const PlacedBlock& block = blocks[member.block];
     const Vec3 expected = fitted.origin + fitted.r * centre(member.cell) * fitted.pitch;
     const Mat3 axes_L = product_transposed(fitted.r, axes[member.block]);
+    // With how far it is from its place, and what is left of its axes' turn beyond that of the
+    // cube.
     out.blocks.push_back({member.block, member.cell, block.colour, length(block.X_WB.p - expected),
-                          // What is left of the block's axes after its own turn of the cube.
                           turn_angle(product_transposed(member.turn, axes_L))});
   }
   return out;

@@ -71,8 +71,8 @@ class MechanismMotion {
     for (std::size_t k = 0; k < n / 2; ++k) {
       if (k < begin) {
         sum += row_two(j + 2 * k) * pairs_[k];
-        // `extra` is 0 when there is none, and pair 0 always belongs to the first ones.
       } else if (k == extra && k > 0) {
+        // `extra` is 0 when there is none, and pair 0 always belongs to the first ones.
         sum += row_two(j + 2 * begin) * pairs_[k];
       }
     }
@@ -86,8 +86,8 @@ class MechanismMotion {
   LooseMotion loose_;
 };
 
-template <bool kLoose, std::uint32_t... kNumber>
 // An array over all sizes, filled at compile time.
+template <bool kLoose, std::uint32_t... kNumber>
 constexpr auto written_out(std::integer_sequence<std::uint32_t, kNumber...> /*numbers*/) {
   return std::array{
       run_code<MechanismMotion<KnownDofs<kLeastWrittenOutDofs + kNumber>, kLoose>>()...};

@@ -112,9 +112,9 @@ RunCode code_of(const RowPoint& first) {
   return mechanism_code(first.holds[0].dofs, first.kind == RowKind::mechanism_on_loose);
 }
 
-/// Whether the point is one of a robot's, and of which kind.
-// By the number of degrees of freedom and which of them move the link, not by any name: a robot
-// that is built alike gets the same code.
+/// Whether the point is one of a robot's, and of which kind. That is told by the number of degrees
+/// of freedom and which of them move the link, not by any name: a robot that is built alike gets
+/// the same code.
 std::optional<RowKind> robot_kind(const RowPoint& point) {
   const Hold& hold = point.holds[0];
   if (hold.dofs != kRobotDofs) return std::nullopt;

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Two kinds of contacts are solved side by side: between free bodies here, in vectors of three;
+// those that a mechanism has a part in as rows of generalised velocities (solver_rows.h). Points of
+// free bodies are by far the most, so they have a form of their own.
 #include "physical/solver/solver.h"
 
 #include <algorithm>
@@ -9,9 +12,6 @@
 
 namespace stig {
 
-// Two kinds of contacts are solved side by side: between free bodies here, in vectors of three;
-// those that a mechanism has a part in as rows of generalised velocities (solver_rows.h). Points of
-// free bodies are by far the most, so they have a form of their own.
 namespace {
 
 // How far a point may wander over a block in a step and still be the same.
@@ -47,7 +47,7 @@ struct Patches {
   std::vector<Point> points;
 };
 
-// The first body against the second, at the point.
+/// Of the first body against the second, at the point.
 Vec3 velocity(const Point& point, const SolverBody& a, const SolverBody& b) {
   return a.v - b.v + cross(a.w, point.arm_a) - cross(b.w, point.arm_b);
 }
@@ -76,7 +76,7 @@ Point make_point(const SolverTask& task, std::uint32_t number, const ContactPoin
   Point point;
   point.arm_a = from.p_W - a.p;
   point.arm_b = from.p_W - b.p;
-  // gap and normal are fixed during the step; gaps follow the velocities to first order.
+  // From here on the gap follows the velocities to first order; the normal stays as it is.
   point.gap = from.gap;
   const Vec3 t = perpendicular(contact.normal), s = cross(contact.normal, t);
   point.mass = effective_mass(point, a, b, contact.normal);
@@ -117,7 +117,7 @@ double relax(const Patch& patch, Point& point, SolverBody& a, SolverBody& b, dou
          (a.inverse_mass + b.inverse_mass);
 }
 
-// The same for velocities that move bodies and are then forgotten.
+// As relax, without friction, for velocities that move bodies and are then forgotten.
 void relax_shift(const Patch& patch, Point& point, SolverBody& a, SolverBody& b) {
   const Vec3 v = a.way_v - b.way_v + cross(a.way_w, point.arm_a) - cross(b.way_w, point.arm_b);
   const double lacking = point.shift_target - dot(patch.normal, v);
@@ -151,9 +151,9 @@ void make_patches(const SolverTask& task, double part, Patches& out) {
   }
 }
 
+// Before the first sweep of each small step: the bodies have already been given forces.
 void apply_last(Patches& all, std::vector<SolverBody>& bodies) {
   for (Patch& patch : all.patches) {
-    // Before the first sweep of each small step: the bodies have already been given forces.
     SolverBody &a = bodies[patch.a], &b = bodies[patch.b];
     for (std::uint32_t i = patch.begin; i < patch.end; ++i) {
       const Point& point = all.points[i];
@@ -201,8 +201,8 @@ void undo_overlaps(Patches& all, Rows& rows, SolverTask& task) {
   }
 }
 
-/// Adds a part of the step's forces, or of its way.
-// Links are moved by their mechanism's generalised velocities, not by themselves.
+/// Adds a part of what the step's forces change. Links are moved by their mechanism's generalised
+/// velocities, not by themselves.
 void kick(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
     if (body.link >= 0) continue;
@@ -214,7 +214,7 @@ void kick(SolverTask& task, double part) {
   }
 }
 
-// The way of a small step, in units of a whole one: poses are moved once, at the end.
+/// Adds the way of a small step, in units of a whole one: poses are moved once, at the end.
 void go(SolverTask& task, double part) {
   for (SolverBody& body : task.bodies) {
     if (body.link >= 0) continue;

@@ -41,7 +41,7 @@ double product(const std::array<double, 6>& j, const double* v) {
   return sum[0] + sum[1];
 }
 
-// The same for a free body, whose velocity and spin lie beside each other by axis.
+/// The same for a free body, whose velocity and spin are paired by axis.
 template <std::size_t kCount>
 void add(const LooseSide& side, std::size_t direction, const std::array<double, kCount>& impulse,
          double* v) {
@@ -56,8 +56,8 @@ void add(const LooseSide& side, std::size_t direction, const std::array<double, 
   }
 }
 
-// A tag chooses which six numbers are meant, without a test at run time.
-/// Which numbers rows are about: velocities, or the shift that undoes overlaps.
+/// Which numbers rows are about: velocities, or the shift that undoes overlaps. The type chooses,
+/// without a test at run time.
 struct OfVelocities {
   template <class Side>
   static double* of(const Side& side) {
@@ -128,13 +128,13 @@ double relax_axis(SolverAxis& axis, SolverTask& task, double inverse_dt) {
   const double inverse = mechanism.inverse[axis.dof * mechanism.dofs + axis.dof];
   const double speed = mechanism.v[axis.dof];
   double impulse = 0;
-  // side 0 is a motor, which pulls towards a speed with a force of so much at most; otherwise a
-  // stop, which pushes one way.
   if (axis.side == 0) {
+    // A motor, which pulls towards a speed with a force of so much at most.
     impulse = axis.impulse + (axis.target - speed) / inverse;
     impulse = std::clamp(impulse, -axis.most, axis.most);
   } else {
-    // A stop that was overrun is left by a tenth of the overlap a step.
+    // A stop, which pushes one way. One that was overrun is left by a tenth of the overlap in each
+    // small step.
     const double least = -axis.gap * inverse_dt * (axis.gap > 0 ? 1 : kOverlapCorrection);
     impulse = axis.impulse + (axis.side * least - speed) / inverse;
     impulse = axis.side > 0 ? std::max(0.0, impulse) : std::min(0.0, impulse);

@@ -79,9 +79,9 @@ void fill_w(const double* inverse, const Hold& hold, const double* j, double* w)
   if (n % 2 != 0) w[n - 1] = product(j, hold, last);
 }
 
-/// J and W of a unit impulse along a direction `d` at `p` (times `sign`); returns J·W.
+/// J and W of a unit impulse along a direction `d` at `p` (times `sign`); returns J·W. J holds
+/// dot(d, v) of the velocity v that each degree of freedom alone would give the link at p.
 template <class Size>
-// dot(d, v) of each degree of freedom's unit velocity at p.
 double fill_row(const SolverTask& task, const SolverLink& link, const Hold& hold, const Vec3& p,
                 const Vec3& d, double sign, double* j, double* w) {
   const std::size_t begin = Size::begin(hold), n = Size::dofs(hold);
@@ -125,9 +125,9 @@ void add_hold(const SolverTask& task, std::uint32_t body, const Vec3& p, double 
   begin == 3 ? fill(RobotSize<3>{}) : begin == 4 ? fill(RobotSize<4>{}) : fill(AnySize{});
 }
 
-// Six numbers that lie together, as the rows add them two at once.
 // ---- Free bodies ----
 
+// Rows reach a body's six numbers by one pointer.
 static_assert(offsetof(SolverBody, w) == offsetof(SolverBody, v) + sizeof(Vec3) &&
                   offsetof(SolverBody, way_w) == offsetof(SolverBody, way_v) + sizeof(Vec3),
               "six numbers that stand together");
@@ -135,7 +135,6 @@ static_assert(offsetof(SolverBody, w) == offsetof(SolverBody, v) + sizeof(Vec3) 
 void add_loose(SolverBody& body, const Vec3& p, double sign, RowPoint& point,
                std::array<double, 3>& change) {
   // The numbers of links and of the ground are zero, and stay so.
-  // Resting bodies cannot be moved and do not move: they need no side.
   if (!(body.inverse_mass > 0) && body.v == Vec3{} && body.w == Vec3{}) return;
   LooseSide& side = point.loose[point.looses++];
   side.v = &body.v.x;
@@ -223,7 +222,7 @@ Vec3 bend(const SolverTask& task, std::size_t contact, const Vec3& p_W) {
 
 double least_shift(double gap, double dt) {
   assert(dt > 0);
-  // Still apart: the shift may close the gap and no more.
+  // Apart, or overlapping by less than the slop: the shift may close what is left, and no more.
   if (gap > -kSlop) return -(gap + kSlop) / dt;
   return std::min(kOverlapCorrection * (-gap - kSlop) / dt, kMostRecovery);
 }

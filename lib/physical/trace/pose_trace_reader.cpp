@@ -41,9 +41,9 @@ void hand_over(const std::function<void(Record)>& sink, std::decay_t<Record> rec
   if (sink) sink(std::move(record));
 }
 
+// Poses are kept as differences to the frame before, from zero at the chunk's start.
 class ChunkDecoder {
  public:
-  // Poses are kept as differences to the frame before, from zero at the chunk's start.
   ChunkDecoder(std::string_view payload, std::size_t bodies, const RecordSinks& sinks)
       : in_(payload), sinks_(sinks) {
     frame_.bodies.resize(bodies);
@@ -93,7 +93,8 @@ class ChunkDecoder {
     std::uint64_t next = 0;
     for (std::uint64_t i = 0; i < changed; ++i) {
       const std::uint64_t gap = in_.varint();
-      // Gaps are between the numbers of bodies that changed; the sum must stay below their count.
+      // Gaps are between the numbers of bodies that changed, and no number may reach the count of
+      // bodies.
       if (gap >= frame_.bodies.size() - std::min<std::uint64_t>(next, frame_.bodies.size())) {
         return false;
       }
@@ -164,8 +165,8 @@ class ChunkDecoder {
   TraceFrame frame_;
 };
 
-/// A whole number from 0; throws on anything else.
-// Exceptions of the JSON library and ours end in read_header.
+/// A whole number from 0; throws on anything else. Such exceptions, and those of the JSON library,
+/// end in read_header.
 std::uint64_t whole(const nlohmann::json& json) {
   if (!json.is_number_unsigned()) throw std::range_error("whole number");
   return json.get<std::uint64_t>();
@@ -363,7 +364,8 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick) {
   const TraceChunk& chunk = later == trace.chunks.begin() ? *later : *(later - 1);
   std::optional<TraceFrame> found;
   RecordSinks sinks;
-  // Decodes to the end of the chunk: frames are differences.
+  // Frames are differences, so the chunk is decoded from its beginning; the last frame up to the
+  // tick is kept, or the first one when all are later.
   sinks.frame = [&](const TraceFrame& frame) {
     if (!found || frame.tick <= tick) found = frame;
   };

@@ -57,8 +57,8 @@ std::string header_bytes(const PoseTraceHeader& header) {
   return out;
 }
 
-/// The one of q and -q that is nearer to the rotation before.
-// q and -q are the same rotation; the nearer one makes small differences.
+/// The one of q and -q, which are the same rotation, that is nearer to the one before: it makes
+/// small differences.
 void choose_sign(TraceState& state, const TraceState& last) {
   double product = 0;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -93,8 +93,8 @@ Pose TraceState::pose() const {
 
 TraceState trace_state(const BodyState& state) {
   const Vec3& p = state.X_WB.p;
-  // Half a quantum off at most, whatever came before: rounding is of poses, not of differences.
   const Quat& q = state.X_WB.q;
+  // Half a quantum off at most, whatever came before: rounding is of poses, not of differences.
   const auto whole = [](double x, double quantum) {
     return std::int64_t{std::llround(x / quantum)};
   };
@@ -150,7 +150,7 @@ void PoseTraceWriter::flush() {
 void PoseTraceWriter::frame(const TraceFrame& frame) {
   if (frames_ == kFramesPerChunk) flush();
   const bool first = chunk_.empty();
-  // A chunk begins anew from zero poses, and repeats what its values are, so that it stands alone.
+  // A chunk begins anew from zero poses, so that it stands alone.
   if (first) {
     first_tick_ = tick_ = frame.tick;
     put_varint(chunk_, first_tick_);
@@ -173,8 +173,8 @@ void PoseTraceWriter::frame(const TraceFrame& frame) {
   put_varint(chunk_, changed);
   chunk_ += changes;
   ++frames_;
-  // Values that hold are said again at the start of each chunk.
   if (!first) return;
+  // Values that hold are said again at the start of each chunk.
   for (const auto& [place, bytes] : values_) {
     put_value({frame.tick, place.first, place.second, bytes});
   }
@@ -217,8 +217,8 @@ void PoseTraceWriter::finish(const TraceEnd& end) {
   put(payload, end.hash);
   put_block(payload, end.message);
   put_varint(payload, chunks_);
-  // The index of chunks ends the file, and the last bytes say where it begins.
   payload += index_;
+  // The file's last bytes say where this section, with the index of chunks, begins.
   const std::uint64_t place = written_;
   put_section(kEndTag, payload);
   std::string trailer;
