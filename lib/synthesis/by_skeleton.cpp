@@ -98,7 +98,7 @@ class SkeletonSolver {
     return best_->made.colour_count <= (target_.cells.size() > kLargeTarget ? kGoodEnough : 1);
   }
 
-  // A lexicographic pair, so that the second measure decides among equals.
+  /// A lexicographic pair, so that the second measure decides among equals.
   auto score(const Found& found) const {
     const auto colours = static_cast<std::size_t>(found.made.colour_count);
     return options_.fewest == Fewest::colours ? std::pair(colours, found.made.rules.size())
@@ -115,8 +115,8 @@ class SkeletonSolver {
     if (!best_ || score(found) < score(*best_)) best_ = std::move(found);
   }
 
-  // Solutions of both methods have the same form: the order of growth that was checked
-  // becomes the rank, each cell an orbit of its own.
+  /// Solutions of both methods have the same form: the order of growth that was checked
+  /// becomes the rank, each cell an orbit of its own.
   Solution solution() {
     Solution out;
     const auto frame = std::make_shared<Frame>(

@@ -88,7 +88,7 @@ class Meter : public CaDiCaL::Terminator, public CaDiCaL::Learner {
   void learn(int) override {}
 
  private:
-  // One more than is left, since a limit of 0 would mean none at all.
+  /// One more than is left, since a limit of 0 would allow no work at all.
   static int within_int(std::uint64_t n) {
     return static_cast<int>(std::min<std::uint64_t>(n + 1, std::numeric_limits<int>::max()));
   }
@@ -110,8 +110,8 @@ class Solver {
         allowance_(allowance),
         meter_(solver_, allowance) {
     solver_.set("quiet", 1);
-    // Both would drop the colours that decisions are to lean towards. The phases are the
-    // solver's preferred values; both techniques would overwrite them.
+    // Both would overwrite the phases, which are the colours that decisions are to lean
+    // towards.
     solver_.set("lucky", 0);
     solver_.set("walk", 0);
     encoding_.emit_domains(naming, sink());

@@ -78,10 +78,10 @@ bool Differences::add(const Clash& clash) {
   const Frame& frame = *schedule_->frame;
   const int from = schedule_->keys[static_cast<std::size_t>(clash.key)].site;
   const int to = frame.sites[static_cast<std::size_t>(clash.site)].orbit;
-  // A pair that always differs makes the clause true, one that never does drops out of it.
   DifferenceClause clause{clash, {}, -1};
   if (clash.intended && always_equal(*schedule_, from, to)) return false;
   std::uint64_t hash = clash.intended ? 1 : 0;
+  // A pair that always differs makes the clause true, one that never does drops out of it.
   for (const auto& [a, b] : compared_orbits(*schedule_, clash)) {
     if (always_differ(*schedule_, a, b)) return false;
     if (always_equal(*schedule_, a, b)) continue;

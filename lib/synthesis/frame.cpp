@@ -132,9 +132,9 @@ Frame make_frame(const Target& target, const Placing& placing) {
   }
   std::vector<Cell> border = border_of(frame);
   std::vector<bool> seen(border.size(), false);
+  // Border cells are visited in sorted order and each marks its images, so every orbit is
+  // represented by its least cell.
   for (std::size_t i = 0; i < border.size(); ++i) {
-    // Border cells are visited in sorted order and each marks its images, so every orbit is
-    // represented by its least cell.
     if (seen[i]) continue;
     for (const Orientation& g : frame.group) {
       seen[static_cast<std::size_t>(index_in(border, *turning.image(g, border[i])))] = true;

@@ -13,8 +13,8 @@
 namespace stig {
 namespace {
 
-/// How deep orbits lie in the target: 0 where a neighbour is missing. Breadth-first from
-/// the surface: orbits with a missing neighbour have depth 0.
+/// How deep orbits lie in the target: 0 where a neighbour is missing, and from there breadth
+/// first.
 std::vector<std::int32_t> depths(const Frame& frame) {
   std::vector<std::int32_t> depth(frame.orbits.size(), -1);
   std::vector<std::size_t> queue;

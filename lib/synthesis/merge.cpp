@@ -297,8 +297,8 @@ class Merger {
     rules_.push_back(std::move(rule));
   }
 
-  // A rule is needless when each exact rule that it covers is covered by another that is
-  // kept.
+  /// A rule is needless when each exact rule that it covers is covered by another that is
+  /// kept.
   void leave_out_the_needless() {
     if (allowance_.out_of_time()) return;
     allowance_.spend(rules_.size() * exact_.size() * frame_.group.size() * kStepsOfAsking);

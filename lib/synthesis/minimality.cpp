@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Proves that one colour fewer does not do for a solution's order. The search is run again
-// for k - 1 colours, since clauses of the first search were met under other limits, and its
-// clauses become the formula. The files are checked by lib/certify/fewest.h, which shares
-// no code with this.
+// for k - 1 colours, since a solution does not keep the clauses that were met on the way to it,
+// and the clauses of this search become the formula. The files are checked by lib/certify/fewest.h,
+// which shares no code with this.
 #include "synthesis/proof_files.h"
 #include "synthesis/synthesise.h"
 

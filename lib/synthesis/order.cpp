@@ -167,8 +167,8 @@ class Lister {
     return level;
   }
 
-  // The enumeration is depth first over levels; `rank_` is shared and undone on the way
-  // back.
+  /// The enumeration is depth first over levels; `rank_` is shared and undone on the way
+  /// back.
   void place(const std::vector<std::size_t>& level, std::int32_t rank) {
     for (const std::size_t orbit : level) rank_[orbit] = rank;
     extend(rank + 1);

@@ -33,10 +33,10 @@ std::string words(const Axes& axes) {
   return out;
 }
 
-/// Sorted first, so that next_permutation goes through all.
 std::vector<Axes> all_axes() {
   std::vector<Axes> all;
   std::array<int, 3> axis{2, 1, 0};
+  // Sorted first, so that next_permutation goes through all.
   std::sort(axis.begin(), axis.end());
   do {
     for (int signs = 0; signs < 8; ++signs) {

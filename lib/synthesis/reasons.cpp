@@ -17,8 +17,8 @@ namespace {
 
 using Kind = Obstacle::Kind;
 
-/// Cells reached from the start by steps between neighbours. Connected by neighbours,
-/// corners included: what a rule cannot see it cannot continue from.
+/// Cells reached from the start by steps between neighbours, corners included, since a rule
+/// can continue from whatever it sees.
 std::vector<bool> reached(const Target& target, const std::vector<Cell>& start) {
   const Neighbourhood& n = neighbourhood(target.lattice);
   std::vector<bool> seen(target.cells.size(), false);
@@ -109,9 +109,8 @@ std::vector<Cell> one_of_each_part(const Target& target, const std::vector<Cell>
 
 namespace {
 
-/// What a site shows, slices as in a rule set's drawings: a given colour by its symbol, any
-/// other brick as #. The drawing is laid out like those of rule files: slices from above to
-/// below, rows from the back.
+/// What a site shows, laid out like the drawings of rule files: the slices above, level and
+/// below side by side, rows from the back; a given colour by its symbol, any other brick as #.
 std::string draw_site(const Frame& frame, const Site& site, std::uint32_t mask,
                       const std::vector<Brick>& bricks) {
   const Neighbourhood& n = frame.neighbours();

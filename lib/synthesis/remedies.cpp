@@ -60,7 +60,7 @@ class RemedyFinder {
         counted(solution.rules.size(), "rule")));
   }
 
-  // The start that was given may be the obstacle; the likely ones are tried in its place.
+  /// The start that was given may be the obstacle; the likely ones are tried in its place.
   void other_start() {
     if (options_.start.empty()) return;
     SynthesisOptions options = options_;
@@ -78,7 +78,7 @@ class RemedyFinder {
     add(starts, *solution);
   }
 
-  // A subgroup asks for less symmetry of the target, at the price of more rules.
+  /// A subgroup asks for less symmetry of the target, at the price of more rules.
   void smaller_group() {
     SynthesisOptions options = options_;
     for (const Symmetry smaller : {Symmetry::rotations, Symmetry::none}) {
@@ -90,8 +90,8 @@ class RemedyFinder {
     }
   }
 
-  // Under a symmetry the start has to be mapped to itself, which one cell of each part is
-  // not.
+  /// Under a symmetry the start has to be mapped to itself, which one cell of each part is
+  /// not.
   void start_in_each_part() {
     if (options_.symmetry != Symmetry::none) return;
     SynthesisOptions options = options_;
@@ -116,8 +116,8 @@ class RemedyFinder {
     }
   }
 
-  // Colours that a file gives are a demand on the rules; without them the shape may well be
-  // buildable.
+  /// Colours that a file gives are a demand on the rules; without them the shape may well be
+  /// buildable.
   void free_colours() {
     if (target_.bricks.empty()) return;
     Target free = target_;

@@ -130,8 +130,8 @@ class SkeletonSearch {
     return true;
   }
 
-  // The first ray continues in the start's colour if it rises or falls; a level one in that
-  // colour would match itself again and never end.
+  /// The first ray continues in the start's colour if it rises or falls; a level one in that
+  /// colour would match itself again and never end.
   void add(const Joint& from, std::size_t along, std::vector<std::int32_t> places) {
     const bool goes_on = skeleton_.rays.empty() && !is_level(along);
     if (skeleton_.rays.empty()) skeleton_.colours = kFirstRay;

@@ -3,7 +3,7 @@
 // colours that its bricks actually have beside them. Rules that place different bricks must
 // not match together anywhere, so a draft that meets an earlier one is parted from it by a
 // cell's states or by heights. Whether the result builds the target is decided by
-// presence_check.h, which makes all of this heuristic.
+// presence_check.h, so nothing here has to be proved.
 #include "synthesis/skeleton_rules.h"
 
 #include <algorithm>
@@ -118,8 +118,8 @@ class SkeletonDrafts {
     return any;
   }
 
-  // A fill's rule asks for the very colours that its bricks have beside them, the union
-  // over all of them.
+  /// A fill's rule asks for the very colours that its bricks have beside them, the union
+  /// over all of them.
   void add_fill(std::size_t f) {
     Draft draft;
     draft.rule.place = colour_of_fill(f);
@@ -174,8 +174,8 @@ class SkeletonDrafts {
     return false;
   }
 
-  // Two drafts meet if some height and, at each neighbour, some state satisfies both; cells
-  // are independent of each other, so this is exact.
+  /// Two drafts meet if some height and, at each neighbour, some state satisfies both; cells
+  /// are independent of each other, so this is exact.
   bool meet(const Draft& a, const Draft& b) const {
     if (a.low > b.high || b.low > a.high) return false;
     for (std::size_t i = 0; i < grid_.step.size(); ++i) {
@@ -218,8 +218,8 @@ class SkeletonDrafts {
     if (other.high != kHighest && above.low <= above.high) out.push_back(above);
   }
 
-  // The states that can occur here; a set of other bits would be no pattern that can be
-  // written.
+  /// The states that can occur here; a set of other bits would be no pattern that can be
+  /// written.
   StateSet all_states() const {
     const StateSet all = StateSet::empty_cell() | bricks();
     return floor_ ? all | StateSet::floor() : all;
@@ -243,8 +243,8 @@ class SkeletonDrafts {
   std::vector<Draft> drafts_;
 };
 
-/// Numbers the colours from 1 when nothing is left to fill. Colours must be numbered
-/// without a gap in the file.
+/// Numbers the colours from 1 when nothing is left to fill, since a file's colours must be
+/// numbered without a gap.
 void close_gap(const SolidGrid& grid, SkeletonRules& out) {
   const auto filled = [&](std::int32_t cell) {
     return out.colours[static_cast<std::size_t>(cell)] == 1;

@@ -136,9 +136,8 @@ class Synthesiser {
   }
 
   /// The fewest colours of an order, up to `most`: by halving, a slice of the effort for
-  /// each question. What is not answered within it counts as no, but is not remembered so.
-  /// A refused question is remembered only when it was answered: a given-up one may succeed
-  /// with a longer slice.
+  /// each question. What is not answered within it counts as no, but is not remembered so:
+  /// it may be answered within a longer slice.
   void halve(ColouringSearch& search, Candidate& candidate, int most, std::uint64_t slice,
              const Allowance& allowance) {
     int low = candidate.least();
@@ -164,8 +163,8 @@ class Synthesiser {
     }
   }
 
-  /// Other solutions with as many colours: the more regular, the fewer rules. Regular
-  /// starting colours give solutions with repeating views, and with them fewer rules.
+  /// Other solutions with as many colours. Regular starting colours give solutions whose
+  /// views repeat, and which so need fewer rules.
   void gather(double until) {
     const Allowance allowance = share(until);
     const int more = options_.fewest == Fewest::rules || large() ? kMoreColours : 0;
