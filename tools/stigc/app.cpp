@@ -28,8 +28,8 @@ constexpr std::size_t kPiece = std::size_t{1} << 20;
 std::atomic<bool> stop_flag{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
-/// As the signal would have ended the program by itself, but without half a file left behind.
-// Only functions that are safe in a signal handler (signal-safety(7)).
+/// As the signal would have ended the program by itself, but without half a file left behind. Only
+/// functions that are safe in a signal handler (signal-safety(7)).
 void die_of(int signal) {
   remove_unfinished_files();
   std::signal(signal, SIG_DFL);
@@ -65,8 +65,8 @@ bool color_wanted(Coloured wish, int descriptor) {
   return is_terminal(descriptor) && !(no_color != nullptr && *no_color != 0) && !dumb;
 }
 
-/// As with "stigc fmt x >> x".
-// The shell would append to the file that is being read, which could go on for ever.
+/// As with "stigc fmt x >> x". The shell would append to the file that is being read, which could
+/// go on for ever.
 bool stdout_is_read() {
   const auto file = file_number(STDOUT_FILENO);
   return file && was_read(*file);

@@ -39,9 +39,9 @@ std::optional<CameraPlace> camera_named(const Simulation& run, const std::string
 std::string view_png(const Simulation& run, const CameraPlace& place) {
   assert(run.crew() != nullptr && place.robot < run.crew()->robots());
   const Crew& crew = *run.crew();
-  // From the same snapshot that the robot's own sensors see, line of sight by line of sight.
   const CameraDevice& device = crew.model(place.robot).cameras[place.camera];
   const Pose X_WC = crew.camera_pose(run.world(), place.robot, place.camera);
+  // From the same snapshot that the robot's own sensors see, line of sight by line of sight.
   return png_of(whole_numbers(camera_picture(crew.sensor_scene(run.world()), device.intrinsics,
                                              X_WC, kSamples)),
                 "");

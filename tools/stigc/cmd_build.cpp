@@ -117,9 +117,9 @@ class BuildWork {
     wanted.seed = options_.seed;
     wanted.runs = options_.runs;
     wanted.threads = options_.threads;
+    wanted.output = options_.output;
     // The controller that is validated is compiled again from the rules, which takes no time next
     // to the rest.
-    wanted.output = options_.output;
     return stig::run(wanted, app_);
   }
 

@@ -26,8 +26,8 @@
 namespace stig {
 namespace {
 
-// Large proofs are legitimate, and read into memory as a whole.
-// Sizes are bounded before anything is parsed: a proof may come from anybody.
+// Sizes are bounded before anything is parsed, since a proof may come from anybody. Large proofs
+// are legitimate, and are read into memory as a whole.
 constexpr std::size_t kMostCertificateBytes = std::size_t{1} << 28;
 constexpr std::size_t kMostProofBytes = std::size_t{1} << 30;
 

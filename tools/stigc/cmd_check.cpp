@@ -48,8 +48,8 @@ int run(const CheckOptions& options, App& app) {
   Diagnostics all;
   std::size_t good = 0;
   for (const std::string& file : options.files) {
-    Diagnostics diagnostics;
     // Each file's own, so that one bad file does not make the next one bad.
+    Diagnostics diagnostics;
     check_file(file, diagnostics);
     if (!app.invalid(diagnostics)) ++good;
     all.append(diagnostics);

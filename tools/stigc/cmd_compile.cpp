@@ -143,10 +143,10 @@ std::string argos_problem(const CompileFileOptions& options) {
   if (target_of(options) != CompileTarget::argos) return {};
   if (options.robot) return "ARGoS brings its own robot, the BuilderBot: leave --robot out";
   if (!options.output || is_standard_output(options.output))
-    // A name goes into an XML attribute and into file names.
     return "for ARGoS several files are written: say where with -o NAME";
   const std::string name = file_name(argos_files(options)->experiment);
   if (name == kArgosEnding) return fmt::format("'{}' has no name before .argos", *options.output);
+  // The name goes into an XML attribute of the experiment.
   if (printable(name) != name)
     return fmt::format("the name '{}' cannot stand in an experiment's file", name);
   return {};
@@ -203,7 +203,7 @@ int run(const CompileFileOptions& options, App& app) {
   const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
   note_other_rules(*rules, compiled, *robot, options.robot, diagnostics);
   app.report(diagnostics);
-  // Asked before anything is reported as a refusal: an interrupted proof refuses too.
+  // Asked before the result is taken for a refusal: an interrupted proof refuses too.
   if (stop_requested()) {
     app.complain("interrupted: nothing was written");
     return kRunFailed;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // stigc doctor: is all there that the program leans on?
 //
-// Every finding is tried rather than looked up: a picture is drawn, a file is written. What fails
-// has advice that a user can follow.
+// Findings are tried rather than looked up where that is possible: a picture is drawn, a file is
+// written. What fails has advice that a user can follow.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -64,7 +64,7 @@ Finding physics() { return {Health::ok, "physics", "DART " + dart_version(), {}}
 
 Finding processor() {
   const unsigned cores = std::thread::hardware_concurrency();
-  // walk_engine.cpp chooses its kernel by the same question; results do not depend on it.
+  // Agents walk by vector instructions where there is AVX-512; results do not depend on it.
   std::string features;
 #if defined(__x86_64__)
   features = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") ? ", AVX-512"
@@ -80,13 +80,11 @@ Finding memory() {
   const auto pages = static_cast<double>(sysconf(_SC_PHYS_PAGES));
   const double gigabytes = pages * static_cast<double>(sysconf(_SC_PAGE_SIZE)) / 1e9;
   const std::string found = fmt::format("{:.1f} GB", gigabytes);
-  // A box of 500³ takes a byte a cell and as much again for what runs on it.
   if (gigabytes >= 2) return {Health::ok, "memory", found, {}};
   return {Health::warn, "memory", found, "boxes beyond 500×500×500 will not fit"};
 }
 
-// The smallest picture goes all the way through cairo.
-/// Can pictures be drawn? Draws one.
+/// Can pictures be drawn? Draws one. The smallest picture goes all the way through cairo.
 Finding pictures() {
   const Structure brick(Lattice::cubic, {{{0, 0, 0}, 1}});
   const std::string png = draw_structure(brick, {{"1", "brick", "#4363d8", "", {}}});

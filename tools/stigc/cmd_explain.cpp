@@ -39,8 +39,8 @@ struct ExplainedSite {
   }
 };
 
-/// Why no brick can be placed in the site whatever the rules say; or empty.
-// Rules are explained all the same: why a rule would fire is a fair question of a full site.
+/// Why no brick can be placed in the site whatever the rules say; or empty. Rules are explained all
+/// the same: why a rule would fire is a fair question of a full site.
 std::string site_problem(const ExplainedSite& scene) {
   if (scene.rules.floor && scene.site.z < 0) return "the site is below the floor";
   if (scene.box && !scene.box->contains(scene.site)) return "the site is outside the box";

@@ -20,8 +20,8 @@
 namespace stig {
 namespace {
 
-/// The share of a run that is done for certain: by the nearer of its limits.
-// The larger share, since the first limit that is reached ends the run.
+/// The share of a run that is done for certain: by the nearer of its limits. The larger share,
+/// since the first limit that is reached ends the run.
 double fraction_done(const SwarmConfig& config, std::uint64_t steps, std::uint64_t deposits) {
   const auto share = [](std::uint64_t done, const std::optional<std::uint64_t>& limit) {
     return limit && *limit > 0 ? static_cast<double>(done) / static_cast<double>(*limit) : 0.0;
@@ -32,8 +32,8 @@ double fraction_done(const SwarmConfig& config, std::uint64_t steps, std::uint64
 /// Says that a limit nobody asked for ended a run.
 void say_default_limit(const ExploreConfig& config, const RunSummary& run, const App& app) {
   const bool steps = run.terminated == Terminated::steps && config.steps_by_default;
-  // Both are Terminated::deposits.
-  // The limit of the last stage ends a run in the same way, and somebody did ask for it.
+  // The limit of the last stage ends a run in the same way, as Terminated::deposits, and somebody
+  // did ask for it.
   const bool deposits = run.terminated == Terminated::deposits && config.deposits_by_default &&
                         run.deposits >= kDefaultDeposits;
   if (!steps && !deposits) return;
@@ -80,9 +80,8 @@ int explore_once(const RuleSet& rules, const RuleTable& table, const ExploreConf
   return result.terminated == Terminated::interrupted ? kRunFailed : written;
 }
 
-// Runs of an ensemble would take as much memory as JSON values as they do as structures; their text
-// is put between the braces by hand.
-/// The object of --json with several runs. The runs are objects in text already.
+/// The object of --json with several runs. The runs are objects in text already, which are put
+/// between the braces by hand: as JSON values they would take as much memory as their structures.
 void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
                          const Ensemble& ensemble, App& app) {
   Json json = setting_json(rules, config.swarm);
@@ -150,7 +149,7 @@ int run(const ExploreOptions& options, App& app) {
     app.complain(printable(config.problem));
     return kUsage;
   }
-  // Now that runs are counted: each may write files with its number.
+  // Each of several runs may write files with its number in their names.
   if (const int code = check_outputs(names_of(outputs, options.runs), app); code != kOk) {
     return code;
   }

@@ -21,10 +21,10 @@ int format(const std::string& file, const FmtOptions& options, App& app) {
     app.print(text);
     return kOk;
   }
-  // A file that is well formed is not touched, so its time of change stays.
+  // A file that is in canonical form already is not touched, so its time of change stays.
   if (rules->file && rules->file->text() == text) return kOk;
-  // Names alone, as lists for other programs.
   if (options.check) {
+    // Names alone, as lists for other programs.
     app.print(file + "\n");
     return kFailed;
   }

@@ -68,13 +68,13 @@ int run(const ReplayOptions& options, App& app) {
   SwarmHooks hooks;
   hooks.stop = &stop_requested();
   hooks.progress = [&](std::uint64_t, std::uint64_t deposits) {
-    // Events are what a trace has a number of beforehand.
+    // The number of events is known beforehand.
     const double share = static_cast<double>(deposits) / static_cast<double>(trace->events.size());
     progress.show(share, fmt::format("{} of {} events", deposits, trace->events.size()));
   };
   const ReplayReport report = replay(*trace, *rules, hooks);
   progress.clear();
-  // A difference found before the interruption is a result.
+  // A stop shows as a difference too (lattice/trace.h), which would be no result.
   if (stop_requested() && !report.identical) {
     app.complain(fmt::format("interrupted after {} events", report.compared));
     return kRunFailed;

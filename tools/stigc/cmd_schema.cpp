@@ -28,8 +28,8 @@ std::string schema_of(FileForm form) {
   return json_schema();
 }
 
-// For editors, which ask while a file is being written and is mostly not yet valid.
-/// The symbols of a file's bricks; the rest of it need not be good.
+/// The symbols of a file's bricks; the rest of it need not be good. For editors, which ask while a
+/// file is being written and is mostly not yet valid.
 std::vector<std::string> symbols_of(const YamlDocument& document) {
   std::vector<std::string> symbols;
   const YamlNode* bricks = document.root.find("bricks");

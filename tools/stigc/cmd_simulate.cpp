@@ -55,8 +55,8 @@ std::vector<std::string> output_names(const SimulateOptions& o) {
   return names;
 }
 
-/// A resumed run goes on in its trace, and may leave its checkpoint where the last one was.
-// Files that have been read are not written over otherwise (file_guard.h).
+/// A resumed run goes on in its trace, and may leave its checkpoint where the last one was. Files
+/// that have been read are not written over otherwise (file_guard.h).
 void let_go_on(const SimulateOptions& o) {
   if (o.trace) let_replace(*o.trace);
   if (o.checkpoint && file_identity(*o.checkpoint) == file_identity(*o.resume)) {
@@ -126,10 +126,10 @@ class OneRun {
 
   int run(const std::optional<Checkpoint>& checkpoint) {
     if (checkpoint && !run_.resume(checkpoint->state)) {
+      // The scene has read well, so the state must be damaged or of another version.
       app_.complain(
           fmt::format("'{}': its state is none of its scene", printable(*options_.resume)));
       return kFailed;
-      // The scene has read well, so the state must be damaged or of another version.
     }
     if (!find_camera()) return kUsage;
     if (const int code = begin_trace(); code != kOk) return code;
@@ -141,8 +141,8 @@ class OneRun {
     // Before the script's last words, which a run that goes on has not heard yet.
     if (options_.checkpoint) state_ = run_.state();
     run_.end_script(hooks(progress));
-    run_.finish(end);
     // Ends the trace on the last tick, whatever ended the run.
+    run_.finish(end);
     const int written = write_files();
     const SimulationReport report = report_of(loaded_.scene, run_, end, seconds);
     print(report);
@@ -167,8 +167,8 @@ class OneRun {
     const PoseTraceHeader header = trace_header(loaded_.scene, loaded_.placed);
     std::optional<PoseTrace> earlier;
     if (options_.resume) {
+      // The trace may be longer than the run up to the checkpoint, never shorter.
       earlier = earlier_trace(*options_.trace, header, run_.world().tick(), app_);
-      // It may be longer than the run up to the checkpoint, never shorter.
       if (!earlier) return kFailed;
     }
     if (!trace_.open(*options_.trace)) {
@@ -219,11 +219,11 @@ class OneRun {
   }
 
   void take_moment() {
-    // Kept, and drawn at the end: drawing takes longer than many steps.
     moment_ = {run_.world().time(), {}, {}, {}};
     if (camera_) {
       moment_->view = view_png(run_, *camera_);
     } else {
+      // Bodies and lines are kept, and drawn at the end: drawing takes longer than many steps.
       moment_->bodies = picture_bodies(run_);
       moment_->lines = picture_lines(run_);
     }

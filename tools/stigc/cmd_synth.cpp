@@ -36,16 +36,16 @@
 namespace stig {
 namespace {
 
-// Walking is a search through empty space for every brick.
-/// In larger structures it is not asked whether agents can walk to every site in time.
+/// In larger structures it is not asked whether agents can walk to every site in time. Walking is a
+/// search through empty space for every brick.
 constexpr std::size_t kMostWalkedTo = 20'000;
 /// For the proof of what was found when the time was over.
 constexpr double kSecondsAfterwards = 1;
 /// What --proof writes into its folder.
 constexpr std::array<const char*, 3> kProofFiles = {"fewer.json", "fewer.cnf", "fewer.drat"};
 
-// They go into the file, which then says how it was made.
-/// The options that made a difference, as they are written.
+/// The options that made a difference, as they are written. They go into the file, which then says
+/// how it was made.
 std::string options_in_words(const SynthOptions& o) {
   std::string out;
   if (o.use == ColourUse::given) out += " --colours given";
@@ -71,7 +71,8 @@ Wording wording(const SynthOptions& options, const Solution& solution, bool cut_
 /// from one site, make clauses that it does not derive.
 void confirm_fewest(const SynthOptions& options, const Target& target, const Deadline& deadline,
                     Solution& solution, SynthOutcome& outcome) {
-  // One colour needs no proof, and "fewest" was not claimed otherwise.
+  // One colour needs no proof, and where fewer colours were not refuted, "the fewest" is not
+  // claimed.
   if (!solution.fewer_refuted || solution.colour_count == 1) return;
   Effort effort(deadline);
   outcome.fewest =

@@ -18,8 +18,8 @@
 namespace stig {
 namespace {
 
-// The longest word has 16 letters.
 std::string coloured(Standing standing, bool color) {
+  // The longest word has 16 characters.
   const std::string padded = fmt::format("{:<17}", to_string(standing));
   switch (standing) {
     case Standing::held:
@@ -33,7 +33,6 @@ std::string coloured(Standing standing, bool color) {
   return red(padded, color);
 }
 
-// A file with both is failed.
 /// 0, 1 or 3: see app.h. What failed counts for more than what stayed open.
 int exit_code(const ExpectationReport& report) {
   if (report.passed()) return kOk;
@@ -112,8 +111,7 @@ void settle_by_proof(const RuleSet& rules, ExpectationReport& report) {
   const bool proved = result.verdict == ProofVerdict::proved;
   const bool endless = result.verdict == ProofVerdict::endless;
   for (ExpectationItem& item : report.items) {
-    // Unknown or refuted: a refutation contradicts nothing that sampling has not found, for samples
-    // are orders too.
+    // Only a proof settles what is open: a refutation, or no verdict at all, leaves it as it is.
     if (!open(item) || (!proved && !endless)) continue;
     if (endless) {
       // One order is endless; that others end is not ruled out.
@@ -146,7 +144,6 @@ int run(const TestOptions& options, App& app) {
   hooks.stop = &stop_requested();
   Json all = Json::array();
   int worst = kOk;
-  // Files are tested in order, and a file's lines shown when it is done.
   std::size_t passed = 0, without = 0;
   Progress progress(app);
   for (std::size_t i = 0; i < options.files.size() && !stop_requested(); ++i) {

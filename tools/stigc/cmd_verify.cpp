@@ -108,8 +108,8 @@ int run(const VerifyFileOptions& options, App& app) {
   } else {
     app.print(to_text(report, app.color_out()));
   }
+  // A failure to write is worse than a verdict of "no".
   if (options.certificate)
-    // A failure to write is worse than a verdict of "no".
     code = std::max(code, write_certificate(*options.certificate, result, app));
   if (options.witness) code = std::max(code, write_witness(*options.witness, report, app));
   return code;

@@ -18,8 +18,8 @@
 namespace stig {
 namespace {
 
-/// Where the parser puts what it reads: one of each kind of options.
-// CLI11 writes into these by reference while it parses, so they must outlive the parser.
+/// Where the parser puts what it reads: one of each kind of options. CLI11 writes into these by
+/// reference while it parses, so they must outlive the parser.
 struct Storage {
   GlobalOptions global;
   std::string code;  ///< of a diagnostic
@@ -55,6 +55,7 @@ CLI::Option* parsed(CLI::App* app, const std::string& names, const std::string& 
       ->add_option_function<std::string>(
           names,
           [parse = std::move(parse), shown](const std::string& text) {
+            // What is wrong is told to CLI11 by an exception; the words are ours.
             const std::string problem = parse(text);
             if (!problem.empty()) throw CLI::ValidationError(shown, problem);
           },
@@ -65,7 +66,6 @@ CLI::Option* parsed(CLI::App* app, const std::string& names, const std::string& 
 template <class Integer>
 CLI::Option* integer(CLI::App* app, const std::string& names, Integer& out, std::int64_t low,
                      std::int64_t high, const std::string& doc) {
-  // CLI11 reports a text that is wrong by exceptions; the text itself is ours, without its prefix.
   return parsed(app, names, "N", doc, [&out, low, high](const std::string& text) {
     std::int64_t value = 0;
     const std::string problem = parse_integer(text, low, high, value);
@@ -115,8 +115,8 @@ CLI::Option* path(CLI::App* app, const std::string& names, std::optional<std::st
 
 /// An option that takes one value and may be given several times.
 CLI::Option* repeated(CLI::App* app, const std::string& names, std::vector<std::string>& out,
-                      // Without this CLI11 would take the next arguments too, up to an option.
                       const std::string& value, const std::string& doc) {
+  // Without allow_extra_args(false) CLI11 would take the next arguments too, up to an option.
   return app->add_option(names, out, doc)->type_name(value)->allow_extra_args(false);
 }
 
@@ -273,10 +273,10 @@ void add_test(CLI::App& app, TestOptions& o) {
 }
 
 void add_sides(CLI::App& sub, std::vector<std::string>& sides, const char* what) {
+  // Sides may be given as one list. The words are tested by CLI11 itself.
   sub.add_option("--sides", sides, what)
       ->type_name("SIDE")
       ->expected(1, 4)
-      // Given as one list; the test of words is CLI11's own, as sides are four.
       ->delimiter(',')  // "--sides -x" would be an option -x
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
 }
@@ -500,9 +500,8 @@ void add_files_out(CLI::App& app, Storage& s) {
       ->required();
 }
 
-/// N, or one of two words.
+/// N, or one of two words. Both kinds of options have `colours` and `use`: synth's and build's.
 template <class Options>
-// Both kinds of options have `colours` and `use`: synth's and build's.
 std::string parse_colours(const std::string& text, Options& o) {
   // The last one given counts: an earlier number must not stay behind a later word.
   o.colours.reset();
@@ -771,9 +770,9 @@ std::string problem_in_words(const CLI::App& app, const CLI::ParseError& error) 
     return unknown_word(app, extra.front(), "unexpected argument");
   }
   const std::string text = error.what();
+  // CLI11 counts values, a user options: "At Most 1 required but received 2" says less than the
+  // words here.
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) != nullptr &&
-      // CLI11 counts values, a user options: "At Most 1 required but received 2" says less than
-      // this.
       text.find("At Most") != std::string::npos) {
     return text.substr(0, text.find(':')) + " is given more than once";
   }
@@ -813,13 +812,13 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& error) {
     const auto commands = app.get_subcommands();
     if (!commands.empty()) result.command = commands.front()->get_name();
-    // The code stands where the command's file would, which CLI11 then misses.
     if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && app.count(kExplain) > 0) {
+      // The code stands where the command's file would, which CLI11 then misses.
       result.explain = storage.code;  // "stigc check --explain R304": of no file
-      // Help and version are "errors" without an exit code.
     } else if (error.get_exit_code() != 0 || unknown_command(app)) {
       result.problem = problem_in_words(app, error);
     } else {
+      // Help and version are "errors" without an exit code.
       const bool version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
       result.help = version ? "stigc " STIG_VERSION "\n" : "help";
     }

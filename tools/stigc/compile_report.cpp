@@ -25,7 +25,7 @@ std::string sides_text(const CompiledRules& compiled) {
   return out;
 }
 
-// A leaf says what to do, an inner node what to ask; depth is that of the decision.
+// A leaf says what to do, an inner node what to ask.
 Json node_json(const RuleSet& rules, const DecisionNode& node) {
   if (!node.question) {
     if (!node.placement) return {{"do", "nothing"}};
@@ -141,8 +141,8 @@ std::string line_map_json(const CompileJob& job, const ControllerText& program) 
   assert(job.rules != nullptr);
   Json out = {{"stigc_line_map", 1}, {"rules", job.rules->name}, {"lines", Json::array()}};
   for (const LineOrigin& one : program.lines) {
+    // Rules are called by the names that they have for people.
     out["lines"].push_back(
-        // By the names that the rules have for people.
         {{"line", one.line}, {"rule", job.rules->rules[one.rule].name}, {"source", one.source}});
   }
   return dump(out);

@@ -37,8 +37,8 @@ std::vector<std::string> words_of(const OptionInfo& option) {
   }
 }
 
-/// Within single quotes of bash and zsh.
-// A quote ends the quoted text, comes escaped, and begins it again.
+/// Within single quotes of bash and zsh. A quote ends the quoted text, comes escaped, and begins it
+/// again.
 std::string shell_quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -55,8 +55,8 @@ std::string fish_quoted(const std::string& text) {
   return out + "'";
 }
 
-/// The options of a command and those of every command, each name once.
-// A command's own help option hides the global one.
+/// The options of a command and those of every command, each name once. A command's own help option
+/// hides the global one.
 std::vector<OptionInfo> all_options(const CommandTree& tree, const CommandInfo& command) {
   std::vector<OptionInfo> options = command.options;
   for (const OptionInfo& option : tree.global) {
@@ -80,8 +80,8 @@ std::string bash_values(const OptionInfo& option) {
   if (!words.empty()) {
     return fmt::format("COMPREPLY=($(compgen -W '{}' -- \"$cur\"))", fmt::join(words, " "));
   }
-  return is_file(option) ? "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$cur\"))" : ":";
   // `:` does nothing, and is needed where a case must not be empty.
+  return is_file(option) ? "compopt -o filenames; COMPREPLY=($(compgen -f -- \"$cur\"))" : ":";
 }
 
 /// Answers for the value of the option before the cursor, if there is one.

@@ -58,8 +58,8 @@ struct Range {
   double mean = 0;
 };
 
+// Of at least one run.
 template <class Value>
-// At least one run.
 Range range_of(const std::vector<RunSummary>& runs, const Value& value) {
   Range range{value(runs.front()), value(runs.front()), 0};
   for (const RunSummary& run : runs) {
@@ -135,7 +135,7 @@ Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConf
         OutputWriter writer(each, rules, own);
         ensemble.exit_code = std::max(ensemble.exit_code, writer.write(result, app));
       }
-      // Seeds are told apart by the run's number, its place in the ensemble.
+      // Runs have one seed in common, and are told apart by their number.
       ++own.run;
     }
     // A stop between two batches.

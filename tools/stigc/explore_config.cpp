@@ -28,13 +28,13 @@ std::optional<Box> chosen_box(const RuleSet& rules, const ExploreOptions& option
 void set_limits(const ExploreOptions& options, ExploreConfig& config) {
   config.swarm.max_steps = options.steps;
   config.swarm.max_deposits = options.deposits;
-  // One limit given, no other is added.
+  // Where one limit is given, no other is added.
   if (options.steps || options.deposits) return;
   if (options.motion != Motion::event) {
     config.swarm.max_steps = kDefaultSteps;
     config.steps_by_default = true;
-    // In a box, events end by themselves.
   } else if (!config.swarm.box) {
+    // In a box events end by themselves; in unbounded space they need not.
     config.swarm.max_deposits = kDefaultDeposits;
     config.deposits_by_default = true;
   }

@@ -13,8 +13,8 @@
 namespace stig {
 namespace {
 
-/// Does a line begin with the key?
-// As YAML has it at the top level of a file in block style; flow style is not used for scenes.
+/// Does a line begin with the key? As YAML has it at the top level of a file in block style; flow
+/// style is not used for scenes.
 bool has_key(std::string_view text, std::string_view key) {
   for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
     if (at == 0 || text[at - 1] == '\n') return true;
@@ -22,8 +22,8 @@ bool has_key(std::string_view text, std::string_view key) {
   return false;
 }
 
-/// Does the scene, as it was written, ask for a file with the compiled program's name?
-// By reading the scene with a loader that listens.
+/// Does the scene, as it was written, ask for a file with the compiled program's name? By reading
+/// the scene with a loader that listens.
 bool asks_for_controller(const SourceRef& scene, const SceneLoader& load) {
   bool asked = false;
   const SceneLoader listening = [&](const std::string& name, std::size_t most, FileError& error) {

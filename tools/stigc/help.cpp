@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t kIndent = 26;
 constexpr std::size_t kWidth = 98;
 
-// Breaks at blanks alone; a word that is wider than the column stands out.
-/// Words of `text` in lines that start at column kIndent.
+/// Words of `text` in lines that start at column kIndent. Breaks at blanks alone; a word that is
+/// wider than the column stands out.
 std::string wrapped(std::string_view text) {
   std::string out;
   std::size_t column = kIndent;

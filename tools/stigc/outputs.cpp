@@ -99,11 +99,10 @@ int complain(const std::vector<std::string>& problems, int code, const App& app)
 std::string file_name(const std::string& path) { return fs::path(path).filename().string(); }
 
 int check_outputs(const std::vector<std::string>& paths, const App& app,
-                  // Problems with names first: with them, whether a file can be written means
-                  // nothing.
                   const std::string& folder) {
   KnownFiles known = standard_output();
   std::vector<std::string> problems;
+  // Problems with names first: with them, whether a file can be written means nothing.
   for (const std::string& path : paths) problems.push_back(naming_problem(path, known));
   if (const int code = complain(problems, kUsage, app); code != kOk) return code;
   problems.clear();

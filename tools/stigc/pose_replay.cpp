@@ -56,7 +56,7 @@ Json summary_json(const PoseTrace& trace, const std::string& path) {
   json["left"] = count(trace, EventKind::left_arena);
   json["hash"] = to_hex(trace.end.hash);
   json["bytes"] = trace.bytes.size();
-  // Times of 0 s give 0.
+  // A trace of 0 s gives 0.
   json["bytes_per_body_second"] = bytes_per_body_second(trace);
   return json;
 }
@@ -184,9 +184,9 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
     app.report(diagnostics);
     return kFailed;
   }
+  // Before anything is worked out: a name that cannot be written is said at once.
   if (options.picture) {
     if (const int code = check_outputs({*options.picture}, app); code != kOk) return code;
-    // Before anything is worked out: a name that cannot be written is said at once.
   }
   if (options.verify) return verify(options, *trace, app);
   const double end = static_cast<double>(trace->end.ticks) * trace->header.step;

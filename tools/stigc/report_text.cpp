@@ -12,8 +12,8 @@
 namespace stig {
 namespace {
 
-/// A drawing of more lines or wider lines than this is no longer looked at.
-// A drawing prints slices one below the other, so lines are rows times levels.
+/// A drawing of more lines or wider lines than this is no longer looked at. A drawing prints slices
+/// one below the other, so lines are rows times levels.
 constexpr std::int32_t kMostDrawnLines = 40;
 constexpr std::int32_t kMostDrawnColumns = 38;
 constexpr std::size_t kMostRulesShown = 40;
@@ -45,8 +45,9 @@ std::string ended_in_words(const SwarmResult& result) {
   if (result.terminated == Terminated::saturated) {
     return fmt::format("saturated {}: no rule fits anywhere", after);
   }
+  // A run that was stopped, by a limit or by its user, leaves sites at which rules would have
+  // fired.
   std::string text = fmt::format(
-      // Stopped by a limit of steps or deposits: rules would still have fired.
       "{} {}", result.terminated == Terminated::interrupted ? "interrupted" : "stopped", after);
   text += fmt::format(", {} left", count(result.enabled_left, "enabled site", "enabled sites"));
   if (result.out_of_reach > 0) text += fmt::format(", {} out of reach", result.out_of_reach);
@@ -145,8 +146,8 @@ std::string run_lines(const RuleSet& rules, const SwarmConfig& config, const Swa
 std::string small_drawing(const Structure& structure, const std::vector<Brick>& bricks) {
   if (structure.empty()) return {};
   const Offset size = structure.bounds()->size();
-  // In 64 bits: an unbounded structure may be long.
-  // A slice more lines than its rows: the one that parts it from the next.
+  // In 64 bits: an unbounded structure may be long. Each slice has one line more than its rows,
+  // which parts it from the next.
   const std::int64_t lines = (std::int64_t{size.y} + 1) * size.z;
   if (lines > kMostDrawnLines || size.x > kMostDrawnColumns) return {};
   return print_structure(structure, bricks);

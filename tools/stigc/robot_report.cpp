@@ -20,8 +20,8 @@ constexpr std::string_view kShapes[] = {"box", "cylinder", "sphere", "hull"};
 constexpr std::string_view kModes[] = {"free", "velocity", "position", "force"};
 constexpr std::string_view kCalibrations[] = {"metres", "power", "quadratic"};
 
-/// To a tenth of a micrometre, without a sign before zero.
-// So that poses which were composed do not show their last digits.
+/// To a tenth of a micrometre, without a sign before zero. So that poses which were composed do not
+/// show their last digits.
 double rounded(double x) { return std::round(x * 1e7) / 1e7 + 0.0; }
 std::string number(double x) { return fmt::format("{:.6g}", rounded(x)); }
 std::string point(const Vec3& p) {

@@ -60,8 +60,8 @@ std::optional<LoadedScene> read_loaded_scene(const std::string& path,
   Diagnostics diagnostics;
   std::optional<LoadedScene> loaded;
   if (SourceRef source = load_source(path, kMaxSceneBytes, diagnostics)) {
-    // The seed of the command line goes before the scene's.
     if (auto scene = read_scene(std::move(source), scene_loader(path), diagnostics)) {
+      // The seed of the command line goes before the scene's.
       if (auto placed = place_scene(*scene, seed.value_or(scene->seed), diagnostics)) {
         // Programs are tried before a long run, not in the middle of it.
         check_programs(*scene, *placed, diagnostics);

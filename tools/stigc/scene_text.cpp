@@ -22,8 +22,8 @@ std::string with_duration(std::string text, double seconds) {
                ? text.replace(old->begin, old->end - old->begin, fmt::format("{}", seconds))
                : text;
   }
-  // {…} on one line: the key goes inside.
   if (root.style == YamlStyle::flow) {
+    // {…}: the key goes inside the braces.
     return text.insert(root.begin + 1, fmt::format("duration: {}, ", seconds));
   }
   if (!text.ends_with('\n')) text += '\n';

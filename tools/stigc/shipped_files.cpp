@@ -79,7 +79,7 @@ struct Finder {
   void find(std::string& name) const {
     std::optional<std::string> there = shipped_file(name);
     if (!there) return;
-    // Said always, so that nobody wonders which file it was.
+    // Said, so that nobody wonders which file it was.
     app.say(fmt::format("reading {}, which came with the program", printable(*there)));
     name = std::move(*there);
   }

@@ -40,6 +40,7 @@ std::string some_names(const std::vector<std::string>& names) {
 }
 
 std::string end_in_words(const SimulationReport& r) {
+  // Every end has its words, but for divergence, which has its message.
   switch (r.end) {
     case RunEnd::duration:
       return fmt::format("after {:.3f} s, {}", r.time, plural(r.ticks, "tick", "ticks"));
@@ -47,7 +48,6 @@ std::string end_in_words(const SimulationReport& r) {
       return fmt::format("asleep after {:.3f} s, {}", r.time, plural(r.ticks, "tick", "ticks"));
     case RunEnd::interrupted:
       return fmt::format("interrupted after {:.3f} s", r.time);
-    // Every end has its words, but for divergence, which has its message.
     case RunEnd::failed:
       return fmt::format("all robots' programs failed after {:.3f} s", r.time);
     case RunEnd::script:
@@ -70,9 +70,9 @@ std::string moved_in_words(const SimulationReport& r) {
 std::string size_in_words(const ReadLattice& lattice) {
   LatticeCell size;
   for (const ReadBlock& block : lattice.blocks) {
+    // Cells count from 0, so the largest plus one is the size.
     size = {std::max(size.x, block.cell.x + 1), std::max(size.y, block.cell.y + 1),
             std::max(size.z, block.cell.z + 1)};
-    // Cells count from 0, so the largest plus one is the size.
   }
   return fmt::format("{}×{}×{}", size.x, size.y, size.z);
 }
@@ -87,9 +87,8 @@ std::pair<double, double> misfit(const ReadLattice& lattice) {
   return {offset, turn};
 }
 
-/// Degrees to a tenth, and no minus before nothing.
-// A yaw of -0.04° is none that anybody sees.
-// Adding 0.0 turns -0.0 into 0.0.
+/// Degrees to a tenth, and no minus before nothing. A yaw of -0.04° is none that anybody sees.
+/// Adding 0.0 turns -0.0 into 0.0.
 double tenths(double radians) { return std::round(radians / kDegree * 10) / 10 + 0.0; }
 
 Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
@@ -98,7 +97,8 @@ Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 namespace {
 
-/// What bodies showed in a channel at a tick: the newest value of each that has one.
+/// What bodies showed in a channel at a tick: the newest value of each that has one. Linear over
+/// all values of the trace: a picture is drawn once.
 std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std::uint64_t tick,
                                                      std::string_view channel) {
   std::map<std::uint32_t, const std::string*> out;
@@ -108,7 +108,6 @@ std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std
     out[value.body] = &value.bytes;
   }
   return out;
-  // Linear over all values of the trace: a picture is drawn once.
 }
 
 /// What most of a block's LEDs show.
@@ -141,8 +140,7 @@ std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame
 std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame) {
   std::vector<PictureLine> out;
   for (const auto& [body, json] : shown_at(trace, frame.tick, "show")) {
-    // A value's body was checked when the trace was read; a frame of an older trace may still have
-    // fewer.
+    // A body that is not in the frame has no lines there.
     if (body >= frame.bodies.size()) continue;
     const auto lines = show_lines(*json, frame.bodies[body].pose());
     out.insert(out.end(), lines.begin(), lines.end());

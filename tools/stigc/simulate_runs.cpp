@@ -24,7 +24,7 @@ std::optional<SimulationReport> one_run(const Scene& scene, std::uint64_t seed, 
   Simulation run(scene, *placed, false);
   RunHooks hooks;
   hooks.stop = &stop_requested();
-  // Time by the clock is told for single runs alone.
+  // Time by the clock, which the JSON of each run tells.
   const auto began = std::chrono::steady_clock::now();
   const RunEnd end = run.until(duration, hooks);
   run.end_script(hooks);

@@ -73,8 +73,8 @@ Json synth_json(const SynthOptions& options, const Synthesis& result, const Synt
     }
     json["others"] = Json::array();
     for (const Solution& other : result.others) json["others"].push_back(point_json(other));
-    // Words that programs compare; people read synth_reason.
   } else if (result.obstacle) {
+    // Words that programs compare; people read synth_reason.
     json["verdict"] = result.obstacle->proved ? "impossible" : "not-found";
     json["reason"] = words(result.obstacle->kind);
     json["what"] = result.obstacle->what;
@@ -135,8 +135,8 @@ std::string synth_reason(const Synthesis& result, bool color) {
     out = fmt::format("{}: {}\n", red("impossible", color), obstacle.what);
   } else if (result.orders_tried == 0) {
     out = fmt::format("{}: {}\n", red("not found", color), obstacle.what);
-    // Many orders may have failed: the obstacle of one is told, which got farthest.
   } else {
+    // Many orders have failed: the obstacle of one is told, that which says most.
     out = fmt::format("{}: {}\n  in the most telling one {}\n", red("not found", color),
                       orders_in_words(result.orders_tried), obstacle.what);
   }

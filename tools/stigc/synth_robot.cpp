@@ -46,7 +46,7 @@ std::string target_problem(const SynthOptions& options, const Target& target) {
   if (target.cells.empty()) return "the target has no cells";
   if (target.cells.size() == 1) return "the target is a single brick, the start: there is no work";
   if (target.cells.size() > kMostOrderedBricks) {
-    // The bound of column by column proofs: compile would refuse more.
+    // The bound of the compiler (compiler/precedence.h), which would refuse more.
     return fmt::format("the target has {} bricks, and --robot takes {} at most",
                        target.cells.size(), kMostOrderedBricks);
   }

@@ -42,7 +42,7 @@ std::size_t colours_of(const AssemblyPlan& plan) {
 /// Slices from the top down: of each brick when it is put and from where. Empty for what is too
 /// large to be looked at.
 std::string order_drawing(const AssemblyPlan& plan) {
-  // Start bricks are the first ones.
+  // The start is the first brick.
   std::map<Cell, std::string> text = {{plan.start, "1"}};
   Cell low = plan.start, high = plan.start;
   for (const WorkStep& step : plan.work) {
@@ -119,7 +119,7 @@ std::string time_text(const AssemblyPlan& plan) {
 std::string remainder_drawing(const Target& target, const BrickSet& left) {
   Structure structure(Lattice::cubic);
   for (std::size_t i = 0; i < target.cells.size(); ++i) {
-    // Left over are drawn as #, what could be taken away as o.
+    // Bricks that are left over are drawn as #, those that could be taken away as o.
     structure.place(target.cells[i], static_cast<Colour>(left.has(i) ? 1 : 2));
   }
   std::vector<Brick> bricks(2);
@@ -274,7 +274,6 @@ std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacl
              fmt::format(
                  "{} of {} share no face with the rest, and robots put bricks next to others\n",
                  target.cells.size() - obstacle.part.count(),
-                 // The same words as for the plan's verdict in JSON.
                  counted(target.cells.size(), "brick")) +
              remainder_drawing(target, obstacle.part);
     case AssemblyObstacle::Kind::remainder:

@@ -22,8 +22,8 @@ std::optional<std::string> trace_bytes(const std::string& path, const App& app) 
 
 std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, const App& app) {
   Diagnostics diagnostics;
+  // Diagnostics show lines of the rule set's text, under the trace's name.
   auto rules = read_rule_set(
-      // Diagnostics point into the trace, which has no lines of its own to show.
       std::make_shared<const SourceFile>(path + " (its rule set)", trace.rule_set_yaml),
       diagnostics);
   if (diagnostics.has_errors()) {

@@ -54,8 +54,8 @@ class Batch {
     if (!placed) return;
     TrialSettings settings;
     settings.duration = duration_;
-    // Pictures are for the report: without a folder there are none, and later runs have their end
-    // alone.
+    // Pictures are for the report: without a folder there are none. The first run has some on its
+    // way, the next ones have their end alone, and those after kMostEndsDrawn have none.
     settings.pictures = !options_.output || i >= kMostEndsDrawn ? -1
                         : i == 0                                ? kPicturesOnTheWay
                                                                 : 0;

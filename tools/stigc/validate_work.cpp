@@ -76,8 +76,8 @@ std::string state_lines(const WorkSummary& all) {
   std::string out =
       fmt::format("{:<16}  {:>9}  {:>7}  {:>9}\n", "state", "time/s", "share/%", "idle/s");
   for (const StateTime& one : all.states) {
+    // Where there is any state, the time of all robots is positive.
     out += fmt::format("{:<16}  {:>9.1f}  {:>7.1f}  {:>9.1f}\n", printable(one.state), one.time,
-                       // The time is positive where there is any state.
                        100 * one.time / all.time, one.idle);
   }
   return out;

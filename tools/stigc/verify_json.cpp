@@ -54,11 +54,11 @@ Json refutation_json(const VerifyReport& report) {
 }
 
 Json repair_json(const RuleSet& rules, const Repair& repair) {
-  // As drawings over the repaired set's symbols, which may have more than the file's.
   Json json{{"bricks", repair.bricks},
             {"all_stages", repair.whole},
             {"without", rules_json(rules, repair.removed)}};
   json["with"] = Json::array();
+  // Patterns are drawn with the repaired set's symbols.
   for (const Rule& rule : repair.added) {
     json["with"].push_back({{"place", symbol_of(rules, StateSet::of(rule.place))},
                             {"stage", rule.stage},
@@ -72,8 +72,8 @@ Json findings_json(const VerifyReport& report) {
   Json json;
   json["dead_rules"] = rules_json(report.rules, f.dead);
   json["redundant_rules"] = rules_json(report.rules, f.redundant);
+  // False also where nothing was proved, since redundancy is a property of proofs.
   json["redundant_rules_complete"] =
-      // False also where nothing was proved, since redundancy is a property of proofs.
       report.result.verdict == ProofVerdict::proved && f.untried == 0;
   json["levels"] = f.level_count;
   json["blocking"] = Json::array();

@@ -21,9 +21,9 @@ constexpr std::size_t kMostNames = 8;
 
 std::string rule_name(const RuleSet& rules, std::uint32_t rule) {
   const Rule& r = rules.rules[rule];
-  // In the manner of compilers, so that editors and terminals lead there.
   std::string text = fmt::format("'{}'", printable(r.name));
   if (r.range) {
+    // In the manner of compilers, so that editors and terminals lead there.
     text += fmt::format(" ({}:{})", printable(r.range.file->path()),
                         r.range.file->position(r.range.begin).line);
   }
@@ -76,8 +76,8 @@ std::string verdict_line(ProofVerdict verdict, bool color) {
   return yellow("UNKNOWN", color) + ": neither shown nor refuted\n";
 }
 
-/// A rule that does nothing is seldom meant.
-// A warning and no error: the structure is what it is without the rule.
+/// A rule that does nothing is seldom meant. A warning and no error: the structure is what it is
+/// without the rule.
 std::string never_fires_text(const VerifyReport& report) {
   const std::vector<std::uint32_t>& dead = report.findings.dead;
   if (dead.empty()) return {};
@@ -111,8 +111,8 @@ std::string deposit_in_words(const RuleSet& rules, const Deposit& deposit) {
 }
 
 std::string end_in_words(const Structure& structure, bool ended) {
+  // The second order's end may be no end yet: one brick too many is enough.
   return fmt::format("{}{}, hash {}", counted(structure.size(), "brick"),
-                     // The second order's end may be no end yet: one brick too many is enough.
                      ended ? "" : " and growing", to_hex(structure_hash(structure)));
 }
 
@@ -169,8 +169,8 @@ std::string unknown_text(const VerifyReport& report) {
 std::string repair_text(const VerifyReport& report, const Repair& repair) {
   const RuleSet& rules = report.rules;
   std::string out;
+  // With several stages, the repair reaches as far as it was proved.
   const std::string where =
-      // With several stages, the repair reaches as far as it was proved.
       repair.whole ? "" : fmt::format(" up to the end of stage {}", report.result.stage);
   if (!repair.removed.empty()) {
     out += line("repair",
@@ -212,7 +212,7 @@ std::string findings_text(const VerifyReport& report) {
     out += line("not needed?", fmt::format("not decided of {} within the effort (--effort)",
                                            counted(f.untried, "rule")));
   }
-  // Blocking is granted more than can occur where fillings are listed, so it says "may".
+  // The list may hold blockings that cannot occur, so it says "may".
   if (report.result.verdict == ProofVerdict::proved) {
     for (std::size_t i = 0; i < std::min(f.blocking.size(), kMostNames); ++i) {
       const Blocking& b = f.blocking[i];

@@ -88,8 +88,8 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
     const DivergingOrders& found = *result.refutation;
     witness.trace("-first.stigt", found.first);
     witness.trace("-second.stigt", found.second);
+    // Side by side, so that the difference is seen.
     witness.picture(
-        // Side by side, so that the difference is seen.
         {{&found.first_end, "one end"},
          {&found.second_end, found.second_ended ? "another" : "another, still growing"}},
         title + ": two orders, two ends");
