@@ -176,8 +176,8 @@ std::optional<ApproachSide> parse_side(std::string_view text) {
   return static_cast<ApproachSide>(found - kSideNames.begin());
 }
 
-// A robot at +x looks along -x: its left is -y. The four cases are the quarter turns about
-// the vertical; cell_from inverts each.
+/// A robot at +x looks along -x: its left is -y. The four cases are the quarter turns about
+/// the vertical; cell_from inverts each.
 SideCell seen_from(ApproachSide side, Cell c) {
   switch (side) {
     case ApproachSide::plus_x:

@@ -233,8 +233,8 @@ bool find_decision(const Abilities& robot, const CompileOptions& options, Compil
   }
   const bool local = settle_locally(robot, options.limits, out);
   if (local && (out.robots == 1 || out.concurrency.conflicts.empty())) return true;
-  // A walk may find several robots no harm where this does. The local proof errs on the
-  // side of conflicts between robots, the walk is exact.
+  // A walk may find several robots no harm where this does: both err on the side of
+  // conflicts between robots, the walk less so.
   LocalProof proof = taken_from(out);
   const bool walked = walk_structures(robot, options, out);
   if (!local || (walked && out.decision)) return walked;

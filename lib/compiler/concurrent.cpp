@@ -31,8 +31,8 @@ bool across(ApproachSide a, ApproachSide b) {
 }
 
 /// Can a robot in lane `b` be in the way of one that leaves by lane `a`? The sides are at a
-/// right angle. Distances along lane a, in m, between the robot that leaves and the one
-/// that stands in lane b.
+/// right angle. What is compared are distances along lane a, in m, from the robot that
+/// leaves to the one in lane b.
 bool can_bar(const Stand& a, const Stand& b, const Abilities& robot) {
   const double side = robot.block.side, wide = robot.body_half_width;
   const SideCell at = seen_from(a.side, cell_from(b.side, b.deepest));
@@ -88,7 +88,7 @@ class Checker {
     for (const auto& [work, since] : here.pending) place(s, here, {work, since});
   }
 
-  // One example of each kind is enough for a report.
+  /// One example of each kind is enough for a report.
   void report(const Conflict& conflict) {
     const auto same = [&](const Conflict& one) { return one.kind == conflict.kind; };
     if (std::none_of(out_.conflicts.begin(), out_.conflicts.end(), same)) {
@@ -156,8 +156,9 @@ class Checker {
   }
 
   void look_for_crossings(const std::set<Stand>& stands) {
-    // With two sides, robots wait for each other at most in one direction.
-    if (sides_.size() < 3) return;  // no circle closes
+    // With two sides robots wait for each other in one direction at most, and no circle
+    // closes.
+    if (sides_.size() < 3) return;
     for (const Stand& a : stands) {
       for (const Stand& b : stands) {
         out_.ways_cross = out_.ways_cross || (across(a.side, b.side) && can_bar(a, b, robot_));
@@ -199,8 +200,8 @@ class Checker {
     }
   }
 
-  // A pending decision survives if it is still allowed and in reach; otherwise it is a
-  // conflict.
+  /// A pending decision survives if it is still allowed and in reach; otherwise it is a
+  /// conflict.
   void keep_pending(const Met& here, const Pending& one, const BrickSet& after, Met& next,
                     Conflict conflict) {
     for (const auto& [work, since] : here.pending) {

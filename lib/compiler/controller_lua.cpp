@@ -36,8 +36,7 @@ std::string cell_text(const WindowCell& cell) {
   return fmt::format("{}, {}, {}", cell.du, cell.dv, cell.z);
 }
 
-/// What the last line of a module returns. By convention a module's last line returns its
-/// table; the convention is checked when the library is built into the program.
+/// The name that the last line of a module returns: by convention, that of its table.
 std::string_view returned_name(std::string_view text) {
   constexpr std::string_view kReturn = "\nreturn ";
   const std::size_t at = text.rfind(kReturn);
@@ -88,8 +87,8 @@ class Printer {
   }
 
  private:
-  // The tree becomes nested ifs; a branch that leads to nothing is left out, so falling
-  // through means that nothing is done.
+  /// The tree becomes nested ifs; a branch that leads to nothing is left out, so falling
+  /// through means that nothing is done.
   void node(const DecisionNode& one, int depth) {
     const std::string space(static_cast<std::size_t>(3 * depth), ' ');
     if (!one.question) {

@@ -97,8 +97,8 @@ std::size_t mixed(const Parts& parts) {
   return out;
 }
 
-/// Trees are compared as they are built, from the leaves up, so equal branches can share
-/// one.
+/// Are two trees the same? Trees are built from the leaves up, so branches that turn out
+/// alike can be joined at once.
 bool same(const DecisionNode& a, const DecisionNode& b) {
   if (a.question != b.question || a.placement != b.placement) return false;
   if (a.branches.size() != b.branches.size()) return false;
@@ -209,9 +209,9 @@ Decision make_decision(const Policy& policy) {
   std::vector<Case> cases;
   std::map<std::uint32_t, std::uint32_t> example;  // a situation of each observation
   for (std::uint32_t i = 0; i < policy.situations.size(); ++i) {
-    // One case for each observation: situations that look the same are one to a robot.
     const Situation& situation = policy.situations[i];
     if (!policy.reached[situation.state]) continue;
+    // One case for each observation: situations that look the same are one to a robot.
     if (!example.emplace(situation.observation, i).second) continue;
     Case one{situation.observation, &policy.observations[situation.observation], {}};
     for (const Placement& placement : policy.allowed[situation.observation]) {

@@ -60,8 +60,8 @@ class LocalChecker {
                        [&](const Conflict& one) { return one.kind == kind; });
   }
 
-  // Conflicts need a structure to be drawn; it is added to the policy's list, where reports
-  // look for it.
+  /// Conflicts need a structure to be drawn; it is added to the policy's list, where reports
+  /// look for it.
   std::uint32_t number(const BrickSet& state) {
     Policy& policy = compiled_.policy;
     policy.states.push_back(state);

@@ -110,8 +110,8 @@ class LocalPolicy {
     Observation seen = sight_.look(at.least, at.side, at.u, at.v);
     std::string key(seen.cells.begin(), seen.cells.end());
     if (scope_.knows_side) {
-      seen.side = at.side;
       // The side belongs to the observation only if a robot may rely on it.
+      seen.side = at.side;
       key += to_string(at.side);
     }
     const auto [found, added] =
@@ -201,7 +201,7 @@ class LocalPolicy {
     return known->second;
   }
 
-  // Columns next to the site are tried from all sides until one serves.
+  /// Columns next to the site are tried from all sides until one serves.
   bool has_way_on(std::uint32_t q, const BrickSet& before) {
     for (const ApproachSide side : compiled_.sides) {
       const SideCell site = seen_from(side, target_.cell(q));

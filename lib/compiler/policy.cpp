@@ -62,7 +62,7 @@ class Explorer {
     return at->second;
   }
 
-  // Observations are numbered by what is seen; many situations share one.
+  /// Observations are numbered by what is seen; many situations share one.
   std::uint32_t observe(const BrickSet& state, ApproachSide side, int u, int v) {
     Observation seen = sight_.look(state, side, u, v);
     std::string key(seen.cells.begin(), seen.cells.end());
@@ -93,8 +93,8 @@ class Explorer {
     }
   }
 
-  // A placement is offered only where the rules allow the brick, it is next to the column,
-  // and the robot can reach it.
+  /// A placement is offered only where the rules allow the brick, it is next to the column,
+  /// and the robot can reach it.
   std::optional<std::pair<Placement, std::uint32_t>> placement(const BrickSet& state,
                                                                const Situation& at,
                                                                std::uint32_t brick) {
@@ -184,8 +184,8 @@ class Pruner {
     }
   }
 
-  // All dead ends at once is quick, but may withdraw both of two placements that only
-  // exclude each other; then single withdrawals are tried in random preference orders.
+  /// All dead ends at once is quick, but may withdraw both of two placements that only
+  /// exclude each other; then single withdrawals are tried in random preference orders.
   bool withdraw_dead_ends() {
     std::vector<Withdrawal> found;
     for (std::uint32_t s = 0; s < out_.states.size(); ++s) {
@@ -208,7 +208,7 @@ class Pruner {
     return !found.empty();
   }
 
-  // A placement has to be possible in every reached situation that shows its observation.
+  /// A placement has to be possible in every reached situation that shows its observation.
   bool withdraw_ambiguous() {
     // Where each placement is possible, for the report.
     std::map<std::pair<std::uint32_t, Placement>, std::uint32_t> possible;
@@ -262,9 +262,7 @@ class Pruner {
   std::vector<bool> hopeful_;
 };
 
-/// 64 random orders, deterministic by their number: half of them look at the column alone,
-/// so that decisions agree wherever a column looks the same; the other half uses all that
-/// is seen.
+/// They are drawn by chance, but an order's number decides all of it: each run has the same.
 constexpr std::uint64_t kOrders = 64;            ///< of preference
 constexpr std::size_t kMostEffort = 10'000'000;  ///< structures, for all of them
 

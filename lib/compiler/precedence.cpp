@@ -131,8 +131,7 @@ class Waiters {
     out_.push_back(other);
   }
 
-  /// Two bricks beside the site: one of them at most may come first.
-  // A site between two bricks cannot be entered, so one of them has to wait.
+  /// A site between two bricks cannot be entered, so one of the two beside it has to wait.
   void leave_a_way_in() {
     const std::uint32_t left = at(0, 1, 0), right = at(0, -1, 0);
     if (left == TargetBricks::kNone || right == TargetBricks::kNone) return;

@@ -54,7 +54,7 @@ class Explainer {
   }
 
  private:
-  // The fullest structure from which nothing goes on; the policy has set it.
+  /// The fullest structure from which nothing goes on; the policy has set it.
   const BrickSet& stuck() const {
     assert(policy_.stuck);
     return policy_.states[*policy_.stuck];
@@ -98,7 +98,7 @@ class Explainer {
     bool unsupported = true;
     std::vector<std::string> notes;
   };
-  // Sides are listed with a reason each, so that it is seen which of them comes closest.
+  /// Sides are listed with a reason each, so that it is seen which of them comes closest.
   Blocked blocked(std::uint32_t brick) const {
     Blocked out;
     for (const ApproachSide side : compiled_.sides) {
@@ -202,8 +202,8 @@ class Explainer {
            policy_.situations[one.here].side != policy_.situations[one.there].side;
   }
 
-  // Sides come first: a robot without a compass is helped by declaring them. A hidden cell
-  // and plain ambiguity are told apart by whether a difference lies within the window.
+  /// Sides come first: a robot without a compass is helped by declaring them. A hidden cell
+  /// and plain ambiguity are told apart by whether a difference lies within the window.
   Code code_of(const Withdrawal& cause) const {
     if (compiled_.directions != KnownDirections::symmetric && across(cause)) return Code::P706;
     return hidden_cell(cause) ? Code::P708 : Code::P707;

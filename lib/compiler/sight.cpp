@@ -14,8 +14,8 @@ namespace stig {
 
 namespace {
 
-// What stands around a column, as a text of states: enough to hide or be hidden. Bricks
-// farther away than this hide nothing within the window from any viewpoint.
+/// What stands around a column, as a text of states: enough to hide or be hidden. Bricks
+/// farther away than this hide nothing within the window from any viewpoint.
 constexpr int kBefore = 4, kBehind = 4, kBeside = 3;
 static_assert(std::max({kBefore, kBehind, kBeside}) <= kFarthestSeen);
 constexpr int kRows = 2 * kBeside + 1, kDepth = kBefore + kBehind + 1;
@@ -83,8 +83,8 @@ class Shot {
     const Vec3 to = X_RC_.p - p;
     return dot(to, normal) >= length(to) * std::cos(robot_.block.most_angle);
   }
-  // A margin of the image is given away, since a robot never stands exactly where it
-  // should.
+  /// A margin of the image is given away, since a robot never stands exactly where it
+  /// should.
   bool in_view(const Vec3& p) const {
     const Vec3 p_C = X_CR_ * p;
     if (p_C.z < camera_.near || p_C.z > camera_.far) return false;
@@ -237,7 +237,8 @@ Observation Visibility::observe(const std::string& filled,
       out.cells[look.cell] = kSeenEmpty;
       continue;
     }
-    // A face whose tag is seen is a brick; its colour is known only if an LED is seen.
+    // A brick whose tag is seen without any of its LEDs has no known colour and counts as
+    // unseen.
     const bool lit = std::any_of(look.hides_led.begin(), look.hides_led.end(),
                                  [&](const CellWords& led) { return !any_filled(led, bricks); });
     if (lit) out.cells[look.cell] = kSeenBrick;

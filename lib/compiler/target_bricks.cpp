@@ -63,8 +63,8 @@ std::uint64_t BrickSet::hash() const {
   return out;
 }
 
-/// States on the way differ in few bricks; the lowest difference is the brick that was
-/// added, when it is one.
+/// The lowest difference: where one placement leads from the one to the other, it is the
+/// only one.
 std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
   std::uint32_t i = 0;
   while (i < bricks && before.has(i) == after.has(i)) ++i;
