@@ -86,10 +86,10 @@ bool suits(const Liking& liking, const Sides& sides) {
 }
 
 Liking liking_of(std::uint64_t seed) {
+  // Weights of very different sizes, so that often one coordinate decides and the others break
+  // ties.
   constexpr int kWeights[] = {-9, -3, -1, 0, 1, 3, 9};
   const auto weight = [&](std::uint64_t which) {
-    // Weights of very different sizes, so that often one coordinate decides and the others break
-    // ties.
     return kWeights[combine(seed, which) % std::size(kWeights)];
   };
   constexpr int kChances[] = {0, 2, 6, 20};
@@ -148,9 +148,8 @@ class Assembler {
         report();
         if (try_one({task_.robot, sides[i]}, seed)) {
           ++i;
-          // From these sides there is no order at all; if they were all sides, there is none from
-          // fewer.
         } else if (sides[i].size() == widest_.sides.size()) {
+          // From all sides there is no order at all, so there is none from fewer.
           out_.obstacle = AssemblyObstacle{};
           return result();
         } else {
@@ -259,7 +258,7 @@ class Assembler {
   /// Was none like it walked before?
   bool is_new(const CandidateOrder& candidate, const Sides& sides) {
     // Two orders are the same candidate if every brick waits for the same neighbours: rules say no
-    // more than that. The key is by the target's numbers, in which the order itself does not show.
+    // more than that. The key goes by the target's numbers, so the order itself does not show.
     std::vector<std::uint64_t> key(candidate.target->bricks() + 1);
     for (const ApproachSide side : sides)
       key.back() = combine(key.back(), static_cast<std::uint64_t>(side) + 1);

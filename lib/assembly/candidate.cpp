@@ -9,7 +9,7 @@ namespace stig {
 
 namespace {
 
-// Neighbours are the 26 cells about one, which is what a rule of the cubic lattice sees.
+/// Neighbours are the 26 cells about one, which is what a rule of the cubic lattice sees.
 bool neighbours(Cell a, Cell b) {
   return std::abs(a.x - b.x) <= 1 && std::abs(a.y - b.y) <= 1 && std::abs(a.z - b.z) <= 1;
 }
@@ -53,8 +53,8 @@ void set_waits(const Builders& builders, Waiting waiting, CandidateOrder& out) {
   }
 }
 
-// What a robot that knows everything could put: each brick whose neighbours before it stand. Brick
-// 0 is the start, which nobody puts.
+/// What a robot that knows everything could put: each brick whose neighbours before it stand. Brick
+/// 0 is the start, which nobody puts.
 std::vector<std::uint32_t> open_bricks(const CandidateOrder& candidate, const BrickSet& state) {
   std::vector<std::uint32_t> out;
   for (std::uint32_t i = 1; i < candidate.before.size(); ++i) {

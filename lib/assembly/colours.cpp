@@ -23,10 +23,11 @@ using BrickPair = std::pair<std::uint32_t, std::uint32_t>;
 
 class Painter {
  public:
+  /// The problem has two kinds of variables: "brick b has colour c", and "choice c of case i is
+  /// done". Auxiliary ones (a way is open, two bricks differ, two are equal) imply what they stand
+  /// for and are not implied by it; that is enough, since clauses only ever ask for them to be
+  /// true.
   Painter(const Target& target, const Cases& cases, const RuleView& rules, int k,
-          // The problem has two kinds of variables: "brick b has colour c", and "choice c of case i
-          // is done". All others (open, differ, equal) only imply, they are not defined both ways;
-          // that is enough since they occur where being true is the harder part.
           const Texture& texture, const PaintLimits& limits)
       : rules_(rules),
         k_(k),
@@ -65,7 +66,8 @@ class Painter {
     }
   }
 
-  // Variables count from 1, as in DIMACS: colour c of brick b is b · k + c.
+  /// Variables count from 1, as in DIMACS: colour c of brick b is t · k + c, where t is the first
+  /// brick of b's texture.
   int has(std::uint32_t brick, int colour) const {
     return static_cast<int>(texture_[brick]) * k_ + colour;
   }
@@ -105,8 +107,7 @@ class Painter {
       for (const WayOn& way : ways) add_way(way, some);
       clause(some);
     }
-    // The more is done the better.
-    // Phases are hints for the solver's first guess, no conditions.
+    // The more is done the better. Phases are hints for the solver's first guess, no conditions.
     for (std::uint32_t i = 0; i < cases_.cases.size(); ++i) {
       for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) solver_.phase(choice(i, c));
     }

@@ -34,8 +34,8 @@ Precedence precedence_of(const CandidateOrder& candidate, const TargetBricks& ta
     }
   }
   Precedence out(before);
-  // Robots besides wait until no lane is closed that is still needed. This is no rule: their
-  // program sees to it, and here it takes situations away.
+  // Besides, robots wait with bricks that would close a lane that is still needed. This is no rule:
+  // their program sees to it, and here it takes situations away.
   wait_for_lanes(target, builders.sides, builders.robot, lanes, out);
   return out;
 }
@@ -79,8 +79,8 @@ class LocalCases {
     for (const ApproachSide side : builders_.sides) {
       std::vector<bool>& lasting = lasting_[static_cast<std::size_t>(side)];
       lasting.assign(target_.bricks(), false);
+      // Brick 0 is the start, which stands already.
       for (std::uint32_t q = 1; q < target_.bricks(); ++q) {
-        // Brick 0 is the start, which stands already.
         lasting[q] = always_in_reach(target_, precedence_, lanes_, builders_.robot, q, side);
       }
     }
@@ -103,7 +103,6 @@ class LocalCases {
       out_.cases.back().choices = std::move(choices);
       return;
     }
-    // What differs is not seen.
     // The same can be seen while hidden bricks differ. What is done there has to be right for all
     // of them, so only common choices stay.
     std::erase_if(out_.cases[found->second].choices, [&](const Choice& one) {

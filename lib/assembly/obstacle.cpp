@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Proofs that nothing can be done, which are cheap and hold for every order: a structure in parts
-// (bricks are put next to bricks), or a remainder that cannot be taken apart (remainder.h).
+// (bricks are put next to bricks), a remainder that cannot be taken apart (remainder.h), or runs
+// that are too long for the colours (run.h).
 #include "assembly/obstacle.h"
 
 #include <array>
@@ -11,9 +12,8 @@ namespace stig {
 
 namespace {
 
-/// The bricks that hang together with one.
+/// The bricks that hang together with one, face to face.
 BrickSet part_of(const TargetBricks& target, std::uint32_t first) {
-  // A search over faces from one brick; each brick is looked at once.
   BrickSet out(target.bricks());
   out.add(first);
   std::vector<std::uint32_t> edge = {first};

@@ -5,7 +5,7 @@ namespace stig {
 
 namespace {
 
-// Holds are granted, see the file's header: what is missing below or beside a brick bars nothing.
+/// Holds are granted, see remainder.h: what is missing below or beside a brick bars nothing.
 bool bars(const ReachResult& result) {
   return result.obstruction != Obstruction::none &&
          result.obstruction != Obstruction::unsupported &&

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostRemedies = 3;
 /// How many bricks more and less are tried, one at a time; in targets of more bricks none.
 constexpr std::size_t kMostChanges = 16, kMostBricksOfChange = 150;
-// Each attempt is a small assembly of its own: what can be mended easily is found with little.
+/// Each attempt is a small assembly of its own: what can be mended easily is found with little.
 constexpr double kShareOfEffort = 0.05;
 
 class Healer {
@@ -60,8 +60,8 @@ class Healer {
     return made.plan.has_value();
   }
 
-  // Only what the user asked for beyond the target is taken back, one wish at a time: an answer
-  // then says which of them it was.
+  /// Only what the user asked for beyond the target is taken back, one wish at a time: an answer
+  /// then says which of them it was.
   void ask_for_less() {
     AssemblyTask changed = task_;
     changed.sides.clear();
@@ -81,7 +81,7 @@ class Healer {
     }
   }
 
-  // Cells of a target are sorted, and colours are listed beside them.
+  /// Cells of a target are sorted, and colours are listed beside them.
   AssemblyTask with_cells(const std::set<Cell>& cells) const {
     AssemblyTask out = task_;
     out.target.cells.assign(cells.begin(), cells.end());
@@ -101,7 +101,7 @@ class Healer {
     std::vector<Cell> some = concerned_;
     std::erase_if(some, [&](Cell c) { return cells_.contains(c + Offset{0, 0, 1}); });
     if (task_.start) std::erase(some, *task_.start);
-    // Stable, so that cells of a level stay in the target's order on every machine.
+    // Stable, so that cells of a level stay in the order that they had, on every machine.
     std::stable_sort(some.begin(), some.end(), [](Cell a, Cell b) { return a.z > b.z; });
     some.resize(std::min(some.size(), kMostChanges));
     for (const Cell cell : some) {

@@ -17,9 +17,9 @@ namespace {
 // All clashes are wanted here, unlike in painting: the bound only keeps memory in hand.
 constexpr std::size_t kClashes = 1'000'000;
 
-/// Free colours numbered in the order in which they come.
-// A solver's colours come with gaps and in any order; a file reads better when they are numbered as
-// they are first used. Colours that the target names keep their numbers.
+/// Free colours numbered in the order in which they come. A solver's colours come with gaps and in
+/// any order; a file reads better when they are numbered as they are first used. Colours that the
+/// target names keep their numbers.
 std::vector<Colour> renumbered(const std::vector<Colour>& colours, std::size_t named) {
   std::map<Colour, Colour> number;
   std::vector<Colour> out;
@@ -45,8 +45,8 @@ Pattern pattern_of(const CandidateOrder& candidate, std::uint32_t brick,
     const std::uint32_t other = target.brick_at(cell);
     if (other != TargetBricks::kNone && candidate.before[brick].has(other)) {
       out.allowed[i] = StateSet::of(colours[other]);
-      // A free neighbour may be there or not: the rule holds in both cases.
     } else if (other != TargetBricks::kNone && candidate.free[brick].has(other)) {
+      // A free neighbour may be there or not: the rule holds in both cases.
       out.allowed[i] = StateSet::of(colours[other]) | StateSet::empty_cell();
     } else {
       out.allowed[i] = cell.z < 0 ? StateSet::floor() : StateSet::empty_cell();
@@ -120,9 +120,8 @@ ExactRules exact_rules(const CandidateOrder& candidate, const std::vector<Colour
   return out;
 }
 
-/// Every brick gets a block colour that no other has.
-// LEDs are how robots read a colour off a block. Names that the target gave stay; others take the
-// lowest that is free.
+/// Every brick gets a block colour that no other has. LEDs are how robots read a colour off a
+/// block. Names that the target gave stay; others take the lowest that is free.
 void add_leds(RuleSet& rules) {
   std::set<std::string> taken;
   for (const Brick& brick : rules.bricks) taken.insert(brick.led);

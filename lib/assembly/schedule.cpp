@@ -9,9 +9,9 @@ namespace stig {
 
 namespace {
 
-// Masks of all sites together; candidates with more are given up.
+/// Masks of all sites together; candidates with more are given up.
 constexpr std::size_t kMostStatesAtOnce = std::size_t{1} << 20;
-// A brick with f free neighbours has 2^f keys.
+/// A brick with f free neighbours has 2^f keys.
 constexpr int kMostFree = 10;  ///< neighbours that a brick leaves free
 
 using Bits = std::uint32_t;
@@ -33,14 +33,14 @@ class Enumerator {
       if (other == 0) {
         // The start is always there.
         always |= Bits{1} << place;
-        // A brick that waits for the site's own brick cannot be there while the site is empty.
       } else if (own == TargetBricks::kNone || !candidate_.before[other].has(own)) {
+        // Any other may be there, but for those that wait for the site's own brick: they cannot be
+        // there while the site is empty.
         bricks_.push_back({other, place, 0});
       }
     }
-    // Sorted by brick, so what a brick needs comes before it: extend decides on bricks in this
-    // order and never has to go back.
-    // A brick waits for earlier ones alone.
+    // A brick waits for earlier ones alone, so in the order of numbers what a brick needs comes
+    // before it: extend decides on bricks in this order and never has to go back.
     std::sort(bricks_.begin(), bricks_.end());
     for (Beside& one : bricks_) {
       for (const Beside& other : bricks_) {
@@ -62,9 +62,9 @@ class Enumerator {
     return view_.brick[static_cast<std::size_t>(orbit)];
   }
 
-  // Branches on each brick that may be there: sets without it come from the call, those with it
-  // from going on. Every call ends in one set and each set is met once, so time grows with the
-  // output.
+  /// Branches on each brick that may be there: sets without it come from the call, those with it
+  /// from going on. Every call ends in one set and each set is met once, so time grows with the
+  /// output.
   bool extend(Bits chosen, std::size_t next, std::vector<Bits>& out) const {
     for (; next < bricks_.size(); ++next) {
       if ((bricks_[next].needs & ~chosen) != 0) continue;

@@ -13,7 +13,7 @@ namespace stig {
 
 namespace {
 
-// Outweighs the other terms of a score, so that rows decide first.
+/// Outweighs the other terms of a score, so that rows decide first.
 constexpr std::int64_t kSpine = 100'000;
 
 /// The range of one coordinate over all bricks.
@@ -21,9 +21,8 @@ struct Span {
   int low = 0, high = 0;
   /// Twice the distance from the middle.
   int from_middle(int at) const { return std::abs(2 * at - low - high); }
-  // An even number of rows has two in the middle, an odd one the middle and the next: the
-  // spine is two rows wide in any case.
-  /// Rows from the two in the middle: 0 for these.
+  /// Rows from the two in the middle: 0 for these. An even number of rows has two in the middle, an
+  /// odd one the middle and the next: the spine is two rows wide in any case.
   int from_spine(int at) const {
     const int lower = low + (high - low) / 2;
     return at <= lower ? lower - at : at - lower - 1;
@@ -86,7 +85,8 @@ class Dismantler {
         next = 0;
         continue;
       }
-      // Whether a set of bricks can be taken apart does not depend on how it was reached.
+      // Whether a set of bricks can be taken apart does not depend on how it was reached, so it
+      // need not be tried again.
       dead_.insert(left_);
       if (gone_.empty() || most_ == 0) return std::nullopt;
       next = gone_.back().place + 1;
@@ -104,8 +104,8 @@ class Dismantler {
 
   std::uint32_t brick_of(const Gone& gone) const { return order_[gone.place % order_.size()]; }
 
-  /// Is it to be tried first, since it is next to the last that went?
-  // Chains leave a structure along paths; without them scores alone decide.
+  /// Is it to be tried first, since it is next to the last that went? So a structure is left along
+  /// paths. Where the liking is not for chains, scores alone decide.
   bool follows(std::uint32_t brick) const {
     if (!liking_.in_chains || gone_.empty()) return true;
     const Offset apart = target_.cell(brick) - target_.cell(brick_of(gone_.back()));
