@@ -22,7 +22,7 @@ struct Distorted {
 };
 
 Distorted distort(const CameraIntrinsics& c, double x, double y) {
-  // The names follow the docstring of camera.h: radial = above / below, a rational function of r².
+  // The names follow the comment of camera.h: radial = above / below, a rational function of r².
   // Slopes are by r², and the chain rule below brings in d(r²)/dx = 2x.
   const double r2 = x * x + y * y;
   const double above = 1 + r2 * (c.k1 + r2 * (c.k2 + r2 * c.k3));
@@ -63,14 +63,14 @@ std::optional<Vec3> unproject(const CameraIntrinsics& camera, const ImagePoint& 
   for (int round = 0; round < kMostRounds; ++round) {
     const Distorted d = distort(camera, x, y);
     const double ex = to_x - d.x, ey = to_y - d.y;
-    // Where the Jacobian's determinant vanishes the image folds over: no direction there is
-    // certain.
     const double det = d.xx * d.yy - d.xy * d.yx;
     if (std::abs(ex) < kExact && std::abs(ey) < kExact) {
       // Beyond a fold of the formula lie more solutions, which no lens shows.
       if (!(det > 0 && d.xx + d.yy > 0)) return std::nullopt;
       return Vec3{x, y, 1};
     }
+    // Where the Jacobian's determinant vanishes the image folds over: no direction there is
+    // certain.
     if (!(std::abs(det) > 1e-12)) return std::nullopt;
     x += (ex * d.yy - ey * d.xy) / det;
     y += (ey * d.xx - ex * d.yx) / det;

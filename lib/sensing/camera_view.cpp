@@ -34,8 +34,8 @@ struct Range {
   void add(double v) {
     low = std::min(low, v);
     high = std::max(high, v);
-    // NAN in the first two samples of a border makes this comparison false, as it should.
     const double bend = std::abs(v - 2 * last + before);
+    // NAN in the first two samples of a border makes this comparison false, as it should.
     if (bend > bulge) bulge = bend;
     before = last;
     last = v;

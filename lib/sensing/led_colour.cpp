@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The robot of 2017 reads LEDs from a YUV image and tells colours
-// apart by thresholds in its chroma plane alone, since brightness depends on distance and exposure.
-// The thresholds are those of its camera's program (docs/sensing.md), and the colours of led_rgb
-// lie well within them.
+// The robot of 2017 reads LEDs from a YUV image and tells colours apart by thresholds in its chroma
+// plane alone, since brightness depends on distance and exposure. The thresholds are those of its
+// camera's program (docs/sensing.md), and the colours of led_rgb lie well within them.
 #include "sensing/led_colour.h"
 
 #include <array>

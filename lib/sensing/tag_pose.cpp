@@ -187,9 +187,9 @@ Normal normal_at(const Corners& corners, const Pose& X_CT) {
   return n;
 }
 
-/// Solves (M + damping · diag M) d = -g by Cholesky's method; false when it is singular.
-// The damping scales the diagonal (Marquardt), so that turns in rad and moves in m need no common
-// unit.
+/// Solves (M + damping · diag M) d = -g by Cholesky's method; false when it is singular. The
+/// damping scales the diagonal (Marquardt), so that turns in rad and moves in m need no common
+/// unit.
 bool solve(Normal n, double damping, std::array<double, 6>& d) {
   auto& m = n.m;
   for (std::size_t i = 0; i < 6; ++i) m[i][i] *= 1 + damping;
