@@ -122,9 +122,9 @@ void check_fit(const YamlDocument& document, const BlockModel& block, Diagnostic
     complain("magnets", "offset",
              "the magnets stick out of the block: offset and radius together are at most half "
              "its side");
+  } else if (block.has_magnets() && block.magnet_cutoff > 2 * block.magnet_offset) {
     // The nearest two of a block are 2 · offset apart. Were they to interact, their forces would
     // cancel within the body and cost time only.
-  } else if (block.has_magnets() && block.magnet_cutoff > 2 * block.magnet_offset) {
     complain("magnets", "cutoff",
              "a block's own magnets would feel each other: the cut-off is at most twice the "
              "offset");

@@ -15,10 +15,6 @@ namespace stig {
 
 namespace {
 
-// Bodies are read even where the file has errors: a bad value has been reported, and a default in
-// its place lets the checks that follow find more in one go. The model itself is given out only
-// when nothing was reported. Hence defaults such as 1 for a length: they must not cause messages of
-// their own.
 constexpr std::array<std::string_view, 4> kShapes = {"box", "cylinder", "sphere", "hull"};
 
 // Euler angles z, y', x'': yaw, then pitch, then roll, each about the axes that the ones before
@@ -29,6 +25,10 @@ Quat turned(const Vec3& degrees_zyx) {
          rotation(Vec3{1, 0, 0} * (degrees_zyx.z * kDegree));
 }
 
+// Bodies are read even where the file has errors: a bad value has been reported, and a default in
+// its place lets the checks that follow find more in one go. The model itself is given out only
+// when nothing was reported. Hence defaults such as 1 for a length: they must not cause messages of
+// their own.
 class BodyReader {
  public:
   BodyReader(const FormView& view, const RobotParts& parts) : view_(view), parts_(parts) {}
@@ -146,7 +146,6 @@ ActuatorMode mode_of(const std::string& text) {
 void read_limits(const FormView& view, AxisModel& axis, double unit, const RobotParts& parts) {
   const std::vector<double> limits = view.numbers("limits");
   if (limits.size() != 2) return;
-  // Joints are at 0 in the poses that the file gives, so a range without 0 would begin violated.
   axis.lower = limits[0] * unit;
   axis.upper = limits[1] * unit;
   const SourceRange place = parts.range(*view.find("limits"));
@@ -155,6 +154,7 @@ void read_limits(const FormView& view, AxisModel& axis, double unit, const Robot
         Code::P608, place,
         fmt::format("the lower limit {} is above the upper one {}", limits[0], limits[1]));
   } else if (limits[0] > 0 || limits[1] < 0) {
+    // Joints are at 0 in the poses that the file gives, so a range without 0 would begin violated.
     parts.out.add(Code::P608, place,
                   fmt::format("the limits {} and {} do not hold 0, where every joint begins",
                               limits[0], limits[1]));
@@ -175,10 +175,10 @@ AxisModel read_axis(const FormView& view, const RobotParts& parts) {
   const double unit = turns ? kDegree : 1;
   read_limits(view, axis, unit, parts);
   axis.actuator = mode_of(view.text("actuator"));
-  // Motors have limits: a motor without most_force would be either useless or infinitely strong.
   axis.most_force = view.number("most_force");
   axis.most_speed = view.number("most_speed") * unit;
   axis.damping = view.number("damping");
+  // Motors have limits: a motor without most_force would be either useless or infinitely strong.
   if (axis.actuator != ActuatorMode::none && view.node().find("most_force") == nullptr) {
     parts.out.add(Code::R102, parts.document.head(view.node()),
                   "an axis with a motor without the key 'most_force'");
@@ -204,9 +204,9 @@ JointModel read_joint(const FormView& view, const RobotParts& parts) {
   return joint;
 }
 
-// Beyond these the solver's mechanism has no room, see kMostMechanismDofs in
-// physical/solver/solver.h.
 /// The most axes of all joints; with the six of its root, the degrees of freedom of a mechanism.
+/// Beyond these the solver's mechanism has no room, see kMostMechanismDofs in
+/// physical/solver/solver.h.
 constexpr std::size_t kMostRobotAxes = 58;
 
 void check_count(const FormView& root, const RobotParts& parts) {

@@ -53,9 +53,9 @@ void command(LiftState& state, const LiftModel& model, const LiftCommand& comman
     case LiftCommand::Kind::calibrate:
       state.mode = LiftMode::calibrating;
       return;
-    // A set height ends calibration as well: the last command holds.
     case LiftCommand::Kind::position:
       if (!std::isfinite(command.position)) return;
+      // A set height ends calibration as well: the last command holds.
       state.mode = LiftMode::moving;
       state.target = std::clamp(command.position, model.low, model.high);
       return;
@@ -98,7 +98,6 @@ void step(MagnetState& state, const MagnetCircuitModel& model, double dt) {
   const bool flows = state.mode != Discharge::disable;
   // charge' = gain - loss · charge has the solution below: an exponential towards gain / loss. The
   // limit is applied after the step, which is exact while charging is linear, or ends below it.
-  // charge' = gain - loss · charge.
   const double gain = (flows ? model.sink_rate * model.sink_level : model.charge_per_second) +
                       model.relax_rate * model.charge_limit;
   const double loss = model.relax_rate + (flows ? model.discharge_per_second + model.sink_rate : 0);

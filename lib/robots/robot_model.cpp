@@ -44,8 +44,8 @@ Vec3 moments_of(const BodyModel& body) {
       const double across = s.x / 16 + s.z / 12;
       return {across, across, s.x / 8};
     }
-    // 2/5 m r² by the diameter.
     case ShapeType::sphere:
+      // 2/5 m r² by the diameter.
       return Vec3{1, 1, 1} * (s.x / 10);
     case ShapeType::hull: {
       // The hull's own integrals of x², y² and z², scaled from volume to mass.

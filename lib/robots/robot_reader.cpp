@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A robot file is read in four passes: the form of its values, bodies, joints (which name bodies),
+// A robot file is read in five passes: the form of its values, bodies, joints (which name bodies),
 // the tree that they make, then devices (which name both). Each goes on after errors, so a user
 // sees all that is wrong at once; names are looked up only where they exist.
 #include "robots/robot_reader.h"
