@@ -99,7 +99,7 @@ Touch touch_moving_boxes(const Placed& a, const Placed& b, const Passing& motion
   axis.gap -= way.entry.closing * part;
   Touch out = touch_boxes_along(there, b, axis, motion.most);
   // The touch was found at the meeting; gap and points are taken back to the present, the points by
-  // the share of the way that is b's.
+  // the share of the way that is a's.
   for (std::size_t i = 0; i < static_cast<std::size_t>(out.count); ++i) {
     out.points[i].gap += way.entry.closing * part;
     out.points[i].p -= motion.way * (part * motion.share);

@@ -47,7 +47,7 @@ void Crew::halt(std::size_t number, std::uint64_t tick) {
 
 void Crew::stop(Robot& robot) {
   robot.failed = true;
-  // Wheels and lift stop, magnets go off; a robot that has failed is no ghost that drives on.
+  // Wheels and lift stop and magnets go off, since no program is left that could do so.
   make_safe(robot.devices);
   robot.commands = {};
 }
@@ -62,8 +62,8 @@ bool Crew::all_failed() const {
          std::all_of(robots_.begin(), robots_.end(), [](const Robot& one) { return one.failed; });
 }
 
-// Do programs fail, where there are any? Halting is a script's decision and no failure. Robots
-// decide where a scene has them.
+// Whether all have failed that there are. Halting is a script's decision and no failure. Programs
+// of blocks count only where no robot has one.
 bool Crew::programs_failed() const {
   std::size_t robots = 0, blocks = 0;
   bool robots_failed = true, blocks_failed = true;
@@ -82,9 +82,9 @@ bool Crew::programs_failed() const {
 
 BodyId Crew::root_body(std::size_t robot) const {
   return config_.robots[robot].body.bodies[model(robot).root()];
-  // The robot's frame is not that of its root body; the model says how they lie.
 }
 
+// The robot's frame is not that of its root body; the model says how they lie.
 Pose Crew::root_pose(std::size_t robot) const {
   return model(robot).bodies[model(robot).root()].X_RB;
 }
@@ -124,8 +124,8 @@ void Crew::control(World& world, std::uint64_t tick) {
   }
   const bool blocks_due = !blocks_.empty() && tick % block_period_ == 0;
   if (due.empty() && !blocks_due) return;
-  // Robots without a working program do not collect messages for ever.
   if (signals_.carry(config_, world)) {
+    // Robots without a working program do not collect messages for ever.
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       if (robots_[i].failed || !config_.robots[i].controller) signals_.forget_heard(i);
     }
@@ -200,8 +200,8 @@ ControllerStatus Crew::call_block(std::size_t number, const BlockReadings& readi
   ControllerStatus status;
   if (!std::exchange(blocks_[number].begun, true)) {
     status = config.controller->init(commands);
-    // So it holds against the program's init, which knows of no scene.
-    // A colour that the scene gives is one that it was set to before.
+    // A colour that the scene gives counts as commanded, so that it holds against the program's
+    // init, which knows of no scene.
     if (config.led != Led::off) commands.all_leds = static_cast<std::uint8_t>(config.led);
   }
   if (status.ok) status = config.controller->step(readings, commands);

@@ -23,8 +23,8 @@ std::uint32_t robot_owner(std::size_t robot) {
 
 Rgb light_of(Led led) { return led == Led::off ? Rgb{} : rgb_of(led); }
 
-// Blocks are mostly of one shape: thousands of obstacles share it.
-/// The place of a shape among the scene's; a new one is added.
+/// The place of a shape among the scene's; a new one is added. Blocks are mostly of one shape,
+/// which thousands of obstacles share.
 std::uint32_t place_among(std::vector<SightShape>& shapes, SightShape shape) {
   const auto found = std::find(shapes.begin(), shapes.end(), shape);
   const auto place = static_cast<std::uint32_t>(found - shapes.begin());
@@ -97,8 +97,8 @@ CrewSenses::CrewSenses(const CrewConfig& config, const WorldConfig& world) {
   for (const BlockModel& model : config.models) {
     scene_.kinds.push_back(cube_marks({model.side, model.tags.side, model.tags.proud,
                                        model.leds.offset, model.tags.widest, model.leds.widest}));
-    // Bodies that belong to neither block nor robot are obstacles that nobody owns.
   }
+  // Bodies that belong to neither block nor robot are obstacles that nobody owns.
   std::vector<std::uint32_t> owners(world.bodies.size(), kNobody);
   for (std::size_t i = 0; i < config.blocks.size(); ++i) {
     owners[static_cast<std::size_t>(config.blocks[i].body)] = static_cast<std::uint32_t>(i);
@@ -174,8 +174,8 @@ void CrewSenses::sense(const CrewConfig& config, const World& world, const Senso
   }
   out.rangefinders =
       senses.late_ranges[0].pass(feel(config, world, index, number), robot.range_noise.latency);
-  // In the first ticks, while readings are late.
-  // Nothing has arrived yet: as if nothing were in reach.
+  // In the first ticks, while readings are late, nothing has arrived yet: as if nothing were in
+  // reach.
   for (std::size_t i = out.rangefinders.size(); i < model.rangefinders.size(); ++i) {
     out.rangefinders.push_back(reading_before<RangefinderKind>(model.rangefinders[i]));
   }

@@ -14,8 +14,8 @@ namespace stig {
 
 namespace {
 
-// North, east, south, west, top and bottom, in the block's frame.
-/// Middles of a cube's faces, as its radios are numbered: see cube_marks.
+/// Middles of a cube's faces, as its radios are numbered: north, east, south, west, top and bottom,
+/// in the block's frame; see cube_marks.
 constexpr std::array<Vec3, kBlockRadios> kFaceNormals = {
     Vec3{1, 0, 0}, Vec3{0, -1, 0}, Vec3{-1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}};
 
@@ -30,8 +30,7 @@ bool has_radios(const Mailbox& mail, std::size_t radios) {
   return mail.inbox.size() == radios && mail.outbox.size() == radios;
 }
 
-// In the order in which outboxes are emptied.
-/// The radios of robots, then those of blocks.
+/// The radios of robots, then those of blocks: the order in which outboxes are emptied.
 std::vector<Radio> radios_of(const CrewConfig& config, const World& world) {
   std::vector<Radio> out;
   for (const CrewRobot& robot : config.robots) {
@@ -71,7 +70,7 @@ Led CrewSignals::colour(std::size_t block) const {
   assert(block < blocks_.size());
   std::array<int, 5> shown{};
   for (const Led led : blocks_[block].leds) ++shown[static_cast<std::size_t>(led)];
-  // The colour that most LEDs show; among equals the smallest, which is dark.
+  // The colour that most LEDs show; among equals the one with the lowest number, which off has.
   return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
 }
 
@@ -125,7 +124,7 @@ std::vector<std::vector<Message>> CrewSignals::take_heard(std::size_t robot) {
   return std::exchange(inbox, std::vector<std::vector<Message>>(inbox.size()));
 }
 
-// Quiet: nothing came since, and the inbox is as it was left.
+// Quiet: nothing came and nothing was sent since, so the inbox is still empty.
 std::vector<std::vector<Message>> CrewSignals::take_heard_by_block(std::size_t number) {
   BlockSignals& block = blocks_[number];
   if (block.quiet) return block.mail.inbox;

@@ -112,12 +112,12 @@ bool Crew::fits() const {
   return senses_.fits(config_) && signals_.fits(config_);
 }
 
-// A controller's state cannot be saved, so it is made again and fed what the last one read; what it
-// commands on the way is thrown away, but for the last step's.
-/// Feeds its program what it has read.
+/// Feeds its program what it has read. A controller's state cannot be saved, so it is made again
+/// and fed what the last one read; what it commands on the way is thrown away, but for the last
+/// step's.
 bool Crew::bring_back_robot(std::size_t number) {
   Robot& robot = robots_[number];
-  // Restored by the history itself: begun iff there was a step.
+  // The history sets it again if there was a step.
   const bool begun = std::exchange(robot.begun, false);
   const bool good = robot.history.each([&](ByteReader& in) {
     robot.readings = take_readings(in, model(number));

@@ -18,7 +18,8 @@ namespace {
 constexpr double kWheelGrip = 0.9, kCasterGrip = 0.02;
 
 Shape shape_of(const BodyModel& body) {
-  // A wheel that rolls as a ball touches at one point, whose friction its axle then parts.
+  // A wheel that rolls as a ball touches at one point, where friction along its axle and across it
+  // differ.
   if (body.shape == ShapeType::sphere || body.rolls_as_sphere) {
     return Shape::sphere(body.size.x / 2);
   }
@@ -103,7 +104,7 @@ DofState state_of(const World& world, const RobotBody& body, const AxisRef& axis
   return world.joint(body.joints[axis.joint])[axis.axis];
 }
 
-/// The way of the rims, the mean over the wheels of a side.
+/// The speed of the rims, the mean over the wheels of a side.
 double encoder(const World& world, const RobotBody& body, const std::vector<AxisRef>& wheels,
                double radius) {
   assert(!wheels.empty());
@@ -117,8 +118,8 @@ double encoder(const World& world, const RobotBody& body, const std::vector<Axis
 Material Materials::number(const std::string& name) {
   const auto known = std::find(names.begin(), names.end(), name);
   const auto number = static_cast<Material>(known - names.begin());
-  if (known == names.end()) names.push_back(name);
   // A new name gets the next number.
+  if (known == names.end()) names.push_back(name);
   return number;
 }
 
@@ -150,9 +151,9 @@ void command(RobotDevices& devices, const RobotModel& robot, const RobotCommands
   if (robot.magnets && commands.discharge) devices.magnets.mode = *commands.discharge;
   devices.joints.resize(robot.actuators.size());
   const std::size_t count = std::min(devices.joints.size(), commands.joints.size());
-  // NaN is no command.
   for (std::size_t i = 0; i < count; ++i) {
     const auto& target = commands.joints[i];
+    // NaN is no command.
     if (target && std::isfinite(*target)) devices.joints[i] = *target;
   }
 }

@@ -23,8 +23,6 @@ constexpr double kFalseSide = 0.024;  ///< m
 constexpr double kFalseTilt = 1.0;     ///< rad, at most
 constexpr std::uint64_t kColours = 4;  ///< of false LEDs
 
-// Probability 0 takes nothing from the stream: without noise, readings are what they were before
-// noise existed.
 bool happens(double probability, Random& random) {
   return probability > 0 && random.unit() < probability;
 }

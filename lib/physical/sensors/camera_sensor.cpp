@@ -27,9 +27,9 @@ struct Looking {
   LinesOfSight lines;
 };
 
-/// Whether a ball may reach into the frustum.
-// A plane of the frustum through the camera is x = slope · z; a point's distance to it is (x -
-// slope · z) / sqrt(1 + slope²). May say yes for a ball beside a corner, never no wrongly.
+/// Whether a ball may reach into the frustum; it may say yes for a ball beside a corner, never no
+/// wrongly. A plane of the frustum through the camera is x = slope · z; a point's distance to it is
+/// (x - slope · z) / sqrt(1 + slope²).
 bool may_be_seen(const CameraView& v, const Vec3& p, double r) {
   const auto beside = [&](double along, double slope) {
     // A ball of radius r stays clear of the plane if its centre is farther out than r.

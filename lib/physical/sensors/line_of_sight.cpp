@@ -47,8 +47,8 @@ LinesOfSight::LinesOfSight(const SensorIndex& index, const CameraView& view, con
       p_WC_(X_WC.p),
       r_WC_(matrix(X_WC.q)) {
   heads_.fill(-1);
-  // The bounds of frustum and camera together hold the whole pyramid.
-  // What stands nearer than the near plane hides as well.
+  // What stands nearer than the near plane hides as well: the bounds of frustum and camera together
+  // hold the whole pyramid.
   Bounds where = frustum_bounds(view, X_WC);
   where.low = {std::min(where.low.x, p_WC_.x), std::min(where.low.y, p_WC_.y),
                std::min(where.low.z, p_WC_.z)};

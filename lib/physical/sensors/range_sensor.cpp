@@ -28,7 +28,7 @@ std::optional<double> body_hit(const SensorIndex& index, std::uint32_t i, const 
                          index.axes[i].transposed(direction_W));
   // A line is cut behind its start as well: only what lies ahead counts.
   if (!meets || meets->out < 0) return std::nullopt;
-  // The ray starts inside a body: the sensor touches it.
+  // Where the ray starts inside a body, the sensor touches it.
   return std::max(meets->in, 0.0);
 }
 

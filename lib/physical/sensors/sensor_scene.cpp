@@ -12,9 +12,8 @@ namespace {
 
 constexpr double kObstacleCell = 0.12;  ///< m: a block touches one to four cells
 
-// right × up is the normal out of the face. Tags on the sides stand upright, so a robot that reads
-// one knows which way up the block is.
-/// The axes x and y of a face's tag.
+/// The axes x and y of a face's tag; right × up is the normal out of the face. Tags on the sides
+/// stand upright, so a robot that reads one knows which way up the block is.
 struct Face {
   Vec3 right, up;
 };
@@ -67,7 +66,7 @@ MarkedKind cube_marks(const FaceMarks& marks) {
     if (marks.tag_side > 0) {
       kind.tags.push_back({static_cast<int>(f), X_BT, marks.tag_side, marks.tag_widest});
     }
-    // Exactly 0 means none, as it was written; see FaceMarks.
+    // An offset of exactly 0, as it was written, means no LEDs.
     if (marks.led_offset == 0) continue;
     for (const Vec3& way : {face.right, face.up, -face.right, -face.up}) {
       kind.leds.push_back({middle + way * marks.led_offset, normal, marks.led_widest});

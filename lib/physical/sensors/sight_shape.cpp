@@ -28,9 +28,8 @@ RayCut slab(double o, double d, double h) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// One function for spheres and for a cylinder's round side, which differ in how many coordinates
-// their products take.
-/// Where |o + t d| <= r, for vectors given by their products.
+/// Where |o + t d| <= r, for vectors given by their products. It serves spheres and a cylinder's
+/// round side, which differ in how many coordinates their products take.
 RayCut ball(double oo, double od, double dd, double r) {
   const double c = oo - r * r;
   if (dd == 0) return c <= 0 ? kEverywhere : kNowhere;

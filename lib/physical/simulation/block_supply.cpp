@@ -20,7 +20,7 @@ AddResult add_block(RunState& run, const Pose& X_WB) {
   return added;
 }
 
-// On the floor: what lies under the cache counts, at whatever height.
+// Distances are along the floor: what lies over or under the cache counts, at whatever height.
 bool blocks_near(const RunState& run, const CacheSpawn& cache) {
   for (std::uint32_t i = 0; i < run.world.size(); ++i) {
     if (!run.placed.bodies[i].block) continue;
@@ -49,13 +49,13 @@ void BlockSupply::before_step(RunState& run, const RunHooks& /*hooks*/) {
   for (std::size_t i = 0; i < run.scene->caches.size(); ++i) {
     const CacheSpawn& cache = run.scene->caches[i];
     if (dropped_[i] == cache.stock || blocks_near(run, cache)) continue;
-    // A robot may stand there: then later.
+    // The number of the drop is its address of noise: how often it was tried does not matter.
     const Pose X_WB =
         jittered({cache.at, rotation({0, 0, cache.yaw})}, cache.jitter, cache.turn_jitter,
                  run.placed.seed, kCacheJitter + static_cast<std::uint32_t>(i), dropped_[i]);
+    // A robot may stand there: then later.
     if (add_block(run, X_WB).problem.empty()) ++dropped_[i];
   }
-  // The number of the drop is its address of noise: how often it was tried does not matter.
 }
 
 /// All that the world has beyond what it began with came from here.

@@ -54,7 +54,7 @@ void RunScript::ended(const ControllerStatus& status, RunState& run) {
 
 bool RunScript::accept(RunState& run) {
   if (!script_) return true;
-  // Called when all other parts are loaded.
+  // The script needs no world here, since it gets the answers that were recorded.
   return history_.each([&](ByteReader& in) { return replay(in, run); });
 }
 

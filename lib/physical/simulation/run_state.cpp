@@ -20,7 +20,6 @@ RunState::RunState(const Scene& its_scene, const PlacedScene& its_placed, bool i
       placed(its_placed),
       resumable(is_resumable),
       controllers(its_controllers),
-      // The copy that the run owns, since programs may come and go.
       world(placed.config),
       agents(its_scene, its_placed, is_resumable, its_controllers),
       supply(its_scene),

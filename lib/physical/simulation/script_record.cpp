@@ -22,12 +22,12 @@ struct Found {
   std::uint64_t place = 0;
 };
 
+// Lists of members serve both directions (base/byte_members.h).
 void each_member(auto& each, EitherWay<ScriptBlock> auto& block) {
   each(block.name), each_member(each, block.X_WB), each(block.colour);
   for (auto& face : block.faces) each(face);
   each(block.left), each(block.lattice), each(block.x), each(block.y), each(block.z);
 }
-// Lists of members serve both directions (base/byte_members.h).
 void each_member(auto& each, EitherWay<ScriptRobot> auto& robot) {
   each(robot.name), each_member(each, robot.X_WR), each(robot.failed), each(robot.halted);
   each(robot.driven);
@@ -43,8 +43,8 @@ void each_member(auto& each, EitherWay<Found> auto& found) {
 
 template <class Value>
 Value RecordedWorld::noted(Value value) const {
-  // const, which is what tells writing from reading.
   BytesOut out;
+  // const, which is what tells writing from reading.
   each_member(out, std::as_const(value));
   record_ += out.take();
   return value;

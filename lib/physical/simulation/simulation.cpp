@@ -22,8 +22,8 @@ std::array<RunPart*, 7> parts_at_work(RunState& run) {
           &run.agents,   &run.recorder, &run.tally};
 }
 
-// The world's bytes come first, since parts ask for its size when they are loaded.
-/// In the order in which their bytes follow those of the world.
+/// In the order in which their bytes follow those of the world, which come first since parts ask
+/// for its size when they are loaded.
 template <class Run>
 auto saved_parts(Run& run) {
   return std::array<std::conditional_t<std::is_const_v<Run>, const RunPart*, RunPart*>, 6>{
@@ -47,7 +47,7 @@ std::string divergence(const RunState& run, BodyId body) {
                      run.world.time(), run.placed.bodies[static_cast<std::size_t>(body)].name);
 }
 
-/// Has it come to rest, where that ends it? What has not begun has not.
+/// Whether it has come to rest, where that ends it. A run that has not begun has not.
 bool at_rest(const RunState& run) {
   return run.scene->stop_asleep && run.world.tick() > 0 && run.world.awake_count() == 0;
 }
@@ -57,7 +57,6 @@ bool at_rest(const RunState& run) {
 RunEnd Simulation::until(double duration, const RunHooks& hooks) {
   const auto parts = parts_at_work(run_);
   // A multiple of the step that rounding has put a hair above the duration is its end.
-  // The step is no binary fraction, and neither is the duration.
   const auto last =
       static_cast<std::uint64_t>(std::ceil(duration / run_.placed.config.step - 1e-6));
   // One that had ended so and was brought back makes no step more.

@@ -16,8 +16,8 @@ namespace {
 constexpr double kFrameSeconds = 0.02, kHashSeconds = 1;
 enum : std::uint32_t { kLedChannel, kLogChannel, kShowChannel };
 
-/// Bodies that have not come yet have left, so to speak.
-// Every frame has all bodies that may ever come, so that numbers in a trace are those of the scene.
+/// Every frame has all bodies that may ever come, so that numbers in a trace are those of the
+/// scene. Bodies that have not come yet have left, so to speak.
 TraceFrame frame_of(const World& world, std::size_t bodies) {
   TraceFrame frame{world.tick(), {}};
   for (std::uint32_t i = 0; i < world.size(); ++i) {
@@ -30,8 +30,7 @@ TraceFrame frame_of(const World& world, std::size_t bodies) {
   return frame;
 }
 
-// Digits are the colours' numbers.
-/// All alike: one digit; otherwise a digit an LED.
+/// All alike: one digit; otherwise a digit an LED. Digits are the colours' numbers.
 std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
   std::string out;
   for (const Led led : leds) out += static_cast<char>('0' + static_cast<int>(led));
@@ -87,9 +86,9 @@ void TraceRecorder::note(const RunState& run, const CrewLine& line) {
 }
 
 void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
-  // Asked for also when there is no writer, so that lists do not grow.
   Crew* crew = run.agents.crew();
   if (crew == nullptr) return;
+  // Asked for also when there is no writer, so that lists do not grow.
   const std::vector<std::size_t> changed = crew->take_changed(), stepped = crew->take_stepped();
   if (writer_ == nullptr) return;
   for (const std::size_t block : changed) {
@@ -105,8 +104,8 @@ void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
 }
 
 void TraceRecorder::after_step(RunState& run) {
-  // Events happen at the end of the step that caused them.
   if (writer_ == nullptr) return;
+  // Events happen at the end of the step that caused them.
   for (const WorldEvent& event : run.world.events()) writer_->event({run.world.tick(), event});
   if (is_due(run, kFrameSeconds)) write_frame(run);
   if (is_due(run, kHashSeconds)) writer_->hash({run.world.tick(), hash_of(run)});
