@@ -87,9 +87,9 @@ Momentum gather(const Articulation& it, const std::vector<Body>& bodies, std::ve
   return sum;
 }
 
-/// How columns that move with a body change: of s, which moves with m.
-// The time derivative of a twist that is carried along: Featherstone's cross product of motion
-// vectors (Rigid Body Dynamics Algorithms, section 2.9).
+/// How columns that move with a body change: of s, which moves with m. It is the time derivative of
+/// a twist that is carried along, Featherstone's cross product of motion vectors (Rigid Body
+/// Dynamics Algorithms, section 2.9).
 Twist carried(const Twist& m, const Twist& s) {
   return {cross(m.w, s.v) + cross(m.v, s.w), cross(m.w, s.w)};
 }
@@ -111,8 +111,8 @@ void add_coriolis(const Articulation& it, std::size_t part, const std::vector<do
   }
 }
 
-// Called twice a step, with velocities at its beginning and at its middle.
-/// dt M⁻¹ (force - c(v)); `left` is of use to nobody else.
+/// dt M⁻¹ (force - c(v)); `left` is of use to nobody else. Called twice a step, with velocities at
+/// its beginning and at its middle.
 void respond(const Articulation& it, const std::vector<double>& force, const std::vector<double>& v,
              double dt, std::vector<double>& left, std::vector<double>& out) {
   const std::size_t n = it.size();
@@ -152,12 +152,11 @@ void put_right(Articulation& it, const Momentum& wanted) {
 double motor_target(const Articulation& it, std::size_t i, double dt) {
   constexpr double kPart = 0.2;  ///< of a position's error, gone in a step
   const DofDef& dof = it.dofs[i];
-  // A position motor is a velocity motor whose target leads there: it slows as it comes near, and
-  // is never stiffer than a step can bear.
   if (dof.actuator == Actuator::velocity) return it.axes[i].target;
+  // A position motor is a velocity motor whose target leads there: it slows as it comes near, and
+  // is never stiffer than a step can bear. No error is taken away faster than the axis may move.
   const double goal = std::clamp(it.axes[i].target, dof.lower, dof.upper);
   return std::clamp((goal - it.q[i]) * kPart / dt, -dof.speed, dof.speed);
-  // No error is taken away faster than the axis may move.
 }
 
 bool has_motor(const DofDef& dof) {
@@ -189,9 +188,9 @@ PartMotion part_motion(const Articulation& it, std::size_t part, const std::vect
 void place_bodies(const Articulation& it, std::vector<Body>& bodies) {
   for (const LinkBody& link : it.links) {
     Body& body = bodies[link.body];
-    // Orientations are normalised again in each step, so that rounding does not add up.
     const Pose X_WB = it.poses[link.part] * link.X_PB;
     body.p = X_WB.p;
+    // Orientations are normalised again in each step, so that rounding does not add up.
     body.q = normalised(X_WB.q);
     body.r = matrix(body.q);
   }
@@ -231,15 +230,15 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
   const std::size_t n = it.size();
   it.inverse.assign(n * n, 0);
   for (std::size_t part = 0; part < it.parts.size(); ++part) add_mass(it, part, it.inverse);
-  // Implicit in viscous friction: D dt is added to the mass matrix, which no friction can make
-  // unstable.
   std::vector<double> force(n), middle = it.v, scratch;
   const Momentum outer = gather(it, bodies, force);
   for (std::size_t i = 0; i < n; ++i) {
     const DofDef& dof = it.dofs[i];
-    // Motors of velocity and position are rows of the solver; a force is a force.
+    // Viscous friction is implicit: D dt is added to the mass matrix, so that no friction can make
+    // the step unstable.
     it.inverse[i * n + i] += dof.damping * dt;
     force[i] -= dof.damping * it.v[i];
+    // Motors of velocity and position are rows of the solver; a force is a force.
     if (dof.actuator == Actuator::force) {
       force[i] += std::clamp(it.axes[i].target, -dof.effort, dof.effort);
     }
@@ -250,7 +249,7 @@ void kick(Articulation& it, const std::vector<Body>& bodies, double dt) {
   it.momentum.angular += outer.angular * dt;
   it.kick.resize(n);
   respond(it, force, it.v, dt, scratch, it.kick);
-  // Heun's method in the velocities: the response at their middle.
+  // The explicit midpoint method in the velocities: the response is that at their middle.
   for (std::size_t i = 0; i < n; ++i) middle[i] += it.kick[i] / 2;
   respond(it, force, middle, dt, scratch, it.kick);
   for (std::size_t i = 0; i < n; ++i) it.v[i] += it.kick[i];
@@ -292,7 +291,7 @@ void add_axes(const Articulation& it, std::uint32_t number, double dt,
     }
     for (const int side : {1, -1}) {
       const double gap = side > 0 ? it.q[i] - dof.lower : dof.upper - it.q[i];
-      // A stop is a row on its own for each side, and only where there is one.
+      // A stop is a row of its own for each side, and only where there is one.
       if (!std::isfinite(gap)) continue;
       axis.side = side;
       axis.gap = gap;
@@ -323,11 +322,11 @@ double motor_force(const Articulation& it, std::size_t i, double dt) {
                                          : 0;
 }
 
+// Asleep although driven, a mechanism would never go: so it is kept awake.
 bool driven(const Articulation& it) {
   constexpr double kThere = 1e-4;  ///< m or rad: a position reached
   for (std::size_t i = 0; i < it.size(); ++i) {
     const DofDef& dof = it.dofs[i];
-    // Asleep although driven, a mechanism would never go: so it is kept awake.
     const double target = it.axes[i].target;
     if (dof.actuator == Actuator::none) continue;
     if (dof.actuator != Actuator::position && target != 0) return true;

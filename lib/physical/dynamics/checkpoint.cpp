@@ -42,8 +42,8 @@ class Writer {
   std::string out_;
 };
 
-/// Takes numbers from the front of a text; once it is too short, all are left alone.
-// After the first failure values stay as they are, and good() tells it once at the end.
+/// Takes numbers from the front of a text; once it is too short, all are left alone, and good()
+/// tells it at the end.
 class Taker {
  public:
   explicit Taker(std::string_view in) : in_(in) {}
@@ -206,8 +206,8 @@ void write_setting(Writer& out, const std::vector<FrictionPair>& pairs) {
   for (const FrictionPair& pair : pairs) out(pair.a), out(pair.b), out(pair.coefficient);
 }
 
-// A checkpoint of another configuration would be read without complaint but for this.
-/// A hash of everything in the first configuration that a step depends on.
+/// A hash of everything in the first configuration that a step depends on. Without it a checkpoint
+/// of another configuration would be read without complaint.
 std::uint64_t hash_of(const WorldState& world) {
   const WorldConfig& config = world.config;
   Writer out;
@@ -292,8 +292,8 @@ std::string write_checkpoint(const WorldState& world) {
 namespace {
 
 /// The world as it was made, with the additions of a checkpoint: untrusted, so they are
-/// checked as new ones are (but for overlaps: they came at different times).
-// Bodies of additions get their numbers by where they stand in the list.
+/// checked as new ones are (but for overlaps: they came at different times). Their bodies get their
+/// numbers by where they stand in the list.
 std::optional<WorldState> with_additions(const WorldState& world, Taker& in) {
   WorldConfig added = world.config;
   if (!read_definitions(in, added)) return std::nullopt;

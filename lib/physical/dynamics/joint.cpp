@@ -90,9 +90,9 @@ std::uint32_t root_of(const WorldConfig& config, const std::vector<std::size_t>&
 /// Whether the poses of the two bodies are those that the joint puts them in.
 bool fits(const WorldConfig& config, const JointDef& joint) {
   const Pose& child = config.bodies[joint.child].X_WB;
-  // Compared in the parent's frame: both poses come from the same file, with six digits or more.
   Pose wanted = start_pose(joint);
   if (joint.parent != kWorldBody) wanted = config.bodies[joint.parent].X_WB * wanted;
+  // Both poses come from the same file, with six digits or more.
   const Pose apart = inverse(wanted) * child;
   // For small turns the vector part is half the angle: 2 µrad.
   return length(apart.p) < 1e-6 && length({apart.q.x, apart.q.y, apart.q.z}) < 1e-6;

@@ -50,8 +50,7 @@ class DartMechanism final : public Mechanism {
 
  private:
   using Six = Eigen::Map<const Eigen::Matrix<double, 6, 1>>;
-  // A floating base's coordinates come first.
-  /// The number of the first degree of freedom of `singles_`.
+  /// The number of the first degree of freedom of `singles_`: a floating base's come before.
   std::size_t first() const { return floating_ == nullptr ? 0 : 6; }
   BodyNode* add_joint(BodyNode* parent, const Part& part, const std::string& name);
   BodyNode* add_dof(BodyNode* parent, const DofDef& dof, const std::string& name,
@@ -146,7 +145,6 @@ Pose DartMechanism::pose(std::size_t part) const {
 void DartMechanism::columns(std::size_t part, Twist* out) const {
   // Columns of joints that do not move the part stay zero.
   std::fill_n(out, dofs(), Twist{});
-  // DART stacks spin and velocity the other way round.
   const auto& jacobian = nodes_[part]->getWorldJacobian();  // spin above velocity
   const auto& depends = nodes_[part]->getDependentGenCoordIndices();
   for (std::size_t i = 0; i < depends.size(); ++i) {

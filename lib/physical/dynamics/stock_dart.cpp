@@ -75,7 +75,7 @@ void set_state(BodyNode& node, const Body& body) {
   FreeJoint::setTransformOf(&node, to_dart(Pose{body.p, body.q}));
   joint.setLinearVelocity(to_dart(body.v));
   joint.setAngularVelocity(to_dart(body.w));
-  // A body whose velocity is commanded goes on with it, whatever pushes.
+  // A fixed body keeps the velocity that it is commanded, whatever pushes.
   if (body.fixed) {
     joint.setCommands(joint.getVelocities());
     return;
@@ -100,7 +100,6 @@ StockStep::StockStep(const WorldState& state) {
   dart_->world = dart::simulation::World::create();
   dart::simulation::World& world = *dart_->world;
   world.setTimeStep(config.step);
-  // Magnets and all are among them, as ours have them.
   world.setGravity(Eigen::Vector3d::Zero());  // among the forces already
   auto* solver = world.getConstraintSolver();
   solver->setCollisionDetector(dart::collision::DARTCollisionDetector::create());

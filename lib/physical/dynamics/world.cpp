@@ -269,7 +269,8 @@ StepResult World::step() {
     add_user_forces();
     update_velocities(world);
     const std::uint32_t bad = diverged(world);
-    // The caller gets a world that is as it was, but for velocities, and must not go on with it.
+    // Bodies stand where they stood, but have the velocities of the step that failed: the caller
+    // must not go on with this world.
     if (bad < world.bodies.size()) return {false, BodyId{bad}};
     finish_step(world);
   }

@@ -10,8 +10,8 @@ namespace stig {
 
 namespace {
 
-// Checked as a small world by itself, then against what is there.
-/// The addition as a world of its own, under this one's settings.
+/// The addition as a world of its own, under this one's settings: it is checked by itself, then
+/// against what is there.
 WorldConfig alone(const WorldState& world, const Addition& addition) {
   WorldConfig config = world.config;
   config.bodies = addition.bodies;

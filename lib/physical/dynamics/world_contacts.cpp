@@ -19,8 +19,7 @@ constexpr double kMostWay = 0.5;       ///< m, of a step, that is looked along
 constexpr double kSwept = 5e-3;        ///< m/s: faster boxes are followed along their way
 constexpr double kTouching = 50e-6;    ///< m: below, a contact has begun
 
-// A point of the surface at the radius: an upper bound.
-/// How far turning may bring the surface in a step.
+/// How far turning may bring the surface in a step, at most: as for a point at the radius.
 double turning_reach(const WorldState& world, const Body& body) {
   return length(body.w) * body.shape.radius() * world.config.step;
 }
@@ -31,14 +30,14 @@ double margin_of(const WorldState& world, const Body& a, const Body& b, double m
   return std::min(most, kMargin + way + turning_reach(world, a) + turning_reach(world, b));
 }
 
-// In a list of their own, laid out for the narrow phase.
+// Poses are kept in a list of their own, laid out for the narrow phase.
 void place(WorldState& world, std::uint32_t i) {
   world.placed[i].p = world.bodies[i].p;
   world.placed[i].r = world.bodies[i].r;
 }
 
-/// Before this step's forces: of what lies on something, they come to nothing.
-// A box on a table seems to fall by its weight's velocity in each step: not a motion to follow.
+/// The velocity before this step's forces, which come to nothing for what lies on something: with
+/// them a box on a table would seem to fall in each step, which is no motion to follow.
 Vec3 steady(const Body& body) { return body.fixed || !body.awake ? body.v : body.last_v; }
 
 Touch touch_bodies(const WorldState& world, std::uint32_t number_a, std::uint32_t number_b) {
@@ -120,9 +119,8 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
   out.push_back(contact);
 }
 
-/// The things of the grid that the bodies make, with their bounds.
-// A mechanism is one thing in the grid, by its first link, so its parts are not paired with each
-// other.
+/// The things of the grid that the bodies make, with their bounds. A mechanism is one thing in the
+/// grid, by its first link, so its parts are not paired with each other.
 std::vector<std::uint32_t> things_of(WorldState& world, const std::vector<std::uint32_t>& bodies) {
   std::vector<std::uint32_t> out;
   for (const std::uint32_t i : bodies) {
@@ -211,8 +209,8 @@ void merge_contacts(WorldState& world) {
   std::swap(out, world.contacts);
 }
 
-/// By its speed before this step's forces: with them, everything at rest seems to fall.
-// Gravity alone gives a body at rest 5 cm/s in a step.
+/// By its speed before this step's forces: with them, everything at rest seems to fall, since
+/// gravity alone gives it 5 cm/s in a step of 5 ms.
 bool wakes_others(const Body& body, const SleepRules& rules) {
   return body.awake &&
          (body.fixed || squared(body.last_v) > rules.waking_speed * rules.waking_speed ||
@@ -268,7 +266,7 @@ void refresh_lists(WorldState& world) {
   world.resting.clear();
   world.bounds.resize(world.bodies.size());
   world.thing_bounds.resize(world.bodies.size());
-  // Bodies only come, they never go from the lists.
+  // Places are only added: a body that has left keeps its own.
   for (std::size_t i = world.placed.size(); i < world.bodies.size(); ++i) {
     world.placed.push_back({world.bodies[i].shape, {}, {}});
   }

@@ -16,8 +16,8 @@ void remember(Body& body) {
   body.last_w = body.w;
 }
 
-// expm1 keeps the digits of a small product.
-/// The force whose impulse over a step is what the decay takes, for any rate.
+/// The force whose impulse over a step is what the decay takes, for any rate. expm1 keeps the
+/// digits of a small product.
 void add_damping(WorldState& world) {
   const double dt = world.config.step;
   const double linear = -std::expm1(-world.config.damping * dt) / dt;
@@ -54,7 +54,7 @@ void integrate_velocity(WorldState& world, std::uint32_t number) {
     return;
   }
   remember(body);
-  // Kept apart from v: the solver gives them in small steps.
+  // Kept beside v as well: the solver takes them out again and gives them in small steps.
   body.kick_v = body.force * (world.config.step / body.mass);
   body.kick_w = body.inverse_inertia() * body.torque * world.config.step;
   body.v += body.kick_v;

@@ -40,15 +40,15 @@ void place_magnets(WorldState& world) {
   }
 }
 
-/// Magnets are solid: where blocks overlap for a moment, theirs do not pull without bound.
-// Only the distance is limited; the direction stays.
+/// Magnets are solid: where blocks overlap for a moment, theirs do not pull without bound. Only the
+/// distance is limited; the direction stays.
 void keep_apart(MagnetPair& pair, double least) {
   const double d = length(pair.r);
   if (d < least) pair.r *= least / d;
 }
 
-/// A free sphere's own torque never reaches its body.
-// A torque turns the sphere in its bearing, and the body only by friction there.
+/// A free sphere's own torque never reaches its body: it turns the sphere in its bearing, and the
+/// body only by friction there (spin_magnets).
 void pull(Body& body, const Magnet& magnet, const Vec3& force, const Vec3& torque) {
   if (!body.awake) return;
   body.force += force;
@@ -80,8 +80,8 @@ void apply_pairs(WorldState& world, const std::vector<MagnetPair>& pairs,
   }
 }
 
-/// Wakes sleepers that a magnet in motion pulls at.
-// The sum over all that move counts: four weak magnets may wake together.
+/// Wakes sleepers that magnets in motion pull at. The sum over all that move counts: four weak
+/// magnets may wake together.
 void wake_pulled(WorldState& world) {
   const SleepRules& rules = world.config.sleep;
   std::vector<std::pair<std::uint32_t, Vec3>> felt;
@@ -113,7 +113,7 @@ void spin_magnets(WorldState& world, const std::vector<Vec3>& torques) {
     if (!magnet.free || !world.owners[magnet.owner].awake) continue;
     Body& body = world.bodies[magnet.owner];
     const Bearing bearing{def_of(world, k).inertia, world.config.bearing_damping};
-    // The reaction of the bearing acts on the body in the next step's velocities.
+    // The friction of the bearing acts on the body in this step, by the spin that it had before.
     body.torque += spin_magnet(magnet, torques[k], body.w, bearing, world.config.step);
   }
 }
@@ -153,7 +153,8 @@ void wake_magnet_partners(WorldState& world, std::uint32_t body) {
     }
     bool near = false;
     for (std::uint32_t k = own.begin; k < own.end && !near; ++k) {
-      // 16 million pairs of magnets at worst, for 20,000 bodies; a change of current is rare.
+      // All pairs of magnets of two bodies that are near: it is rare that a current changes or a
+      // body is put elsewhere.
       for (std::uint32_t l = other.begin; l < other.end && !near; ++l) {
         near = squared(place(k) - place(l)) < cutoff * cutoff;
       }

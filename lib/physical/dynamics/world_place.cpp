@@ -11,7 +11,7 @@ namespace stig {
 
 namespace {
 
-// As far as contacts are seen.
+// Somewhat farther than contacts are seen (kMargin in world_contacts.cpp).
 constexpr double kNear = 1e-3;  ///< m: sleepers nearer than this wake
 
 Placed placed(const Body& body) { return {body.shape, body.p, body.r}; }
@@ -56,10 +56,9 @@ std::string problem_there(const WorldState& world, const std::vector<std::uint32
   return {};
 }
 
-// Before and after the move: neighbours that are left behind lose a support, new ones gain a
-// weight.
-/// All that touches one of the bodies, or whose magnets one of them pulls at. Contacts are those
-/// of the last step; where the bodies have none yet, nearness tells.
+/// Wakes all that touches one of the bodies, or whose magnets one of them pulls at. Contacts are
+/// those of the last step; where the bodies have none yet, nearness tells. Called before and after
+/// a move: neighbours that are left behind lose a support, new ones gain a weight.
 void wake_around(WorldState& world, const std::vector<std::uint32_t>& bodies) {
   const auto moved = [&bodies](std::uint32_t i) {
     return std::binary_search(bodies.begin(), bodies.end(), i);

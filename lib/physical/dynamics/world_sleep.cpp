@@ -31,10 +31,8 @@ void fall_asleep(WorldState& world, std::uint32_t i) {
   world.events.push_back({EventKind::slept, BodyId{i}, kFloorId});
 }
 
-// Speed alone would keep trembling stacks awake, place alone would let slow things stop: both
-// together.
-/// Within what the limits of speed allow in the time asked for. A high column trembles faster
-/// than that without going anywhere.
+/// Within what the limits of speed allow in the time asked for. A high column trembles faster than
+/// that without going anywhere, so its speed is held only to kTrembling times the limit.
 bool stays(const Body& body, const SleepRules& rules) {
   const auto below = [](const Vec3& v, double most) { return squared(v) < most * most; };
   return below(body.p - body.rest_X_WB.p, rules.speed * rules.time) &&

@@ -10,14 +10,12 @@
 
 namespace stig {
 
-// Fixed bodies, the floor and sleepers share the first place of a task, which nothing moves.
 namespace {
 
 constexpr int kFirstSweeps = 50;  ///< times as many sweeps in the first step
 constexpr int kFewStoreys = 6;    ///< that one sweep is enough for
 
-/// A free body before this step's forces, or a fixed one.
-// Velocities go in without this step's forces: the solver adds those in parts.
+/// A free body before this step's forces, which the solver adds in parts, or a fixed one.
 SolverBody solver_body(const Body& body) {
   SolverBody out;
   out.p = body.p;
@@ -82,8 +80,7 @@ class TaskMaker {
         slot_(world.bodies.size(), 0),
         mechanism_(world.articulations.all.size()) {}
 
-  /// An island begins.
-  // Only the places that were used, since there may be thousands.
+  /// An island begins. Only the places that were used are cleared, since there may be thousands.
   void clear() {
     for (const std::uint32_t i : numbers_) slot_[i] = 0;
     numbers_.clear();
@@ -118,8 +115,8 @@ class TaskMaker {
         {it.size(), it.inverse.data(), it.v.data(), it.kick.data(), it.way.data()});
   }
 
-  /// Bodies of a part mostly come one after the other, and move as it does.
-  // Columns of Jacobians are the part's, whatever body of it touches.
+  /// Bodies of a part mostly come one after the other, and move as it does, whichever of them
+  /// touches.
   const PartMotion& motion_of(const Articulation& it, std::uint32_t part) {
     if (last_ != std::pair(&it, part)) {
       last_ = {&it, part};
@@ -141,7 +138,8 @@ class TaskMaker {
     return out;
   }
 
-  // A body gets its place when a contact first asks for it.
+  /// A body gets its place when a contact first asks for it. The floor and bodies that are not
+  /// awake share the first place of a task, which nothing moves.
   std::uint32_t slot_of(std::uint32_t i) {
     if (i == kFloorBody || !world_.bodies[i].awake) return 0;
     if (slot_[i] == 0) {
@@ -160,8 +158,8 @@ class TaskMaker {
   PartMotion last_motion_;
 };
 
-/// The most bodies one upon the other, as contacts lead up from what does not move.
-// Breadth-first from what does not move; a shortest way up.
+/// The most bodies one upon the other, as contacts lead up from what does not move, breadth first:
+/// each body counts by its shortest way up.
 int storeys(const SolverTask& task) {
   if (task.contacts.size() <= kFewStoreys) return 0;  // no more than these
   // Who lies upon whom, both ways; side by side is no storey.
@@ -194,8 +192,8 @@ int storeys(const SolverTask& task) {
   return most;
 }
 
-/// High columns need more sweeps: with one they sway for ever, and turn by it.
-// Tried on columns and walls: fewer let them fall, more cost time for nothing.
+/// High columns need more sweeps: with one they sway for ever, and turn by it. The numbers were
+/// tried on columns and walls: fewer let them fall, more cost time for nothing.
 int sweeps_for(int storeys) { return storeys <= kFewStoreys ? 1 : storeys <= 10 ? 2 : 8; }
 
 void take_over(WorldState& world, const TaskMaker& maker, const SolverTask& task) {

@@ -13,7 +13,6 @@ namespace stig {
 
 namespace {
 
-// In pixels of the finished picture.
 constexpr double kLetters = 22, kMargin = 20;  ///< pixels
 
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
@@ -42,7 +41,7 @@ Surface surface_of(const Image& image) {
 }
 
 void write_caption(cairo_surface_t* surface, const std::string& caption, int height) {
-  // Errors of cairo stay in the context until the PNG is written, which then fails.
+  // An error of the context costs the caption; one of the surface shows when the PNG is written.
   cairo_t* cairo = cairo_create(surface);
   cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(cairo, kLetters);
@@ -65,9 +64,9 @@ std::string png_of(const Image& image, const std::string& caption) {
   assert(image.width > 0 && image.height > 0);
   const Surface surface = surface_of(image);
   if (!caption.empty()) write_caption(surface.get(), caption, image.height);
-  // An empty text is "no picture": the caller reports that.
   std::string bytes;
   const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
+  // An empty text is "no picture": the caller reports that.
   return status == CAIRO_STATUS_SUCCESS ? bytes : std::string{};
 }
 

@@ -168,8 +168,8 @@ GlbPrimitive surface_of(const BodyModel& body) {
 /// One primitive a colour, in the order in which colours first occur.
 std::vector<GlbPrimitive> lines_of(const std::vector<PictureLine>& lines) {
   std::vector<GlbPrimitive> out;
-  // Colours are few, so a linear search is enough.
   for (const PictureLine& line : lines) {
+    // Colours are few, so a linear search is enough.
     auto to = std::find_if(out.begin(), out.end(),
                            [&](const GlbPrimitive& one) { return one.rgb == line.colour; });
     if (to == out.end()) {

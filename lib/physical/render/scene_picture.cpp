@@ -28,21 +28,21 @@ double shade_of(const Vec3& normal) {
 }
 Rgb lit(Rgb colour, const Vec3& normal) { return blend({14, 18, 26}, colour, shade_of(normal)); }
 
-/// Draws polygons of the world as a view sees them.
+/// Draws polygons of the world as a view sees them. Corners go from the world to the eye, are cut
+/// off at the near plane, and only then projected, since what lies behind the eye has no image.
 class Painter {
-  // Corners go from the world to the eye, are cut off at the near plane, and only then projected,
-  // since what lies behind the eye has no image.
  public:
   Painter(Raster& raster, const PictureView& view)
       : raster_(raster), view_(view), r_(matrix(view.X_WC.q)) {}
 
+  /// Faces that do not are left out: that saves half of the work, and keeps them from shining
+  /// through edges.
   bool faces_eye(const Vec3& point, const Vec3& normal) const {
     return dot(view_.X_WC.p - point, normal) > 0;
   }
 
   void polygon(const std::vector<Vec3>& corners, Rgb colour) {
     fan(corners,
-        // Culling saves half of the work, and keeps back faces from shining through edges.
         [&](const auto& a, const auto& b, const auto& c) { raster_.triangle(a, b, c, colour); });
   }
   void shadow(const std::vector<Vec3>& corners) {
@@ -69,8 +69,8 @@ class Painter {
     return pixel ? RasterPoint{split(pixel->x), split(pixel->y), 1 / p_C.z} : RasterPoint{};
   }
 
-  /// What of a polygon, or of a line, lies before the eye.
-  // Sutherland and Hodgman's algorithm with a single plane.
+  /// What of a polygon, or of a line, lies before the eye: Sutherland and Hodgman's algorithm with
+  /// a single plane.
   static std::vector<Vec3> clip(const std::vector<Vec3>& corners) {
     std::vector<Vec3> out;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -136,8 +136,8 @@ std::vector<SolidFace> faces_of(const PictureBody& body) {
 
 void draw_body(Painter& painter, const PictureBody& body) {
   const Mat3 r = matrix(body.X_WB.q);
+  // Bodies of blocks take the light of their LEDs, so that colours can be told from afar.
   const Rgb colour =
-      // Bodies of blocks take the light of their LEDs, so that colours can be told from afar.
       body.block && body.led != Led::off ? blend(body.colour, rgb_of(body.led), 0.6) : body.colour;
   for (const SolidFace& face : faces_of(body)) {
     const std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
@@ -184,12 +184,11 @@ struct Extent {
   }
 };
 
-/// Bodies without those that are far from most.
+/// Bodies without those that are far from most, by the median of places and the 90th percentile of
+/// distances: one block that was thrown far away must not make all others small.
 std::vector<const PictureBody*> main_bodies(const std::vector<PictureBody>& bodies) {
   std::vector<double> xs, ys, far;
   for (const PictureBody& body : bodies) {
-    // By the median and the 90th percentile of distances: one block that was thrown far away must
-    // not make all others small.
     xs.push_back(body.X_WB.p.x);
     ys.push_back(body.X_WB.p.y);
   }
@@ -216,8 +215,8 @@ std::vector<Vec3> outline(const std::vector<const PictureBody*>& bodies) {
   std::vector<Vec3> points;
   for (const PictureBody* body : bodies) {
     const double r = body->shape.radius();
+    // Six points of the ball about each body, enough for a view that has a margin.
     for (const Vec3& way :
-         // Six points of the ball about each body, enough for a view that has a margin.
          {Vec3{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}) {
       points.push_back(body->X_WB.p + way);
     }
@@ -226,8 +225,8 @@ std::vector<Vec3> outline(const std::vector<const PictureBody*>& bodies) {
   return points;
 }
 
-// A rotation's quaternion from its matrix, in the two cases that can occur (Shepperd 1978).
-/// x right, y down, z ahead, for an eye that looks along z.
+/// x right, y down, z ahead, for an eye that looks along z. The quaternion comes from the
+/// rotation's matrix, in the two cases that can occur (Shepperd 1978).
 Quat looking(const Vec3& ahead) {
   const Vec3 right = normalised(cross(ahead, {0, 0, 1})), down = cross(ahead, right);
   const Mat3 m{right, down, ahead};
@@ -281,9 +280,8 @@ PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLoo
   Extent eye;
   for (const Vec3& p : points) eye.add(r.transposed(p));
   const Vec3 middle = (eye.low + eye.high) * 0.5;
-  // For each point the distance at which it touches the border of the view, in x and in y; the
-  // largest holds all.
-  // Far enough back for every point to be inside, with a margin.
+  // Far enough back for every point to be inside, with a margin: for each point there is a distance
+  // at which it touches the border of the view, in x and in y, and the largest holds all.
   const double slope_x = 0.84 * std::tan(kFieldOfView / 2),
                slope_y = slope_x * look.height / look.width;
   double back = 0.05;

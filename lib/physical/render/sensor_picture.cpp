@@ -20,8 +20,8 @@ constexpr Vec3 kSky{200, 205, 210}, kFloor{150, 150, 145}, kHousing{40, 40, 40},
     kBody{150, 155, 165};
 constexpr Vec3 kSheetLight{230, 230, 230}, kSheetDark{25, 25, 25};
 
-// The family is tag36h11 (Olson 2011, "AprilTag"); bits as its published tables have them.
-/// The 6 x 6 inner cells of the family's first tags, row by row, the highest bit first.
+/// The 6 x 6 inner cells of the first tags of the family tag36h11 (Olson 2011, "AprilTag"), row by
+/// row, the highest bit first, as its published tables have them.
 constexpr std::array<std::uint64_t, 6> kTags = {0xd5d628584, 0xd97f18b49, 0xdd280910e,
                                                 0xe479e9c98, 0xebcbca822, 0xf31dab3ac};
 
@@ -207,7 +207,6 @@ TagCells tag_cells(int id) {
   return out;
 }
 
-// Tags are measured over the black frame, 8 cells of the sheet's 10.
 std::optional<Vec3> sheet_colour(const TagCells& cells, double side, const PlaneHit& hit) {
   const double sheet = side * 10 / 8;  // a tag is measured without its border
   const double column = (hit.x / sheet + 0.5) * 10, row = (0.5 - hit.y / sheet) * 10;

@@ -22,8 +22,7 @@ namespace {
 
 constexpr std::size_t kMostBlocks = 20'000;
 constexpr std::size_t kMostReported = 20;
-// With magnets that hold and floors that carry, bodies at rest overlap by about the solver's slop;
-// begun apart they would first fall.
+// Bodies at rest overlap a little, within the solver's slop; begun apart they would first fall.
 constexpr double kInto = 10e-6;  ///< m, that neighbours overlap: as they would lie at rest
 constexpr double kTurn = 2 * 3.14159265358979323846;
 
@@ -122,9 +121,9 @@ class Scatter {
     return bits(x) << 42 | bits(y) << 21 | bits(z);
   }
   bool near(std::uint64_t key, const Vec3& p) const {
+    // Only one key is asked for, so the order of an unordered map never shows.
     const auto found = cells_.find(key);
     return found != cells_.end() &&
-           // Only membership is asked, so the order of an unordered map never shows.
            std::any_of(found->second.begin(), found->second.end(),
                        [&](const Vec3& o) { return squared(o - p) < least_ * least_; });
   }
@@ -133,8 +132,8 @@ class Scatter {
   std::unordered_map<std::uint64_t, std::vector<Vec3>> cells_;
 };
 
-/// Half of the least distance between centres at which two blocks so turned are apart.
-// Upright cubes on one level need the diagonal of a square between them, any others that of a cube.
+/// Half of the least distance between centres at which two blocks so turned are apart. Upright
+/// cubes on one level need the diagonal of a square between them, any others that of a cube.
 double clearance(ScatterTurn turned, const Vec3& size, double side) {
   const bool flat = size.z < side && turned != ScatterTurn::any;
   return side / 2 * std::sqrt(flat ? 2.0 : 3.0) * 1.001;
@@ -167,8 +166,8 @@ std::vector<Pose> scatter_poses(const BlockSpawn& spawn, double side, std::uint6
   return out;
 }
 
-// Checked before any list is made: counts come from a file and multiply.
-/// Without making them: how many blocks an entry asks for.
+/// How many blocks an entry asks for, without making them: counts come from a file and multiply, so
+/// they are checked before any list is made.
 std::size_t count_of(const BlockSpawn& spawn) {
   if (spawn.kind == SpawnKind::poses) return spawn.poses.size();
   std::size_t count = 1;

@@ -37,8 +37,8 @@ std::optional<std::size_t> NamedFiles::robot_model_of(const YamlNode& key) {
   return model;
 }
 
-// Programs are known by the name that the scene has for them: one state of text each, however
-// many robots run it.
+// Programs are known by the name that the scene has for them: each is read once, however many
+// robots run it.
 std::size_t NamedFiles::program_of(const YamlNode& node, const std::string& name) {
   for (std::size_t i = 0; i < scene_.programs.size(); ++i) {
     if (scene_.programs[i].path == name) return i;
@@ -53,8 +53,8 @@ std::size_t NamedFiles::program_of(const YamlNode& node, const std::string& name
 }
 
 /// What a program requires comes with the scene, so that traces can run it again. A file that
-/// is not there is the program's business: it may ask for it in vain.
-// Depth is bounded by the number of modules, each of which is taken once.
+/// is not there is the program's business: it may ask for it in vain. Depth is bounded by the
+/// number of modules, each of which is taken once.
 void NamedFiles::add_modules(LuaProgram& program, const std::string& text) {
   for (const std::string& name : required_names(text)) {
     const bool known = std::any_of(program.modules.begin(), program.modules.end(),

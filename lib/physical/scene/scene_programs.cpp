@@ -41,7 +41,6 @@ SourceRef file_of(const LuaProgram& program, const std::string& name) {
 }
 
 /// The line without the spaces around it; of no line, the file's beginning.
-// From the first to the last letter, for the caret.
 SourceRange line_of(SourceRef file, std::size_t line) {
   const std::string_view text = file->line(line);
   const auto first = std::min(text.find_first_not_of(" \t"), text.size());
@@ -103,8 +102,8 @@ class ProgramCheck {
            script.failure());
   }
 
-  /// Once for a program, whoever has it and however often it fails.
-  // Where a program's text is not at hand, the scene's own line has to do.
+  /// Once for a program, whoever has it and however often it fails. Where its text is not at hand,
+  /// the scene's own line has to do.
   void report(std::size_t program, Code code, const LuaFailure& failure) {
     if (!reported_.insert(program).second) return;
     const LuaProgram& text = scene_.programs[program];

@@ -20,8 +20,8 @@ void read_params(const YamlNode& node, RobotSpawn& spawn, SceneParts& parts) {
       parts.out.add(Code::R103, parts.document.head(value),
                     "a parameter is a number, a text, or true or false");
       continue;
-      // Quotes make a text of anything, as in YAML.
     }
+    // Quotes make a text of anything, as in YAML.
     const bool plain = value.style == YamlStyle::plain;
     if (const auto number = number_of(value)) {
       spawn.params.emplace_back(pair.key.text, *number);
@@ -49,8 +49,8 @@ void add_robots(const FormView& node, const RobotSpawn& spawn, SceneParts& parts
   }
 }
 
-/// `common`: the program of robots whose entry names none, before that of their file.
-// An entry's own program, the scene's, the robot file's: the first that there is.
+/// `common`: the scene's program for robots whose entry names none. Of the entry's own program, the
+/// common one and that of the robot's file the first that there is counts.
 void read_robot_entry(const FormView& node, const YamlNode* common, SceneParts& parts) {
   RobotSpawn spawn;
   spawn.range = parts.document.head(node.node());

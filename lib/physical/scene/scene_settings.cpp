@@ -14,8 +14,8 @@ namespace stig {
 
 namespace {
 
-// Numbers follow the first mention, so the same file gives the same numbers.
-/// The number of a material; a name seen for the first time gets the next.
+/// The number of a material; a name seen for the first time gets the next, so the same file gives
+/// the same numbers.
 Material material_of(const std::string& name, std::vector<std::string>& names) {
   const auto known = std::find(names.begin(), names.end(), name);
   const auto number = static_cast<Material>(known - names.begin());
@@ -78,8 +78,8 @@ void check_friction(const FormView& table, const SceneParts& parts) {
     for (const BodyModel& body : robot.bodies) made.insert(body.material);
   }
   const std::vector<std::string_view> known(made.begin(), made.end());
-  std::map<std::set<std::string>, FormView> pairs;
   // By set: the order of the two does not matter.
+  std::map<std::set<std::string>, FormView> pairs;
   for (const FormView& pair : table.forms("pairs")) {
     const YamlNode* of = pair.find("of");
     const auto names = pair.names("of");
