@@ -13,7 +13,8 @@ namespace stig {
 
 namespace {
 
-/// Whether a block of the scene has a controller, or one that may come will have.
+/// Whether a block of the scene has a controller, or one that may come will have. The first of
+/// those speaks for all, since they are of one kind.
 bool blocks_act(const Scene& scene, const PlacedScene& placed, const CrewConfig& crew,
                 const ControllerFactory& controllers) {
   const std::size_t first = placed.config.bodies.size();
@@ -21,7 +22,6 @@ bool blocks_act(const Scene& scene, const PlacedScene& placed, const CrewConfig&
                      [](std::size_t program) { return program != RobotSpawn::kNoProgram; }) ||
          std::any_of(crew.blocks.begin(), crew.blocks.end(),
                      [](const CrewBlock& block) { return block.controller != nullptr; }) ||
-         // One of the stock, by its number, speaks for all: they are of one kind.
          (first < placed.bodies.size() &&
           crew_block(scene, placed, first, controllers).controller != nullptr);
 }
