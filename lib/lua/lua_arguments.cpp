@@ -21,8 +21,8 @@ void set_functions(lua_State* state, const LuaEntry* entries, std::size_t count)
 }
 
 void raise_if_stopped(lua_State* state) {
-  // Whoever caught the stop of a box is given the same error again. One that passes on the error
-  // through any number of pcalls so ends the call from outside.
+  // Whoever catches the stop of a box is given the same error again, so that it passes through any
+  // number of pcalls and ends the call from outside.
   if (LuaBox::of(state).stopped()) lua_error(state);
 }
 

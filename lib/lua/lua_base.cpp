@@ -51,9 +51,9 @@ int load(lua_State* state) {
   // nil is an environment too, one in which nothing is found, so "none" is what counts.
   const bool has_environment = !lua_isnone(state, 4);
   if (!load_text(state, text, name)) {
+    // An error in the text is a result here, but a stop while it was being loaded is not.
     raise_if_stopped(state);
     lua_pushnil(state);
-    // An error in the text is a result here, but a stop while it was being loaded is not.
     lua_insert(state, -2);
     return 2;
   }

@@ -22,9 +22,8 @@ constexpr std::size_t kBytesPerInstruction = 32;         ///< of objects made
 constexpr std::size_t kCollections = 32;                 ///< before as much as the limit was made
 constexpr std::size_t kMostMessage = 2000;
 
-// lua_pcall takes a C function and a light pointer, so the body and its argument travel in a struct
-// that outlives the call.
-/// What a protected call runs.
+/// What a protected call runs. lua_pcall takes a C function and a light pointer, so the body and
+/// its argument travel in a struct that outlives the call.
 struct Job {
   LuaBox::Body body;
   void* argument;
@@ -281,7 +280,6 @@ int LuaBox::explain(lua_State* state) {
 }
 
 void LuaBox::note_traceback(lua_State* state, int level) {
-  // What called the outermost function is this program, of which a user knows nothing.
   constexpr std::string_view kOutside = "\n\t[C]: in ?";  // whoever called the program
   luaL_traceback(state, state, nullptr, level);
   traceback_ = lua_tostring(state, -1);
@@ -342,8 +340,8 @@ LuaFailure LuaBox::placed(std::string_view text) const {
   return {{}, 0, printable(text)};
 }
 
-/// Each "file:line:" of a text, through the line map.
-// For generated programs: whoever wrote the rules is told the line of the rules.
+/// Each "file:line:" of a text, through the line map. For generated programs: whoever wrote the
+/// rules is told the line of the rules.
 std::string LuaBox::mapped(std::string text) const {
   if (!settings_.line_map) return text;
   for (const std::string& file : files_) {
@@ -355,8 +353,8 @@ std::string LuaBox::mapped(std::string text) const {
       const auto place =
           end > digits ? settings_.line_map(file, std::stoi(text.substr(digits, end - digits)))
                        : std::nullopt;
-      // No entry for that line: the text stays, and the search goes on behind it.
       if (!place) {
+        // No entry for that line: the text stays, and the search goes on behind it.
         at = digits;
         continue;
       }

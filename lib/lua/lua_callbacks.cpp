@@ -24,8 +24,8 @@ namespace {
 constexpr std::size_t kLongestNear = 64;   ///< bytes of a name that may be near another
 constexpr std::uint64_t kGlobalCost = 20;  ///< instructions, for each global
 
-/// Letters and digits alone, small: how names are compared.
-// Case and underscores are how names of one meaning differ between interfaces: on_step, onStep.
+/// Letters and digits alone, small: how names are compared. Case and underscores are how names of
+/// one meaning differ between interfaces: on_step, onStep.
 std::string bare(std::string_view name) {
   std::string out;
   for (const char c : name) {

@@ -23,9 +23,9 @@ int set_camera(lua_State* state, bool enabled) {
 int enable_camera(lua_State* state) { return set_camera(state, true); }
 int disable_camera(lua_State* state) { return set_camera(state, false); }
 
-// As the real camera's program does it: the mean chroma about a pixel, not the nearest LED. The
-// place is where the program believes the LED to be, so an error of its estimate shows.
-/// detect_led(vector3 in the camera's frame): 0 to 4.
+/// detect_led(vector3 in the camera's frame): 0 to 4. As the real camera's program does it: the
+/// mean chroma about a pixel, not the nearest LED. The place is where the program believes the LED
+/// to be, so an error of its estimate shows.
 int detect_led(lua_State* state) {
   const Vec3 p_C = vector_argument(state, 1, "camera_system.detect_led", "position");
   const RobotSide& side = robot_side(state);

@@ -88,9 +88,8 @@ void log_failure(const LuaBox& box, const std::string& error, std::vector<std::s
   }
 }
 
-/// A box, the side that its program acts on, and how it has fared.
-// In a template and not a base class with virtual functions: the two sides share no types but their
-// names.
+/// A box, the side that its program acts on, and how it has fared. In a template and not a base
+/// class with virtual functions: the two sides share no types but their names.
 template <class Side, class Readings, class Commands>
 struct Host {
   Side side;

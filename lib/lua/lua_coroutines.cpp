@@ -24,7 +24,7 @@ int resume_with(lua_State* state, lua_State* thread, int count) {
   int results = 0;
   const int status = lua_resume(thread, state, count, &results);
   if (status == LUA_OK || status == LUA_YIELD) {
-    // The stack is grown in unprotected mode by nobody else: lua_xmove needs the room beforehand.
+    // lua_xmove does not grow the stack: the room has to be there beforehand.
     if (lua_checkstack(state, results + 1) == 0) {
       return luaL_error(state, "coroutine: too many results to resume");
     }
@@ -85,12 +85,12 @@ int wrap(lua_State* state) {
 }
 
 int close(lua_State* state) {
-  // A thread that runs, or that waits for one which it has resumed, cannot be closed.
   luaL_checktype(state, 1, LUA_TTHREAD);
   lua_State* thread = lua_tothread(state, 1);
   lua_Debug frame;
   const int status = lua_status(thread);
-  // LUA_OK with a frame: the thread has resumed another, and is on the way.
+  // A thread that runs, or that waits for one which it has resumed (LUA_OK with a frame), cannot be
+  // closed.
   const bool runs = thread == state || (status == LUA_OK && lua_getstack(thread, 0, &frame) != 0);
   if (runs) return luaL_error(state, "coroutine.close: the coroutine is running");
   const bool closed = close_thread(state, thread);
@@ -104,7 +104,7 @@ int close(lua_State* state) {
 
 void open_coroutines(lua_State* state) {
   luaL_requiref(state, LUA_COLIBNAME, luaopen_coroutine, 1);
-  // wrap and resume of Lua call lua_resume directly; replaced here are all four functions that do.
+  // Lua's own resume, wrap and close would run threads without a charge.
   set_functions(state, {{"resume", resume}, {"create", create}, {"wrap", wrap}, {"close", close}});
   lua_pop(state, 1);
 }

@@ -54,9 +54,9 @@ int log_error(lua_State* state) { return log_arguments(state, "error: ", 1, "");
 /// robot.logger(…), robot.logger:info(…): with or without the logger itself in front.
 int log_as(lua_State* state, const char* level) {
   lua_pushvalue(state, lua_upvalueindex(1));
+  // lua_rawequal and not ==, which may be a metamethod.
   const bool is_method = lua_rawequal(state, 1, -1) != 0;
   lua_pop(state, 1);
-  // lua_rawequal and not ==, which may be a metamethod.
   return log_arguments(state, level, is_method ? 2 : 1, " ");
 }
 int log_plain(lua_State* state) { return log_as(state, ""); }
@@ -97,8 +97,8 @@ void push_value(lua_State* state, const LuaValue& value) {
   }
 }
 
-/// The bytes of the list at index 1.
-// Bytes as a list are how ARGoS's radios have it; a text is our own addition, and shorter to write.
+/// The bytes of the list at index 1. Bytes as a list are how ARGoS's radios have it; a text is our
+/// own addition, and shorter to write.
 Message bytes_of(lua_State* state) {
   const lua_Unsigned size = lua_rawlen(state, 1);
   if (size > kMostSent)
@@ -137,7 +137,7 @@ Message message_argument(lua_State* state) {
 
 void put(lua_State* state, const char* key) {
   assert(lua_istable(state, -2));
-  // lua_setfield would do the same through a metatable's __newindex.
+  // Raw: lua_setfield would ask a metatable's __newindex.
   lua_pushstring(state, key);
   lua_insert(state, -2);
   lua_rawset(state, -3);
@@ -223,14 +223,14 @@ void add_message(lua_State* state, std::vector<std::vector<Message>>& sends, std
 void put_received(lua_State* state, int radio, const std::vector<Message>& messages) {
   push_kept(state, radio);
   if (messages.empty()) {
-    // Mostly nothing came twice: the empty list of the last step will do. Each step of thousands of
-    // blocks would make six new lists.
+    // Mostly nothing comes twice in a row: then the empty list of the last step will do. Otherwise
+    // each of thousands of blocks would make six new lists a step.
     lua_pushliteral(state, "recv");
     if (lua_rawget(state, -2) == LUA_TTABLE) {
+      // The list is checked to be empty, since it is the program's, which may have put something
+      // into it.
       lua_pushnil(state);
       if (lua_next(state, -2) == 0) {
-        // The list is checked to be empty, since it is the program's, which may have put something
-        // into it.
         lua_pop(state, 2);
         return;
       }

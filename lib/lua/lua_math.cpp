@@ -18,8 +18,8 @@ std::uint64_t word(Random& random) {
   return high << 32 | random.next();
 }
 
-// As Lua's math.random has it, the interval's bounds included.
-/// random() in [0, 1); random(0) any whole number; random(m) in 1…m; random(m, n) in m…n.
+/// random() in [0, 1); random(0) any whole number; random(m) in 1…m; random(m, n) in m…n. As Lua's
+/// math.random has it, the interval's bounds included.
 int random_number(lua_State* state) {
   Random& random = LuaBox::of(state).random();
   const int count = lua_gettop(state);
@@ -53,8 +53,8 @@ int seed_random(lua_State* state) {
     box.reseed(seed);
     return 0;
   }
-  // By its bits, so that 1 and 1.5 are different seeds; -0 and 0 are too.
   const double number = number_argument(state, 1, "math.randomseed", "seed");
+  // By its bits, so that 1 and 1.5 are different seeds; -0 and 0 are too.
   box.reseed(combine(seed, std::bit_cast<std::uint64_t>(number)));
   return 0;
 }

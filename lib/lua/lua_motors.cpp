@@ -11,8 +11,8 @@ namespace stig {
 
 namespace {
 
-/// The motors are mirror images of each other: ahead is (+v, -v).
-// What goes on to the robot is ahead for both, in m/s of the rims.
+/// The motors are mirror images of each other: ahead is (+v, -v). What goes on to the robot is
+/// ahead for both, in m/s of the rims.
 int set_velocity(lua_State* state) {
   constexpr const char* kName = "differential_drive.set_target_velocity";
   const double left = number_argument(state, 1, kName, "left");
@@ -39,12 +39,12 @@ int set_discharge(lua_State* state) {
   constexpr const char* kName = "electromagnet_system.set_discharge_mode";
   const std::string_view mode = text_argument(state, 1, kName, "mode");
   auto& discharge = robot_commands(state).discharge;
-  // Both words are in use in published programs.
   if (mode == "constructive") {
     discharge = Discharge::constructive;
   } else if (mode == "destructive") {
     discharge = Discharge::destructive;
   } else if (mode == "disable" || mode == "disabled") {
+    // Both words are in use in published programs.
     discharge = Discharge::disable;
   } else {
     bad_argument(state, 1, kName, "mode", "'constructive', 'destructive' or 'disable'");

@@ -29,8 +29,8 @@ struct Key {
 Key key_at(lua_State* state, int index) {
   Key key;
   switch (lua_type(state, index)) {
-    // 1 and 1.0 are the same key to Lua, which stores it as an integer.
     case LUA_TNUMBER:
+      // 1 and 1.0 are the same key to Lua, which stores it as an integer.
       key.is_whole = lua_isinteger(state, index) != 0;
       key.whole = lua_tointeger(state, index);
       key.number = lua_tonumber(state, index);
@@ -87,8 +87,8 @@ void each_key(lua_State* state, const Visit& visit) {
   }
 }
 
-/// next(table [, key]): each call looks through the whole table.
-// Linear in the table's size, which is charged; pairs, which sorts once, is the way to walk.
+/// next(table [, key]): each call looks through the whole table. Linear in the table's size, which
+/// is charged; pairs, which sorts once, is the way to walk.
 int next_key(lua_State* state) {
   luaL_checktype(state, 1, LUA_TTABLE);
   lua_settop(state, 3);  // 3: the best so far
@@ -104,8 +104,8 @@ int next_key(lua_State* state) {
     if (found && !comes_before(key, best)) return;
     found = true;
     best = key;
-    lua_copy(state, -1, 3);
     // Kept by copying, since the key on top is lua_next's own and goes with the next turn.
+    lua_copy(state, -1, 3);
   });
   LuaBox::of(state).charge(state, count);
   if (!found) {
@@ -143,14 +143,14 @@ void push_keys(lua_State* state) {
   std::vector<Key> keys;
   each_key(state, [&](const Key& key) {
     if (key.kind == Key::Kind::object) {
+      // Slot 2 is where pairs has put a nil for the one object that there may be.
       lua_pushvalue(state, -1);
       lua_replace(state, 2);
     }
-    // Slot 2 is where pairs has put a nil for the one object that there may be.
     keys.push_back(key);
   });
   LuaBox::of(state).charge(state, 2 * keys.size());
-  // Stable or not is the same: no two keys are equal.
+  // No two keys are equal but for objects, of which more than one are refused below.
   std::sort(keys.begin(), keys.end(), comes_before);
   if (keys.size() > 1 && keys[keys.size() - 2].kind == Key::Kind::object) {
     refuse_objects(state, "pairs");
@@ -193,8 +193,8 @@ int pairs(lua_State* state) {
 }
 
 /// Objects are told apart by numbers, in the order in which they were first asked for.
-// tostring(table) shows an address in Lua. Numbers in the order of first use are the same in every
-// run, and still tell objects apart.
+/// tostring(table) shows an address in Lua. Numbers in the order of first use are the same in every
+/// run, and still tell objects apart.
 constexpr const char* kNumbers = "stig.numbers";
 
 void push_object(lua_State* state, int index) {

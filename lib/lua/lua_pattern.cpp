@@ -83,9 +83,9 @@ std::size_t LuaPattern::fail(const char* problem) {
 
 bool LuaPattern::step() { return ++steps_ <= most_steps_ && problem_ == nullptr; }
 
-/// Matches the rest of the pattern from p against the rest of the subject from s.
-// In Lua's code this is do_match: tail calls became turns of the loop, and so long patterns without
-// repetitions need no depth.
+/// Matches the rest of the pattern from p against the rest of the subject from s. In Lua's code
+/// this is do_match: tail calls became turns of the loop, and so long patterns without repetitions
+/// need no depth.
 std::size_t LuaPattern::follow(std::size_t s, std::size_t p) {
   if (depth_ >= kMostDepth) return fail("pattern too complex");
   ++depth_;
@@ -265,7 +265,7 @@ bool LuaPattern::item_fits(std::size_t s, std::size_t p, std::size_t next) {
     case '%':
       return class_has(c, pattern_[p + 1]);
     case '[':
-      // A set costs in proportion to its length; %b and classes are constant.
+      // A set costs in proportion to its length.
       steps_ += (next - p) / 8;
       return set_has(c, p, next);
     default:
@@ -273,8 +273,8 @@ bool LuaPattern::item_fits(std::size_t s, std::size_t p, std::size_t next) {
   }
 }
 
-/// Whether a character is in the set that spans [p, end).
-// p to end are the brackets; a ']' right after '[' or '[^' is a member, which set_end has seen to.
+/// Whether a character is in the set that spans [p, end). p to end are the brackets; a ']' right
+/// after '[' or '[^' is a member, which set_end has seen to.
 bool LuaPattern::set_has(char c, std::size_t p, std::size_t end) const {
   const std::size_t last = end - 1;  // of the ']'
   const bool negated = pattern_[p + 1] == '^';

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
+// require: files beside the program or in folders there, by plain names.
+//
 // A scene's programs travel with it, in traces and checkpoints, so `require` looks first among the
 // modules that came with the program, and for files only where the program itself came from a file.
 // What a text requires is found without running it, by looking for the word: names must be written
 // out.
-// require: files beside the program or in folders there, by plain names.
 #include <algorithm>
 #include <cassert>
 #include <filesystem>
@@ -21,9 +22,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kLoaded = "stig.loaded";
 
-/// The file, if it really is below the program's folder: a link may not lead out of it.
-// Both sides are made canonical, so that neither '..' nor a link decides. Names have neither, by
-// is_module_name, but a folder in a program's folder may be a link.
+/// The file, if it really is below the program's folder: a link may not lead out of it. Both sides
+/// are made canonical, so that neither '..' nor a link decides. Names have neither, by
+/// is_module_name, but a folder in a program's folder may be a link.
 std::optional<std::string> find_beside(const std::string& program, const std::string& name) {
   std::error_code error;
   const fs::path folder = fs::canonical(fs::absolute(program).parent_path(), error);

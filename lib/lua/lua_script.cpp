@@ -111,8 +111,8 @@ ScriptThing named(lua_State* state, const ScriptWorld& world, const char* functi
 
 int push_thing(lua_State* state, ScriptThing thing, const char* function) {
   const Vec3 force = vector_argument(state, 2, function, "force");
+  // Without a time the push acts in the next step of physics alone.
   const double seconds =
-      // Without a time the push acts in the next step of physics alone.
       lua_isnoneornil(state, 3) ? 0 : number_argument(state, 3, function, "seconds");
   if (seconds < 0 || seconds > kMostSeconds) {
     luaL_error(state, "%s: seconds must be from 0 to a million", function);
@@ -137,8 +137,7 @@ int robot_push(lua_State* state) {
   return push_thing(state, {true, place}, "world.push_robot");
 }
 
-// A place that is taken is no error: scripts try another.
-/// true; or false and the reason.
+/// true; or false and the reason. A place that is taken is no error: scripts try another.
 int place(lua_State* state) {
   ScriptWorld& world = world_of(state);
   const ScriptThing thing = named(state, world, "world.place");
@@ -203,12 +202,11 @@ int measure(lua_State* state) {
 
 struct ScriptJob {
   const char* function = nullptr;  ///< to call
-  bool loaded = false;             ///< the text has run to its end
   // Whether the text has come to its end tells "failed" from "has no callback".
+  bool loaded = false;  ///< the text has run to its end
 };
 
 int open_and_run(lua_State* state) {
-  // The same function opens print, log and the logger, of which robot.logger goes with `robot`.
   push_robot(state);  // for log and print; a script is no robot
   lua_pop(state, 1);
   lua_pushnil(state);

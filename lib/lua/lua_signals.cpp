@@ -84,8 +84,8 @@ int set_led_index(lua_State* state) {
   return 0;
 }
 
-// Linear search: the list has at most kMostShown entries, and searching it is charged.
-/// Sets the value of a name in a list that stays short.
+/// Sets the value of a name in a list that stays short. Linear search: the list has at most
+/// kMostShown entries, and searching it is charged.
 template <class List, class Value>
 void show(lua_State* state, List& list, std::string_view name, Value value) {
   if (name.size() > kMostShownText) luaL_error(state, "robot.show: the name is too long");

@@ -27,8 +27,8 @@ lua_Integer size_of(lua_State* state) {
   return size;
 }
 
-/// Number of places from one to another, 0 when there are none.
-// In unsigned arithmetic, which is defined where the range is wider than a signed integer.
+/// Number of places from one to another, 0 when there are none. In unsigned arithmetic, which is
+/// defined where the range is wider than a signed integer.
 std::uint64_t span(lua_Integer first, lua_Integer last) {
   if (first > last) return 0;
   const std::uint64_t more = static_cast<std::uint64_t>(last) - static_cast<std::uint64_t>(first);
@@ -111,7 +111,7 @@ int pack(lua_State* state) {
 }
 
 int unpack(lua_State* state) {
-  // The C stack of Lua has a limit of a million; this one is for a program's own good.
+  // Lua's stack has a limit of a million; this one is for a program's own good.
   constexpr std::uint64_t kMostValues = 10'000;
   const lua_Integer first = luaL_optinteger(state, 2, 1);
   const lua_Integer last = lua_isnoneornil(state, 3) ? size_of(state) : luaL_checkinteger(state, 3);
@@ -152,10 +152,10 @@ int move(lua_State* state) {
   return 1;
 }
 
+// ---- Sorting: stack 1 the table, 2 the comparator or nil, 3 and 4 two lists ----
 // Merge sort, bottom up, over two lists in turn. Comparators are the program's and may contradict
 // themselves: whatever they say, merges end after the same number of steps and lose no value, where
 // quicksort may run out of bounds.
-// ---- Sorting: stack 1 the table, 2 the comparator or nil, 3 and 4 two lists ----
 
 /// Whether the value at the top comes before the one under it.
 bool top_is_less(lua_State* state) {
@@ -179,9 +179,9 @@ void merge(lua_State* state, int from, int to, lua_Integer low, lua_Integer midd
     if (left < middle && right < high) {
       lua_rawgeti(state, from, left);
       lua_rawgeti(state, from, right);
+      // take_right only where strictly less: equal values keep their order.
       take_right = top_is_less(state);
       lua_pop(state, 2);
-      // take_right only where strictly less: equal values keep their order.
     }
     lua_rawgeti(state, from, take_right ? right++ : left++);
     lua_rawseti(state, to, place);

@@ -14,9 +14,9 @@ namespace stig {
 
 namespace {
 
-/// The function in upvalue 1, after paying for the texts that it is handed.
-// A function of Lua's library that takes time linear in its texts, with eight bytes an instruction;
-// only the first four arguments of any of them are texts of the caller's choice.
+/// The function in upvalue 1, after paying for the texts that it is handed. A function of Lua's
+/// library that takes time linear in its texts, with eight bytes an instruction; only the first
+/// four arguments of any of them are texts of the caller's choice.
 int charged(lua_State* state) {
   std::size_t size = 0;
   for (int i = 1, n = lua_gettop(state); i <= n && i <= 4; ++i) {
@@ -36,9 +36,9 @@ int rep(lua_State* state) {
   const std::string_view text = check_text(state, 1);
   const lua_Integer count = luaL_checkinteger(state, 2);
   const std::string_view separator = lua_isnoneornil(state, 3) ? "" : check_text(state, 3);
-  const std::size_t most = LuaBox::of(state).settings().limits.string;
   // The limit on strings would end the program; an error here can be caught and says what was
   // wrong.
+  const std::size_t most = LuaBox::of(state).settings().limits.string;
   const std::size_t each = text.size() + separator.size();
   if (count <= 0 || each == 0) {
     lua_pushliteral(state, "");
@@ -61,9 +61,9 @@ int rep(lua_State* state) {
   return 1;
 }
 
-/// Replaces arguments of %s that Lua would show by address, then formats as Lua does.
-// Formats are walked only to find which argument each takes: %s and %p are the two that could show
-// an address. Lua's own format checks the rest.
+/// Replaces arguments of %s that Lua would show by address, then formats as Lua does. Formats are
+/// walked only to find which argument each takes: %s and %p are the two that could show an address.
+/// Lua's own format checks the rest.
 int format(lua_State* state) {
   const std::string_view form = check_text(state, 1);
   LuaBox::of(state).charge(state, form.size() / 4);
@@ -86,9 +86,8 @@ int format(lua_State* state) {
 
 // ---- Patterns ----
 
-// As string.find and others have it: -1 is the last character, and a place before the first is the
-// first.
-/// A first place, 0-based, from a 1-based one that may count from the end.
+/// A first place, 0-based, from a 1-based one that may count from the end. As string.find and
+/// others have it: -1 is the last character, and a place before the first is the first.
 std::optional<std::size_t> start_place(lua_State* state, int index, std::size_t size) {
   const lua_Integer place = luaL_optinteger(state, index, 1);
   if (place > 0) {
@@ -202,10 +201,9 @@ int find_or_match(lua_State* state, bool find) {
 int find(lua_State* state) { return find_or_match(state, true); }
 int match(lua_State* state) { return find_or_match(state, false); }
 
-// gmatch in Lua 5.4 keeps the end of the last match apart from the place to go on from; so does
-// this.
 /// Upvalues: text, pattern, next place, end of the last match (so that an empty match does not
-/// follow right behind another).
+/// follow right behind another). gmatch in Lua 5.4 keeps the end of the last match apart from the
+/// place to go on from; so does this.
 int next_match(lua_State* state) {
   const std::string_view text = check_text(state, lua_upvalueindex(1));
   const std::string_view form = check_text(state, lua_upvalueindex(2));
@@ -279,8 +277,8 @@ void add_replacement(lua_State* state, luaL_Buffer& buffer, const LuaPattern& pa
     push_capture(state, pattern, 0, whole);
     lua_gettable(state, 3);
   }
-  // false or nil: the match stays as it was.
   if (lua_toboolean(state, -1) == 0) {
+    // false or nil: the match stays as it was.
     lua_pop(state, 1);
     luaL_addlstring(&buffer, pattern.subject().data() + whole.begin, whole.end - whole.begin);
     return;
@@ -356,9 +354,9 @@ void open_text(lua_State* state) {
   // without load.
   lua_pushnil(state);
   lua_setfield(state, -2, "dump");
+  // Fetched before charge_all wraps it: format calls Lua's own function.
   lua_getfield(state, -1, "format");
   const lua_CFunction lua_format = lua_tocfunction(state, -1);
-  // Fetched before charge_all wraps it: a wrapped function cannot be an upvalue by address.
   lua_pop(state, 1);
   charge_all(state);
   set_functions(
