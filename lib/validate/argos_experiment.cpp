@@ -79,8 +79,8 @@ const char* colour_name(Led led) {
   return kNames[static_cast<std::size_t>(led)];
 }
 
-/// Blocks that nobody uses yet, their centres' places on the floor.
-// One more on each side than its share, for a block that is pushed out of reach.
+/// Blocks that nobody uses yet, their centres' places on the floor. One more on each side than its
+/// share, for a block that is pushed out of reach.
 std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
   assert(!layout.caches.empty());
   const std::size_t sides = layout.caches.size();
@@ -146,9 +146,8 @@ std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRe
       2 * half);
   int number = 0;
   for (const SetUpLayout::Block& block : layout.blocks) {
+    // ARGoS places bodies by the middle of their base, layouts by their centre.
     out += block_element(fmt::format("start{}", ++number), " movable=\"false\"",
-                         // ARGoS places bodies by the middle of their base, layouts by their
-                         // centre.
                          colour_name(led_of(rules, block.brick)),
                          block.centre - Vec3{0, 0, request.side / 2});
   }

@@ -88,10 +88,10 @@ CellFit fit_of(const BuildSite& site, const Pose& X_WB) {
 
 Led led_of(const RuleSet& rules, Colour colour) {
   return led_of(rules.brick(colour).led).value_or(Led::off);
-  // Two colours never share an LED (a check of rules sees to it), so the first is the only one.
 }
 
 Colour colour_of(const RuleSet& rules, Led led) {
+  // Two colours never share an LED (a check of rules sees to it), so the first is the only one.
   for (int colour = 1; colour <= rules.colours(); ++colour) {
     if (led != Led::off && led_of(rules, static_cast<Colour>(colour)) == led) {
       return static_cast<Colour>(colour);

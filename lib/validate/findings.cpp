@@ -69,8 +69,8 @@ std::string missing_near(const BuildTarget& target, const Judgement& judgement, 
                                           cell_text(nearest->cell));
 }
 
-/// What a robot is at that cannot go on, or where it is in its program.
-// The gravest first: a robot that has left is not also "in state …".
+/// What a robot is at that cannot go on, or where it is in its program. The gravest first: a robot
+/// that has left is not also "in state …".
 std::string plight_of(const RobotRecord& robot, const Trial& trial) {
   const std::string at = robot.state.empty() ? "" : fmt::format(" in state '{}'", robot.state);
   if (robot.left) return "has left the arena";

@@ -32,7 +32,6 @@ bool fills(const CellFit& fit) { return length(fit.off) <= kCellWay && fit.turn 
 /// The structure's bricks: the start, then by level.
 std::vector<BrickCheck> wanted(const BuildTarget& target) {
   std::vector<BrickCheck> out;
-  // The start first, since it is what everything is measured against.
   for (const PlacedBrick& brick : target.whole.bricks()) {
     BrickCheck check;
     check.cell = brick.at;
@@ -42,6 +41,7 @@ std::vector<BrickCheck> wanted(const BuildTarget& target) {
                               [&](const PlacedBrick& one) { return one.at == brick.at; });
     out.push_back(check);
   }
+  // The start first, since it is what everything is measured against.
   std::stable_sort(out.begin(), out.end(), [](const BrickCheck& a, const BrickCheck& b) {
     return std::tuple(!a.start, a.cell.z, a.cell) < std::tuple(!b.start, b.cell.z, b.cell);
   });
@@ -55,10 +55,9 @@ BuildSite fitted_site(const BuildTarget& target, const std::vector<PlacedBlock>&
   const StructureReading reading = read_lattices(blocks, target.site.pitch);
   if (reading.lattices.size() != 1 || !reading.loose.empty()) return target.site;
   const ReadLattice& read = reading.lattices.front();
-  // Both frames are close: of the cube's turns the one between them is known, and the cell that
-  // the first block has in each.
-  // The fit knows its cells from (0, 0, 0) on and its axes up to a quarter turn; both are undone by
-  // the site, from which the fitted frame differs by little.
+  // The fit counts its cells from (0, 0, 0) and knows its axes up to a turn of the cube. Both are
+  // taken from the site, from which the fitted frame differs by little: the turn between the two
+  // frames, and the cell that the first block has in each.
   const Pose X_SL = inverse(target.site.X_WL) * read.X_WL;
   BuildSite fitted = target.site;
   fitted.pitch = read.pitch;
@@ -151,7 +150,6 @@ std::string brick_text(const RuleSet& rules, Led led, Cell cell) {
   const std::string what = colour != 0       ? rules.brick(colour).name + " brick"
                            : led == Led::off ? std::string("dark block")
                                              : fmt::format("{} block", to_string(led));
-  // The words of reports and events.
   return fmt::format("a {} at {}", what, cell_text(cell));
 }
 

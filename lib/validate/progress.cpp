@@ -13,8 +13,8 @@ namespace {
 // Rows of the table over all times: enough for a smooth curve, few enough for a spreadsheet.
 constexpr double kMostRows = 240;
 
-/// The value that holds at a time, of changes in the order of time; at first 0.
-// The few nanoseconds are for times that were summed from steps.
+/// The value that holds at a time, of changes in the order of time; at first 0. The nanosecond is
+/// for times that were summed from steps.
 int value_at(const std::vector<std::pair<double, int>>& changes, double time) {
   int out = 0;
   for (const auto& [when, value] : changes) {

@@ -17,8 +17,7 @@ namespace {
 constexpr double kWidth = 760, kLeft = 56, kRight = 16, kTop = 24, kCurves = 290;
 constexpr double kGap = 34, kBelow = 80;  ///< before the second panel, and its height
 
-/// From seconds and a number to a panel of the drawing.
-// y of the drawing falls as the number rises.
+/// From seconds and a number to a panel of the drawing. y of the drawing falls as the number rises.
 struct Axes {
   double time = 1, most = 1;
   double top = kTop, height = kCurves;
@@ -93,8 +92,8 @@ std::string path(std::string_view kind, const std::string& way) {
 
 std::string curves_drawn(const Axes& axes, const std::vector<ProgressCurve>& curves,
                          const ProgressBand& band) {
-  // One run has no spread: it is drawn as the mean itself.
   std::string out;
+  // One run has no spread: it is drawn as the mean itself.
   const bool several = curves.size() > 1;
   if (several && !band.rows.empty()) {
     const auto high = [](const ProgressBand::Row& row) { return row.mean + row.deviation; };
@@ -147,7 +146,6 @@ std::string progress_svg(const std::vector<ProgressCurve>& curves, const Progres
   }
   below.time = axes.time;
   // The grid's last time may lie beyond the longest run.
-  // A copy, since rows are few.
   ProgressBand inside = band;
   std::erase_if(inside.rows, [&](const ProgressBand::Row& row) { return row.time > axes.time; });
   const bool work = std::any_of(curves.begin(), curves.end(),

@@ -25,9 +25,9 @@ std::string seen_text(const RuleSet& rules, State state) {
   return state == kFloor ? "the floor" : rules.brick(state).name;
 }
 
-// Nearest by the number of cells and conditions that fail, of the rules that place this colour:
-// those are the ones somebody would have meant.
-/// The rule of this colour that is nearest to firing, and what it lacks.
+/// The rule of this colour that is nearest to firing, and what it lacks. Nearest by the number of
+/// cells and conditions that fail, of the rules that place this colour: those are the ones somebody
+/// would have meant.
 std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site, Colour colour) {
   const RuleExplanation* nearest = nullptr;
   const auto lacks = [](const RuleExplanation& one) {
@@ -67,12 +67,12 @@ Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>&
     }
     ++out.placements;
     const Colour colour = colour_of(rules, event.led);
-    // A brick in no colour of the rules stands for nothing that a rule could see.
     std::string reason;
     if (colour == 0) {
+      // A brick in no colour of the rules stands for nothing that a rule could see.
       reason = fmt::format("no brick of the rules shows '{}'", to_string(event.led));
-      // After the first fault nothing is asked any more: what follows may rest on it.
     } else if (!out.against) {
+      // After the first fault nothing is asked any more: what follows may rest on it.
       std::vector<PlacedBrick> bricks;
       bricks.reserve(standing.size());
       for (const auto& [cell, brick] : standing) bricks.push_back({cell, brick});

@@ -46,8 +46,7 @@ svg {{ max-width: 100%; height: auto }}
 
 std::string escaped(std::string_view text) { return escaped_markup(printable(text)); }
 
-// printable() would take line ends for control characters.
-/// Several lines, as they are.
+/// Several lines, as they are. printable() would take line ends for control characters.
 std::string escaped_lines(std::string_view text) {
   std::string out;
   while (!text.empty()) {
@@ -64,9 +63,9 @@ class Page {
   void add(fmt::format_string<Args...> format, Args&&... args) {
     fmt::format_to(std::back_inserter(out_), format, std::forward<Args>(args)...);
   }
-  // Numbers to the right, so that their digits stand under each other.
-  /// Cells that begin with '@' are texts and stand to the left.
-  // '@' can stand in no number, and texts get it before they are escaped.
+  /// Cells that begin with '@' are texts and stand to the left, numbers to the right, so that their
+  /// digits stand under each other. '@' can stand in no number, and texts get it before they are
+  /// escaped.
   void row(std::string_view tag, const std::vector<std::string>& cells) {
     out_ += "<tr>";
     for (const std::string& cell : cells) {
@@ -114,11 +113,11 @@ void runs(const ValidationReport& report, Page& page) {
 void work(const ValidationReport& report, const std::vector<ProgressCurve>& curves, Page& page) {
   const WorkSummary all = summary_of(*report.target, report.trials);
   page.raw("<h2>What robots' time went into</h2>\n");
+  // The share is that of summed times: a long run counts more than a short one.
   page.add(
       "<p>Of all robots' time {:.1f} % idle: neither wheels nor lift in motion and no current in "
       "the electromagnets, for more than {:g} s in a row. {} attempts were aborted since another "
       "robot was in the way, {:.2f} for each brick placed.</p>\n",
-      // The share is that of summed times: a long run counts more than a short one.
       100 * all.idle_share(), kIdleAfter, all.busy, all.busy_per_brick());
   std::vector<std::vector<std::string>> rows;
   for (const WorkPhase& phase : phases_of(curves)) {
@@ -245,8 +244,8 @@ void trial_part(const BuildTarget& target, const Trial& trial, Page& page) {
 }  // namespace
 
 bool all_complete(const ValidationReport& report) {
+  // An interrupted or diverged run proves nothing, whatever stood at that moment.
   return !report.trials.empty() &&
-         // An interrupted or diverged run proves nothing, whatever stood at that moment.
          std::all_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
            return trial.judgement.verdict == BuildVerdict::complete &&
                   trial.end != TrialEnd::interrupted && trial.end != TrialEnd::diverged;
@@ -263,8 +262,8 @@ std::string verdict_text(const ValidationReport& report) {
 }
 
 std::vector<ProgressCurve> curves_of(const ValidationReport& report) {
-  // Open sites are worked out from the compiled rules: without them curves have bricks alone.
   std::vector<ProgressCurve> out;
+  // Open sites are worked out from the compiled rules: without them curves have bricks alone.
   std::optional<WorkSites> sites;
   if (report.compiled != nullptr) sites.emplace(*report.compiled);
   for (const Trial& trial : report.trials) {

@@ -25,8 +25,8 @@ double RobotRecord::idle_time() const {
 }
 
 RobotWatch::RobotWatch(const Simulation& run)
-    // Poses at the start, so that standing still from the start on counts.
     : run_(run), step_(run.placed().config.step), robots_(run.scene().robots.size()) {
+  // Poses at the start, so that standing still from the start on counts.
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     robots_[i].record.name = run.scene().robots[i].name;
     robots_[i].place = run.crew()->robot_pose(run.world(), i).p;
@@ -80,7 +80,7 @@ void RobotWatch::note_motors(std::size_t robot) {
   bool still = true;
   const auto work = [&](const AxisRef& axis, double slow) {
     const DofState state = run_.world().joint(body.joints[axis.joint])[axis.axis];
-    // State and limits are asked of each axis, so a single wheel that turns is motion.
+    // The state is asked of each axis, so a single wheel that turns is motion.
     still = still && std::abs(state.velocity) < slow;
     return std::abs(state.force * state.velocity) * step_;
   };
@@ -123,8 +123,7 @@ void RobotWatch::end_rest(Follow& follow) const {
 std::vector<WatchedHand> RobotWatch::hands() const {
   std::vector<WatchedHand> out;
   for (std::size_t i = 0; i < robots_.size(); ++i) {
-    // In no block's reach.
-    // Far above: of a robot without magnets.
+    // Far above, in no block's reach: the hand of a robot without magnets.
     WatchedHand hand{{0, 0, 1e9}};
     const auto& magnets = model(i).magnets;
     if (magnets && !magnets->poles.empty()) {

@@ -43,8 +43,8 @@ Direction direction_of(ApproachSide side) {
   return {0, -1, 270};
 }
 
-/// m; whatever rounding leaves behind zero is none.
-// Adding 0.0 makes -0 into 0, which would print a sign.
+/// m; whatever rounding leaves behind zero is none. Adding 0.0 makes -0 into 0, which would print a
+/// sign.
 double metres(double v) { return std::round(v * 1e5) / 1e5 + 0.0; }
 
 class Layout {
@@ -142,9 +142,9 @@ class Layout {
       const Direction d = direction_of(own.front());
       const int beside = i / sides;  // that many of its side stand before it
       const double way = robot_way(d), left = beside * kRobotsApart;
+      // A robot alone goes where there is work.
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
                      own.front(),
-                     // A robot alone goes where there is work.
                      request_.allocation == Allocation::fixed && request_.robots > 1
                          ? own
                          : std::vector<ApproachSide>{}});
@@ -210,7 +210,6 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
     out += fmt::format("  - {{name: start {}, at: [{:g}, {:g}, {:g}], color: {}, fixed: true}}\n",
                        ++number, block.centre.x, block.centre.y, block.centre.z,
                        rules.brick(block.brick).led);
-    // Noise of starting poses: 1 cm and 5°, so that runs with different seeds differ.
   }
   out += "robots:\n";
   number = 0;
@@ -219,6 +218,7 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
     for (const ApproachSide side : robot.bound)
       bound += fmt::format("{}{}", bound.empty() ? ", sides: \"" : " ", to_string(side));
     if (!bound.empty()) bound += '"';
+    // Noise of starting poses: 1 cm and 5°, so that runs with different seeds differ.
     out += fmt::format(
         "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "
         "turn_jitter: 5, program: {}, params: {{side: \"{}\"{}}}}}\n",

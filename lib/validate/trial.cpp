@@ -104,8 +104,8 @@ class TrialRun {
     return out;
   }
 
-  // Pictures at even shares of the work, whatever time it takes; the end has its own.
-  /// After so many bricks that the pictures part the work evenly.
+  /// After so many bricks that the pictures part the work evenly. Pictures at even shares of the
+  /// work, whatever time it takes; the end has its own.
   void take_picture() {
     if (settings_.pictures <= 0) return;
     const std::size_t start = target_.rules->start.size();
@@ -117,8 +117,8 @@ class TrialRun {
 
   TrialPicture picture() const {
     PictureLook look;
+    // Twice the width that a figure has on the report's page.
     look.width = 640;
-    // The size of a report's figure at twice its width on the page.
     look.height = 420;
     const bool floor = run_.placed().config.floor;
     const std::vector<PictureBody> bodies = picture_bodies(run_);
@@ -174,9 +174,9 @@ class TrialRun {
         return TrialEnd::diverged;
       case RunEnd::script:
         return TrialEnd::script;
-      // Every robot's program failed, or nothing moves: the same to a trial.
       case RunEnd::failed:
       case RunEnd::asleep:
+        // Every robot's program failed, or nothing moves: the same to a trial.
         return TrialEnd::stuck;
       case RunEnd::duration:
         break;

@@ -22,8 +22,8 @@ constexpr double kLeastHaul = 0.05;  ///< m
 constexpr std::array<Offset, 6> kFaces = {
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
-/// Is the end-effector on the block, or so near that its magnets are?
-// Over the upper face, within its outline, and no farther than magnets carry.
+/// Is the end-effector on the block, or so near that its magnets are? Over the upper face, within
+/// its outline, and no farther than magnets carry.
 bool holds(const WatchedHand& hand, const Pose& X_WB, double side) {
   const Vec3 away = hand.p_W - X_WB.p;
   const double aside = std::hypot(away.x, away.y);
@@ -62,8 +62,8 @@ void Watch::follow(double time, const WatchedBlock& block, const std::vector<Wat
   }
   known.holder = kNoRobot;
   for (std::size_t robot = 0; robot < hands.size() && known.holder == kNoRobot; ++robot) {
-    if (holds(hands[robot], block.X_WB, site_.pitch)) known.holder = robot;
     // The first robot wins; two end-effectors do not fit over one block.
+    if (holds(hands[robot], block.X_WB, site_.pitch)) known.holder = robot;
   }
   follow_haul(time, block, known);
   const bool moved = length(block.X_WB.p - known.rest.p) > kRestWay ||

@@ -24,9 +24,9 @@ void each_stretch(const ProgressCurve& curve, double end, const Use& use) {
   }
 }
 
-// "Many" is as many sites as there are robots, or the most there ever are if that is fewer; a phase
-// that never comes has no length.
-/// Where one run's phases begin and end: 0, two bounds, the last brick.
+/// Where one run's phases begin and end: 0, two bounds, the last brick. "Many" is as many sites as
+/// there are robots, or the most there ever are if that is fewer; a phase that never comes has no
+/// length.
 std::array<double, 4> bounds_of(const ProgressCurve& curve) {
   assert(!curve.steps.empty());
   const double end = curve.steps.back().first;
