@@ -135,10 +135,14 @@ void add_rasters(std::vector<OrderPlan>& plans) {
 /// grow along the third. Rows within a ribbon advance together, which lets them count in
 /// digits.
 void add_ribbons(std::vector<OrderPlan>& plans) {
-  static constexpr std::array<std::array<std::int32_t, 2>, 4> kSizes = {
-      {{1, 2}, {2, 2}, {1, 3}, {2, 3}}};
+  struct Size {
+    std::int32_t high, wide;
+  };
+  static constexpr std::array<Size, 4> kSizes = {{{1, 2}, {2, 2}, {1, 3}, {2, 3}}};
   for (const Axes& axes : all_axes()) {
-    for (const auto [high, wide] : kSizes) {
+    for (const Size size : kSizes) {
+      // Named variables: clang 14 lets no lambda capture a structured binding.
+      const std::int32_t high = size.high, wide = size.wide;
       const std::string name = fmt::format("ribbons {}x{} {}", high, wide, words(axes));
       plans.push_back({name, OrderFamily::ribbons, [=](const Frame& frame) {
                          return grown(frame, name, [&](Cell c) {
