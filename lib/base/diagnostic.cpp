@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sink and the two renderings as data. Codes, severities and explanations come from one
+// The sink and its rendering as JSON. Codes, severities and explanations come from one
 // list (diagnostics.def), expanded here into a table; an enumerator's value is its index in
 // it. Suggestions use the edit distance of F. Damerau (1964) in its restricted form, in
 // which no part is edited twice.
@@ -66,8 +66,8 @@ Diagnostic* Diagnostics::last_error() {
   return found == all_.rend() ? nullptr : &*found;
 }
 
-/// Stable: diagnostics of one place keep the order in which they were found. A file without
-/// a path sorts first.
+/// Stable: diagnostics of one place keep the order in which they were found. Those
+/// without a place come first.
 std::vector<const Diagnostic*> sorted_by_place(const Diagnostics& diagnostics) {
   std::vector<const Diagnostic*> sorted;
   for (const Diagnostic& d : diagnostics.all()) sorted.push_back(&d);

@@ -73,7 +73,7 @@ bool too_large(FileError& error, const std::string& path, std::size_t most) {
   return false;
 }
 
-/// Reads to the end, one byte past `most` at the furthest. The size that the system
+/// Reads to the end, or until there is more than `most`. The size that the system
 /// reported is no limit: a file may grow while it is read, and /proc has files of size 0.
 bool read_all(int fd, const std::string& path, std::size_t most, std::string& out,
               FileError& error) {
@@ -239,7 +239,7 @@ bool GrowingFile::append(std::string_view bytes, FileError& error) {
   return false;
 }
 
-/// From here on the old file exists until the moment of the rename.
+/// Until the moment of the rename the old file is what stands there.
 bool GrowingFile::commit(FileError& error) {
   assert(is_open());
   // Another may have been written there, or read, since this one was begun.

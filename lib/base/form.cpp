@@ -97,7 +97,7 @@ class Checker : public NodeChecks {
 
 }  // namespace
 
-/// Stricter than from_chars: no infinities, no quoted numbers, and a sign of either kind.
+/// Unlike from_chars it takes no infinities and no quoted numbers, but a sign of either kind.
 std::optional<double> number_of(const YamlNode& node) {
   if (node.kind != YamlKind::scalar || node.style != YamlStyle::plain) return std::nullopt;
   std::string_view text = node.text;
@@ -119,7 +119,6 @@ bool check_form(const YamlDocument& document, const YamlNode& node, const Form& 
   return Checker(document, diagnostics, bad).check_form(node, form);
 }
 
-/// The document's root is the usual case.
 BadNodes check_form(const YamlDocument& document, const Form& form, Diagnostics& diagnostics) {
   BadNodes bad;
   check_form(document, document.root, form, diagnostics, bad);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Prints forms as JSON Schema draft 7, the version that editors support. Forms that refer
-// to each other become definitions, numbered by first mention; the walk over them reaches
-// those mentioned by others.
+// Prints forms as JSON Schema draft 7, the version that editors support. Forms that others
+// refer to become definitions; the walk over these goes on to the forms that they mention.
 #include <algorithm>
 #include <cassert>
 #include <nlohmann/json.hpp>

@@ -58,8 +58,8 @@ class Hull {
     faces_.push_back(std::move(face));
   }
 
-  /// The outline of the points of a plane, from its lowest place in the list: each time the
-  /// point that all others are to the left of. Gift wrapping (R. Jarvis 1973) within the
+  /// The outline of the points of a plane, from an extreme one on: each time the point that
+  /// all others are to the left of. Gift wrapping (R. Jarvis 1973) within the
   /// plane; of points in a line the farthest is taken, so that none is left in the middle
   /// of an edge.
   std::vector<std::size_t> go_round(const HullFace& face) const {

@@ -90,10 +90,9 @@ std::string colour_meant(std::string_view text) {
   return {};
 }
 
-/// The word that a '#' made a comment of where a value is wanted, as in `color: #8d99ae`. A
-/// '#' with a space behind it is meant as a comment. In YAML an unquoted '#' after a space
-/// begins a comment, so the value of `color: #8d99ae` is empty. This finds the word that
-/// was lost.
+/// The word that a '#' made a comment of where a value is wanted: in YAML an unquoted '#'
+/// after a space begins a comment, so the value of `color: #8d99ae` is empty. A '#' with a
+/// space behind it is meant as a comment.
 SourceRange swallowed_word(const YamlDocument& document, const YamlNode& node) {
   const std::string& text = document.source->text();
   const std::size_t hash = std::min(text.find_first_not_of(" \t", node.begin + 1U), text.size());

@@ -18,7 +18,8 @@ std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
   return {words[0], words[1], words[2], words[3]};
 }
 
-/// The step's high half shares its word with the block's number, hence the limits.
+/// The step's high half shares a word with the block's number, and the run with the purpose:
+/// hence the limits.
 std::array<std::uint32_t, 4> random_address(std::uint32_t run, Purpose purpose, std::uint32_t agent,
                                             std::uint64_t step) {
   assert(run < 1U << 24);

@@ -21,7 +21,7 @@ std::string_view SourceFile::line(std::size_t number) const {
   if (number == 0 || number > line_starts_.size()) return {};
   const std::size_t begin = line_starts_[number - 1];
   std::size_t end = line_start(number + 1);
-  // Windows line ends are no part of a line.
+  // A line end is no part of its line, be it that of Windows or the usual one.
   if (end > begin && text_[end - 1] == '\n') --end;
   if (end > begin && text_[end - 1] == '\r') --end;
   return std::string_view(text_).substr(begin, end - begin);

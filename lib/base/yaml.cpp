@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+// The one file that knows yaml-cpp. Its exceptions end here.
+//
 // Its events are turned into a tree whose nodes have both ends; yaml-cpp marks only where
 // things begin, so ends are found in the text (yaml_places.h).
-//
-// The one file that knows yaml-cpp. Its exceptions end here.
 #include "base/yaml.h"
 
 #include <fmt/format.h>
@@ -263,8 +263,8 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<ScalarSpan> spans_;
 };
 
-/// Bytes that no YAML text has; yaml-cpp would even take some for the end. The encoding is
-/// checked first: afterwards every offset points at valid UTF-8.
+/// Bytes that no YAML text has; yaml-cpp would even take some for the end. They are
+/// looked for before anything is parsed: afterwards every offset points at valid UTF-8.
 bool check_bytes(const SourceRef& source, const YamlLimits& limits, Diagnostics& diagnostics) {
   const std::string& text = source->text();
   if (text.size() > limits.bytes) {

@@ -106,8 +106,8 @@ std::size_t swallowing_hash(std::string_view line) {
   return std::string_view::npos;
 }
 
-/// Each of these says what went wrong above the fault and returns true, or does not know.
-/// The order of the guesses is from the most certain to the least.
+/// Where the parser could not go on, and what is said of it. Each of the functions that take
+/// one says what went wrong above it and returns true, or does not know.
 struct Fault {
   const SourceRef& source;
   Line line;
@@ -134,8 +134,8 @@ bool explain_hash(Fault& fault) {
 /// When a block's first row is indented deeper than the one at fault, or not even as deep as its
 /// key, the block was taken to end there.
 bool explain_short_block(Fault& fault) {
+  // Forty lines up are enough for any drawing, and bound the work.
   for (std::size_t number = fault.line.number; number-- > 1 && fault.line.number - number < 40;) {
-    // Forty lines up are enough for any drawing, and bound the work.
     const Line head = line_at(fault.source, number);
     if (head.blank() || (head.text.back() != '|' && head.text.back() != '>')) continue;
     const Line row = line_at(fault.source, number + 1);
@@ -212,6 +212,7 @@ void report_syntax(const SourceRef& source, std::size_t at, const std::string& r
   Diagnostic& diagnostic = diagnostics.add(Code::R006, {source, begin, end}, plainer(reason));
   const Line line = line_at(source, source->position(begin).line);
   Fault fault{source, line, begin - line.start, diagnostic};
+  // From the most certain guess to the least.
   if (reason == kTab || explain_hash(fault) || explain_short_block(fault)) return;
   if (explain_missing_bar(fault) || explain_lost_key(fault)) return;
   if (reason == kNoKey || reason == kNoEntry) explain_uneven_keys(fault);
