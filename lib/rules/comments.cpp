@@ -64,8 +64,6 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
     const auto after =
         std::upper_bound(elements.begin(), elements.end(), found.begin,
                          [](std::uint32_t at, const Element& e) { return at < e.begin; });
-    // Behind the last element the comment's element stays empty, which is the end of the
-    // file.
     Comment comment;
     // A trailing comment before any element has nothing to stand behind.
     comment.trailing = found.trailing && after != elements.begin();
@@ -77,7 +75,7 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
       comment.element = std::prev(after)->path;
     } else if (after != elements.end()) {
       comment.element = after->path;
-    }
+    }  // else it stays empty, which is the end of the file
     comment.text = document.source->text().substr(found.begin, found.end - found.begin);
     comments.push_back(std::move(comment));
   }

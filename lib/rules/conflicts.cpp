@@ -123,8 +123,8 @@ class PatternIndex {
   void meeting(const Pattern& pattern, std::vector<std::uint64_t>& out, Budget& budget) const {
     out.assign(words_, ~std::uint64_t{0});
     std::vector<std::uint64_t> any(words_);
-    // A neighbour that may be anything excludes no entry.
     for (std::size_t i = 0; i < size_; ++i) {
+      // A neighbour that may be anything excludes no entry.
       if (pattern.allowed[i] == StateSet::anything()) continue;
       std::fill(any.begin(), any.end(), 0);
       for (std::size_t s = 0; s < states_.size(); ++s) {
@@ -134,7 +134,6 @@ class PatternIndex {
         for (std::size_t w = 0; w < words_; ++w) any[w] |= accepting[w];
       }
       std::uint64_t left = 0;
-      // An early end as soon as no entry is left.
       for (std::size_t w = 0; w < words_; ++w) left |= out[w] &= any[w];
       if (left == 0) return;
     }
@@ -165,7 +164,8 @@ class ConflictSearch {
       for (Turned& entry : turned_rule(rules_, r, groups_)) {
         const bool exact = is_exact(entry.pattern, size_);
         if (exact) exact_[hash_of(entry.pattern, size_)].push_back(entry);
-        // The loose patterns, all of them, are asked about by those in `asking_`.
+        // Every turned pattern can be met; a rule need ask only as it is written where one
+        // list of turns serves all rules.
         if (!common || entry.orientation == 0) asking_.push_back(entry);
         if (!exact) open_.push_back(std::move(entry));
       }

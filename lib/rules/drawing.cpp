@@ -134,7 +134,7 @@ std::string SymbolTable::nearest_to(std::string_view word, bool bricks_only) con
 void report_unknown(const SourceRange& range, const std::string& symbol, bool bricks_only,
                     DrawingContext& context) {
   const std::string meant = context.symbols.symbol_named(symbol);
-  // In a structure only bricks can stand, a legend entry stands for a set of states.
+  // In a structure only bricks can stand; a legend entry stands for a set of states.
   const bool legend = bricks_only && context.symbols.find(symbol) != nullptr;
   std::string message = fmt::format("unknown brick {}", in_quotes(symbol));
   if (legend || is_reserved_symbol(symbol)) {

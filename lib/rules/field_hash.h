@@ -19,7 +19,7 @@ namespace stig {
 /// Feeds values into one hash; every list is led by its length.
 class FieldHash {
  public:
-  /// Patterns have so many neighbours.
+  /// Of a pattern's entries the first `neighbours` are fed in, which are all that the lattice has.
   explicit FieldHash(int neighbours) : neighbours_(static_cast<std::size_t>(neighbours)) {}
 
   template <class T>
@@ -40,7 +40,7 @@ class FieldHash {
     add(o.z);
   }
   void add(Cell c) { add(c - Cell{}); }
-  /// Three words whether it is there or not.
+  /// The same number of words whether it is there or not.
   void add(const std::optional<Cell>& cell) {
     add(cell.has_value());
     add(cell.value_or(Cell{}));

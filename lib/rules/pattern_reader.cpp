@@ -18,7 +18,6 @@ namespace {
 /// Reads one neighbourhood; collects errors and goes on.
 class PatternReader {
  public:
-  // The floor is checked for the slice above too when the rule also holds upside down.
   PatternReader(const YamlNode& node, bool inversion, DrawingContext& context)
       : node_(node),
         inversion_(inversion),
@@ -34,6 +33,7 @@ class PatternReader {
     check_widths();
     for (std::size_t row = 0; row < rows_.size(); ++row) read_row(row);
     if (sound_) check_floor_is_whole(-1);
+    // Upside down, the slice above is the one that may be floor.
     if (sound_ && inversion_) check_floor_is_whole(1);
     return sound_ ? std::optional(pattern_) : std::nullopt;
   }
@@ -90,8 +90,7 @@ class PatternReader {
     return !stacked;
   }
 
-  /// Rows of one length that is wrong are one mistake. Three rows of one wrong length are
-  /// reported once, and not row by row.
+  /// Three rows of one wrong length are one mistake, and reported once.
   void check_widths() {
     if (rows_.size() != 3) return;
     const std::size_t found = rows_[0].tokens.size();
@@ -187,7 +186,6 @@ class PatternReader {
     if (states) pattern_.allowed[index] = *states;
   }
 
-  // An entry without states is a legend entry that was reported where it is defined.
   std::optional<StateSet> states_of(const DrawnSymbol& token) {
     const std::optional<StateSet> states = context_.symbols.states(token.text);
     if (states && !states->none()) return states;

@@ -37,8 +37,8 @@ std::string draw(Lattice lattice, const Symbols& symbols) {
   for (int y = 1; y >= -1; --y) {
     std::string line;
     for (int z = 1; z >= -1; --z) {
-      // Hexagonal rows of two are set in by half a cell. Half a cell is half of a symbol
-      // and its space, rounded up.
+      // Hexagonal rows of two are set in by half a cell, that is, half of a symbol and its
+      // space, rounded down.
       std::string row((lattice == Lattice::hexagonal && y != 0) ? (width + 1) / 2 : 0, ' ');
       for (int x = -1; x <= 1; ++x) {
         const bool site = x == 0 && y == 0 && z == 0;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The hash of a rule set's meaning, by which certificates and traces name the set that they
 // belong to. Its value is part of their formats: what is fed in, and in which order, cannot
-// change. Both follow the lists of members in rule_set.h, so moving an entry there breaks
-// every certificate in use; Hashed::when_set (key_field.h) is the way to add one.
+// change. Both follow the lists of members beside the structs (rule_set.h, rule.h), so moving
+// an entry there breaks every certificate in use; Hashed::when_set (key_field.h) is the way to
+// add one.
 #include "rules/field_hash.h"
 #include "rules/rule_printer.h"
 

@@ -74,11 +74,11 @@ class Printer {
   }
 
   std::string print() {
-    // Keys go by the schema and not by the members, so that the schema alone decides the order
-    // of a file.
     RuleSet usual;
     // The symmetry is always written: without it nobody can say what a rule means.
     usual.symmetry = rules_.symmetry == Symmetry::none ? Symmetry::rotations : Symmetry::none;
+    // Keys go by the schema and not by the members, so that the schema alone decides the order
+    // of a file.
     for (const KeySchema& schema : object_schema(ObjectKind::rule_set).keys) {
       if (schema.name == "stigc") line(0, "stigc", fmt::format("stigc: {}", kFormatVersion));
       for_each_pair(rules_, usual, [&](const auto& field, const auto& otherwise) {

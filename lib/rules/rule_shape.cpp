@@ -114,7 +114,6 @@ class ShapeChecker : public NodeChecks {
                       [&](const YamlNode& item) { return check_symbol(item, true); });
   }
 
-  // Beyond the limit the list itself is the error.
   template <class Check>
   bool check_list(const YamlNode& node, const KeySchema& key, std::size_t least, std::size_t most,
                   std::string_view wanted, Check check) {
