@@ -10,7 +10,7 @@
 namespace stig {
 namespace {
 
-/// C++'s remainder takes the sign of the dividend, a cell's image has to lie within the
+/// C++'s remainder takes the sign of the dividend; a cell's image has to lie within the
 /// box.
 std::int32_t wrap_one(std::int32_t value, std::int32_t low, std::int32_t size) {
   assert(size >= 1);

@@ -129,9 +129,9 @@ void Canvas::polygon(const PagePoint* corners, std::size_t count, Rgb fill, Rgb 
 }
 
 void Canvas::line(PagePoint from, PagePoint to, Rgb colour, double width) {
+  cairo_t* cairo = page_->cairo;
   // A path that was begun before is discarded, so that drawing functions do not depend on
   // each other.
-  cairo_t* cairo = page_->cairo;
   cairo_new_path(cairo);
   cairo_move_to(cairo, from.x, from.y);
   cairo_line_to(cairo, to.x, to.y);

@@ -314,8 +314,8 @@ class Search {
     ++result_.states;
     ++result_.states_by_stage.back();
     const std::size_t last = layer.size() - 1;
-    // Words written measure time, words held measure memory; both are counted and not
-    // measured, so the search ends alike on every machine.
+    // Words written stand for time, and words held for memory. Nothing is measured, so the
+    // search ends alike on every machine.
     words_written_ += layer.depth() +
                       static_cast<std::uint64_t>(layer.open_end(last) - layer.open_begin(last)) + 1;
     const std::uint64_t held = layer.words() + held_elsewhere + end_words_;

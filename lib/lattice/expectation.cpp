@@ -34,8 +34,8 @@ struct Findings {
   }
 };
 
-/// A box needs no limit: it is full one day. Without one, growth has to be given up on. A
-/// box bounds growth by its cells, so every order ends within it.
+/// A box bounds growth by its cells, so every order ends within it and it needs no limit.
+/// Without one, growth has to be given up on.
 std::optional<std::uint64_t> deposit_limit(const RuleSet& rules, const ExpectationLimits& limits) {
   return rules.box ? std::nullopt : std::optional(limits.deposits);
 }
@@ -66,9 +66,8 @@ bool sampled_enough(const Findings& findings) {
   return findings.ends.size() >= 2 || findings.growing + findings.cut_short >= kEnoughWithoutEnd;
 }
 
-/// Was the run still growing at the limit on deposits? The limit of the last stage is an
-/// end that the set itself has. A stage that ends by its own number of deposits has come to
-/// its end.
+/// Was the run still growing at the limit on deposits? A last stage that ends by a number of
+/// deposits of its own has come to its end.
 bool still_growing(const SwarmResult& result, const SwarmConfig& config) {
   return result.terminated == Terminated::deposits && config.max_deposits &&
          result.deposits >= *config.max_deposits;

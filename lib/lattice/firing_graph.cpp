@@ -74,7 +74,7 @@ std::vector<StateSet> at_hand(const RuleSet& rules, const FiringGraph& graph) {
 /// Levels as the rounds of a fixed point: colours at hand, then rules they satisfy.
 void set_levels(const RuleSet& rules, const std::vector<Needs>& needs, FiringGraph& graph) {
   bool more = true;
-  // At most as many rounds as rules; in practice few.
+  // Each round but the last gives a rule its level; in practice there are few.
   for (int level = 0; more; ++level) {
     more = false;
     const std::vector<StateSet> colours = at_hand(rules, graph);

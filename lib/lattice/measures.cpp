@@ -43,7 +43,6 @@ void measure_contacts(const Structure& structure, const std::vector<PlacedBrick>
   std::uint64_t contacts = 0;
   std::uint64_t components = bricks.size();
   for (const Offset o : faces(structure.lattice())) {
-    // Contacts are symmetric; of each direction and its opposite one is looked at.
     if (o < Offset{}) continue;  // each pair once
     for_each_pair(bricks, o, [&](std::size_t i, std::size_t k) {
       ++contacts;

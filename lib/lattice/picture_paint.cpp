@@ -36,8 +36,8 @@ void paint(Canvas& canvas, const PicturePlacement& place, const Outline& outline
   canvas.polygon(corners.data(), outline.count, fill, edge, width);
 }
 
-// Cells between two lines of the ground: 1, 2, 5, 10, … so that lines stay apart. 1, 2, 5,
-// 10, …: the factor 5/2 follows each 2.
+// Cells between two lines of the ground: 1, 2, 5, 10, … so that lines stay apart. The factor
+// after each 2 is 5/2, and 2 otherwise.
 int line_step(double scale) {
   constexpr double kClosest = 4;
   int step = 1;
@@ -80,8 +80,8 @@ double cross(PagePoint o, PagePoint a, PagePoint b) {
   return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
 }
 
-// Monotone chain (Andrew 1979). A. Andrew, "Another efficient algorithm for convex hulls in
-// two dimensions" (Information Processing Letters, 1979).
+// The monotone chain of A. Andrew, "Another efficient algorithm for convex hulls in two
+// dimensions" (Information Processing Letters, 1979).
 std::vector<PagePoint> convex_hull(std::vector<PagePoint> points) {
   assert(points.size() >= 3);
   const auto before = [](PagePoint a, PagePoint b) { return a.x != b.x ? a.x < b.x : a.y < b.y; };

@@ -90,7 +90,7 @@ const Structure::Chunk* Structure::find(Cell cell) const {
 
 Structure::Chunk& Structure::find_or_make(Cell cell) {
   if (const Chunk* chunk = find(cell)) {
-    // The cast saves a second copy of the search; the chunk belongs to this object.
+    // The cast saves a second copy of the search.
     return const_cast<Chunk&>(*chunk);  // of this object, which is not const here
   }
   chunks_.push_back({chunk_origin(cell), {}});

@@ -43,7 +43,6 @@ class TextReader {
 
   std::optional<Structure> read(Lattice lattice, Offset corner) {
     const std::string& text = source_->text();
-    // After a hundred errors the rest would only repeat them.
     for (std::size_t begin = 0; begin < text.size() && errors_ < kMostErrors;) {
       const std::size_t end = std::min(text.find('\n', begin), text.size());
       read_line(begin, end);
@@ -120,7 +119,7 @@ class TextReader {
     const std::string_view near = nearest(symbol.substr(0, 40), known);
     if (!near.empty()) diagnostic.suggest(std::string(near));
     // Entering the unknown symbol as empty silences it from now on.
-    states_.emplace(std::string(symbol), kEmpty);  // say it once
+    states_.emplace(std::string(symbol), kEmpty);
     return kEmpty;
   }
 

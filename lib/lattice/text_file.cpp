@@ -202,8 +202,7 @@ std::vector<Brick> bricks_drawn(const std::vector<std::string_view>& rows, RowFo
   return numbers ? std::vector<Brick>{} : bricks_of(symbols);
 }
 
-/// Colours that are declared and not used are kept in the head of a printed file, so that
-/// numbers stay what they were.
+/// The highest colour of a brick that stands in the structure; 0 without bricks.
 int highest_colour(const Structure& structure) {
   int highest = 0;
   for (const PlacedBrick& brick : structure.bricks()) highest = std::max<int>(highest, brick.brick);
@@ -211,7 +210,8 @@ int highest_colour(const Structure& structure) {
 }
 
 // The bricks, or numbers where their symbols could not be told apart again. All or none are
-// replaced: a mixture of symbols and numbers could be misread.
+// replaced: a mixture of symbols and numbers could be misread. Colours that are declared and not
+// used are kept, so that numbers stay what they were.
 std::vector<Brick> drawable_bricks(const Structure& structure, const std::vector<Brick>& bricks) {
   const int highest = highest_colour(structure);
   std::vector<std::string_view> symbols;

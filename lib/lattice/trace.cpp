@@ -104,8 +104,8 @@ void read_header(const std::string& text, Trace& trace) {
   if (h.contains("max_deposits")) c.max_deposits = unsigned_integer(h["max_deposits"]);
 }
 
-/// Coordinates are sums of differences and may leave the range of a hostile file; they are
-/// tested before they are stored.
+/// Coordinates are sums of differences, which in a hostile file may leave their range; they
+/// are tested before they are stored.
 bool read_event(ByteReader& in, Deposit& last) {
   const auto add = [&](std::int32_t& value) {
     constexpr std::int64_t kFarthest = 2147483647;
@@ -131,8 +131,8 @@ bool read_event(ByteReader& in, Deposit& last) {
   return in.good();
 }
 
-/// What is wrong with the decompressed payload; empty: nothing. Tags make the stream
-/// self-describing; an unknown tag ends it.
+/// What is wrong with the decompressed payload; empty: nothing. A tag leads
+/// each record; an unknown one is an error, and so is a payload without its end mark.
 std::string read_payload(const std::string& payload, Trace& trace) {
   ByteReader in(payload);
   const std::string header(in.block());

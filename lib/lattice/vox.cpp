@@ -98,7 +98,6 @@ bool VoxReader::read_chunks() {
   }
   if (in.take(4) != "MAIN") return error("the chunk 'MAIN' is missing");
   const std::uint32_t content = in.u32();
-  // The number is not relied on: the chunks end where the file ends.
   in.u32();  // size of the children: the rest, whatever it says
   in.take(content);
   while (in.good() && in.left() > 0) {
@@ -162,8 +161,8 @@ bool VoxReader::read_palette(ByteReader content) {
   return content.good() || error("the palette is too short");
 }
 
-// Without a scene there is one model, with its lowest corner at the origin. The pivot of
-// the only model is undone here, so that its lowest corner is the origin.
+// Without a scene there is one model. Its pivot is undone here, so that its lowest corner is
+// the origin.
 std::optional<std::vector<PlacedModel>> VoxReader::place_models() {
   if (models_.empty()) {
     error("the file has no model");

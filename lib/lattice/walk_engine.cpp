@@ -251,11 +251,11 @@ Terminated AgentRun::steps() {
 }
 
 void AgentRun::draw_order(std::uint64_t step) {
+  // Four words of one Philox block serve the orders of two steps.
   if (step % 2 == 0 || step == 1) {
     order_words_ = philox(random_address(config_->run, Purpose::order, 0, step / 2),
                           random_key(config_->seed));
   }
-  // Four words of one Philox block serve the orders of two steps.
   const std::size_t half = step % 2 * 2;
   const auto below = [](std::uint32_t word, std::size_t bound) {
     return static_cast<std::uint32_t>((std::uint64_t{word} * bound) >> 32);
