@@ -103,9 +103,9 @@ std::uint64_t ActingRules::accepting(std::size_t word, const Outlook& site) cons
 
 void ActingRules::candidates(const Outlook& site, int stage,
                              std::vector<RuleCandidate>& out) const {
+  out.clear();
   // Oriented rules were listed by rising rule, and words and bits are scanned upwards, so
   // the order that `conflicts: first` needs comes for free.
-  out.clear();
   for (std::size_t word = 0; word < words_; ++word) {
     for (std::uint64_t rest = accepting(word, site); rest != 0; rest &= rest - 1) {
       const Oriented& found =
@@ -119,12 +119,12 @@ void ActingRules::candidates(const Outlook& site, int stage,
 
 NeighbourSet ActingRules::asked_about(const Outlook& site,
                                       const std::vector<RuleCandidate>& candidates) const {
-  // A count distinguishes an open neighbour only if the empty cell and the brick fall on
-  // different sides of it. Where both are counted, or neither, the brick changes nothing
-  // and need not be enumerated.
   NeighbourSet asked = 0;
   for (const RuleCandidate& candidate : candidates) {
     asked |= candidate.there | candidate.not_there;
+    // A count distinguishes an open neighbour only if the empty cell and the brick fall on
+    // different sides of it. Where both are counted, or neither, the brick changes nothing
+    // and need not be enumerated.
     for (const CountCondition& count : rules_.rules[candidate.rule].counts) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours_.size); ++i) {
         if (count.of.contains(kEmpty) == count.of.contains(site.shows[i])) continue;

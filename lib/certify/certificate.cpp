@@ -57,8 +57,8 @@ void print_numbers(Text out, const std::vector<std::uint32_t>& numbers) {
 /// All fillings of a window have as many digits as it has bricks for, so that a
 /// certificate is no smaller than what it unfolds to.
 void print_filling(Text out, const Filling& filling, std::size_t bits) {
-  // Most significant digit first, although words and bits are stored least first.
   assert(is_filling_of(bits, filling));
+  // Most significant digit first, although words and bits are stored least first.
   for (std::size_t digit = hex_digits_for(bits); digit-- > 0;) {
     fmt::format_to(out, "{:x}", filling[digit / 16] >> (digit % 16 * 4) & 15U);
   }
@@ -298,8 +298,6 @@ class Reader {
   }
 
   Filling read_filling(std::size_t bits) {
-    // The digits of one word each are cut off from the end, since the last digits hold the
-    // lowest bits.
     Filling filling;
     std::string_view digits = word_;
     if (digits.empty() || digits.size() != hex_digits_for(bits)) {
@@ -307,6 +305,8 @@ class Reader {
       return filling;
     }
     filling.assign(words_for(bits), 0);
+    // The digits of one word each are cut off from the end, since the last digits hold the
+    // lowest bits.
     for (std::uint64_t& word : filling) {
       const std::string_view part =
           digits.substr(digits.size() - std::min<std::size_t>(16, digits.size()));

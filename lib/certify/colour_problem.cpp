@@ -21,8 +21,8 @@ namespace {
 
 using nlohmann::json;
 
-/// 30 000 cells take 30 000^2 bits, about 110 MB, for the closures of all cells.
-constexpr std::size_t kMostCells = 30'000;  ///< their closures take a bit a pair
+/// The closures of all cells take a bit for each pair, so about 110 MB at most.
+constexpr std::size_t kMostCells = 30'000;
 
 [[noreturn]] void wrong(const std::string& what) { throw std::runtime_error(what); }
 
