@@ -7,14 +7,29 @@ local geometry = require 'common.geometry'
 local SIDE = geometry.SIDE
 local OFTEN = 3                -- sightings that count
 
--- bricks and empty by "du dv level": the block there; how often it would have been seen.
+-- Cells that are empty where a brick would be seen: those that decisions ask for, and the column's own,
+-- since its top is the brick below the first empty one. The top's own tag need not be in any picture.
+local function watched_cells(task)
+   local out, known = {}, {}
+   local function add(du, dv, level)
+      local key = du .. ' ' .. dv .. ' ' .. level
+      if not known[key] then table.insert(out, { key = key, du = du, dv = dv, level = level }) end
+      known[key] = true
+   end
+   for _, ask in ipairs(task.asks) do add(table.unpack(ask)) end
+   for level = 1, task.levels - 1 do add(0, 0, level) end
+   return out
+end
+
+-- bricks and empty by "du dv level": the block there; how often it would have been seen. watched:
+-- {key, du, dv, level} of cells that are counted as empty where no brick is seen.
 local Column = {}
 Column.__index = Column
 
 function Column.new(odometry, tracker, sight, map, task, row)
    return setmetatable({
       odometry = odometry, tracker = tracker, sight = sight, map = map, task = task, row = row,
-      bricks = {}, empty = {},
+      bricks = {}, empty = {}, watched = watched_cells(task),
    }, Column)
 end
 
@@ -41,11 +56,10 @@ function Column:watch()
    for _, known in ipairs(self.tracker.tracks) do
       if known.time == self.odometry.time and known.seen >= OFTEN then self:note(known) end
    end
-   for _, ask in ipairs(self.task.asks) do
-      local key = table.concat(ask, ' ')
-      local x, y = self.map.place_of(self.row, ask[1], ask[2])
-      if not self.bricks[key] and self.sight:would_see(x, y, ask[3], self.row.frame.yaw) then
-         self:count_empty(key)
+   for _, cell in ipairs(self.watched) do
+      local x, y = self.map.place_of(self.row, cell.du, cell.dv)
+      if not self.bricks[cell.key] and self.sight:would_see(x, y, cell.level, self.row.frame.yaw) then
+         self:count_empty(cell.key)
       end
    end
 end

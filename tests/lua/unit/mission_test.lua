@@ -8,6 +8,7 @@ local Column = require 'mission.column'
 local SideAllocation = require 'mission.side_allocation'
 local StructureMap = require 'mission.structure_map'
 local geometry = require 'common.geometry'
+local machine_with = require 'machine_with'
 local unit = require 'unit'
 local case, near, same = unit.case, unit.near, unit.same
 
@@ -123,6 +124,35 @@ case('what a column shows', function()
    -- one to the left of the site: a little off to the right
    column.bricks['1 1 0'] = { colour = 1 }
    same('aside', select(1, column:decide()).aside, -1)
+end)
+
+-- From where the camera sees the front of what stands there, and no top.
+case('a column of which no top is in the picture', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 2, asks = {} }
+   local machine, fake, run = machine_with { { x = 0.28, y = 0, colour = 1 } }
+   run(function() machine.lift:to(0.08) machine.process:wait(1) end)
+   local map = StructureMap.new(fake.robot, machine.odometry, machine.tracker, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local _, row = next(map:rows())
+   local function top_seen()
+      local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, row)
+      run(function()
+         for _ = 1, 4 do
+            coroutine.yield()
+            for _, known in ipairs(machine.tracker.tracks) do known.top_time = -1 end
+            column:watch()
+         end
+      end)
+      return column:top()
+   end
+   same('a brick on it would be seen', top_seen().level, 0)
+   table.insert(fake.blocks, { x = 0.28, y = 0, level = 1, colour = 2 })
+   same('and one that is there is', top_seen().level, 1)
+   -- its place is out of the picture
+   fake.pose.x = fake.pose.x - 0.3
+   machine.odometry.pose.x = machine.odometry.pose.x - 0.3
+   same('out of sight', top_seen(), nil)
 end)
 
 local CHART = {
