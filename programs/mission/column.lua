@@ -92,17 +92,25 @@ function Column:highest()
    end
 end
 
+-- Whether a brick stands in a cell, as was seen from here, or before: looks show what decisions ask for,
+-- and need not show all that is in the way.
+function Column:stands(du, dv, level)
+   local seen = self.bricks[du .. ' ' .. dv .. ' ' .. level]
+   if seen then return self.map:is_brick(seen) or du == 0 and dv == 0 end
+   local place = { z = SIDE * (level + 0.5) }
+   place.x, place.y = self.map.place_of(self.row, du, dv)
+   return self.tracker:recall(function(known)
+      return self.map:is_brick(known) and geometry.near(known, place, geometry.HALF) ~= nil
+   end) ~= nil
+end
+
 -- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to its left,
 -- so that the block goes in a little off and does not catch on it.
 function Column:room_beside(wish)
    local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
    -- on an overhang there is no brick from the floor up
    local level = wish.level or geometry.level_of(wish.top.z) + 1
-   local function stands(at)
-      return type(self:cell(du, at, level)) == 'number' or
-             du == 0 and at == 0 and self.bricks['0 0 ' .. level] ~= nil
-   end
-   return (stands(dv - 1) and 1 or 0) - (stands(dv + 1) and 1 or 0)
+   return (self:stands(du, dv - 1, level) and 1 or 0) - (self:stands(du, dv + 1, level) and 1 or 0)
 end
 
 -- Its bricks from a level down, as far as they are known.

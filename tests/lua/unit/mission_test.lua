@@ -124,6 +124,13 @@ case('what a column shows', function()
    -- one to the left of the site: a little off to the right
    column.bricks['1 1 0'] = { colour = 1 }
    same('aside', select(1, column:decide()).aside, -1)
+   -- one to its right that is in memory alone
+   local x, y = map.place_of(column.row, 1, -1)
+   table.insert(machine.tracker.tracks, { id = 9, x = x, y = y, z = SIDE / 2, yaw = 0, level = 0, colour = 1,
+                                          seen = 9, missed = 0, time = -10, top_time = -10 })
+   same('both sides', select(1, column:decide()).aside, 0)
+   column.bricks = { ['0 0 0'] = column.bricks['0 0 0'], ['0 0 1'] = column.bricks['0 0 1'] }
+   same('the other side', select(1, column:decide()).aside, 1)
 end)
 
 -- From where the camera sees the front of what stands there, and no top.
