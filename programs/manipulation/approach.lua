@@ -6,11 +6,12 @@
 -- It is a state machine. Each state is a method that takes the time that it takes and returns what came
 -- of it, and TRANSITIONS says which state, or which end, that leads to.
 --
--- A target is {block, heading, ahead, left, lowest, short, stop, free, alone}, all but block and lowest
--- optional: heading, from which to come, of the four that face the block squarely the nearest, if none
+-- A target is {block, heading, ahead, left, lowest, short, stop, free, alone, begin}, all but block and
+-- lowest optional: heading, from which to come, of the four that face the block squarely the nearest, if none
 -- is said; lowest, the least height of the lift (it is higher where the block is seen only from there);
 -- short, by how much to stop before the target; stop(), asked on the last way, ends it before a column;
--- free(line, seen) and alone(line), whether the place is free, and nobody else at work there.
+-- free(line, seen) and alone(line), whether the place is free, and nobody else at work there; begin(),
+-- called right before the last way.
 
 local geometry = require 'common.geometry'
 local structures = require 'perception.structures'
@@ -238,6 +239,7 @@ end
 function states.dock(self, run)
    self.process:enter('reach')
    local line, stop = self:aim(run), run.target.stop
+   if run.target.begin then run.target.begin() end
    local to = -self.description.magnets.ahead + (run.target.short or 0)
    self.path:follow(line, to, SLOW, stop, LAST_STRAIGHT)
    if not stop or not stop() then return 'there' end

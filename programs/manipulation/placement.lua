@@ -85,6 +85,13 @@ function Placement:is_free(x, y, level)
    return true
 end
 
+-- What is to be done right before the last way to a place, or nil. On top, beside a neighbour, that may
+-- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then.
+function Placement:before_docking(raise, options)
+   if not raise or not options.colour or (options.aside or 0) == 0 then return nil end
+   return function() self.gripper:colour(options.colour) end
+end
+
 -- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper.
 function Placement:target(block, where, level, back, options)
    local raise = where == 'raise'
@@ -99,21 +106,24 @@ function Placement:target(block, where, level, back, options)
          return self:is_free(line.x, line.y, level) and
                 (not raise or self.odometry.time - top.top_time < SEEN_NOW)
       end,
-      alone = options.alone,
+      alone = options.alone, begin = self:before_docking(raise, options),
    }
 end
 
 -- Brings the carried block before its place next to `block`. True, or false and why not. options:
 -- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
--- way in, whether nobody else is at work there.
+-- way in, whether nobody else is at work there; colour, which it will have.
 function Placement:approach_site(block, where, options)
    options = options or {}
    if not self.magnets:holds() then return false, 'the block was lost' end
    local level = options.level or (where == 'raise' and (block.level or 0) + 1 or 0)
    local back, yaw = self.gripper:seat()
    local near, seen = self.approach:to(self:target(block, where, level, back, options))
-   if not near then return false, seen end
+   if not near then
+      if self.magnets:holds() then self.gripper:colour(self.transport) end
+      return false, seen
+   end
    if not self.magnets:holds() then
       -- a turn would sweep the structure
       self.magnets:hold_fast(false)

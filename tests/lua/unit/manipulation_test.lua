@@ -122,6 +122,31 @@ case('a block is picked up, coloured, and put on another', function()
    same('let go', machine.magnets.carrying, false)
 end)
 
+case('on top, beside a neighbour, a block has its colour before it comes near', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
+   local block = run(function() return machine.search:find(dark) end)
+   run(function() return machine.pickup:pick_up(block) end)
+   local base = run(function() return machine.search:find(lit) end)
+   -- the colour over the place, before it is let down
+   local function over(where, aside)
+      machine.gripper:colour(4)
+      local options = { colour = 2, aside = aside, heading = math.pi / 2 }
+      same('there', machine.placement:approach_site(base, where, options), true)
+      machine.path:back_off(0.15)
+      return fake.held.colour
+   end
+   same('beside one', run(function() return over('raise', 1) end), 2)
+   same('beside none, or two', run(function() return over('raise', 0) end), 4)
+   same('in front', run(function() return over('extend', 1) end), 4)
+   -- where it does not come there, it is in transport
+   machine.approach.to = function(_, target)
+      target.begin()
+      return false, 'busy'
+   end
+   run(function() return machine.placement:approach_site(base, 'raise', { colour = 2, aside = 1 }) end)
+   same('on its way again', fake.held.colour, 4)
+end)
+
 case('in front of another a block goes down before its face, and then in', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
    local block = run(function() return machine.search:find(dark) end)
