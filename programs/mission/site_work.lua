@@ -21,6 +21,10 @@ local AT_WORK = 0.12           -- m, from the structure, that blocks in others' 
 local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
 local ASIDE, ASKEW = 0.015, 0.5  -- m and rad off a row's line, beyond which it is driven to anew
 local TOO_FAR = 0.20           -- m, likewise, from where it looks
+-- m and rad off the line at a look, beyond which what is asked for may be out of the picture: the compiler
+-- leaves a margin of 2 % of its width
+local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
+local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
 -- tried: rows of this side that asked for nothing. rounds: how often all rows of this side were tried,
 -- and nothing placed. patience: how often it tries them before it goes elsewhere: once, and twice as
@@ -90,9 +94,10 @@ function SiteWork:in_between(line)
    return function() return self.clearance:between(-self.odometry:on_line(line)) end
 end
 
--- Along the row's line up to a place `away` from its column. Whether nobody is in the way.
+-- Along the row's line, or what a function says of it in each step, up to a place `away` from its column.
+-- Whether nobody is in the way.
 function SiteWork:come_up(line, away, speed)
-   local in_between = self:in_between(line)
+   local in_between = self:in_between(type(line) == 'function' and line() or line)
    self.path:follow(line, -away, speed, in_between)
    return not in_between()
 end
@@ -138,10 +143,28 @@ function SiteWork:stand_before()
    return 'blocked'
 end
 
+-- To where a look is from, on the row's line as the structure is seen by now: once more where the way
+-- there was too short to join it, or the structure was known too coarsely before. Whether nobody is in the
+-- way.
+function SiteWork:stand_for(column, look)
+   local away = self:distance_for(look)
+   local function line()
+      local rows = self.map:rows()
+      return self.map.line_before(rows and rows[column.row.v] or column.row)
+   end
+   for attempt = 1, REJOINS + 1 do
+      if attempt > 1 then self.path:follow_back(line(), -away - REJOIN, 0.08) end
+      if not self:come_up(attempt > 1 and line or line(), away, 0.08) then return false end
+      self.lift:to(look.lift)
+      local _, aside, angle = self.odometry:on_line(line())
+      if math.abs(aside) < LOOKS_ASIDE and math.abs(angle) < LOOKS_ASKEW then break end
+   end
+   return true
+end
+
 -- Sees the column from one place. Whether nobody is in the way.
 function SiteWork:look_from(column, look)
-   if not self:come_up(self.map.line_before(column.row), self:distance_for(look), 0.08) then return false end
-   self.lift:to(look.lift)
+   if not self:stand_for(column, look) then return false end
    local start = self.odometry.time
    while self.odometry.time - start < LOOK_TIME do
       coroutine.yield()

@@ -6,6 +6,7 @@ local Machine = require 'machine'
 local Builder = require 'mission.builder'
 local Column = require 'mission.column'
 local SideAllocation = require 'mission.side_allocation'
+local SiteWork = require 'mission.site_work'
 local StructureMap = require 'mission.structure_map'
 local geometry = require 'common.geometry'
 local machine_with = require 'machine_with'
@@ -179,6 +180,28 @@ local CHART = {
       on = { near = 'attach', busy = 'choose row', lost = 'search structure', dropped = 'search block' } },
    ['attach'] = { does = 'attach', on = { placed = 'search block', failed = 'search block' } },
 }
+
+case('a robot that is off the line of a row joins it before it looks', function()
+   local machine, fake, run = machine_with { { x = 0.30, y = 0, colour = 1 } }
+   local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {},
+                  looks = { { distance = 0.140, lift = 0.06 } } }
+   run(function() machine.lift:to(0.06) machine.process:wait(1) end)
+   local map = StructureMap.new(fake.robot, machine.odometry, machine.tracker, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[0])
+   -- where it looks from already, but 12 mm aside and turned by 0.1
+   local line = map.line_before(column.row)
+   local x, y = geometry.out_of(line, -work:distance_for(task.looks[1]), 0.012)
+   fake.pose = { x = x, y = y, yaw = 0.1 }
+   machine.odometry.pose = { x = x, y = y, yaw = 0.1 }
+   same('nobody in the way', run(function() return work:stand_for(column, task.looks[1]) end), true)
+   local along, aside, angle = machine.odometry:on_line(line)
+   near('there', along, -work:distance_for(task.looks[1]), 2e-3)
+   near('on the line', aside, 0, 0.004)
+   near('squarely', angle, 0, 0.03)
+end)
 
 case('each state of the chart is something that a part does', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 })
