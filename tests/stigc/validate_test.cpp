@@ -90,6 +90,16 @@ TEST_CASE("a robot builds the staircase from its rules, and what was written run
   CHECK(again.out.find(hash) != std::string::npos);
 }
 
+// No look that its rules ask for has the top of its first brick in the picture.
+TEST_CASE("a column's top is known by what is empty over it") {
+  const Workplace place;
+  const Outcome outcome = place.stigc(
+      {"validate", STIG_SOURCE_DIR "/tests/compiler/tower.yaml", "--duration", "60", "--json"});
+  const auto report = nlohmann::json::parse(outcome.out);
+  CHECK(report["runs"][0]["placements"] == 1);
+  CHECK(report["runs"][0]["allowed"] == 1);
+}
+
 TEST_CASE("a duration that was asked for is that of the scene that is written") {
   const Workplace place;
   const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
