@@ -62,6 +62,8 @@ std::optional<ApproachSide> side_for(const TargetBricks& target, const BrickSet&
     if (result.obstruction != Obstruction::none) {
       known = known && add_obstacles(target, result, cell, side, *obstacles);
     } else if (beside_a_column(target, state, brick, side)) {
+      // What bars other sides is no reason to pass it over when it is asked for again.
+      if (obstacles != nullptr) obstacles->clear();
       return side;
     } else {
       known = false;

@@ -146,7 +146,7 @@ TEST_CASE("nothing is found without effort, and a search that was stopped says s
 
 TEST_CASE("targets by chance: what is made compiles and completes, what is impossible is") {
   const Builders all{paper_robot(), {kAllSides.begin(), kAllSides.end()}};
-  rc::check([&] {
+  CHECK(rc::check([&] {
     const auto kind = *rc::gen::elementOf(
         std::vector<std::string_view>(kTargetKinds.begin(), kTargetKinds.end()));
     const auto seed = *rc::gen::inRange<std::uint64_t>(1, 1000);
@@ -164,7 +164,7 @@ TEST_CASE("targets by chance: what is made compiles and completes, what is impos
       check_completes(*made.plan->rules);
     }
     if (made.obstacle && made.obstacle->kind != AssemblyObstacle::Kind::runs) RC_ASSERT(!possible);
-  });
+  }));
 }
 
 }  // namespace

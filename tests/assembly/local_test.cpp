@@ -97,7 +97,7 @@ TEST_CASE("shipped sets that are proved column by column complete") {
 
 TEST_CASE("rules for targets by chance, proved column by column, complete too") {
   int proved = 0;
-  rc::check([&] {
+  CHECK(rc::check([&] {
     const auto kind = *rc::gen::elementOf(
         std::vector<std::string_view>(kTargetKinds.begin(), kTargetKinds.end()));
     AssemblyTask task;
@@ -110,7 +110,7 @@ TEST_CASE("rules for targets by chance, proved column by column, complete too") 
     if (!settle_locally(task.robot, {}, made.plan->compiled)) return;
     ++proved;
     check_proof(*made.plan->rules, made.plan->compiled);
-  });
+  }));
   CHECK(proved > 50);
 }
 

@@ -44,7 +44,7 @@ TEST_CASE("what stands beside a run, or before its free end, tells its bricks ap
 
 TEST_CASE("whatever rules are found, no run was too long for their colours") {
   int made = 0;
-  rc::check([&] {
+  CHECK(rc::check([&] {
     const auto kind = *rc::gen::element<std::string_view>("letter", "ring", "wall", "height map");
     const Target target = drawn_target(kind, *rc::gen::inRange<std::uint64_t>(1, 1000));
     RC_PRE(target.cells.size() <= 14U);
@@ -61,7 +61,7 @@ TEST_CASE("whatever rules are found, no run was too long for their colours") {
     const int colours = found.best->colour_count;
     RC_ASSERT(runs_too_long(whole, std::nullopt, colours).empty());
     RC_ASSERT(runs_too_long(whole, whole.brick_at(options.start.front()), colours).empty());
-  });
+  }));
   CHECK(made > 50);
 }
 
