@@ -16,7 +16,9 @@ namespace {
 
 constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
 constexpr std::size_t kClausesOfRound = 4000;
-constexpr std::uint64_t kStepsOfPair = 100, kStepsOfConflict = 20'000;
+constexpr std::uint64_t kStepsOfPair = 100, kStepsOfCall = 20'000;
+/// Of a large target: some 100 µs.
+constexpr std::uint64_t kStepsOfConflict = 100'000;
 constexpr int kMostRounds = 400;
 
 using BrickPair = std::pair<std::uint32_t, std::uint32_t>;
@@ -61,7 +63,7 @@ class Painter {
     for (;;) {
       solver_.limit("conflicts", limits_.conflicts);
       const int result = solver_.solve();
-      allowance_.spend(limits_.counted && result == 0 ? steps : kStepsOfConflict);
+      allowance_.spend(limits_.counted && result == 0 ? steps : kStepsOfCall);
       if (result != 0 || !limits_.counted || allowance_.passed()) return result;
     }
   }
