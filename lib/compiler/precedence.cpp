@@ -77,18 +77,42 @@ std::vector<std::uint32_t> Precedence::order() const {
   return out;
 }
 
-Precedence precedence_of(const TargetStates& target) {
+namespace {
+
+/// By brick, some of those that come before it: what its rules demand, those left out that can
+/// never fire by what is known of the order.
+std::vector<std::vector<std::uint32_t>> demanded(const TargetStates& target,
+                                                 const TargetStates::ComesBefore& known) {
   std::vector<std::vector<std::uint32_t>> before(target.bricks());
   for (std::uint32_t i = static_cast<std::uint32_t>(target.start_bricks()); i < target.bricks();
        ++i) {
     for (std::uint32_t s = 0; s < target.start_bricks(); ++s) before[i].push_back(s);
-    const Demands asked = target.demands(i);
+    const Demands asked = target.demands(i, known);
     before[i].insert(before[i].end(), asked.always.begin(), asked.always.end());
     // If a rule forbids a neighbour always, the neighbour can only come later: the proof
     // has shown that every order ends in the whole structure.
     for (const std::uint32_t later : asked.never) before[later].push_back(i);
   }
-  return Precedence(before);
+  return before;
+}
+
+}  // namespace
+
+/// Every round is right by the one before: whatever stands is closed under what is known, so
+/// rules that match no closed structure never fire, and the others may demand more.
+Precedence precedence_of(const TargetStates& target) {
+  constexpr int kMostRounds = 32;
+  auto before = demanded(target, [](std::uint32_t, std::uint32_t) { return false; });
+  Precedence out(before);
+  for (int round = 0; round < kMostRounds; ++round) {
+    auto more = demanded(target, [&](std::uint32_t first, std::uint32_t then) {
+      return out.below(then).has(first);
+    });
+    if (more == before) break;
+    before = std::move(more);
+    out = Precedence(before);
+  }
+  return out;
 }
 
 namespace {

@@ -5,6 +5,7 @@
 #include "compiler/target_states.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cassert>
 
@@ -83,24 +84,51 @@ bool TargetStates::due_between(const BrickSet& least, const BrickSet& most,
   });
 }
 
+namespace {
+
+/// Calls with the place of each bit, rising.
+template <class Visit>
+void for_each_place(Mask mask, const Visit& visit) {
+  for (Mask rest = mask; rest != 0; rest &= rest - 1) {
+    visit(static_cast<std::size_t>(std::countr_zero(rest)));
+  }
+}
+
+/// By place, which other neighbours of the site come before the one there.
+using Below = std::array<Mask, kMaxNeighbours>;
+
+/// Whatever stands is closed, so no rule ever sees one brick without those that come before it.
+bool ever_matches(const LocalRule& rule, const Below& below) {
+  bool out = true;
+  for_each_place(rule.need, [&](std::size_t k) { out = out && (rule.forbid & below[k]) == 0; });
+  return out;
+}
+
+}  // namespace
+
 /// Intersections over the rules that place the brick's colour: what all of them need, and
 /// what all of them forbid.
-Demands TargetStates::demands(std::size_t brick) const {
+Demands TargetStates::demands(std::size_t brick, const ComesBefore& comes_before) const {
   assert(brick >= start_bricks());
   const StageSite& site = model_->sites[brick - start_bricks()];
+  const auto number = [&](std::size_t place) {
+    return static_cast<std::uint32_t>(start_bricks() + site.brick[place]);
+  };
+  Below below{};
+  for_each_place(site.bricks, [&](std::size_t k) {
+    for_each_place(site.bricks & ~bit(static_cast<int>(k)), [&](std::size_t j) {
+      if (comes_before(number(j), number(k))) below[k] |= bit(static_cast<int>(j));
+    });
+  });
   Mask always = site.bricks, never = site.bricks;
   for (const LocalRule& rule : site.rules) {
-    if (rule.colour != site.colour) continue;
+    if (rule.colour != site.colour || !ever_matches(rule, below)) continue;
     always &= rule.need;
     never &= rule.forbid;
   }
   Demands out;
-  for (Mask rest = site.bricks; rest != 0; rest &= rest - 1) {
-    const auto k = static_cast<std::size_t>(std::countr_zero(rest));
-    const auto number = static_cast<std::uint32_t>(start_bricks() + site.brick[k]);
-    if ((always & bit(static_cast<int>(k))) != 0) out.always.push_back(number);
-    if ((never & bit(static_cast<int>(k))) != 0) out.never.push_back(number);
-  }
+  for_each_place(always, [&](std::size_t k) { out.always.push_back(number(k)); });
+  for_each_place(never, [&](std::size_t k) { out.never.push_back(number(k)); });
   return out;
 }
 

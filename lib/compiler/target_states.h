@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,8 +37,11 @@ class TargetStates : public TargetBricks {
   /// May a missing brick be placed in every structure that has all of `least` and nothing beyond
   /// `most`? False too where several rules would have to be looked at together.
   bool due_between(const BrickSet& least, const BrickSet& most, std::size_t brick) const;
-  /// The demands on a brick that is not of the start; neighbours of the start are left out.
-  Demands demands(std::size_t brick) const;
+  /// Does the one stand whenever the other does? As far as it is known.
+  using ComesBefore = std::function<bool(std::uint32_t first, std::uint32_t then)>;
+  /// The demands on a brick that is not of the start; neighbours of the start are left out. A rule
+  /// that asks for a brick and forbids one that comes before it never fires here, and is left out.
+  Demands demands(std::size_t brick, const ComesBefore& comes_before) const;
   /// Bricks that may be placed now, rising.
   std::vector<std::uint32_t> open(const BrickSet& state) const;
   /// As cells with colours, for drawings.

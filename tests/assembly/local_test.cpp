@@ -10,6 +10,7 @@
 #include "compiler/lattice_walk.h"
 #include "compiler/local_policy.h"
 #include "compiler/local_situations.h"
+#include "support/small_sets.h"
 
 namespace stig {
 namespace {
@@ -131,6 +132,49 @@ TEST_CASE("a wall and a plate that no walk gets through are compiled, for any nu
     CHECK(made.plan->compiled.local_situations > 0);
     CHECK(made.plan->work.size() + 1 == task.target.cells.size());
   }
+}
+
+TEST_CASE("a rule that never fires does not hide what another demands") {
+  // The last rule would put the same brick without its western and northern neighbours, but the
+  // northwestern one never stands without the western.
+  const RuleSet rules = small_set(
+      R"(  - name: first
+    place: 2
+    when: |
+      . . .   . . .   . . .
+      . . .   1 * .   . . .
+      . . .   . . .   . . .
+  - name: second
+    place: 3
+    when: |
+      . . .   . . .   . . .
+      . . .   . * .   . . .
+      . . .   1 2 .   . . .
+  - name: third
+    place: 2
+    when: |
+      . . .   . . .   . . .
+      . . .   3 * .   . . .
+      . . .   2 . .   . . .
+  - name: fourth
+    place: 1
+    when: |
+      . . .   3 2 .   . . .
+      . . .   2 * .   . . .
+      . . .   . . .   . . .
+  - name: never
+    place: 1
+    when: |
+      . . .   3 . .   . . .
+      . . .   . * .   . . .
+      . . .   . . .   . . .
+)");
+  const VerifyResult proof = verify(rules, {});
+  REQUIRE(proof.verdict == ProofVerdict::proved);
+  const TargetStates target(rules, proof);
+  REQUIRE(target.bricks() == 5);
+  const Precedence precedence = precedence_of(target);
+  CHECK(precedence.below(target.brick_at({2, 0, 0})).has(target.brick_at({2, 1, 0})));
 }
 
 }  // namespace
