@@ -8,6 +8,7 @@
 #include <set>
 
 #include "assembly/colours.h"
+#include "assembly/likings.h"
 #include "assembly/local_cases.h"
 #include "assembly/rules.h"
 #include "base/hash.h"
@@ -25,10 +26,12 @@ constexpr std::uint64_t kMostLooks = 20'000, kMostLooksOfBrick = 20;
 constexpr std::size_t kMostCompiledStates = 20'000;
 constexpr std::uint64_t kStepsOfLook = 5'000, kStepsOfSituation = 20'000, kStepsOfJudging = 60'000;
 constexpr std::size_t kMostCandidates = 4'000;
-/// Of larger targets the first candidates grow from a spine, in repeated colours (texture.h), and
-/// no candidate's colours are looked for longer than that.
+/// Of larger targets the first candidates grow from a spine, the rows beside it in few colours
+/// (texture.h), and no candidate's colours are looked for longer than that.
 constexpr std::size_t kMostPlainBricks = 200;
 constexpr std::uint64_t kStepsOfPaint = 2'000'000'000;
+/// Of a spine with rows that are swept, which leave the spine's colours alone to count.
+constexpr std::uint64_t kStepsOfSweptPaint = 4 * kStepsOfPaint;
 constexpr int kConflictsAtOnce = 1000;
 /// Candidates for one robot are taken when so many more did not do for several.
 constexpr std::size_t kPatience = 24;
@@ -47,68 +50,6 @@ std::vector<Sides> choices_of_sides(const AssemblyTask& task) {
   return {{px, mx}, {py, my}, {px}, {py}, {mx}, {my}, {px, py, mx, my}};
 }
 
-/// Regular ones that large structures begin with: robots tell sites apart by little there.
-std::vector<Liking> regular_likings() {
-  std::vector<Liking> out;
-  using Spine = Liking::Spine;
-  for (const bool along_x : {true, false}) {
-    for (const bool middle : {true, false}) {
-      // A spine only makes sense along the axis that the rows run.
-      for (const Spine spine : {Spine::none, along_x ? Spine::along_x : Spine::along_y}) {
-        Liking one;
-        (along_x ? one.x : one.y) = 100;
-        (along_x ? one.middle_x : one.middle_y) = middle;
-        one.z = 1;
-        one.spine = spine;
-        out.push_back(one);
-        one.z = 150;  // as steps: a level lags behind the one below
-        out.push_back(one);
-      }
-    }
-  }
-  return out;
-}
-
-/// A spine grows from the sides that it shows, and so do the rows beside it.
-bool suits(const Liking& liking, const Sides& sides) {
-  const auto has = [&](ApproachSide side) {
-    return std::find(sides.begin(), sides.end(), side) != sides.end();
-  };
-  switch (liking.spine) {
-    case Liking::Spine::along_x:
-      return has(ApproachSide::plus_y) && has(ApproachSide::minus_y);
-    case Liking::Spine::along_y:
-      return has(ApproachSide::plus_x) && has(ApproachSide::minus_x);
-    case Liking::Spine::none:
-      break;
-  }
-  return true;
-}
-
-Liking liking_of(std::uint64_t seed) {
-  // Weights of very different sizes, so that often one coordinate decides and the others break
-  // ties.
-  constexpr int kWeights[] = {-9, -3, -1, 0, 1, 3, 9};
-  const auto weight = [&](std::uint64_t which) {
-    return kWeights[combine(seed, which) % std::size(kWeights)];
-  };
-  constexpr int kChances[] = {0, 2, 6, 20};
-  Liking out;
-  out.x = weight(1);
-  out.y = weight(2);
-  out.z = weight(3);
-  out.chance = kChances[combine(seed, 4) % std::size(kChances)];
-  out.seed = seed;
-  out.in_chains = combine(seed, 5) % 2 == 0;
-  // Half of them about the middle.
-  if (combine(seed, 7) % 2 == 0) return out;
-  out.middle_x = combine(seed, 8) % 2 == 0;
-  out.middle_y = combine(seed, 9) % 2 == 0;
-  const std::uint64_t spine = combine(seed, 10) % 4;
-  if (spine < 2) out.spine = spine == 0 ? Liking::Spine::along_x : Liking::Spine::along_y;
-  return out;
-}
-
 class Assembler {
  public:
   Assembler(const AssemblyTask& task, double effort, const AssemblyHooks& hooks)
@@ -125,6 +66,8 @@ class Assembler {
     if (!large()) return;
     std::stable_partition(regular_.begin(), regular_.end(),
                           [](const Liking& one) { return one.spine != Liking::Spine::none; });
+    const std::vector<Liking> swept = swept_likings(bricks_);
+    regular_.insert(regular_.begin(), swept.begin(), swept.end());
   }
 
   Assembly run() {
@@ -210,7 +153,7 @@ class Assembler {
 
   /// False when there is no order at all from these sides.
   bool try_one(const Builders& builders, std::uint64_t seed) {
-    if (large() && !suits(liking(seed), builders.sides)) return true;
+    if (large() && !suits(bricks_, liking(seed), builders.sides)) return true;
     ++out_.counts.candidates;
     bool exhausted = false;
     const auto sequence = sequence_of(builders, seed, exhausted);
@@ -226,9 +169,7 @@ class Assembler {
     if (!is_new(candidate, builders.sides)) return true;
     ++out_.counts.looked_at;
     if (const auto cases = cases_on_the_way(candidate, builders)) {
-      const Texture texture =
-          large() ? texture_of(*candidate.target, liking(seed)) : no_texture(bricks_.bricks());
-      paint_and_judge(candidate, *cases, texture, builders);
+      paint_and_judge(candidate, *cases, liking(seed), builders);
     }
     return true;
   }
@@ -287,12 +228,13 @@ class Assembler {
     return out;
   }
 
-  PaintLimits paint_limits() const {
+  PaintLimits paint_limits(const Liking& liking) const {
     if (!large()) return {allowance_};
-    return {allowance_.within(kStepsOfPaint), kConflictsAtOnce, true};
+    const std::uint64_t most = liking.swept ? kStepsOfSweptPaint : kStepsOfPaint;
+    return {allowance_.within(most), kConflictsAtOnce, true};
   }
 
-  void paint_and_judge(const CandidateOrder& candidate, const Cases& cases, const Texture& texture,
+  void paint_and_judge(const CandidateOrder& candidate, const Cases& cases, const Liking& liking,
                        const Builders& builders) {
     RuleView view;
     look_at_rules(task_.target, candidate, view);
@@ -300,8 +242,10 @@ class Assembler {
       ++out_.counts.no_colours;
       return;
     }
+    const Texture texture =
+        large() ? texture_of(*candidate.target, liking) : no_texture(bricks_.bricks());
     const PaintResult painted =
-        paint(task_.target, cases, view, task_.most_colours, texture, paint_limits());
+        paint(task_.target, cases, view, task_.most_colours, texture, paint_limits(liking));
     if (painted.answer != Answered::yes) {
       ++out_.counts.no_colours;
       return;

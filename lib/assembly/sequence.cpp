@@ -2,6 +2,7 @@
 #include "assembly/sequence.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cstdlib>
 #include <numeric>
 #include <set>
@@ -21,12 +22,6 @@ struct Span {
   int low = 0, high = 0;
   /// Twice the distance from the middle.
   int from_middle(int at) const { return std::abs(2 * at - low - high); }
-  /// Rows from the two in the middle: 0 for these. An even number of rows has two in the middle, an
-  /// odd one the middle and the next: the spine is two rows wide in any case.
-  int from_spine(int at) const {
-    const int lower = low + (high - low) / 2;
-    return at <= lower ? lower - at : at - lower - 1;
-  }
 };
 
 Span span_of(const TargetBricks& target, std::int32_t Cell::*coordinate) {
@@ -38,18 +33,26 @@ Span span_of(const TargetBricks& target, std::int32_t Cell::*coordinate) {
   return out;
 }
 
+std::int32_t across_spine(const Liking& liking, Cell cell) {
+  return liking.spine == Liking::Spine::along_x ? cell.y : cell.x;
+}
+
 /// Bricks as they are liked to go, the first first.
 std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& liking) {
   const Span wide = span_of(target, &Cell::x), deep = span_of(target, &Cell::y);
+  const SpineRows spine =
+      liking.spine == Liking::Spine::none ? SpineRows{} : spine_rows(target, liking);
   std::vector<std::int64_t> score(target.bricks());
   for (std::size_t i = 0; i < score.size(); ++i) {
     const Cell c = target.cell(i);
-    const int x = liking.middle_x ? wide.from_middle(c.x) : c.x;
-    const int y = liking.middle_y ? deep.from_middle(c.y) : c.y;
+    const int row =
+        liking.spine == Liking::Spine::none ? 0 : std::abs(spine.beside(across_spine(liking, c)));
+    const bool swept = liking.swept && row > 0;
+    const int x = liking.middle_x && !swept ? wide.from_middle(c.x) : c.x;
+    const int y = liking.middle_y && !swept ? deep.from_middle(c.y) : c.y;
     score[i] =
         std::int64_t{liking.x} * x + std::int64_t{liking.y} * y + std::int64_t{liking.z} * c.z;
-    if (liking.spine == Liking::Spine::along_x) score[i] += kSpine * deep.from_spine(c.y);
-    if (liking.spine == Liking::Spine::along_y) score[i] += kSpine * wide.from_spine(c.x);
+    score[i] += kSpine * row;
     if (liking.chance > 0) {
       score[i] += static_cast<std::int64_t>(combine(liking.seed, i) %
                                             static_cast<std::uint64_t>(liking.chance));
@@ -176,6 +179,15 @@ class Dismantler {
 };
 
 }  // namespace
+
+SpineRows spine_rows(const TargetBricks& target, const Liking& liking) {
+  assert(liking.spine != Liking::Spine::none);
+  const Span span = span_of(target, liking.spine == Liking::Spine::along_x ? &Cell::y : &Cell::x);
+  // Of two in the middle the lower; an even number of rows has one more above it than below.
+  const int middle = span.low + (span.high - span.low) / 2;
+  const int first = middle - (liking.spine_rows - 1) / 2;
+  return {first, first + liking.spine_rows - 1};
+}
 
 std::optional<Sequence> find_sequence(const TargetBricks& target, const Builders& builders,
                                       std::optional<std::uint32_t> start, const Liking& liking,

@@ -21,13 +21,27 @@ struct Liking {
   int x = 0, y = 0, z = 0;
   /// The distance from the middle is what counts of a coordinate.
   bool middle_x = false, middle_y = false;
-  /// Two rows in the middle come first, then one row after the other beside them: a row that stands
-  /// by itself tells its bricks apart by colours alone, two together count in digits.
+  /// Some rows in the middle come first, then one row after the other beside them: a row that
+  /// stands by itself tells its bricks apart by colours alone, several together count in digits.
   enum class Spine : std::uint8_t { none, along_x, along_y } spine = Spine::none;
+  int spine_rows = 2;
+  /// The spine grows towards robots at its ends and not, zigzag, before those at its sides.
+  bool from_ends = false;
+  /// Rows beside a spine grow from their low ends, wherever the spine begins.
+  bool swept = false;
   int chance = 0;  ///< a number below this is added
   std::uint64_t seed = 0;
   bool in_chains = false;  ///< what is next to the last brick that went goes first
 };
+
+/// The rows of a spine, as coordinates across it.
+struct SpineRows {
+  int first = 0, last = 0;
+  /// How far a row is from them, signed; 0 for one of them.
+  int beside(int at) const { return at < first ? at - first : at > last ? at - last : 0; }
+};
+/// In the middle of the target; the liking has a spine.
+SpineRows spine_rows(const TargetBricks& target, const Liking& liking);
 
 struct Sequence {
   std::vector<std::uint32_t> bricks;  ///< the start first

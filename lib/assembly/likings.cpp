@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: MIT
+#include "assembly/likings.h"
+
+#include <algorithm>
+
+#include "base/hash.h"
+#include "compiler/compile.h"
+
+namespace stig {
+
+namespace {
+
+using Spine = Liking::Spine;
+
+/// Weights by which a row goes brick by brick, level by level there or, as steps, each level behind
+/// the one below.
+constexpr int kAlong = 100, kLevels = 1, kSteps = 150;
+
+/// How many bricks a target is wide along x, or y.
+int width_of(const TargetBricks& target, bool along_x) {
+  const auto at = [&](std::uint32_t i) { return along_x ? target.cell(i).x : target.cell(i).y; };
+  int low = at(0), high = at(0);
+  for (std::uint32_t i = 0; i < target.bricks(); ++i) {
+    low = std::min(low, at(i));
+    high = std::max(high, at(i));
+  }
+  return high - low + 1;
+}
+
+/// Can a spine of so many bricks across count this far to both ends? What comes next follows from
+/// the colours across, so none may come twice on the way to an end.
+bool can_count(int across, int length) {
+  std::int64_t ways = 1;
+  for (int i = 0; i < across && ways < length; ++i) ways *= kBlockColours;
+  return length < 2 * ways;
+}
+
+Liking swept_liking(bool along_x, bool from_ends) {
+  Liking out;
+  out.spine = along_x ? Spine::along_x : Spine::along_y;
+  (along_x ? out.x : out.y) = kAlong;
+  // Towards both ends from the middle, so that each half counts by itself.
+  (along_x ? out.middle_x : out.middle_y) = true;
+  out.swept = true;
+  if (!from_ends) return out;
+  // The row in the middle leads: robots at the ends get to it and then to those beside it.
+  out.from_ends = true;
+  out.spine_rows = 3;
+  (along_x ? out.y : out.x) = 1;
+  (along_x ? out.middle_y : out.middle_x) = true;
+  return out;
+}
+
+}  // namespace
+
+std::vector<Liking> swept_likings(const TargetBricks& target) {
+  std::vector<Liking> out;
+  const bool x_is_shorter = width_of(target, true) <= width_of(target, false);
+  // Two rows count as far as some 15 bricks to each end and are built from two sides, three rows
+  // count farther. A shorter spine has less to count.
+  for (const bool from_ends : {false, true}) {
+    for (const bool along_x : {x_is_shorter, !x_is_shorter}) {
+      Liking one = swept_liking(along_x, from_ends);
+      const int length = width_of(target, along_x), across = width_of(target, !along_x);
+      const int rows_beside = (across - one.spine_rows + 1) / 2;
+      if (rows_beside >= length) continue;
+      if (!can_count(std::min(across, one.spine_rows) * target.levels(), length)) continue;
+      one.z = kLevels;
+      out.push_back(one);
+      if (target.levels() == 1) continue;
+      one.z = kSteps;
+      out.push_back(one);
+    }
+  }
+  return out;
+}
+
+std::vector<Liking> regular_likings() {
+  std::vector<Liking> out;
+  for (const bool along_x : {true, false}) {
+    for (const bool middle : {true, false}) {
+      // A spine only makes sense along the axis that the rows run.
+      for (const Spine spine : {Spine::none, along_x ? Spine::along_x : Spine::along_y}) {
+        Liking one;
+        (along_x ? one.x : one.y) = kAlong;
+        (along_x ? one.middle_x : one.middle_y) = middle;
+        one.z = kLevels;
+        one.spine = spine;
+        out.push_back(one);
+        one.z = kSteps;
+        out.push_back(one);
+      }
+    }
+  }
+  return out;
+}
+
+Liking liking_of(std::uint64_t seed) {
+  // Weights of very different sizes, so that often one coordinate decides and the others break
+  // ties.
+  constexpr int kWeights[] = {-9, -3, -1, 0, 1, 3, 9};
+  const auto weight = [&](std::uint64_t which) {
+    return kWeights[combine(seed, which) % std::size(kWeights)];
+  };
+  constexpr int kChances[] = {0, 2, 6, 20};
+  Liking out;
+  out.x = weight(1);
+  out.y = weight(2);
+  out.z = weight(3);
+  out.chance = kChances[combine(seed, 4) % std::size(kChances)];
+  out.seed = seed;
+  out.in_chains = combine(seed, 5) % 2 == 0;
+  // Half of them about the middle.
+  if (combine(seed, 7) % 2 == 0) return out;
+  out.middle_x = combine(seed, 8) % 2 == 0;
+  out.middle_y = combine(seed, 9) % 2 == 0;
+  const std::uint64_t spine = combine(seed, 10) % 4;
+  if (spine < 2) out.spine = spine == 0 ? Spine::along_x : Spine::along_y;
+  return out;
+}
+
+bool suits(const TargetBricks& target, const Liking& liking,
+           const std::vector<ApproachSide>& sides) {
+  const auto both = [&](bool along_x) {
+    const auto has = [&](ApproachSide side) {
+      return std::find(sides.begin(), sides.end(), side) != sides.end();
+    };
+    return along_x ? has(ApproachSide::plus_x) && has(ApproachSide::minus_x)
+                   : has(ApproachSide::plus_y) && has(ApproachSide::minus_y);
+  };
+  if (liking.spine == Spine::none) return true;
+  const bool along_x = liking.spine == Spine::along_x;
+  // More sides than it takes make more cases for its colours to tell apart.
+  if (!liking.from_ends) {
+    return both(!along_x) && !(liking.swept && sides.size() == kAllSides.size());
+  }
+  const bool rows_beside = width_of(target, !along_x) > liking.spine_rows;
+  return both(along_x) && (!rows_beside || both(!along_x));
+}
+
+}  // namespace stig

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// Likings that candidates are made by, one after the other.
+#pragma once
+
+#include <vector>
+
+#include "assembly/sequence.h"
+
+namespace stig {
+
+/// Some that begin with a spine and sweep the rows beside it (texture.h), for large structures:
+/// those first that leave the colours least to count.
+std::vector<Liking> swept_likings(const TargetBricks& target);
+/// Others that go row by row: robots tell sites apart by little there.
+std::vector<Liking> regular_likings();
+/// One by chance.
+Liking liking_of(std::uint64_t seed);
+
+/// May robots at these sides build so? A spine grows from its two sides or from its two ends, and
+/// rows beside it from its sides.
+bool suits(const TargetBricks& target, const Liking& liking,
+           const std::vector<ApproachSide>& sides);
+
+}  // namespace stig
