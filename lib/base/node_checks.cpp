@@ -230,6 +230,7 @@ bool NodeChecks::check_boolean(const YamlNode& node) {
 
 bool NodeChecks::check_choice(const YamlNode& node, std::string_view key,
                               const std::vector<std::string_view>& words) {
+  assert(!words.empty());
   if (!expect(node, YamlKind::scalar, alternatives(words))) return false;
   if (std::find(words.begin(), words.end(), node.text) != words.end()) return true;
   out_.add(Code::R104, document_.head(node),
@@ -241,6 +242,7 @@ bool NodeChecks::check_choice(const YamlNode& node, std::string_view key,
 /// A whole number may be written as 3 or 3.0; its value is what counts.
 bool NodeChecks::check_number(const YamlNode& node, std::string_view key,
                               const NumberBounds& bounds) {
+  assert(bounds.low <= bounds.high);
   const std::optional<double> value = number_of(node);
   if (!value || (bounds.whole && std::floor(*value) != *value)) {
     return wrong(node, wanted_number(bounds), unquoted_number(node));
@@ -255,6 +257,7 @@ bool NodeChecks::check_number(const YamlNode& node, std::string_view key,
 /// caller.
 bool NodeChecks::check_size(const YamlNode& node, std::string_view key, std::size_t size,
                             std::size_t least, std::size_t most) {
+  assert(least <= most);
   if (size >= least && size <= most) return true;
   const std::string wanted = least == most  ? fmt::format("{}", least)
                              : size < least ? fmt::format("at least {}", least)

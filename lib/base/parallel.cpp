@@ -7,6 +7,7 @@
 #include <oneapi/tbb/task_arena.h>
 
 #include <algorithm>
+#include <cassert>
 
 #if STIG_THREAD_SANITIZER
 #include <sanitizer/tsan_interface.h>
@@ -53,6 +54,7 @@ int thread_count(int wish) { return wish > 0 ? wish : tbb::info::default_concurr
 
 void run_parallel(std::size_t count, int threads, const std::function<void(std::size_t)>& work,
                   const std::function<bool()>& stop) {
+  assert(work);
   const std::size_t most = std::min(static_cast<std::size_t>(std::max(threads, 1)), count);
   if (most == 0) return;
   // More threads than there are cores only where this says so.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -40,6 +41,7 @@ std::string to_color(Rgb rgb) { return fmt::format("#{:02x}{:02x}{:02x}", rgb.r,
 
 /// Blended in sRGB and not in linear light: what pictures need are evenly spaced shades.
 Rgb blend(Rgb a, Rgb b, double t) {
+  assert(t >= 0 && t <= 1);
   const auto channel = [t](std::uint8_t from, std::uint8_t to) {
     return to_byte(from + t * (to - from));
   };

@@ -375,6 +375,7 @@ YamlTextMap::YamlTextMap(const YamlDocument& document, const YamlNode& scalar)
 }
 
 SourceRange YamlTextMap::range(std::size_t begin, std::size_t end) const {
+  assert(begin <= end);
   const auto next =
       std::upper_bound(lines_.begin(), lines_.end(), begin,
                        [](std::size_t at, const Line& line) { return at < line.text; });

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 #include "base/text.h"
 
 namespace stig {
@@ -12,6 +14,7 @@ std::size_t DeviceParts::on_body(const FormView& view) const {
 }
 
 Vec3 DeviceParts::place(const FormView& view, std::size_t body) const {
+  assert(body == kNoBody || body < model.bodies.size());
   return view.vector("at") + (body == kNoBody ? Vec3{} : model.bodies[body].p_BO);
 }
 

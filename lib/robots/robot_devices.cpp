@@ -32,6 +32,7 @@ double speed_at(const LiftModel& model, double error) {
 }  // namespace
 
 void command(DriveState& state, const DriveModel& model, double left, double right) {
+  assert(model.most_speed >= 0);
   state.left_target = cut(left, model.most_speed);
   state.right_target = cut(right, model.most_speed);
 }

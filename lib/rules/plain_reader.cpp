@@ -4,6 +4,7 @@
 #include "rules/plain_reader.h"
 
 #include <array>
+#include <cassert>
 
 namespace stig {
 
@@ -14,6 +15,7 @@ std::int64_t whole_number(const YamlNode& node) {
 }
 
 std::array<std::int32_t, 3> triple(const YamlNode& node) {
+  assert(node.items.size() == 3);
   std::array<std::int32_t, 3> out{};
   for (std::size_t i = 0; i < 3; ++i) {
     out[i] = static_cast<std::int32_t>(whole_number(node.items[i]));

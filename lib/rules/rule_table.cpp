@@ -65,6 +65,7 @@ std::vector<Entry> entries_of(const RuleSet& rules, std::uint32_t number) {
 
 /// The images of distinct neighbours are distinct, so every entry is written once.
 Pattern oriented(const Pattern& pattern, const Orientation& orientation, int neighbours) {
+  assert(neighbours > 0 && neighbours <= kMaxNeighbours);
   Pattern turned;
   for (std::size_t i = 0; i < static_cast<std::size_t>(neighbours); ++i) {
     turned.allowed[static_cast<std::size_t>(orientation.image[i])] = pattern.allowed[i];
@@ -218,6 +219,7 @@ RuleTable::RuleTable(RuleTable&&) noexcept = default;
 RuleTable& RuleTable::operator=(RuleTable&&) noexcept = default;
 
 std::int64_t RuleTable::stage_limit(int stage) const {
+  assert(stage >= 1 && stage <= stage_count_);
   return stage_limits_[static_cast<std::size_t>(stage)];
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/yaml.h"
 #include "rules/pattern_text.h"
@@ -21,11 +22,13 @@ std::string ValueTexts::text(const std::string& value, const KeySchema& schema,
 }
 
 std::string ValueTexts::text(bool value, const KeySchema& schema, bool /*in_line*/) const {
+  assert(schema.kind != ValueKind::choice || schema.words.size() == 2);
   if (schema.kind == ValueKind::choice) return std::string(schema.words[value ? 0 : 1]);
   return value ? "true" : "false";
 }
 
 std::string ValueTexts::text(Colour value, const KeySchema& /*schema*/, bool in_line) const {
+  assert(value >= 1 && value <= rules_.colours());
   return yaml_text(rules_.brick(value).symbol, in_line);
 }
 
