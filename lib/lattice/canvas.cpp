@@ -150,6 +150,7 @@ void Canvas::text(const std::string& text, PagePoint at, const TextLook& look) {
 void Canvas::begin_group() { cairo_push_group(page_->cairo); }
 
 void Canvas::end_group(double opacity) {
+  assert(opacity >= 0 && opacity <= 1);
   cairo_pop_group_to_source(page_->cairo);
   cairo_paint_with_alpha(page_->cairo, opacity);
 }

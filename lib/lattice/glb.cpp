@@ -4,6 +4,7 @@
 // right-handed axes: (x, y, z) becomes (x, z, -y), a rotation and no mirror.
 #include "base/glb.h"
 
+#include <cassert>
 #include <map>
 
 #include "lattice/mesh_files.h"
@@ -37,6 +38,7 @@ std::map<Colour, GlbPrimitive> primitives_of(const Mesh& mesh, double scale) {
 }  // namespace
 
 std::string print_glb(const Mesh& mesh, const std::vector<Brick>& bricks, double scale) {
+  assert(scale > 0);
   GlbNode node;
   node.name = "structure";
   for (auto& [colour, primitive] : primitives_of(mesh, scale)) {

@@ -203,6 +203,7 @@ EdgeLook edge_look(double scale) {
 }  // namespace
 
 void drop_covered(PictureScene& scene, const PicturePlacement& place, double width, double height) {
+  assert(width > 0 && height > 0);
   CoverMap map(width, height);
   std::vector<ShownFace> kept;
   // From the nearest face to the farthest, against the order of painting.

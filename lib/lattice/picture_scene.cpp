@@ -76,6 +76,7 @@ void extend(CellBounds& box, const CellBounds& other) {
 }  // namespace
 
 Outline outline_of(Lattice lattice, Cell cell, std::size_t face) {
+  assert(face < cell_faces(lattice).size());
   const CellFace& shape = cell_faces(lattice)[face];
   const Corner foot = foot_of(lattice, cell);
   Outline outline;

@@ -3,9 +3,10 @@
 // faces, so corners cannot be shared. A hexagon is cut into two quadrilaterals.
 #include <fmt/format.h>
 
-#include "base/bytes.h"
-
 #include <cassert>
+#include <limits>
+
+#include "base/bytes.h"
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 
@@ -36,6 +37,7 @@ void put_vertex(std::string& out, Point p, Point normal, Rgb rgb) {
 }  // namespace
 
 std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double scale) {
+  assert(scale > 0);
   std::size_t vertices = 0, quads = 0;
   for (const Polygon& polygon : mesh.polygons) {
     vertices += polygon.corners;

@@ -5,6 +5,7 @@
 #include "lattice/rgb.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -23,6 +24,7 @@ constexpr std::array<Rgb, 8> kPalette = {{{0x00, 0x72, 0xb2},
 
 // Past the palette: hues by the golden angle, so that near numbers look different.
 Rgb palette_colour(int index) {
+  assert(index >= 0);
   if (index < static_cast<int>(kPalette.size())) return kPalette[static_cast<std::size_t>(index)];
   // The golden angle, 137.508°, never repeats a hue; lightness alternates as a second cue.
   const double hue = std::fmod(index * 137.508, 360.0) / 60.0;
@@ -46,6 +48,7 @@ Rgb rgb_of(const std::vector<Brick>& bricks, Colour colour) {
 }
 
 std::vector<Brick> numbered_bricks(int count) {
+  assert(count >= 0);
   std::vector<Brick> bricks(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     Brick& brick = bricks[static_cast<std::size_t>(i)];

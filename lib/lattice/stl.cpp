@@ -21,6 +21,7 @@ void put_point(std::string& out, Point p, double scale) {
 }  // namespace
 
 std::string print_stl(const Mesh& mesh, double scale) {
+  assert(scale > 0);
   constexpr std::size_t kHeader = 80, kTriangle = 50;
   const std::size_t triangles = mesh.triangles();
   assert(triangles <= std::numeric_limits<std::uint32_t>::max());

@@ -183,6 +183,7 @@ std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<
                                       const SwarmConfig& config, int runs, int threads,
                                       const std::function<void(int)>& done,
                                       const std::atomic<bool>* stop) {
+  assert(runs >= 0);
   std::vector<SwarmResult> results(static_cast<std::size_t>(runs));
   // Each run writes its own slot of the results, so their order does not depend on threads.
   std::mutex mutex;

@@ -182,6 +182,7 @@ struct TraceWriter::State {
 
 TraceWriter::TraceWriter(const RuleSet& rules, const SwarmConfig& config, const std::string& kind)
     : state_(std::make_unique<State>()) {
+  assert(kind == "swarm" || kind == "given");
   put_block(state_->pending, header_of(rules, config, kind).dump());
   put_block(state_->pending, print_rule_set(rules));
   for (const PlacedBrick& b : rules.start) state_->hash += placement_hash(b.at, b.brick);

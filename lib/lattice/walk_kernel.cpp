@@ -4,6 +4,7 @@
 // for each move.
 #include "lattice/walk_kernel.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "base/random.h"
@@ -16,6 +17,8 @@ void draw_moves(std::uint64_t seed, std::uint32_t run, std::uint64_t block, cons
   const auto counter = random_address(run, Purpose::move, 0, block);
   const auto key = random_key(seed);
   const std::size_t agents = out[0].size();
+  assert(std::all_of(out.begin(), out.end(),
+                     [&](const auto& steps) { return steps.size() == agents; }));
   std::size_t agent = 0;
   if (vectorise && vector_moves_available()) {
     for (; agent + 16 <= agents; agent += 16) draw_moves_vector(counter, key, agent, moves, out);

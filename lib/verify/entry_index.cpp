@@ -7,11 +7,13 @@
 #include "verify/entry_index.h"
 
 #include <bit>
+#include <cassert>
 
 namespace stig {
 
 EntryIndex::EntryIndex(const RuleSet& rules, const RuleTable& table, int stage)
     : stage_(stage), size_(static_cast<std::size_t>(table.neighbours().size)) {
+  assert(stage >= 1);
   for (std::uint32_t e = 0; e < table.entries().size(); ++e) {
     const SiteCondition where = site_condition(rules.rules[table.entries()[e].source.rule]);
     if (!where.stage.contains(stage)) continue;

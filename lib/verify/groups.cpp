@@ -61,6 +61,7 @@ bool touches_another_group(const StageModel& model, const Invariant& invariant, 
 
 std::optional<Groups> grown(const StageModel& model, const Groups& groups,
                             const std::vector<LocalFailure>& failures, int round) {
+  assert(round >= 0);
   std::set<std::uint32_t> bricks;
   for (const auto& group : groups) bricks.insert(group.begin(), group.end());
   const std::size_t had = bricks.size();

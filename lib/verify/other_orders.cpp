@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cassert>
 #include <set>
 
 namespace stig {
@@ -92,6 +93,7 @@ bool OtherOrders::path_differs(const std::vector<std::uint32_t>& path, std::uint
   LatticeWorld world = before_;
   std::vector<Deposit> done;
   for (const std::uint32_t brick : path) {
+    assert(brick < model_.bricks());
     if (!deposit(world, model_.at(brick), std::uint64_t{1} << model_.run()[brick].colour, done))
       break;
   }

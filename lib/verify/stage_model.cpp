@@ -76,7 +76,10 @@ StageModel::StageModel(const RuleSet& rules, const RuleTable& table, const Latti
       two_steps_[i][j] = static_cast<std::int8_t>(sum == Offset{} ? kSelf : n.index_of(sum));
     }
   }
-  for (std::uint32_t i = 0; i < run.size(); ++i) numbers_[run[i].site] = i;
+  for (std::uint32_t i = 0; i < run.size(); ++i) {
+    assert(numbers_.at(run[i].site) == kNone);  // each site is filled once
+    numbers_[run[i].site] = i;
+  }
   number_border();
 }
 

@@ -114,6 +114,7 @@ StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budg
 /// Bricks alone do not say in which stage a world is; the stages are counted off.
 LatticeWorld world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
                             const std::optional<Box>& box, int stage) {
+  assert(stage >= 1 && stage <= rules.stage_count());
   LatticeWorld world(rules, bricks, box);
   while (world.stage() < stage && world.next_stage()) {
   }
