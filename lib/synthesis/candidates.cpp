@@ -124,6 +124,7 @@ bool Candidates::look_at_every_order(const Allowance& allowance) {
 }
 
 Colouring Candidates::given_colours(std::size_t frame) const {
+  assert(frame < frames_.size());
   Colouring colours;
   for (const Orbit& orbit : frames_[frame]->orbits) colours.push_back(orbit.colours.first());
   return colours;
@@ -141,6 +142,7 @@ bool Candidates::clashes_as_given(const Schedule& schedule, std::size_t frame) {
 }
 
 void Candidates::look_at(std::size_t frame, const Maker& make, const Allowance& allowance) {
+  assert(frame < frames_.size());
   gave_up_ = gave_up_ || allowance.passed();
   if (allowance.passed()) return;
   BadOrder bad;

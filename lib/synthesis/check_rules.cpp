@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cassert>
+
 #include "rules/cell_text.h"
 #include "rules/rule_table.h"
 #include "synthesis/local_views.h"
@@ -15,6 +17,7 @@ namespace stig {
 std::optional<std::string> find_fault(const Schedule& schedule, const Colouring& colours,
                                       const RuleSet& rules) {
   const Frame& frame = *schedule.frame;
+  assert(colours.size() == frame.orbits.size());
   const RuleTable table(rules);
   std::vector<Match> matches;
   for (std::size_t s = 0; s < frame.sites.size(); ++s) {

@@ -164,6 +164,7 @@ std::uint32_t turned(std::uint32_t mask, const Orientation& orientation) {
 std::vector<Clash> find_clashes(const Schedule& schedule, const Colouring& colours,
                                 std::size_t most_of_state, std::size_t most,
                                 const Allowance& allowance) {
+  assert(colours.size() == schedule.frame->orbits.size());
   std::vector<Clash> out;
   const ClashFinder finder(schedule, colours, most_of_state);
   for (std::size_t s = 0; s < schedule.frame->sites.size() && out.size() < most; ++s) {

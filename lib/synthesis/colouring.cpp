@@ -168,6 +168,7 @@ class Solver {
 
 ColouringSearch::ColouringSearch(const Schedule& schedule, int named, const Allowance& allowance)
     : differences_(schedule), named_(named) {
+  assert(named >= 0);
   differences_.add_single_bricks(kSingleBrickClauses, allowance);
   if (!allowance.out_of_time()) update_naming();
 }
@@ -242,6 +243,7 @@ Answered ColouringSearch::colour(int k, const ColouringLimits& limits, Colouring
 /// the incremental runs would mix numbers of colours.
 std::optional<Refutation> refute(const ColouringSearch& search, int named, int k,
                                  const Allowance& allowance) {
+  assert(k >= 1);
   Refutation refutation;
   refutation.cnf = print_cnf(search.differences(), named, k, search.naming());
   char* bytes = nullptr;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <set>
 
@@ -125,6 +126,7 @@ std::string name_of(const RuleSet& set, const MergedRule& rule) {
 RuleSet make_rule_set(const Frame& frame, const Colouring& colours, int colour_count,
                       const std::vector<Brick>& bricks, const std::vector<MergedRule>& rules,
                       const Wording& wording) {
+  assert(colour_count > 0 && colours.size() == frame.orbits.size());
   RuleSet set;
   set.name = wording.name;
   set.title = wording.title;

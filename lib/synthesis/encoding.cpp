@@ -72,6 +72,7 @@ void Encoding::emit_pair(std::int32_t pair, bool as_equal, const Sink& sink) {
 }
 
 void Encoding::emit_clashes(std::size_t first, const Sink& sink) {
+  assert(first <= d_.clauses().size());
   std::vector<int> literals;
   for (std::size_t i = first; i < d_.clauses().size(); ++i) {
     const DifferenceClause& clause = d_.clauses()[i];

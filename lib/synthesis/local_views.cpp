@@ -59,6 +59,7 @@ std::optional<std::vector<LocalView>> local_views(const Schedule& schedule,
                                                   const Colouring& colours,
                                                   const Allowance& allowance) {
   const Frame& frame = *schedule.frame;
+  assert(colours.size() == frame.orbits.size());
   std::vector<LocalView> views;
   // The bare views stand for everything farther from the target than its border.
   for (const bool on_floor : {false, true}) {

@@ -359,6 +359,7 @@ std::vector<MergedRule> merge_rules(const Frame& frame, int colours,
                                     const std::vector<ExactRule>& exact,
                                     const std::vector<LocalView>& views, int restarts,
                                     const Allowance& allowance) {
+  assert(colours > 0);
   Merger merger(frame, colours, exact, views, allowance);
   std::vector<std::size_t> order(exact.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

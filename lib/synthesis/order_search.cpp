@@ -6,6 +6,7 @@
 #include "synthesis/order_search.h"
 
 #include <algorithm>
+#include <cassert>
 
 #include "base/random.h"
 
@@ -104,6 +105,7 @@ class Searcher {
 
 OrderSearch search_orders(const Frame& frame, const Colouring& colours,
                           const std::vector<Order>& first, const Allowance& allowance) {
+  assert(colours.size() == frame.orbits.size());
   Searcher searcher(frame, colours, allowance);
   for (std::uint32_t number = 1; !allowance.passed() && number <= 16 * first.size(); ++number) {
     if (searcher.climb(first[number % first.size()], number)) break;

@@ -127,6 +127,7 @@ std::optional<std::vector<std::int32_t>> order_of_growth(const SolidGrid& grid,
                                                          std::int32_t start,
                                                          const std::vector<MergedRule>& rules,
                                                          const Allowance& allowance) {
+  assert(grid.is_solid(start));
   GrowthCheck check(grid, colours, start, rules, allowance);
   if (!check.never_wrong()) return std::nullopt;
   check.follow();

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cassert>
 
 #include "rules/cell_text.h"
 
@@ -98,6 +99,7 @@ std::optional<Obstacle> find_obstacle(const Target& target, const Placing& placi
 /// Greedy: a cell of each part that is still cut off, so the parts decide how many starts
 /// there are.
 std::vector<Cell> one_of_each_part(const Target& target, const std::vector<Cell>& start) {
+  assert(!target.cells.empty());
   std::vector<Cell> starts = start.empty() ? std::vector<Cell>{target.cells.front()} : start;
   while (true) {
     const std::vector<bool> seen = reached(target, starts);
@@ -191,6 +193,7 @@ Obstacle describe_look_alikes(const Schedule& schedule, const Clash& clash, cons
 /// irreducible set of clashes that cannot all be avoided.
 Obstacle describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
                               const Allowance& allowance) {
+  assert(allowed < needed);
   Obstacle out{Kind::colours,
                false,
                fmt::format("{} {} not do; at least {} are needed", allowed,

@@ -2,6 +2,7 @@
 #include "synthesis/working_views.h"
 
 #include <algorithm>
+#include <cassert>
 
 namespace stig {
 namespace {
@@ -14,6 +15,7 @@ constexpr std::size_t kViolatedAtOnce = 500;
 
 WorkingViews::WorkingViews(const std::vector<LocalView>& every, std::size_t size)
     : every_(every), size_(size) {
+  assert(size <= kMaxNeighbours);
   // A sample of every n-th view is worked on; when a finished rule violates others, those
   // join the sample. So soundness is against all views, at the cost of the sample.
   const std::size_t step = std::max<std::size_t>(1, every.size() / kWorkingViews);
