@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstdlib>
 
 #include "assembly/faces.h"
@@ -55,6 +56,7 @@ bool add_obstacles(const TargetBricks& target, const ReachResult& result, Cell c
 std::optional<ApproachSide> side_for(const TargetBricks& target, const BrickSet& state,
                                      std::uint32_t brick, const Builders& builders,
                                      std::vector<std::uint32_t>* obstacles) {
+  assert(brick < target.bricks());
   bool known = obstacles != nullptr;
   for (const ApproachSide side : builders.sides) {
     const Cell cell = target.cell(brick);
@@ -78,10 +80,12 @@ Connected::Connected(const TargetBricks& target) : target_(target) {
 }
 
 bool Connected::without(const BrickSet& left, std::uint32_t removed) {
+  assert(!left.has(removed));
   return (whole_ && about(left, target_.cell(removed))) || all_of(left);
 }
 
 bool Connected::all_of(const BrickSet& left) {
+  assert(left.count() > 0);
   std::uint32_t first = 0;
   while (!left.has(first)) ++first;
   BrickSet met(target_.bricks());

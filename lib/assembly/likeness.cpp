@@ -5,6 +5,7 @@
 #include "assembly/likeness.h"
 
 #include <algorithm>
+#include <cassert>
 #include <map>
 #include <string>
 #include <tuple>
@@ -40,6 +41,7 @@ Likenesses::Likenesses(const std::vector<Case>& cases) : cases_(cases) {
 std::uint64_t Likenesses::for_each(const std::vector<Colour>& colours,
                                    const std::vector<bool>& busy,
                                    const std::function<bool(const Likeness&)>& visit) const {
+  assert(busy.size() == cases_.size());
   std::uint64_t looked = 0;
   for (const Shape& one : shapes_) {
     std::vector<std::uint32_t> working;

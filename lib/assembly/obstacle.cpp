@@ -5,6 +5,7 @@
 #include "assembly/obstacle.h"
 
 #include <array>
+#include <cassert>
 
 #include "assembly/faces.h"
 
@@ -34,6 +35,7 @@ BrickSet part_of(const TargetBricks& target, std::uint32_t first) {
 
 std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const Builders& builders,
                                               std::optional<std::uint32_t> start, int colours) {
+  assert(colours > 0 && (!start || *start < target.bricks()));
   AssemblyObstacle out;
   out.part = part_of(target, start.value_or(0));
   if (!target.complete(out.part)) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "assembly/remainder.h"
 
+#include <cassert>
+
 namespace stig {
 
 namespace {
@@ -61,6 +63,7 @@ bool take_some(const TargetBricks& target, const Builders& builders,
 
 Remainder find_remainder(const TargetBricks& target, const Builders& builders,
                          std::optional<std::uint32_t> start) {
+  assert(!start || *start < target.bricks());
   Remainder out{target.whole(), {}};
   while (take_some(target, builders, start, out.bricks)) {
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 
 namespace stig {
 
@@ -51,6 +52,7 @@ bool suits(const FreeRun& run, Cell start, std::size_t colours) {
 
 std::vector<FreeRun> runs_too_long(const TargetBricks& target, std::optional<std::uint32_t> start,
                                    int colours) {
+  assert(colours > 0);
   const auto most = static_cast<std::size_t>(colours);
   std::vector<Cell> starts;  // that are left; of long runs only, since others suit none of them
   std::vector<FreeRun> out;

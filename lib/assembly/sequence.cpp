@@ -192,6 +192,7 @@ SpineRows spine_rows(const TargetBricks& target, const Liking& liking) {
 std::optional<Sequence> find_sequence(const TargetBricks& target, const Builders& builders,
                                       std::optional<std::uint32_t> start, const Liking& liking,
                                       std::uint64_t& most) {
+  assert(!start || *start < target.bricks());
   return Dismantler(target, builders, start, liking, most).run();
 }
 

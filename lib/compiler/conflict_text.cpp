@@ -111,6 +111,7 @@ std::string robots_text(const CompiledRules& compiled) {
 /// One robot alone never meets a conflict; with an unknown number it is a warning.
 bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics& diagnostics) {
   if (compiled.robots == 1 || compiled.concurrency.conflicts.empty()) return false;
+  assert(compiled.target != nullptr);
   const Conflict& conflict = compiled.concurrency.conflicts.front();
   const TargetStates& target = *compiled.target;
   Diagnostic& diagnostic =

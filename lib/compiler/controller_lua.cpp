@@ -223,6 +223,7 @@ void print_head(Printer& out, const RuleSet& rules, std::string_view file,
 ControllerText controller_lua(const RuleSet& rules, std::string_view file,
                               const ControllerPlan& plan, const CompiledRules& compiled,
                               const std::vector<std::string>& library) {
+  assert(plan.chart != nullptr && plan.decision != nullptr);
   Printer out(rules, file, compiled);
   print_head(out, rules, file, plan, compiled);
   for (const std::string& one : library) out.module(one);
@@ -239,6 +240,7 @@ ControllerText controller_argos(const RuleSet& rules, std::string_view file,
                                 const ControllerPlan& plan, const CompiledRules& compiled,
                                 std::string_view description, std::string_view adapter,
                                 const std::vector<std::string>& library) {
+  assert(plan.chart != nullptr && plan.decision != nullptr);
   Printer out(rules, file, compiled);
   print_head(out, rules, file, plan, compiled);
   out.module(adapter);

@@ -315,6 +315,7 @@ bool ask_once(const TargetBricks& target, Policy& policy, std::unique_ptr<Decisi
 
 std::unique_ptr<DecisionNode> simplify(const TargetBricks& target, Policy& policy,
                                        std::unique_ptr<DecisionNode> root, std::size_t most) {
+  assert(root != nullptr);
   if (policy.states.size() > most) return root;
   for (bool better = true; better;) {
     better = false;

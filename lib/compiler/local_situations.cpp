@@ -101,6 +101,7 @@ bool LocalSituations::stands(const BrickSet& state, ApproachSide side, int u, in
 /// All bricks in front come after the missing one, so they are missing too.
 bool LocalSituations::always_comes(ApproachSide side, int u, int v, std::uint32_t brick,
                                    const BrickSet& before) const {
+  assert(brick < target_.bricks());
   if (!stands(before, side, u, v)) return false;
   const std::vector<std::uint32_t> front = in_front(side, u, v);
   return std::all_of(front.begin(), front.end(),

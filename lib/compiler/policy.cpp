@@ -303,6 +303,7 @@ Policy explore(const TargetStates& target, const Abilities& robot,
 Policy explore(const TargetBricks& target, const OpenBricks& open, Sight& sight,
                const Abilities& robot, const std::vector<ApproachSide>& sides,
                const PolicyScope& scope, const PolicyLimits& limits) {
+  assert(!sides.empty());
   Policy out;
   Explorer(target, open, sight, robot, sides, scope, limits, out).explore();
   if (out.too_large) return out;

@@ -61,6 +61,7 @@ void Precedence::add(std::uint32_t first, std::uint32_t then) {
 }
 
 bool Precedence::all_before(const BrickSet& state, std::uint32_t brick) const {
+  assert(brick < bricks());
   return state.contains_but(below_[brick], brick);
 }
 
@@ -190,6 +191,7 @@ class Waiters {
 
 bool always_in_reach(const TargetBricks& target, const Precedence& precedence, Lanes& lanes,
                      const Abilities& robot, std::uint32_t brick, ApproachSide side) {
+  assert(brick < target.bricks() && precedence.bricks() == target.bricks());
   BrickSet least = precedence.below(brick);
   least.remove(brick);
   return reach_between(target, least, target.others(precedence.above(brick)), lanes.to(brick, side),

@@ -296,6 +296,7 @@ class Explainer {
 /// overhangs may get support later.
 bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
                     Diagnostics& diagnostics) {
+  assert(compiled.target != nullptr);
   const TargetStates& target = *compiled.target;
   const BrickSet start = target.start();
   for (std::size_t i = target.start_bricks(); i < target.bricks(); ++i) {
@@ -319,6 +320,7 @@ bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules&
 
 void explain_refusal(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
                      Diagnostics& diagnostics) {
+  assert(compiled.target != nullptr);
   Explainer(rules, robot, compiled, diagnostics).explain();
 }
 

@@ -18,6 +18,7 @@ bool BrickSet::contains(const BrickSet& other) const {
 }
 
 bool BrickSet::contains_but(const BrickSet& other, std::size_t brick) const {
+  assert(words_.size() == other.words_.size());
   for (std::size_t i = 0; i < words_.size(); ++i) {
     std::uint64_t missing = other.words_[i] & ~words_[i];
     if (i == brick / 64) missing &= ~(std::uint64_t{1} << (brick % 64));
@@ -32,6 +33,7 @@ void BrickSet::add(const BrickSet& others) {
 }
 
 void BrickSet::remove(const BrickSet& others) {
+  assert(words_.size() == others.words_.size());
   for (std::size_t i = 0; i < words_.size(); ++i) words_[i] &= ~others.words_[i];
 }
 
@@ -68,6 +70,7 @@ std::uint64_t BrickSet::hash() const {
 std::uint32_t brick_added(const BrickSet& before, const BrickSet& after, std::size_t bricks) {
   std::uint32_t i = 0;
   while (i < bricks && before.has(i) == after.has(i)) ++i;
+  assert(i < bricks && after.has(i));
   return i;
 }
 

@@ -51,6 +51,7 @@ TargetStates::~TargetStates() = default;
 /// matches is the one to name.
 std::optional<std::uint32_t> TargetStates::rule_for(const BrickSet& state,
                                                     std::size_t brick) const {
+  assert(brick < bricks());
   if (brick < start_bricks() || state.has(brick)) return std::nullopt;
   const StageSite& site = model_->sites[brick - start_bricks()];
   Mask around = 0;
@@ -69,6 +70,7 @@ std::optional<std::uint32_t> TargetStates::rule_for(const BrickSet& state,
 /// left out; that only makes the answer more cautious.
 bool TargetStates::due_between(const BrickSet& least, const BrickSet& most,
                                std::size_t brick) const {
+  assert(brick < bricks());
   if (brick < start_bricks()) return false;
   const StageSite& site = model_->sites[brick - start_bricks()];
   Mask low = 0, high = 0;
