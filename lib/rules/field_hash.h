@@ -19,7 +19,7 @@ namespace stig {
 /// Feeds values into one hash; every list is led by its length.
 class FieldHash {
  public:
-  /// Of a pattern's entries the first `neighbours` are fed in, which are all that the lattice has.
+  /// The first `neighbours` entries of a pattern are fed in, which are all that the lattice has.
   explicit FieldHash(int neighbours) : neighbours_(static_cast<std::size_t>(neighbours)) {}
 
   template <class T>
