@@ -162,6 +162,7 @@ void put(lua_State* state, const char* key, std::string_view text) {
 }
 void put_function(lua_State* state, const char* key, int (*function)(lua_State*),
                   std::size_t device) {
+  assert(function != nullptr);
   lua_pushinteger(state, static_cast<lua_Integer>(device));
   lua_pushcclosure(state, function, 1);
   put(state, key);

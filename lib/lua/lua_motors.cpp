@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Wheels, lift, electromagnets and other joints: what a program can tell them to do, and what
 // they tell.
+#include <cassert>
 #include <lua.hpp>
 #include <string_view>
 
@@ -80,6 +81,7 @@ template <>
 void LuaDevice<DriveKind>::update(lua_State* state, const RobotSide& side,
                                   const RobotReadings& readings) {
   if (!side.model.drive) return;
+  assert(!side.tables<DriveKind>().empty());
   push_kept(state, side.tables<DriveKind>().front());
   put(state, "left", readings.left_encoder);
   put(state, "right", -readings.right_encoder);  // mirrored, as the commands are
@@ -108,6 +110,7 @@ template <>
 void LuaDevice<LiftKind>::update(lua_State* state, const RobotSide& side,
                                  const RobotReadings& readings) {
   if (!side.model.lift) return;
+  assert(side.tables<LiftKind>().size() == 2);
   const LiftReading& lift = readings.lift;
   push_kept(state, side.tables<LiftKind>()[0]);
   put(state, "position", lift.position);
@@ -136,6 +139,7 @@ template <>
 void LuaDevice<ElectromagnetsKind>::update(lua_State* state, const RobotSide& side,
                                            const RobotReadings& readings) {
   if (!side.model.magnets) return;
+  assert(!side.tables<ElectromagnetsKind>().empty());
   push_kept(state, side.tables<ElectromagnetsKind>().front());
   put(state, "voltage", readings.magnet_voltage);
   lua_pop(state, 1);

@@ -5,6 +5,7 @@
 #include "validate/robot_watch.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 namespace stig {
@@ -34,6 +35,7 @@ RobotWatch::RobotWatch(const Simulation& run)
 }
 
 const RobotModel& RobotWatch::model(std::size_t robot) const {
+  assert(robot < robots_.size());
   return run_.scene().robot_models[run_.scene().robots[robot].model];
 }
 
