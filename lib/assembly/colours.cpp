@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cadical.hpp>
 #include <cassert>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -15,7 +16,7 @@ namespace stig {
 namespace {
 
 constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
-constexpr std::size_t kClausesOfRound = 4000;
+constexpr std::size_t kClausesOfRound = 4000, kClashesOfState = 64;
 constexpr std::uint64_t kStepsOfPair = 100, kStepsOfCall = 20'000;
 /// Of a large target: some 100 µs.
 constexpr std::uint64_t kStepsOfConflict = 100'000;
@@ -187,25 +188,55 @@ class Painter {
   std::size_t add_clashes() {
     Colouring by_orbit(rules_.brick.size());
     for (std::size_t i = 0; i < by_orbit.size(); ++i) by_orbit[i] = colours_[rules_.brick[i]];
-    const Schedule& schedule = *rules_.schedule;
-    allowance_.spend(cost_of(schedule));
-    std::size_t added = 0;
     // Clashes and conditions are bounded for a round: a bad first colouring violates far more than
     // the solver should be given, and some of them mend most of the others.
-    for (const Clash& clash : find_clashes(schedule, by_orbit, 64, kClausesOfRound)) {
+    const std::vector<Clash> some = clashes(by_orbit, {});
+    const std::size_t added = add_level_clashes(some);
+    if (added > 0 || !bounded(some)) return added;
+    // Clashes between levels, which are none here, may have taken all the places there were.
+    return add_level_clashes(
+        clashes(by_orbit, [this](const Clash& clash) { return within_level(clash); }));
+  }
+  std::vector<Clash> clashes(const Colouring& by_orbit,
+                             const std::function<bool(const Clash&)>& counts) const {
+    const Schedule& schedule = *rules_.schedule;
+    allowance_.spend(cost_of(schedule));
+    return find_clashes(schedule, by_orbit, kClashesOfState, kClausesOfRound, {}, counts);
+  }
+  /// May there be clashes that these leave out?
+  static bool bounded(const std::vector<Clash>& some) {
+    if (some.size() >= kClausesOfRound) return true;
+    // Clashes of one state follow each other.
+    for (std::size_t i = kClashesOfState; i <= some.size(); ++i) {
+      const Clash &first = some[i - kClashesOfState], &last = some[i - 1];
+      if (first.site == last.site && first.mask == last.mask) return true;
+    }
+    return false;
+  }
+  std::size_t site_of_key(const Clash& clash) const {
+    const auto key = static_cast<std::size_t>(clash.key);
+    return static_cast<std::size_t>(rules_.schedule->keys[key].site);
+  }
+  /// Sites of different levels are told apart by heights, which rules.cpp adds where they are
+  /// needed.
+  bool within_level(const Clash& clash) const {
+    const std::vector<Site>& sites = rules_.frame.sites;
+    return sites[site_of_key(clash)].at.z == sites[static_cast<std::size_t>(clash.site)].at.z;
+  }
+
+  std::size_t add_level_clashes(const std::vector<Clash>& some) {
+    std::size_t added = 0;
+    for (const Clash& clash : some) {
+      if (!within_level(clash)) continue;
       const Site& to = rules_.frame.sites[static_cast<std::size_t>(clash.site)];
-      const auto from =
-          static_cast<std::size_t>(schedule.keys[static_cast<std::size_t>(clash.key)].site);
-      // Sites of different levels are told apart by heights, which rules.cpp adds where they are
-      // needed.
-      if (rules_.frame.sites[from].at.z != to.at.z) continue;
       std::vector<int> literals;
-      for (const auto& [a, b] : compared_orbits(schedule, clash)) {
+      for (const auto& [a, b] : compared_orbits(*rules_.schedule, clash)) {
         add_differ(brick_of(a), brick_of(b), literals);
       }
       // Where the other site has a brick of the same colour due, the clash does no harm.
       if (clash.intended) {
-        literals.push_back(equal(brick_of(static_cast<int>(from)), brick_of(to.orbit)));
+        const auto from = static_cast<int>(site_of_key(clash));
+        literals.push_back(equal(brick_of(from), brick_of(to.orbit)));
       }
       clause(literals);
       ++added;

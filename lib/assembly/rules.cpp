@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -13,9 +14,6 @@
 namespace stig {
 
 namespace {
-
-// All clashes are wanted here, unlike in painting: the bound only keeps memory in hand.
-constexpr std::size_t kClashes = 1'000'000;
 
 /// Free colours numbered in the order in which they come. A solver's colours come with gaps and in
 /// any order; a file reads better when they are numbered as they are first used. Colours that the
@@ -61,10 +59,14 @@ std::set<std::uint32_t> that_need_heights(const RuleView& view, const Colouring&
   const Schedule& schedule = *view.schedule;
   // Painting lets sites of different levels clash, as a height can tell them apart: those that
   // still clash under these colours get one.
-  for (const Clash& clash : find_clashes(schedule, by_orbit, kClashes, kClashes)) {
+  // Bricks are noted as they are met, one clash for each: there may be far more clashes than
+  // could be listed, and none of the bricks may be missed.
+  constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
+  find_clashes(schedule, by_orbit, kAll, kAll, {}, [&](const Clash& clash) {
     const auto from = schedule.keys[static_cast<std::size_t>(clash.key)].site;
     out.insert(view.brick[static_cast<std::size_t>(from)]);
-  }
+    return false;
+  });
   return out;
 }
 

@@ -102,10 +102,17 @@ bool looks_alike(const Schedule& schedule, const Colouring& colours, const Clash
   return true;
 }
 
+using Counts = std::function<bool(const Clash&)>;
+
 class ClashFinder {
  public:
-  ClashFinder(const Schedule& schedule, const Colouring& colours, std::size_t most_of_state)
-      : schedule_(schedule), colours_(colours), most_(most_of_state), keys_(schedule, colours) {}
+  ClashFinder(const Schedule& schedule, const Colouring& colours, std::size_t most_of_state,
+              const Counts& counts)
+      : schedule_(schedule),
+        colours_(colours),
+        most_(most_of_state),
+        counts_(counts),
+        keys_(schedule, colours) {}
 
   void look_at(std::size_t number, std::vector<Clash>& out) const {
     const Site& site = schedule_.frame->sites[number];
@@ -138,6 +145,8 @@ class ClashFinder {
           static_cast<std::size_t>(schedule_.keys[static_cast<std::size_t>(clash.key)].site);
       if (intended && colours_[from] == colours_[static_cast<std::size_t>(site.orbit)]) continue;
       if (!looks_alike(schedule_, colours_, clash)) continue;
+      // Before the bounds: what does not count must not take the place of what does.
+      if (counts_ && !counts_(clash)) continue;
       out.push_back(clash);
       ++found;
     }
@@ -146,6 +155,7 @@ class ClashFinder {
   const Schedule& schedule_;
   const Colouring& colours_;
   std::size_t most_;
+  const Counts& counts_;
   KeyIndex keys_;
 };
 
@@ -163,10 +173,11 @@ std::uint32_t turned(std::uint32_t mask, const Orientation& orientation) {
 
 std::vector<Clash> find_clashes(const Schedule& schedule, const Colouring& colours,
                                 std::size_t most_of_state, std::size_t most,
-                                const Allowance& allowance) {
+                                const Allowance& allowance,
+                                const std::function<bool(const Clash&)>& counts) {
   assert(colours.size() == schedule.frame->orbits.size());
   std::vector<Clash> out;
-  const ClashFinder finder(schedule, colours, most_of_state);
+  const ClashFinder finder(schedule, colours, most_of_state, counts);
   for (std::size_t s = 0; s < schedule.frame->sites.size() && out.size() < most; ++s) {
     // The clock ends the search; so callers ask whether the time was over before they take
     // an empty result for an answer.

@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "synthesis/effort.h"
@@ -31,11 +32,13 @@ struct Clash {
 using Colouring = std::vector<Colour>;
 
 /// Clashes under a colouring: none when there are none, otherwise some for every state that
-/// has one: at most `most_of_state` a state and `most` in all. Ends early, with those met until
-/// then, when the time of the allowance is over.
+/// has one: at most `most_of_state` a state and, but for the last state, `most` in all. Ends
+/// early, with those met until then, when the time of the allowance is over. Those that `counts`
+/// refuses are passed over as if there were none; it is asked once about each clash met.
 std::vector<Clash> find_clashes(const Schedule& schedule, const Colouring& colours,
                                 std::size_t most_of_state, std::size_t most,
-                                const Allowance& allowance = {});
+                                const Allowance& allowance = {},
+                                const std::function<bool(const Clash&)>& counts = {});
 
 /// Pairs of orbits of which one must differ in colour so that the key does not look like
 /// the state; empty when they look alike whatever the colours are. Sorted, each once.
