@@ -29,7 +29,31 @@ TEST_CASE("exit codes by class") {
   CHECK(code(place, "stigc measure missing.vox") == 1);
   CHECK(code(place, "stigc explore sets/line.yaml --steps") == 2);
   CHECK(code(place, "stigc explore sets/line.yaml -o missing/x.png") == 3);
-  CHECK(code(place, "stigc test --states 0 --samples 1 sets/corner.yaml") == 3);
+  // Of a set that grows for ever nobody knows whether two orders end differently.
+  CHECK(
+      code(place,
+           "sed 's/endless/order-dependent/' sets/sheet.yaml > open.yaml; stigc test open.yaml") ==
+      3);
+}
+
+TEST_CASE("what one sample did not contradict, a proof does") {
+  const Workplace place;
+  const std::string one = "stigc test --states 0 --samples 1 ";
+  const auto expecting = [&](const std::string& what) {
+    return place.shell("sed 's/verdict: order-dependent/" + what +
+                       "/' sets/corner.yaml > t.yaml; " + one + "t.yaml");
+  };
+  const Outcome coordinated = expecting("verdict: coordinated");
+  CHECK(coordinated.exit_code == 1);
+  CHECK(coordinated.out.find("failed           coordinated: order-dependent (a proof)") !=
+        std::string::npos);
+  CHECK(expecting("verdict: order-dependent").exit_code == 0);
+  // Both ends have four bricks, which contradicts nothing.
+  CHECK(expecting("bricks: 4").exit_code == 0);
+  const Outcome endless = place.shell(
+      "sed 's/verdict: endless/verdict: coordinated/' sets/sheet.yaml > s.yaml; " + one + "s.yaml");
+  CHECK(endless.exit_code == 1);
+  CHECK(endless.out.find("an order that never ends (a proof)") != std::string::npos);
 }
 
 TEST_CASE("a run in which every program failed exits with 1, and one that cannot begin") {

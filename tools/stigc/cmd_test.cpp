@@ -95,6 +95,56 @@ std::string summary(std::size_t passed, std::size_t of, std::size_t without) {
   return text + "\n";
 }
 
+/// Every order ends in the same structure.
+void settle(const RuleSet& rules, const VerifyResult& proof, ExpectationItem& item) {
+  if (item.key == "verdict") {
+    const bool expected = *rules.expect->verdict == Verdict::coordinated;
+    item.standing = expected ? Standing::held : Standing::failed;
+    item.found = to_string(Verdict::coordinated);
+  } else if (item.key == "bricks") {
+    // By its text, as the file says it.
+    const bool same = fmt::to_string(proof.structure->size()) == item.expected;
+    item.standing = same ? Standing::held : Standing::failed;
+  } else if (item.standing == Standing::not_contradicted) {
+    item.standing = Standing::held;  // of the only end there is
+  }
+  item.method = "a proof";
+}
+
+/// Two orders end differently. What is expected of every end fails where one of these two has
+/// something else; that both have it proves nothing of others.
+void settle(const RuleSet& rules, const DivergingOrders& orders, ExpectationItem& item) {
+  std::vector<const Structure*> ends = {&orders.first_end};
+  if (orders.second_ended) ends.push_back(&orders.second_end);
+  const auto fails = [&](const auto& fits) {
+    if (!std::all_of(ends.begin(), ends.end(), fits)) item.standing = Standing::failed;
+    return item.standing == Standing::failed;
+  };
+  if (item.key == "verdict") {
+    const bool expected = *rules.expect->verdict == Verdict::order_dependent;
+    item.standing = expected ? Standing::held : Standing::failed;
+    item.found = to_string(Verdict::order_dependent);
+  } else if (item.key == "bricks") {
+    const auto fits = [&](const Structure* end) {
+      return fmt::to_string(end->size()) == item.expected;
+    };
+    if (!fails(fits)) return;
+    item.found = "another number in one of two orders that end differently";
+  } else {
+    const Structure wanted = to_origin(Structure(rules.lattice, rules.expect->structure));
+    if (!fails([&](const Structure* end) { return to_origin(*end) == wanted; })) return;
+    item.found = "another structure in one of two orders that end differently";
+  }
+  item.method = "a proof";
+}
+
+/// One order is endless. That others end is not ruled out, but not all of them do.
+void settle_endless(const RuleSet& rules, ExpectationItem& item) {
+  if (item.key != "verdict") return;
+  item.found = "an order that never ends (a proof); " + item.found;
+  if (*rules.expect->verdict == Verdict::coordinated) item.standing = Standing::failed;
+}
+
 /// What samples and searches have left open, a proof may settle.
 void settle_by_proof(const RuleSet& rules, ExpectationReport& report) {
   const auto open = [](const ExpectationItem& item) {
@@ -108,28 +158,21 @@ void settle_by_proof(const RuleSet& rules, ExpectationReport& report) {
   // The proof is bounded by work; only the user's patience bounds it in time.
   options.stop = &stop_requested();
   const VerifyResult result = verify(rules, options);
-  const bool proved = result.verdict == ProofVerdict::proved;
-  const bool endless = result.verdict == ProofVerdict::endless;
   for (ExpectationItem& item : report.items) {
-    // Only a proof settles what is open: a refutation, or no verdict at all, leaves it as it is.
-    if (!open(item) || (!proved && !endless)) continue;
-    if (endless) {
-      // One order is endless; that others end is not ruled out.
-      if (item.key == "verdict") item.found = "an order that never ends (a proof); " + item.found;
-      continue;
+    if (!open(item)) continue;
+    switch (result.verdict) {
+      case ProofVerdict::proved:
+        settle(rules, result, item);
+        break;
+      case ProofVerdict::refuted:
+        settle(rules, *result.refutation, item);
+        break;
+      case ProofVerdict::endless:
+        settle_endless(rules, item);
+        break;
+      case ProofVerdict::unknown:
+        break;
     }
-    if (item.key == "verdict") {
-      const bool expected = *rules.expect->verdict == Verdict::coordinated;
-      item.standing = expected ? Standing::held : Standing::failed;
-      item.found = to_string(Verdict::coordinated);
-    } else if (item.key == "bricks") {
-      // By its text, as the file says it.
-      const bool same = fmt::to_string(result.structure->size()) == item.expected;
-      item.standing = same ? Standing::held : Standing::failed;
-    } else if (item.standing == Standing::not_contradicted) {
-      item.standing = Standing::held;  // of the only end there is
-    }
-    item.method = "a proof";
   }
 }
 
