@@ -64,6 +64,11 @@ class Comparison {
   void differ(std::string what) {
     if (report_.difference.empty()) report_.difference = std::move(what);
   }
+  /// What was stopped after a difference has its verdict.
+  void interrupt() {
+    report_.interrupted = report_.difference.empty();
+    differ("replay was interrupted");
+  }
   bool differs() const { return !report_.difference.empty(); }
 
  private:
@@ -102,7 +107,7 @@ ReplayReport rerun(const Trace& trace, const RuleSet& rules, const SwarmHooks& o
   const bool recorded_end =
       result.terminated == trace.terminated || trace.terminated == Terminated::interrupted;
   if (result.terminated == Terminated::interrupted) {
-    comparison.differ("replay was interrupted");
+    comparison.interrupt();
   } else if (!recorded_end || result.steps != trace.steps) {
     comparison.differ("the run ends after " + std::to_string(result.steps) + " steps (" +
                       std::string(to_string(result.terminated)) + "), the trace after " +
@@ -146,7 +151,7 @@ ReplayReport check_given(const Trace& trace, const RuleSet& rules, const SwarmHo
   }
   LatticeWorld world(table, rules.start, config.box);
   for (const Deposit& event : trace.events) {
-    if (hooks.stop && hooks.stop->load()) comparison.differ("replay was interrupted");
+    if (hooks.stop && hooks.stop->load()) comparison.interrupt();
     if (!comparison.differs() && !open_at(world, event)) {
       comparison.differ("no rule allows " + to_text(event, rules));
     }

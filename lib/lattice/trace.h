@@ -62,10 +62,11 @@ std::optional<Trace> read_trace(const std::string& path, const std::string& byte
 /// What replay found.
 struct ReplayReport {
   bool identical = false;
+  bool interrupted = false;    ///< by a stop, before any difference: then no verdict
   std::string difference;      ///< first difference in words; empty when identical
   std::uint64_t compared = 0;  ///< events compared
 };
-/// Replays a trace. It uses the hooks progress and stop; a stop shows as a difference.
+/// Replays a trace. It uses the hooks progress and stop.
 ReplayReport replay(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks = {});
 
 }  // namespace stig

@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <atomic>
+
 #include "rules/rule_printer.h"
 #include "support/shipped.h"
 
@@ -100,6 +102,24 @@ TEST_CASE("replay names the first difference") {
   RuleSet changed = rules;
   changed.rules.erase(changed.rules.begin());
   CHECK_FALSE(replay(trace, changed).identical);
+}
+
+TEST_CASE("a replay that is stopped tells a difference from an interruption") {
+  const RuleSet rules = shipped("tiling");
+  // A stop is only looked for after thousands of events.
+  const Trace trace = *read_whole(record(rules, events(20'000)).bytes);
+  const std::atomic<bool> stop{true};
+  SwarmHooks hooks;
+  hooks.stop = &stop;
+  const ReplayReport stopped = replay(trace, rules, hooks);
+  CHECK_FALSE(stopped.identical);
+  CHECK(stopped.interrupted);
+  CHECK(stopped.compared < 20'000);
+  Trace other = trace;
+  other.events[0].step += 1;
+  const ReplayReport differs = replay(other, rules, hooks);
+  CHECK_FALSE(differs.interrupted);
+  CHECK(differs.difference.starts_with("event 1: "));
 }
 
 TEST_CASE("a given order is held to the rules, event by event") {

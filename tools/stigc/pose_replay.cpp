@@ -148,6 +148,10 @@ int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
   };
   const TraceComparison report = verify_trace(trace, *loaded, hooks);
   progress.clear();
+  if (report.interrupted) {
+    app.complain(fmt::format("interrupted after {} states", report.compared));
+    return kRunFailed;
+  }
   if (options.json) {
     Json json = summary_json(trace, options.trace);
     json["identical"] = report.identical;

@@ -26,6 +26,7 @@ TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
     const RunEnd end = run.until(static_cast<double>(ticks) * step, hooks);
     if (last) run.end_script(hooks);
     if (end == RunEnd::interrupted) {
+      report.interrupted = true;
       report.difference = "the comparison was interrupted";
     } else if (run.world().tick() != expected.tick) {
       report.difference =

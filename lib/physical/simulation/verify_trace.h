@@ -14,6 +14,7 @@ namespace stig {
 
 struct TraceComparison {
   bool identical = false;
+  bool interrupted = false;    ///< before any difference: then no verdict
   std::uint64_t compared = 0;  ///< hashes
   std::string difference;      ///< in words; empty when identical
 };
