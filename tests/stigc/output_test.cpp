@@ -357,6 +357,11 @@ TEST_CASE("doctor has a line a finding, each with its health") {
   CHECK(place.shell("stigc doctor sets/bad.yaml").exit_code == 1);
   CHECK(place.shell("TMPDIR=/nonexistent stigc doctor sets/line.yaml").exit_code == 1);
   CHECK(parsed(place.shell("stigc doctor --json sets/line.yaml"))["ok"] == true);
+  // Cores that the process may use, and not all that there are.
+  const Outcome one = place.shell(
+      "first=$(taskset -cp $$ | sed 's/.*: //; s/[,-].*//'); taskset -cp $first $$ > first.txt; "
+      "stigc doctor");
+  CHECK(one.out.find("processor  1 core,") != std::string::npos);
 }
 
 TEST_CASE("colours: never into a file, unless asked for") {
