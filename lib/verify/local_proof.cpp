@@ -361,10 +361,10 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
       if (other != StageModel::kNone) waiting.add(other);
     }
   }
-  // One failure for each site is reported. The sort is not stable: which one it is, where a
-  // site failed several times, is fixed for a standard library and not beyond.
-  std::sort(failures.begin(), failures.end(),
-            [](const LocalFailure& a, const LocalFailure& b) { return a.site < b.site; });
+  // One failure for each site is reported: the first that was met, which the stable sort keeps
+  // in front.
+  std::stable_sort(failures.begin(), failures.end(),
+                   [](const LocalFailure& a, const LocalFailure& b) { return a.site < b.site; });
   for (const LocalFailure& failure : failures) {
     if (proof.failures.empty() || proof.failures.back().site != failure.site) {
       proof.failures.push_back(failure);
