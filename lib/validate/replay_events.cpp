@@ -10,6 +10,7 @@
 #include <cassert>
 #include <map>
 
+#include "base/text.h"
 #include "lattice/swarm.h"
 #include "rules/cell_text.h"
 #include "rules/drawing.h"
@@ -46,8 +47,12 @@ std::string reason_for(const RuleSet& rules, const Explanation& said, Cell site,
   }
   // A rule that does not fire lacks a cell or a condition.
   const FailedCondition& failed = nearest->conditions.front();
-  return out + (failed.key == "height" ? fmt::format(" is not for height {}", failed.seen)
-                                       : fmt::format(" counts {} neighbours", failed.seen));
+  // A count says what it counts; all other keys of conditions are of the site itself
+  // (rules/site_condition.h).
+  if (failed.key != "count") return out + fmt::format(" is not for {} {}", failed.key, failed.seen);
+  const CountCondition& count = rules.rules[nearest->rule].counts[failed.index];
+  return out + fmt::format(" counts {}{} of {}", counted(failed.seen, "neighbour"),
+                           count.faces_only ? " at its faces" : "", symbol_of(rules, count.of));
 }
 
 }  // namespace
