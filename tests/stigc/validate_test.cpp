@@ -125,6 +125,20 @@ TEST_CASE("a duration that was asked for is that of the scene that is written") 
   CHECK(run({"--scene", "none.yaml"}).find("\nduration: 1.5\n") != std::string::npos);
 }
 
+TEST_CASE("a scene in flow style gets the controller inside its braces") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/rulesets/staircase.yaml";
+  place.write("flow.yaml",
+              "{stigc_scene: 1, robots: [{file: bebot.yaml, at: [0, 0], params: {side: +x}}],\n"
+              " blocks: [{at: [-0.15, 0, 0.0275], color: Q3, fixed: true}]}\n");
+  const Outcome outcome =
+      place.stigc({"validate", rules, "--scene", "flow.yaml", "--duration", "1", "-o", "out"});
+  CAPTURE(outcome.err);
+  CHECK(outcome.exit_code == 1);  // nothing is built so soon
+  CHECK(outcome.err.find("error[") == std::string::npos);
+  CHECK(place.file("out/scene.yaml").find("{duration: 1, robot_program: ") == 0);
+}
+
 TEST_CASE("the later robot builds it too: what differs is data") {
   const Workplace place;
   CHECK(place

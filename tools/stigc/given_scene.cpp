@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A scene of the user's becomes one for a validation by two lines at its end, as a user would add
-// them: the controller, and a duration that is enough. They are added to the text and not to what
+// A scene of the user's becomes one for a validation by two keys, as a user would add them: the
+// controller, and a duration that is enough. They are added to the text and not to what
 // was read, since the text is what traces carry.
 #include "given_scene.h"
 
@@ -8,19 +8,11 @@
 
 #include "base/file_io.h"
 #include "base/load.h"
+#include "scene_text.h"
 #include "validate/set_up.h"
 
 namespace stig {
 namespace {
-
-/// Does a line begin with the key? As YAML has it at the top level of a file in block style; flow
-/// style is not used for scenes.
-bool has_key(std::string_view text, std::string_view key) {
-  for (std::size_t at = text.find(key); at != std::string_view::npos; at = text.find(key, at + 1)) {
-    if (at == 0 || text[at - 1] == '\n') return true;
-  }
-  return false;
-}
 
 /// Does the scene, as it was written, ask for a file with the compiled program's name? By reading
 /// the scene with a loader that listens.
@@ -45,10 +37,8 @@ std::optional<std::string> given_scene(const std::string& path, const App& app) 
     return std::nullopt;
   }
   if (!text->ends_with('\n')) *text += '\n';
-  if (!has_key(*text, "robot_program:"))
-    *text += fmt::format("robot_program: {}\n", kControllerFile);
-  if (!has_key(*text, "duration:")) *text += fmt::format("duration: {:g}\n", kMostBuildTime);
-  return text;
+  return with_default(with_default(std::move(*text), "robot_program", kControllerFile), "duration",
+                      fmt::format("{:g}", kMostBuildTime));
 }
 
 bool controller_name_is_free(const std::string& path, const std::string& compiled,

@@ -10,24 +10,44 @@
 #include "base/yaml.h"
 
 namespace stig {
+namespace {
 
-std::string with_duration(std::string text, double seconds) {
+/// The scene's mapping; nothing where the text is none.
+std::optional<YamlNode> mapping_of(const std::string& text) {
   Diagnostics ignored;
-  const auto document = parse_yaml(std::make_shared<const SourceFile>("scene", text), {}, ignored);
-  if (!document || document->root.kind != YamlKind::mapping) return text;
-  const YamlNode& root = document->root;
-  if (const YamlNode* old = root.find("duration")) {
-    // Anything but a scalar is an error that the reader is to see.
-    return old->kind == YamlKind::scalar
-               ? text.replace(old->begin, old->end - old->begin, fmt::format("{}", seconds))
-               : text;
-  }
+  auto document = parse_yaml(std::make_shared<const SourceFile>("scene", text), {}, ignored);
+  if (!document || document->root.kind != YamlKind::mapping) return std::nullopt;
+  return std::move(document->root);
+}
+
+std::string with_key(std::string text, const YamlNode& root, std::string_view key,
+                     std::string_view value) {
   if (root.style == YamlStyle::flow) {
     // {…}: the key goes inside the braces.
-    return text.insert(root.begin + 1, fmt::format("duration: {}, ", seconds));
+    return text.insert(root.begin + 1, fmt::format("{}: {}, ", key, value));
   }
   if (!text.ends_with('\n')) text += '\n';
-  return text + fmt::format("duration: {}\n", seconds);
+  return text + fmt::format("{}: {}\n", key, value);
+}
+
+}  // namespace
+
+std::string with_duration(std::string text, double seconds) {
+  const std::optional<YamlNode> root = mapping_of(text);
+  if (!root) return text;
+  const std::string value = fmt::format("{}", seconds);
+  if (const YamlNode* old = root->find("duration")) {
+    // Anything but a scalar is an error that the reader is to see.
+    return old->kind == YamlKind::scalar ? text.replace(old->begin, old->end - old->begin, value)
+                                         : text;
+  }
+  return with_key(std::move(text), *root, "duration", value);
+}
+
+std::string with_default(std::string text, std::string_view key, std::string_view value) {
+  const std::optional<YamlNode> root = mapping_of(text);
+  if (!root || root->find(key) != nullptr) return text;
+  return with_key(std::move(text), *root, key, value);
 }
 
 }  // namespace stig
