@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Rules for robots for larger and larger targets of a few forms: processor seconds against bricks,
-// and the exponent that fits them.
+// and the exponent that fits them. A search that found nothing was ended by its bound of effort,
+// so its time says nothing of growth and is left out of the fit.
 //
 //   bench_assembly_sizes [MOST_BRICKS]
 #include <fmt/format.h>
@@ -25,13 +26,17 @@ struct Form {
   std::vector<int> sizes;
 };
 
-/// Processor seconds; the bricks go with them.
-double time_of(const Form& form, int size, const Abilities& robot, std::size_t& bricks) {
+struct Trial {
+  double seconds = 0;  ///< of processor time
+  bool found = false;
+};
+
+Trial try_size(const Form& form, int size, const Abilities& robot) {
   AssemblyTask task;
   task.target = form.of(size);
   task.robot = robot;
   task.wording = {"target", form.name, {}};
-  bricks = task.target.cells.size();
+  const std::size_t bricks = task.target.cells.size();
   const std::clock_t before = std::clock();
   const Assembly made = assemble(task, 1);
   const double seconds = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
@@ -40,7 +45,7 @@ double time_of(const Form& form, int size, const Abilities& robot, std::size_t& 
                            : made.plan->any_number ? "any number of robots"
                                                    : "one robot")
             << std::flush;
-  return seconds;
+  return {seconds, made.plan.has_value()};
 }
 
 /// The slope of the line through the logarithms, by least squares.
@@ -76,14 +81,17 @@ void measure_sizes(std::size_t most, const Abilities& robot) {
   std::cout << "form         bricks   seconds\n";
   for (const Form& form : forms) {
     std::vector<std::pair<double, double>> points;
+    std::size_t tried = 0;
     for (const int size : form.sizes) {
-      std::size_t bricks = form.of(size).cells.size();
+      const std::size_t bricks = form.of(size).cells.size();
       if (bricks > most) break;
-      const double seconds = time_of(form, size, robot, bricks);
-      points.emplace_back(static_cast<double>(bricks), seconds);
+      const Trial trial = try_size(form, size, robot);
+      ++tried;
+      if (trial.found) points.emplace_back(static_cast<double>(bricks), trial.seconds);
     }
     if (points.size() > 2) {
-      std::cout << fmt::format("{:12} time ~ bricks^{:.1f}\n", form.name, exponent(points));
+      std::cout << fmt::format("{:12} time ~ bricks^{:.1f}, {} of {} found\n", form.name,
+                               exponent(points), points.size(), tried);
     }
   }
 }
