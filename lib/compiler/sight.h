@@ -2,11 +2,12 @@
 // What a robot learns of a structure by standing before one of its columns and looking.
 //
 // It stands aligned with the column's row, at a few distances, and moves the lift, and with it
-// the camera, up and down. A brick is seen when the tag of one of its faces is seen by the
-// cameras' rule (angle, four corners in the image, near and far, nothing before a corner), its
-// colour when one of that face's LEDs is seen too. A cell is seen to be empty when a brick
-// there would be seen, or when the tag on top of the brick below it is. Points within two per
-// cent of the image's width of its edge do not count, since a robot stands a little off.
+// the camera, up and down. The tag of a face is seen by the cameras' rule (angle, four corners in
+// the image, near and far, nothing before a corner). A brick is seen when the tag of one of its
+// faces is, and one of that face's LEDs, which tell its colour: with a tag alone it counts as
+// unseen. A cell is seen to be empty when a tag of a brick there would be seen, or when the tag on
+// top of the brick below it is, lit or not. Points within two per cent of the image's width of
+// its edge do not count, since a robot stands a little off.
 //
 // The window around the column has the cells one step before, behind and beside it, at every
 // level that the robot can build on and the one above.
