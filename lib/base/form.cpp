@@ -22,9 +22,15 @@ NumberBounds bounds_of(const FormKey& key) {
 }
 
 std::string wanted_list(const FormKey& key) {
+  if (!key.wanted.empty()) return std::string(key.wanted);
   if (key.kind == FormKind::names) return "a list of names";
-  if (key.kind == FormKind::forms)
+  if (key.kind == FormKind::choices) return "a list of words";
+  if (key.kind == FormKind::forms && !key.form->example.empty()) {
+    return fmt::format("a list of entries like - {}", key.form->example);
+  }
+  if (key.kind == FormKind::forms) {
     return "a list of entries, each " + with_article(key.form->title);
+  }
   if (key.least == key.most) return fmt::format("a list of {} numbers", key.least);
   return "a list of numbers";
 }
@@ -36,7 +42,7 @@ class Checker : public NodeChecks {
   using NodeChecks::NodeChecks;
 
   bool check_form(const YamlNode& node, const Form& form) {
-    return check_keys(node, form.title, form.keys, [&](const YamlNode& value, const FormKey& key) {
+    return check_keys(node, form, [&](const YamlNode& value, const FormKey& key) {
       return check_value(value, key);
     });
   }
@@ -64,8 +70,13 @@ class Checker : public NodeChecks {
       case FormKind::numbers:
       case FormKind::integers:
       case FormKind::names:
+      case FormKind::choices:
       case FormKind::forms:
         return check_list(node, key);
+      case FormKind::map:
+        return check_map(node, key);
+      case FormKind::own:
+        return key.own->check(*this, node, key);
       case FormKind::anything:
         break;
     }
@@ -74,14 +85,28 @@ class Checker : public NodeChecks {
 
   bool check_list(const YamlNode& node, const FormKey& key) {
     if (!expect(node, YamlKind::sequence, wanted_list(key))) return false;
-    if (!check_size(node, key.name, node.items.size(), key.least, key.most)) return false;
-    bool sound = true;
-    for (const YamlNode& item : node.items) {
-      const bool good = key.kind == FormKind::names ? check_name(item)
-                        : key.kind == FormKind::forms
-                            ? check_form(item, *key.form)
-                            : check_number(item, key.name, bounds_of(key));
-      sound = good && sound;
+    bool sound = check_size(node, key.name, node.items.size(), key.least, key.most);
+    // Beyond the limit the list itself is the error: thousands of further ones help nobody.
+    if (node.items.size() > key.most) return sound;
+    for (const YamlNode& item : node.items) sound = check_item(item, key) && sound;
+    return sound || mark(node);
+  }
+
+  bool check_item(const YamlNode& item, const FormKey& key) {
+    if (key.kind == FormKind::names) return check_name(item);
+    if (key.kind == FormKind::choices) return check_choice(item, key.name, key.words);
+    if (key.kind == FormKind::forms) return check_form(item, *key.form);
+    return check_number(item, key.name, bounds_of(key));
+  }
+
+  // Keys and values are both checked, so one error does not hide the other.
+  bool check_map(const YamlNode& node, const FormKey& key) {
+    if (!expect(node, YamlKind::mapping, key.wanted)) return false;
+    bool sound = check_size(node, key.name, node.pairs.size(), key.least, key.most);
+    if (node.pairs.size() > key.most) return sound;
+    for (const YamlPair& pair : node.pairs) {
+      const bool good = key.own->check(*this, pair.key, key);
+      sound = check_value(pair.value, *key.entry) && good && sound;
     }
     return sound || mark(node);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The form of a data file, as one table of keys: blocks, robots, scenes.
+// The form of a data file, as one table of keys: rule sets, blocks, robots, scenes.
 //
 //     const Form& wheel_form() {
 //       static const Form form{"wheel", {
@@ -13,8 +13,8 @@
 //
 // Two readers share the table: check_form holds a file to it and reports every diagnostic
 // R1xx, form_schema prints it as JSON Schema draft 7 for editors. What a table cannot say
-// (names that are not defined, bodies that overlap) is the caller's to check. Rule sets have
-// kinds of value of their own and a table of theirs, in rules/rule_schema.h.
+// (names that are not defined, bodies that overlap) is the caller's to check. A format with
+// values of a kind that no other has describes them by a ValueKind: rules/rule_kinds.h.
 #pragma once
 
 #include <cstdint>
@@ -42,12 +42,25 @@ enum class FormKind : std::uint8_t {
   numbers,   ///< list of `least` to `most` numbers low..high; three make a vector
   integers,  ///< the same, whole
   names,     ///< list of names
+  choices,   ///< list of `words`
   form,      ///< mapping with the keys of `form`
   forms,     ///< list of such mappings
+  map,       ///< mapping whose keys are of the kind `own`, and its values as `entry` says
+  own,       ///< of the kind `own`
   anything   ///< the caller's business
 };
 
 struct Form;
+struct FormKey;
+class NodeChecks;
+
+/// A kind of value that belongs to one format.
+struct ValueKind {
+  /// Is the node such a value? Reports it and marks it as bad when it is not.
+  bool (*check)(NodeChecks& checks, const YamlNode& node, const FormKey& key) = nullptr;
+  std::string_view schema = {};   ///< JSON Schema; "$ref" may name what form_schema is given
+  std::string_view pattern = {};  ///< of those that are keys of a map: a regular expression
+};
 
 struct FormKey {
   std::string_view name;
@@ -58,12 +71,17 @@ struct FormKey {
   bool above_low = false;
   std::vector<std::string_view> words = {};
   const Form* form = nullptr;
-  std::size_t least = 0, most = SIZE_MAX;  ///< entries of a list
+  std::size_t least = 0, most = SIZE_MAX;  ///< entries of a list or map
+  const ValueKind* own = nullptr;
+  const FormKey* entry = nullptr;
+  /// What is said to be expected, where a list or map is and something else is found.
+  std::string_view wanted = {};
 };
 
 struct Form {
   std::string_view title;  ///< "wheel", as in "unknown key 'raduis' in a wheel"
   std::vector<FormKey> keys;
+  std::string_view example = {};  ///< the least that such a mapping may be
 };
 
 /// Nodes with an error of their own or inside; readers leave them alone.
@@ -75,8 +93,10 @@ BadNodes check_form(const YamlDocument& document, const Form& form, Diagnostics&
 bool check_form(const YamlDocument& document, const YamlNode& node, const Form& form,
                 Diagnostics& diagnostics, BadNodes& bad);
 
-/// JSON Schema draft 7 of the form, with a newline at the end.
-std::string form_schema(const Form& form, std::string_view title, std::string_view description);
+/// JSON Schema draft 7 of the form, with a newline at the end. `definitions`: a JSON object of
+/// those that schemas of the format's own kinds refer to.
+std::string form_schema(const Form& form, std::string_view title, std::string_view description,
+                        std::string_view definitions = "{}");
 
 /// A plain scalar as a number: decimal digits, sign, point, exponent. Nothing for
 /// anything else, quoted numbers, infinities and numbers too large for a double.

@@ -35,6 +35,20 @@ std::string definition(const Form& form) {
   return title;
 }
 
+Json words_json(const FormKey& key) {
+  Json words = Json::array();
+  for (const std::string_view word : key.words) words.push_back(word);
+  return {{"enum", words}};
+}
+
+Json map_json(const FormKey& key, Json value) {
+  Json out = {{"type", "object"}, {"additionalProperties", false}};
+  out["patternProperties"][std::string(key.own->pattern)] = std::move(value);
+  if (key.least > 0) out["minProperties"] = key.least;
+  if (key.most != SIZE_MAX) out["maxProperties"] = key.most;
+  return out;
+}
+
 Json list_json(const FormKey& key, Json items) {
   Json out = {{"type", "array"}, {"items", std::move(items)}};
   if (key.least > 0) out["minItems"] = key.least;
@@ -49,18 +63,22 @@ class Printer {
   Json form_json(const Form& form) {
     Json out = {{"type", "object"}, {"additionalProperties", false}};
     for (const FormKey& key : form.keys) {
+      Json value = value_json(key);
+      // Draft 7 ignores what stands beside a $ref, so the reference is wrapped.
+      if (value.contains("$ref")) value = {{"allOf", Json::array({std::move(value)})}};
       Json documented = {{"description", key.doc}};
-      documented.update(value_json(key));
+      documented.update(value);
       out["properties"][std::string(key.name)] = std::move(documented);
       if (key.required) out["required"].push_back(key.name);
     }
     return out;
   }
-  Json definitions() {
-    Json out = Json::object();
+  /// Adds them to those that are there.
+  Json definitions(Json out) {
     for (std::size_t i = 0; i < forms_.size(); ++i) {  // grows while it is walked
       const Form& form = *forms_[i];
-      out[definition(form)] = form_json(form);
+      Json& named = out[definition(form)] = {{"title", form.title}};
+      named.update(form_json(form));
     }
     return out;
   }
@@ -76,17 +94,17 @@ class Printer {
     // YAML scalars such as 1 or true are texts where a text is wanted, so editors must
     // accept them.
     const Json scalar = {{"type", {"string", "number", "boolean"}}};
+    Json name = scalar;
+    name["pattern"] = "^[^\\u0000-\\u001f\\u007f]+$";
     switch (key.kind) {
       case FormKind::text:
-      case FormKind::name:
         return scalar;
+      case FormKind::name:
+        return name;
       case FormKind::colour:
         return {{"type", "string"}, {"pattern", "^#[0-9a-fA-F]{6}$"}};
-      case FormKind::choice: {
-        Json words = Json::array();
-        for (const std::string_view word : key.words) words.push_back(word);
-        return {{"enum", words}};
-      }
+      case FormKind::choice:
+        return words_json(key);
       case FormKind::boolean:
         return {{"type", "boolean"}};
       case FormKind::integer:
@@ -98,10 +116,15 @@ class Printer {
       case FormKind::integers:
         return list_json(key, range_json(key));
       case FormKind::names:
-        return list_json(key, scalar);
+        return list_json(key, std::move(name));
+      case FormKind::choices:
+        return list_json(key, words_json(key));
+      case FormKind::map:
+        return map_json(key, value_json(*key.entry));
+      case FormKind::own:
+        return Json::parse(key.own->schema);
       case FormKind::form:
-        // Draft 7 ignores what stands beside a $ref, so the reference is wrapped.
-        return {{"allOf", Json::array({reference(*key.form)})}};
+        return reference(*key.form);
       case FormKind::forms:
         return list_json(key, reference(*key.form));
       case FormKind::anything:
@@ -115,14 +138,15 @@ class Printer {
 
 }  // namespace
 
-std::string form_schema(const Form& form, std::string_view title, std::string_view description) {
+std::string form_schema(const Form& form, std::string_view title, std::string_view description,
+                        std::string_view definitions) {
   Printer printer;
   Json out = {{"$schema", "http://json-schema.org/draft-07/schema#"},
               {"title", title},
               {"description", description}};
   out.update(printer.form_json(form));
-  Json definitions = printer.definitions();
-  if (!definitions.empty()) out["definitions"] = std::move(definitions);
+  Json all = printer.definitions(Json::parse(definitions));
+  if (!all.empty()) out["definitions"] = std::move(all);
   return out.dump(2) + "\n";
 }
 

@@ -176,6 +176,12 @@ bool NodeChecks::unknown_version(const YamlNode& node, int known) {
   return mark(node);
 }
 
+bool NodeChecks::wrong_mapping(const YamlNode& node, const Form& form) {
+  const std::string what = with_article(form.title);
+  return wrong(node, form.example.empty() ? what + " as a mapping of keys"
+                                          : fmt::format("{} like {}", what, form.example));
+}
+
 bool NodeChecks::unknown_key(const YamlPair& pair, std::string_view title,
                              const std::vector<std::string_view>& known) {
   Diagnostic& diagnostic =
@@ -212,7 +218,10 @@ bool NodeChecks::check_name(const YamlNode& node) {
 }
 
 bool NodeChecks::check_colour(const YamlNode& node) {
-  if (!expect(node, YamlKind::scalar, "a colour \"#rrggbb\" in quotes")) return false;
+  // A plain number is a number to an editor, and a colour never looks like one.
+  if (node.kind != YamlKind::scalar || number_of(node)) {
+    return wrong(node, "a colour \"#rrggbb\" in quotes", colour_meant(node.text));
+  }
   return is_colour(node.text) ||
          bad_text(node,
                   fmt::format("{} is no colour: write '#' and six hexadecimal digits, in quotes",

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What every table of keys asks of a single node: that it is a name, a colour, a number within
-// its bounds. The tables differ in what they are made of (base/form.h, rules/rule_schema.h),
-// what is said of a node does not.
+// What a table of keys (base/form.h) asks of a single node: that it is a name, a colour, a number
+// within its bounds. A format's own kinds of value are checked by the same functions.
 #pragma once
 
 #include <cstddef>
@@ -50,15 +49,17 @@ class NodeChecks {
   bool check_choice(const YamlNode& node, std::string_view key,
                     const std::vector<std::string_view>& words);
   bool check_number(const YamlNode& node, std::string_view key, const NumberBounds& bounds);
-  /// A mapping with these keys, each with a `name` and maybe `required`; `check` is called
-  /// with the value and the key of each that is known.
-  template <class Keys, class Check>
-  bool check_keys(const YamlNode& node, std::string_view title, const Keys& keys, Check check);
+  /// A mapping with the keys of the form; `check` is called with the value and the key of each
+  /// that is known.
+  template <class Check>
+  bool check_keys(const YamlNode& node, const Form& form, Check check);
   /// Entries of a list or mapping.
   bool check_size(const YamlNode& node, std::string_view key, std::size_t size, std::size_t least,
                   std::size_t most);
 
  private:
+  /// R103 of what is no mapping.
+  bool wrong_mapping(const YamlNode& node, const Form& form);
   /// R101; marks the value.
   bool unknown_key(const YamlPair& pair, std::string_view title,
                    const std::vector<std::string_view>& known);
@@ -71,24 +72,23 @@ class NodeChecks {
   BadNodes& bad_;
 };
 
-template <class Keys, class Check>
-bool NodeChecks::check_keys(const YamlNode& node, std::string_view title, const Keys& keys,
-                            Check check) {
-  if (!expect(node, YamlKind::mapping, with_article(title) + " as a mapping of keys")) return false;
+template <class Check>
+bool NodeChecks::check_keys(const YamlNode& node, const Form& form, Check check) {
+  if (node.kind != YamlKind::mapping) return wrong_mapping(node, form);
   std::vector<std::string_view> known;
-  for (const auto& key : keys) known.push_back(key.name);
+  for (const FormKey& key : form.keys) known.push_back(key.name);
   const auto check_pair = [&](const YamlPair& pair) {
     if (!expect(pair.key, YamlKind::scalar, "a key")) return false;
-    for (const auto& key : keys) {
+    for (const FormKey& key : form.keys) {
       if (key.name == pair.key.text) return check(pair.value, key);
     }
-    return unknown_key(pair, title, known);
+    return unknown_key(pair, form.title, known);
   };
   bool sound = true;
   for (const YamlPair& pair : node.pairs) sound = check_pair(pair) && sound;
-  for (const auto& key : keys) {
+  for (const FormKey& key : form.keys) {
     if (!key.required || node.find(key.name) != nullptr) continue;
-    missing_key(node, title, key.name, key.doc, known);
+    missing_key(node, form.title, key.name, key.doc, known);
     sound = false;
   }
   return sound || mark(node);

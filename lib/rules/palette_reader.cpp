@@ -43,7 +43,7 @@ void PaletteReader::read_bricks(const YamlNode* node) {
 
 Brick PaletteReader::read_brick(const YamlPair& pair) const {
   Brick brick;
-  plain_.read(pair.value, ObjectKind::brick, brick);
+  plain_.read(pair.value, brick_form(), brick);
   brick.symbol = pair.key.text;
   if (brick.name.empty()) brick.name = brick.symbol;
   // Lower case is the canonical form; the hash leaves colours of pictures out.

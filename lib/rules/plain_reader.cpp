@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Conversions of scalars whose shape and range the schema has checked (rule_shape.cpp): a value
+// Conversions of scalars whose shape and range the schema has checked (base/form.h): a value
 // that does not fit the type cannot come here, so none of these functions reports anything.
 #include "rules/plain_reader.h"
 
@@ -40,41 +40,39 @@ SourceRange PlainReader::key_range(const YamlNode& mapping, std::string_view key
   return {};
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& schema, bool& value) {
-  value = node.text == (schema.kind == ValueKind::choice ? schema.words.front() : "true");
+void PlainReader::read_value(const YamlNode& node, const FormKey& key, bool& value) {
+  value = node.text == (key.kind == FormKind::choice ? key.words.front() : "true");
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/, int& value) {
+void PlainReader::read_value(const YamlNode& node, const FormKey& /*key*/, int& value) {
   value = static_cast<int>(whole_number(node));
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/,
-                             std::int64_t& value) {
+void PlainReader::read_value(const YamlNode& node, const FormKey& /*key*/, std::int64_t& value) {
   value = whole_number(node);
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/, double& value) {
+void PlainReader::read_value(const YamlNode& node, const FormKey& /*key*/, double& value) {
   value = number_of(node).value();
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/,
-                             std::string& value) {
+void PlainReader::read_value(const YamlNode& node, const FormKey& /*key*/, std::string& value) {
   // A folded or literal block ends in a line end that its author did not mean.
   value = node.text.substr(0, node.text.find_last_not_of(" \t\r\n") + 1);
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/, Offset& value) {
+void PlainReader::read_value(const YamlNode& node, const FormKey& /*key*/, Offset& value) {
   const auto numbers = triple(node);
   value = {numbers[0], numbers[1], numbers[2]};
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& schema, Cell& value) {
+void PlainReader::read_value(const YamlNode& node, const FormKey& key, Cell& value) {
   Offset from_origin;
-  read_value(node, schema, from_origin);
+  read_value(node, key, from_origin);
   value = Cell{} + from_origin;
 }
 
-void PlainReader::read_value(const YamlNode& node, const KeySchema& /*schema*/,
+void PlainReader::read_value(const YamlNode& node, const FormKey& /*key*/,
                              std::vector<std::string>& value) {
   for (const YamlNode& word : node.items) value.push_back(word.text);
 }

@@ -33,31 +33,30 @@ class PlainReader {
 
   /// Fills in the plain members of a mapping; those whose keys are absent stay as they are.
   template <HasFields T>
-  void read(const YamlNode& mapping, ObjectKind kind, T& object) const;
+  void read(const YamlNode& mapping, const Form& form, T& object) const;
 
   /// A member is plain when there is a function for its type here; a Colour is a symbol, and
   /// so none of them.
-  static void read_value(const YamlNode& node, const KeySchema& schema, bool& value);
-  static void read_value(const YamlNode& node, const KeySchema& schema, int& value);
-  static void read_value(const YamlNode& node, const KeySchema& schema, std::int64_t& value);
-  static void read_value(const YamlNode& node, const KeySchema& schema, double& value);
+  static void read_value(const YamlNode& node, const FormKey& key, bool& value);
+  static void read_value(const YamlNode& node, const FormKey& key, int& value);
+  static void read_value(const YamlNode& node, const FormKey& key, std::int64_t& value);
+  static void read_value(const YamlNode& node, const FormKey& key, double& value);
   /// Without spaces and line ends behind it.
-  static void read_value(const YamlNode& node, const KeySchema& schema, std::string& value);
-  static void read_value(const YamlNode& node, const KeySchema& schema, Offset& value);
-  static void read_value(const YamlNode& node, const KeySchema& schema, Cell& value);
-  static void read_value(const YamlNode& node, const KeySchema& schema,
-                         std::vector<std::string>& value);
+  static void read_value(const YamlNode& node, const FormKey& key, std::string& value);
+  static void read_value(const YamlNode& node, const FormKey& key, Offset& value);
+  static void read_value(const YamlNode& node, const FormKey& key, Cell& value);
+  static void read_value(const YamlNode& node, const FormKey& key, std::vector<std::string>& value);
   /// The enumerator whose position the word has in the schema.
   template <class T>
   requires std::is_enum_v<T>
-  static void read_value(const YamlNode& node, const KeySchema& schema, T& value) {
-    const auto word = std::find(schema.words.begin(), schema.words.end(), node.text);
-    value = static_cast<T>(word - schema.words.begin());
+  static void read_value(const YamlNode& node, const FormKey& key, T& value) {
+    const auto word = std::find(key.words.begin(), key.words.end(), node.text);
+    value = static_cast<T>(word - key.words.begin());
   }
   template <class T>
-  requires(!HasFields<T>) static void read_value(const YamlNode& node, const KeySchema& schema,
+  requires(!HasFields<T>) static void read_value(const YamlNode& node, const FormKey& key,
                                                  std::optional<T>& value) {
-    read_value(node, schema, value.emplace());
+    read_value(node, key, value.emplace());
   }
 
  private:
@@ -66,13 +65,13 @@ class PlainReader {
 };
 
 template <HasFields T>
-void PlainReader::read(const YamlNode& mapping, ObjectKind kind, T& object) const {
+void PlainReader::read(const YamlNode& mapping, const Form& form, T& object) const {
   for_each_field(object, [&](const auto& field) {
     const YamlNode* node = field.key.empty() ? nullptr : good(mapping, field.key);
     if (node == nullptr) return;
-    const KeySchema& schema = key_schema(kind, field.key);
-    if constexpr (requires { read_value(*node, schema, field.value); }) {
-      read_value(*node, schema, field.value);
+    const FormKey& key = key_of(form, field.key);
+    if constexpr (requires { read_value(*node, key, field.value); }) {
+      read_value(*node, key, field.value);
     }
   });
 }

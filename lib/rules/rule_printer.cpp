@@ -79,12 +79,12 @@ class Printer {
     usual.symmetry = rules_.symmetry == Symmetry::none ? Symmetry::rotations : Symmetry::none;
     // Keys go by the schema and not by the members, so that the schema alone decides the order
     // of a file.
-    for (const KeySchema& schema : object_schema(ObjectKind::rule_set).keys) {
-      if (schema.name == "stigc") line(0, "stigc", fmt::format("stigc: {}", kFormatVersion));
+    for (const FormKey& key : rule_set_form().keys) {
+      if (key.name == "stigc") line(0, "stigc", fmt::format("stigc: {}", kFormatVersion));
       for_each_pair(rules_, usual, [&](const auto& field, const auto& otherwise) {
-        if (field.key != schema.name) return;
-        const bool written = schema.required || !same_fields(field.value, otherwise.value);
-        written ? member(schema, field.value) : absent(0, std::string(schema.name));
+        if (field.key != key.name) return;
+        const bool written = key.required || !same_fields(field.value, otherwise.value);
+        written ? member(key, field.value) : absent(0, std::string(key.name));
       });
     }
     for (const std::string& text : comments_[""].leading) out_ += text + "\n";
@@ -110,11 +110,11 @@ class Printer {
     put_comments(indent, comments_[element].trailing);
   }
   /// The same of all keys of a mapping that are not written.
-  void absent_keys(const std::string& path, ObjectKind kind, const std::vector<KeyText>& written) {
-    for (const KeySchema& schema : object_schema(kind).keys) {
+  void absent_keys(const std::string& path, const Form& form, const std::vector<KeyText>& written) {
+    for (const FormKey& key : form.keys) {
       const bool found = std::any_of(written.begin(), written.end(),
-                                     [&](const KeyText& key) { return key.key == schema.name; });
-      if (!found) absent(2, path + "/" + std::string(schema.name));
+                                     [&](const KeyText& text) { return text.key == key.name; });
+      if (!found) absent(2, path + "/" + std::string(key.name));
     }
   }
   void put(std::size_t indent, const std::string& element, std::string_view text) {
@@ -141,23 +141,23 @@ class Printer {
 
   /// On one line.
   template <class T>
-  void member(const KeySchema& schema, const T& value) {
-    const std::string name(schema.name);
-    line(0, name, name + ": " + texts_.text(value, schema, false));
+  void member(const FormKey& key, const T& value) {
+    const std::string name(key.name);
+    line(0, name, name + ": " + texts_.text(value, key, false));
   }
 
-  void member(const KeySchema& schema, const std::vector<Brick>& bricks) {
+  void member(const FormKey& /*key*/, const std::vector<Brick>& bricks) {
     line(0, "bricks", "bricks:");
     for (const Brick& brick : bricks) {
       Brick usual;
       usual.name = brick.symbol;
       line(2, "bricks/" + brick.symbol,
-           yaml_text(brick.symbol) + ": " + texts_.mapping(brick, usual, schema.object));
+           yaml_text(brick.symbol) + ": " + texts_.mapping(brick, usual, brick_form()));
     }
   }
 
   // An entry is written out, since entries cannot refer to each other.
-  void member(const KeySchema& /*schema*/, const std::vector<LegendEntry>& legend) {
+  void member(const FormKey& /*key*/, const std::vector<LegendEntry>& legend) {
     line(0, "legend", "legend:");
     for (const LegendEntry& entry : legend) {
       line(2, "legend/" + entry.symbol,
@@ -165,38 +165,38 @@ class Printer {
     }
   }
 
-  void member(const KeySchema& schema, const std::vector<PlacedBrick>& start) {
+  void member(const FormKey& key, const std::vector<PlacedBrick>& start) {
     line(0, "start", start.empty() ? "start: []" : "start:");
     for (std::size_t i = 0; i < start.size(); ++i) {
       line(2, fmt::format("start/{}", i),
-           "- " + texts_.mapping(start[i], PlacedBrick(), schema.object));
+           "- " + texts_.mapping(start[i], PlacedBrick(), *key.form));
     }
   }
 
   /// A mapping with a line for each key.
   template <HasFields T>
-  void member(const KeySchema& schema, const std::optional<T>& object) {
-    const std::string name(schema.name);
-    const auto keys = texts_.keys(*object, T(), schema.object, false);
-    absent_keys(name, schema.object, keys);
+  void member(const FormKey& key, const std::optional<T>& object) {
+    const std::string name(key.name);
+    const auto keys = texts_.keys(*object, T(), *key.form, false);
+    absent_keys(name, *key.form, keys);
     line(0, name, keys.empty() ? name + ": {}" : name + ":");
-    for (const KeyText& key : keys) key_lines(2, name, key);
+    for (const KeyText& text : keys) key_lines(2, name, text);
   }
-  void member(const KeySchema& schema, const std::optional<BoxSpec>& box) {
-    line(0, "box", "box: " + texts_.mapping(*box, BoxSpec(), schema.object));
+  void member(const FormKey& key, const std::optional<BoxSpec>& box) {
+    line(0, "box", "box: " + texts_.mapping(*box, BoxSpec(), *key.form));
   }
 
-  void member(const KeySchema& schema, const std::vector<Rule>& rules) {
+  void member(const FormKey& key, const std::vector<Rule>& rules) {
     line(0, "rules", rules.empty() ? "rules: []" : "rules:");
     for (std::size_t i = 0; i < rules.size(); ++i) {
-      one_rule(texts_.keys(rules[i], Rule(), schema.object, false), fmt::format("rules/{}", i));
+      one_rule(texts_.keys(rules[i], Rule(), *key.form, false), fmt::format("rules/{}", i));
     }
   }
 
   /// The name comes first, and its line begins the rule. Comments on keys that are not printed
   /// stand before it, where they still belong to the same rule when the file is read again.
   void one_rule(const std::vector<KeyText>& keys, const std::string& path) {
-    absent_keys(path, ObjectKind::rule, keys);
+    absent_keys(path, rule_form(), keys);
     comments_before(2, path);
     comments_before(2, path + "/name");
     put_comments(2, comments_[path].trailing);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reads a rule set in three passes: YAML into a tree (base/yaml.h), the tree against the schema
-// (rule_shape.cpp), and what is sound of it into a RuleSet, which is then checked as a whole
+// (base/form.h), and what is sound of it into a RuleSet, which is then checked as a whole
 // (rule_checks.h). Each pass reports all that it finds, so that an author sees every mistake of
 // a file at once; a set is handed out only when none was an error.
 #include "rules/rule_reader.h"
@@ -63,7 +63,7 @@ class Reader {
 
  private:
   void read_header(const YamlNode& root) {
-    plain_.read(root, ObjectKind::rule_set, rules_);
+    plain_.read(root, rule_set_form(), rules_);
     rules_.places.inversion = plain_.key_range(root, "inversion");
     rules_.places.conflicts = plain_.key_range(root, "conflicts");
     context_.lattice = rules_.lattice;
@@ -74,14 +74,14 @@ class Reader {
 
   void read_world(const YamlNode& root) {
     if (const YamlNode* box = plain_.good(root, "box")) {
-      plain_.read(*box, ObjectKind::box, rules_.box.emplace());
+      plain_.read(*box, box_form(), rules_.box.emplace());
     }
     if (const YamlNode* stages = plain_.good(root, "stages")) {
-      const KeySchema& schema = key_schema(ObjectKind::rule_set, "stages");
+      const FormKey& deposits = *key_of(rule_set_form(), "stages").entry;
       for (const YamlPair& pair : stages->pairs) {
         // The shape has been checked: the key is a number from 1 to kMaxStage.
         const int stage = std::stoi(pair.key.text);
-        PlainReader::read_value(pair.value, schema, rules_.stages[stage]);
+        PlainReader::read_value(pair.value, deposits, rules_.stages[stage]);
         rules_.places.stages[stage] = document_.range(pair.key);
       }
     }
@@ -93,7 +93,7 @@ class Reader {
     for (const YamlNode& entry : node->items) {
       if (entry.kind != YamlKind::mapping) continue;
       PlacedBrick placed;
-      plain_.read(entry, ObjectKind::start_entry, placed);
+      plain_.read(entry, start_form(), placed);
       const YamlNode* at = plain_.good(entry, "at");
       const YamlNode* brick = plain_.good(entry, "brick");
       const auto colour = brick == nullptr ? std::nullopt : palette_.brick_symbol(*brick);
@@ -122,7 +122,7 @@ class Reader {
   /// The rule, or nothing when something in it was wrong.
   std::optional<Rule> read_rule(const YamlNode& node) {
     Rule rule;
-    plain_.read(node, ObjectKind::rule, rule);
+    plain_.read(node, rule_form(), rule);
     rule.range = document_.range(node);
     bool sound = plain_.is_good(node);
     if (const YamlNode* name = plain_.good(node, "name")) rule.name_range = document_.range(*name);
@@ -161,7 +161,7 @@ class Reader {
   bool read_count(const YamlNode& node, Rule& rule) {
     if (!plain_.is_good(node) || node.kind != YamlKind::mapping) return false;
     CountCondition count;
-    plain_.read(node, ObjectKind::count, count);
+    plain_.read(node, count_form(), count);
     count.range = document_.range(node);
     const auto states = palette_.states(*node.find("of"), false);
     const bool ordered = check_order(node, count.min, count.max);
@@ -172,7 +172,7 @@ class Reader {
   }
 
   void read_physical(const YamlNode* node) {
-    if (node != nullptr) plain_.read(*node, ObjectKind::physical, rules_.physical.emplace());
+    if (node != nullptr) plain_.read(*node, physical_form(), rules_.physical.emplace());
   }
 
   void read_expect(const YamlNode* node) {
@@ -182,7 +182,7 @@ class Reader {
       return value == nullptr ? SourceRange{} : document_.head(*value);
     };
     Expectation& expect = rules_.expect.emplace();
-    plain_.read(*node, ObjectKind::expect, expect);
+    plain_.read(*node, expect_form(), expect);
     expect.range = document_.range(*node);
     expect.bricks_range = range_of("bricks");
     expect.verdict_range = range_of("verdict");
@@ -213,7 +213,7 @@ std::optional<RuleSet> read_rule_set(SourceRef source, Diagnostics& diagnostics)
   const auto document = parse_yaml(std::move(source), limits, found);
   std::optional<RuleSet> rules;
   if (document) {
-    const BadNodes bad = check_shape(*document, found);
+    const BadNodes bad = check_form(*document, rule_set_form(), found);
     Reader reader(*document, bad, found);
     rules = reader.read();
     // Of a file with errors only what is certain is said: a brick that seems unused

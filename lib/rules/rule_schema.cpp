@@ -10,14 +10,17 @@
 
 #include "rules/cell.h"
 #include "rules/neighbourhood.h"
+#include "rules/rule.h"
+#include "rules/rule_kinds.h"
 #include "rules/state.h"
 
 namespace stig {
 
 namespace {
 
-using enum ValueKind;
+using enum FormKind;
 constexpr double kFar = kMaxCoordinate;
+constexpr std::string_view kCell = "three whole numbers [x, y, z]";
 
 // Designated initialisers name only what a key needs; the rest keeps its default. GCC warns
 // of members that an initialiser leaves to their defaults, which is what these tables rely
@@ -25,13 +28,15 @@ constexpr double kFar = kMaxCoordinate;
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
-std::vector<KeySchema> rule_set_keys() {
+std::vector<FormKey> rule_set_keys() {
+  static const FormKey kBrick{.name = "bricks", .kind = form, .form = &brick_form()};
+  static const FormKey kStates{.name = "legend", .kind = own, .own = &kStatesKind};
+  static const FormKey kDeposits{.name = "stages", .kind = integer, .low = 1, .high = 1e12};
   return {
       {.name = "stigc",
-       .kind = integer,
+       .kind = version,
        .required = true,
        .doc = "Version of the file format: 1.",
-       .low = 1,
        .high = kFormatVersion},
       {.name = "name", .kind = name, .required = true, .doc = "Short name, for files and reports."},
       {.name = "title", .kind = text, .doc = "What it builds, in one line."},
@@ -52,44 +57,52 @@ std::vector<KeySchema> rule_set_keys() {
        .doc = "What happens when rules that place different bricks match together.",
        .words = {"error", "random", "first"}},
       {.name = "bricks",
-       .kind = bricks,
+       .kind = map,
        .required = true,
        .doc = "The kinds of brick, by the symbol that drawings use.",
-       .object = ObjectKind::brick,
        .least = 1,
-       .most = kMaxColours},
-      {.name = "legend", .kind = legend, .doc = "Symbols that stand for a set of states."},
-      {.name = "box", .kind = object, .doc = "A bounded world.", .object = ObjectKind::box},
+       .most = kMaxColours,
+       .own = &kSymbolKind,
+       .entry = &kBrick,
+       .wanted = "symbols and their bricks, like 1: {color: \"#8d99ae\"}"},
+      {.name = "legend",
+       .kind = map,
+       .doc = "Symbols that stand for a set of states.",
+       .own = &kSymbolKind,
+       .entry = &kStates,
+       .wanted = "symbols and their lists, like a: [1, 2]"},
+      {.name = "box", .kind = form, .doc = "A bounded world.", .form = &box_form()},
       {.name = "stages",
-       .kind = by_stage,
+       .kind = map,
        .doc = "Deposits after which the next stage begins; without: when no rule of the stage can "
               "fire.",
-       .low = 1,
-       .high = 1e12},
+       .own = &kStageKind,
+       .entry = &kDeposits,
+       .wanted = "stages and their numbers, like 1: 24"},
       {.name = "start",
-       .kind = objects,
+       .kind = forms,
        .required = true,
        .doc = "The bricks that are there before.",
-       .object = ObjectKind::start_entry},
+       .form = &start_form()},
       {.name = "physical",
-       .kind = object,
+       .kind = form,
        .doc = "What is assumed of the robots' world; for compile and validate alone.",
-       .object = ObjectKind::physical},
+       .form = &physical_form()},
       {.name = "expect",
-       .kind = object,
+       .kind = form,
        .doc = "What `stigc test` holds the file to.",
-       .object = ObjectKind::expect},
+       .form = &expect_form()},
       {.name = "rules",
-       .kind = objects,
+       .kind = forms,
        .required = true,
        .doc = "The rules.",
-       .object = ObjectKind::rule,
+       .form = &rule_form(),
        .least = 1,
        .most = kMaxRules},
   };
 }
 
-std::vector<KeySchema> brick_keys() {
+std::vector<FormKey> brick_keys() {
   return {
       {.name = "name", .kind = name, .doc = "What people call it; its symbol, if left out."},
       {.name = "color", .kind = colour, .required = true, .doc = "For pictures: \"#rrggbb\"."},
@@ -100,19 +113,26 @@ std::vector<KeySchema> brick_keys() {
   };
 }
 
-std::vector<KeySchema> start_keys() {
+std::vector<FormKey> start_keys() {
   return {
       {.name = "at",
-       .kind = cell,
+       .kind = integers,
        .required = true,
        .doc = "Cell [x, y, z].",
        .low = -kFar,
-       .high = kFar},
-      {.name = "brick", .kind = symbol, .required = true, .doc = "Symbol of the brick."},
+       .high = kFar,
+       .least = 3,
+       .most = 3,
+       .wanted = kCell},
+      {.name = "brick",
+       .kind = own,
+       .required = true,
+       .doc = "Symbol of the brick.",
+       .own = &kSymbolKind},
   };
 }
 
-std::vector<KeySchema> rule_keys() {
+std::vector<FormKey> rule_keys() {
   return {
       {.name = "name", .kind = name, .required = true, .doc = "Unique among the rules."},
       {.name = "stage",
@@ -120,7 +140,11 @@ std::vector<KeySchema> rule_keys() {
        .doc = "The one stage in which the rule is active.",
        .low = 1,
        .high = kMaxStage},
-      {.name = "place", .kind = symbol, .required = true, .doc = "Symbol of the brick to place."},
+      {.name = "place",
+       .kind = own,
+       .required = true,
+       .doc = "Symbol of the brick to place.",
+       .own = &kSymbolKind},
       {.name = "probability",
        .kind = number,
        .doc = "Chance to fire when chosen.",
@@ -139,34 +163,35 @@ std::vector<KeySchema> rule_keys() {
        .words = {"none", "rotations", "rotations+mirrors"}},
       {.name = "inversion", .kind = boolean, .doc = "For this rule alone."},
       {.name = "when",
-       .kind = drawing,
+       .kind = own,
        .required = true,
-       .doc = "The neighbourhood: slices above, level, below side by side."},
+       .doc = "The neighbourhood: slices above, level, below side by side.",
+       .own = &kDrawingKind},
       {.name = "height",
-       .kind = object,
+       .kind = form,
        .doc = "Height of the site; the floor's first layer is 0.",
-       .object = ObjectKind::height},
+       .form = &height_form()},
       {.name = "count",
-       .kind = objects,
+       .kind = forms,
        .doc = "How many neighbours show what.",
-       .object = ObjectKind::count},
+       .form = &count_form()},
   };
 }
 
-std::vector<KeySchema> height_keys() {
+std::vector<FormKey> height_keys() {
   return {
       {.name = "min", .kind = integer, .doc = "Lowest.", .low = -kFar, .high = kFar},
       {.name = "max", .kind = integer, .doc = "Highest.", .low = -kFar, .high = kFar},
   };
 }
 
-std::vector<KeySchema> count_keys() {
+std::vector<FormKey> count_keys() {
   return {
       {.name = "of",
-       .kind = symbols,
+       .kind = own,
        .required = true,
        .doc = "Symbols that are counted.",
-       .least = 1},
+       .own = &kStatesKind},
       {.name = "among",
        .kind = choice,
        .doc = "All neighbours, or those that share a face.",
@@ -176,24 +201,30 @@ std::vector<KeySchema> count_keys() {
   };
 }
 
-std::vector<KeySchema> box_keys() {
+std::vector<FormKey> box_keys() {
   return {
       {.name = "size",
-       .kind = cell,
+       .kind = integers,
        .required = true,
        .doc = "Cells along [x, y, z].",
        .low = 1,
-       .high = kFar},
+       .high = kFar,
+       .least = 3,
+       .most = 3,
+       .wanted = kCell},
       {.name = "origin",
-       .kind = cell,
+       .kind = integers,
        .doc = "Lowest cell; if left out, the box is laid around the start.",
        .low = -kFar,
-       .high = kFar},
+       .high = kFar,
+       .least = 3,
+       .most = 3,
+       .wanted = kCell},
       {.name = "periodic", .kind = boolean, .doc = "Opposite sides are joined."},
   };
 }
 
-std::vector<KeySchema> physical_keys() {
+std::vector<FormKey> physical_keys() {
   return {
       {.name = "sides",
        .kind = choices,
@@ -204,7 +235,7 @@ std::vector<KeySchema> physical_keys() {
   };
 }
 
-std::vector<KeySchema> expect_keys() {
+std::vector<FormKey> expect_keys() {
   return {
       {.name = "bricks",
        .kind = integer,
@@ -216,8 +247,9 @@ std::vector<KeySchema> expect_keys() {
        .doc = "Do all orders of events end alike?",
        .words = {"coordinated", "order-dependent", "endless"}},
       {.name = "structure",
-       .kind = drawing,
-       .doc = "The structure in the end: slices from the top down, parted by ---."},
+       .kind = own,
+       .doc = "The structure in the end: slices from the top down, parted by ---.",
+       .own = &kDrawingKind},
   };
 }
 
@@ -225,38 +257,71 @@ std::vector<KeySchema> expect_keys() {
 
 }  // namespace
 
-const ObjectSchema& object_schema(ObjectKind kind) {
-  // In the order of ObjectKind; the assertion below checks it at every use.
-  static const std::array<ObjectSchema, 9> kTable = {{
-      {ObjectKind::rule_set, "rule set", "stigc: 1 …", rule_set_keys()},
-      {ObjectKind::brick, "brick", "{color: \"#8d99ae\"}", brick_keys()},
-      {ObjectKind::start_entry, "start entry", "{at: [0, 0, 0], brick: 1}", start_keys()},
-      {ObjectKind::rule, "rule", "{name: …, place: …, when: …}", rule_keys()},
-      {ObjectKind::height, "height", "{min: 0, max: 3}", height_keys()},
-      {ObjectKind::count, "count", "{of: [1], min: 2}", count_keys()},
-      {ObjectKind::box, "box", "{size: [9, 9, 4]}", box_keys()},
-      {ObjectKind::physical, "physical", "{sides: [+x]}", physical_keys()},
-      {ObjectKind::expect, "expect", "{bricks: 6}", expect_keys()},
-  }};
-  const ObjectSchema& found = kTable[static_cast<std::size_t>(kind)];
-  assert(found.kind == kind);
-  return found;
+const Form& rule_set_form() {
+  static const Form kForm{"rule set", rule_set_keys(), "stigc: 1 …"};
+  return kForm;
 }
 
-const KeySchema& key_schema(ObjectKind kind, std::string_view path) {
+const Form& brick_form() {
+  static const Form kForm{"brick", brick_keys(), "{color: \"#8d99ae\"}"};
+  return kForm;
+}
+
+const Form& start_form() {
+  static const Form kForm{"start entry", start_keys(), "{at: [0, 0, 0], brick: 1}"};
+  return kForm;
+}
+
+const Form& rule_form() {
+  static const Form kForm{"rule", rule_keys(), "{name: …, place: …, when: …}"};
+  return kForm;
+}
+
+const Form& height_form() {
+  static const Form kForm{"height", height_keys(), "{min: 0, max: 3}"};
+  return kForm;
+}
+
+const Form& count_form() {
+  static const Form kForm{"count", count_keys(), "{of: [1], min: 2}"};
+  return kForm;
+}
+
+const Form& box_form() {
+  static const Form kForm{"box", box_keys(), "{size: [9, 9, 4]}"};
+  return kForm;
+}
+
+const Form& physical_form() {
+  static const Form kForm{"physical", physical_keys(), "{sides: [+x]}"};
+  return kForm;
+}
+
+const Form& expect_form() {
+  static const Form kForm{"expect", expect_keys(), "{bricks: 6}"};
+  return kForm;
+}
+
+const FormKey& key_of(const Form& form, std::string_view path) {
   const std::size_t slash = path.find('/');
-  const auto& keys = object_schema(kind).keys;
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const KeySchema& key) {
+  const auto found = std::find_if(form.keys.begin(), form.keys.end(), [&](const FormKey& key) {
     return key.name == path.substr(0, slash);
   });
-  assert(found != keys.end());
-  return slash == std::string_view::npos ? *found
-                                         : key_schema(found->object, path.substr(slash + 1));
+  assert(found != form.keys.end());
+  return slash == std::string_view::npos ? *found : key_of(*found->form, path.substr(slash + 1));
 }
 
 bool is_reserved_symbol(std::string_view symbol) {
   static constexpr std::array<std::string_view, 6> kReserved = {".", "*", "?", "#", "=", "---"};
   return std::find(kReserved.begin(), kReserved.end(), symbol) != kReserved.end();
+}
+
+std::string json_schema() { return json_schema({"1", "2", "3", "4"}); }
+
+std::string json_schema(const std::vector<std::string>& symbols) {
+  return form_schema(rule_set_form(), "stigc rule set, version 1",
+                     "Rules of collective construction on a 3-D lattice.",
+                     kind_definitions(symbols));
 }
 
 }  // namespace stig

@@ -15,62 +15,60 @@
 
 namespace stig {
 
-std::string ValueTexts::text(const std::string& value, const KeySchema& schema,
-                             bool in_line) const {
-  if (schema.kind == ValueKind::colour) return "\"" + value + "\"";
-  return schema.kind == ValueKind::choice ? value : yaml_text(value, in_line);
+std::string ValueTexts::text(const std::string& value, const FormKey& key, bool in_line) const {
+  if (key.kind == FormKind::colour) return "\"" + value + "\"";
+  return key.kind == FormKind::choice ? value : yaml_text(value, in_line);
 }
 
-std::string ValueTexts::text(bool value, const KeySchema& schema, bool /*in_line*/) const {
-  assert(schema.kind != ValueKind::choice || schema.words.size() == 2);
-  if (schema.kind == ValueKind::choice) return std::string(schema.words[value ? 0 : 1]);
+std::string ValueTexts::text(bool value, const FormKey& key, bool /*in_line*/) const {
+  assert(key.kind != FormKind::choice || key.words.size() == 2);
+  if (key.kind == FormKind::choice) return std::string(key.words[value ? 0 : 1]);
   return value ? "true" : "false";
 }
 
-std::string ValueTexts::text(Colour value, const KeySchema& /*schema*/, bool in_line) const {
+std::string ValueTexts::text(Colour value, const FormKey& /*key*/, bool in_line) const {
   assert(value >= 1 && value <= rules_.colours());
   return yaml_text(rules_.brick(value).symbol, in_line);
 }
 
-std::string ValueTexts::text(std::int64_t value, const KeySchema& /*schema*/,
-                             bool /*in_line*/) const {
+std::string ValueTexts::text(std::int64_t value, const FormKey& /*key*/, bool /*in_line*/) const {
   return fmt::to_string(value);
 }
 
 // The shortest decimal number that is read back as the same double, on every platform.
-std::string ValueTexts::text(double value, const KeySchema& /*schema*/, bool /*in_line*/) const {
+std::string ValueTexts::text(double value, const FormKey& /*key*/, bool /*in_line*/) const {
   return fmt::to_string(value);
 }
 
-std::string ValueTexts::text(Offset value, const KeySchema& /*schema*/, bool /*in_line*/) const {
+std::string ValueTexts::text(Offset value, const FormKey& /*key*/, bool /*in_line*/) const {
   return fmt::format("[{}, {}, {}]", value.x, value.y, value.z);
 }
 
-std::string ValueTexts::text(Cell value, const KeySchema& schema, bool in_line) const {
-  return text(value - Cell{}, schema, in_line);
+std::string ValueTexts::text(Cell value, const FormKey& key, bool in_line) const {
+  return text(value - Cell{}, key, in_line);
 }
 
-std::string ValueTexts::text(StateSet value, const KeySchema& /*schema*/, bool /*in_line*/) const {
+std::string ValueTexts::text(StateSet value, const FormKey& /*key*/, bool /*in_line*/) const {
   return state_list(value, true);
 }
 
 // Hexagonal drawings begin with spaces, from which YAML would guess a wrong indentation.
-std::string ValueTexts::text(const Pattern& /*value*/, const KeySchema& /*schema*/,
+std::string ValueTexts::text(const Pattern& /*value*/, const FormKey& /*key*/,
                              bool /*in_line*/) const {
   return rules_.lattice == Lattice::hexagonal ? "|2" : "|";
 }
 
-std::string ValueTexts::text(const std::vector<PlacedBrick>& /*value*/, const KeySchema& /*schema*/,
+std::string ValueTexts::text(const std::vector<PlacedBrick>& /*value*/, const FormKey& /*key*/,
                              bool /*in_line*/) const {
   return "|";
 }
 
-std::string ValueTexts::text(const std::vector<std::string>& words, const KeySchema& /*schema*/,
+std::string ValueTexts::text(const std::vector<std::string>& words, const FormKey& /*key*/,
                              bool /*in_line*/) const {
   return fmt::format("[{}]", fmt::join(words, ", "));
 }
 
-std::string ValueTexts::text(const std::map<int, std::int64_t>& value, const KeySchema& /*schema*/,
+std::string ValueTexts::text(const std::map<int, std::int64_t>& value, const FormKey& /*key*/,
                              bool /*in_line*/) const {
   std::vector<std::string> pairs;
   for (const auto& [stage, number] : value) pairs.push_back(fmt::format("{}: {}", stage, number));
@@ -101,7 +99,7 @@ std::string ValueTexts::in_braces(const std::vector<KeyText>& keys) {
 }
 
 std::vector<KeyText> ValueTexts::in_order(std::map<std::string, KeyText>& written,
-                                          ObjectKind kind) {
+                                          const Form& form) {
   std::vector<KeyText> out;
   const auto take = [&](const std::string& path) {
     const auto found = written.find(path);
@@ -109,11 +107,11 @@ std::vector<KeyText> ValueTexts::in_order(std::map<std::string, KeyText>& writte
     out.push_back(std::move(found->second));
     return true;
   };
-  for (const KeySchema& key : object_schema(kind).keys) {
+  for (const FormKey& key : form.keys) {
     const std::string name(key.name);
-    if (take(name) || key.kind != ValueKind::object) continue;
+    if (take(name) || key.kind != FormKind::form) continue;
     const std::size_t before = out.size();
-    for (const KeySchema& part : object_schema(key.object).keys) {
+    for (const FormKey& part : key.form->keys) {
       take(name + "/" + std::string(part.name));
     }
     if (out.size() == before) continue;

@@ -72,35 +72,35 @@ std::optional<RuleSet> read_text(const std::string& text) {
 
 // Other values that a file could have in the same place.
 
-std::vector<bool> others(bool value, const KeySchema& /*key*/) { return {!value}; }
-std::vector<std::int64_t> others(std::int64_t value, const KeySchema& key) {
+std::vector<bool> others(bool value, const FormKey& /*key*/) { return {!value}; }
+std::vector<std::int64_t> others(std::int64_t value, const FormKey& key) {
   const auto low = static_cast<std::int64_t>(key.low), high = static_cast<std::int64_t>(key.high);
   return {value < low ? low : value < high ? value + 1 : value - 1};
 }
-std::vector<int> others(int value, const KeySchema& key) {
+std::vector<int> others(int value, const FormKey& key) {
   return {static_cast<int>(others(std::int64_t{value}, key).front())};
 }
-std::vector<double> others(double value, const KeySchema& key) {
+std::vector<double> others(double value, const FormKey& key) {
   return {(value + (value > key.low ? key.low : key.high)) / 2};
 }
-std::vector<Colour> others(Colour value, const KeySchema& /*key*/) {
+std::vector<Colour> others(Colour value, const FormKey& /*key*/) {
   return {static_cast<Colour>(3 - value)};
 }
-std::vector<std::string> others(const std::string& value, const KeySchema& key) {
-  if (key.kind == ValueKind::colour) return {"#010203"};
-  if (key.kind == ValueKind::choice) return {std::string(key.words.front())};
+std::vector<std::string> others(const std::string& value, const FormKey& key) {
+  if (key.kind == FormKind::colour) return {"#010203"};
+  if (key.kind == FormKind::choice) return {std::string(key.words.front())};
   return {value + "x"};
 }
-std::vector<Offset> others(Offset o, const KeySchema& /*key*/) {
+std::vector<Offset> others(Offset o, const FormKey& /*key*/) {
   return {{o.x + 1, o.y, o.z}, {o.x, o.y + 1, o.z}, {o.x, o.y, o.z + 1}};
 }
-std::vector<Cell> others(Cell c, const KeySchema& /*key*/) {
+std::vector<Cell> others(Cell c, const FormKey& /*key*/) {
   return {{c.x + 1, c.y, c.z}, {c.x, c.y + 1, c.z}, {c.x, c.y, c.z + 1}};
 }
-std::vector<StateSet> others(StateSet value, const KeySchema& /*key*/) {
+std::vector<StateSet> others(StateSet value, const FormKey& /*key*/) {
   return {value | StateSet::floor()};
 }
-std::vector<Pattern> others(const Pattern& value, const KeySchema& /*key*/) {
+std::vector<Pattern> others(const Pattern& value, const FormKey& /*key*/) {
   std::vector<Pattern> out(kMaxNeighbours, value);
   for (std::size_t i = 0; i < out.size(); ++i) {
     auto& states = out[i].allowed[i];
@@ -109,12 +109,12 @@ std::vector<Pattern> others(const Pattern& value, const KeySchema& /*key*/) {
   return out;
 }
 template <class T>
-requires std::is_enum_v<T> std::vector<T> others(T value, const KeySchema& key) {
+requires std::is_enum_v<T> std::vector<T> others(T value, const FormKey& key) {
   const std::size_t next = (static_cast<std::size_t>(value) + 1) % key.words.size();
   return {static_cast<T>(next)};
 }
 template <class T>
-std::vector<std::optional<T>> others(const std::optional<T>& value, const KeySchema& key) {
+std::vector<std::optional<T>> others(const std::optional<T>& value, const FormKey& key) {
   std::vector<std::optional<T>> out;
   if (value) out.emplace_back(std::nullopt);
   if constexpr (!HasFields<T>) {
@@ -124,12 +124,12 @@ std::vector<std::optional<T>> others(const std::optional<T>& value, const KeySch
 }
 /// Without the last. What is in the lists is changed on its own.
 template <class T>
-std::vector<std::vector<T>> others(std::vector<T> value, const KeySchema& /*key*/) {
+std::vector<std::vector<T>> others(std::vector<T> value, const FormKey& /*key*/) {
   value.pop_back();
   return {value};
 }
 std::vector<std::map<int, std::int64_t>> others(const std::map<int, std::int64_t>& value,
-                                                const KeySchema& /*key*/) {
+                                                const FormKey& /*key*/) {
   std::vector<std::map<int, std::int64_t>> out(3, value);
   ++out[0].begin()->second;
   out[1].clear();
@@ -138,21 +138,21 @@ std::vector<std::map<int, std::int64_t>> others(const std::map<int, std::int64_t
 }
 
 /// What a member without a key of its own has for a key.
-const KeySchema kSymbol{.name = "symbol", .kind = ValueKind::symbol, .doc = {}};
+const FormKey kSymbol{.name = "symbol", .kind = FormKind::own};
 
 enum class Reads : bool { sometimes, always };
 
 /// Changes the members of `part`, which is a part of `rules`, one by one.
 template <HasFields T>
-void change_each(RuleSet& rules, T& part, ObjectKind kind, bool meant, Reads reads) {
+void change_each(RuleSet& rules, T& part, const Form& form, bool meant, Reads reads) {
   const RuleSet before = rules;
   for_each_field(part, [&](const auto& field) {
-    const KeySchema& key = field.key.empty() ? kSymbol : key_schema(kind, field.key);
-    CAPTURE(object_schema(kind).title);
+    const FormKey& key = field.key.empty() ? kSymbol : key_of(form, field.key);
+    CAPTURE(form.title);
     CAPTURE(field.key);
     const auto kept = field.value;
     // A required list cannot be empty, and a brick in use cannot go.
-    const bool list = key.kind == ValueKind::objects || key.kind == ValueKind::bricks;
+    const bool list = key.kind == FormKind::forms || key.kind == FormKind::map;
     int tried = 0;
     for (const auto& other : others(kept, key)) {
       if (key.required && list) continue;
@@ -188,9 +188,9 @@ std::set<std::string> keys_of(const std::string& under = {}) {
   return keys;
 }
 
-std::set<std::string> keys_of(ObjectKind kind) {
+std::set<std::string> keys_of(const Form& form) {
   std::set<std::string> keys;
-  for (const KeySchema& key : object_schema(kind).keys) keys.emplace(key.name);
+  for (const FormKey& key : form.keys) keys.emplace(key.name);
   return keys;
 }
 
@@ -201,16 +201,16 @@ TEST_CASE("a change of any member is seen by comparison, hash, printer and reade
   REQUIRE(read.has_value());
   RuleSet& rules = *read;
   Rule& rule = rules.rules.front();
-  change_each(rules, rule, ObjectKind::rule, true, Reads::always);
-  change_each(rules, rule.counts.front(), ObjectKind::count, true, Reads::always);
-  change_each(rules, *rules.box, ObjectKind::box, true, Reads::always);
-  change_each(rules, *rules.physical, ObjectKind::physical, false, Reads::always);
+  change_each(rules, rule, rule_form(), true, Reads::always);
+  change_each(rules, rule.counts.front(), count_form(), true, Reads::always);
+  change_each(rules, *rules.box, box_form(), true, Reads::always);
+  change_each(rules, *rules.physical, physical_form(), false, Reads::always);
   // What follows can contradict the rest of the file.
-  change_each(rules, rules, ObjectKind::rule_set, true, Reads::sometimes);
-  change_each(rules, rules.bricks.front(), ObjectKind::brick, true, Reads::sometimes);
-  change_each(rules, rules.start.front(), ObjectKind::start_entry, true, Reads::sometimes);
-  change_each(rules, *rules.expect, ObjectKind::expect, false, Reads::sometimes);
-  change_each(rules, rules.legend.front(), ObjectKind::rule_set, false, Reads::sometimes);
+  change_each(rules, rules, rule_set_form(), true, Reads::sometimes);
+  change_each(rules, rules.bricks.front(), brick_form(), true, Reads::sometimes);
+  change_each(rules, rules.start.front(), start_form(), true, Reads::sometimes);
+  change_each(rules, *rules.expect, expect_form(), false, Reads::sometimes);
+  change_each(rules, rules.legend.front(), rule_set_form(), false, Reads::sometimes);
 }
 
 TEST_CASE("an equal set has equal hash and text") {
@@ -225,15 +225,15 @@ TEST_CASE("an equal set has equal hash and text") {
 TEST_CASE("members and the keys of the schema are the same") {
   auto of_set = keys_of<RuleSet>();
   of_set.insert("stigc");
-  CHECK(of_set == keys_of(ObjectKind::rule_set));
-  CHECK(keys_of<Rule>() == keys_of(ObjectKind::rule));
-  CHECK(keys_of<Rule>("height/") == keys_of(ObjectKind::height));
-  CHECK(keys_of<CountCondition>() == keys_of(ObjectKind::count));
-  CHECK(keys_of<Brick>() == keys_of(ObjectKind::brick));
-  CHECK(keys_of<PlacedBrick>() == keys_of(ObjectKind::start_entry));
-  CHECK(keys_of<BoxSpec>() == keys_of(ObjectKind::box));
-  CHECK(keys_of<PhysicalSpec>() == keys_of(ObjectKind::physical));
-  CHECK(keys_of<Expectation>() == keys_of(ObjectKind::expect));
+  CHECK(of_set == keys_of(rule_set_form()));
+  CHECK(keys_of<Rule>() == keys_of(rule_form()));
+  CHECK(keys_of<Rule>("height/") == keys_of(height_form()));
+  CHECK(keys_of<CountCondition>() == keys_of(count_form()));
+  CHECK(keys_of<Brick>() == keys_of(brick_form()));
+  CHECK(keys_of<PlacedBrick>() == keys_of(start_form()));
+  CHECK(keys_of<BoxSpec>() == keys_of(box_form()));
+  CHECK(keys_of<PhysicalSpec>() == keys_of(physical_form()));
+  CHECK(keys_of<Expectation>() == keys_of(expect_form()));
 }
 
 namespace {

@@ -118,7 +118,7 @@ Rule random_rule(const RuleSet& rules, int index) {
   if (chance()) rule.height_min = rules.floor ? 1 + below(4) : below(9) - 4;
   if (chance()) rule.counts.push_back({random_states(rules), chance(), 0, 8 + below(19), {}});
   if (chance()) rule.counts.push_back({StateSet::bricks(rules.colours()), false, 1, 26, {}});
-  draw_fields(rule, ObjectKind::rule, 2, {"height/min", "height/max"});
+  draw_fields(rule, rule_form(), 2, {"height/min", "height/max"});
   return rule;
 }
 
@@ -149,7 +149,7 @@ RuleSet random_whole_rule_set() {
   rules.name = random_line();
   if (chance()) rules.title = random_text();
   if (chance()) rules.source = random_text() + "\nsecond line";
-  draw_fields(rules, ObjectKind::rule_set, 2, {"conflicts"});
+  draw_fields(rules, rule_set_form(), 2, {"conflicts"});
   rules.conflicts = chance() ? Conflicts::random : Conflicts::first;
   rules.bricks = random_bricks();
   for (int i = below(3); i > 0; --i) {

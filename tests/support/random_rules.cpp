@@ -71,7 +71,7 @@ Rule random_rule(const RuleSet& rules) {
     rule.pattern.allowed[i] = random_cell(rules, manner);
   }
   if (one_in(3)) rule.counts.push_back(random_count(rules));
-  draw_fields(rule, ObjectKind::rule, 4, {});
+  draw_fields(rule, rule_form(), 4, {});
   return rule;
 }
 
