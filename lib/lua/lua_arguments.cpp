@@ -57,7 +57,6 @@ double number_argument(lua_State* state, int index, const char* function, const 
 
 std::int64_t integer_argument(lua_State* state, int index, const char* function, const char* name,
                               std::int64_t low, std::int64_t high) {
-  assert(low <= high);
   int exact = 0;
   // lua_tointegerx takes 3.0 for 3, as Lua's own library does; 3.5 is not exact.
   const lua_Integer number =
