@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "assembly_rows.h"
+#include "support/uses.h"
 
 #include <fmt/format.h>
 

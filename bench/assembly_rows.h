@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "support/uses.h"
+
 namespace stig::bench {
 
 /// One run of `stigc validate`.

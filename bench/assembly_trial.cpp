@@ -17,6 +17,7 @@
 #include "assembly/targets.h"
 #include "paper_robot.h"
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

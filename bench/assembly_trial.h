@@ -5,6 +5,7 @@
 #include <string>
 
 #include "assembly_rows.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "rules/rule_table.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

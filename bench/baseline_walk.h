@@ -12,6 +12,7 @@
 
 #include "lattice/box.h"
 #include "rules/rule_set.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

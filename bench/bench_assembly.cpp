@@ -33,6 +33,7 @@
 #include "assembly_rows.h"
 #include "assembly_trial.h"
 #include "base/parallel.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

@@ -15,6 +15,7 @@
 
 #include "assembly/assemble.h"
 #include "paper_robot.h"
+#include "support/uses.h"
 #include "synthesis/shapes.h"
 
 namespace stig::bench {

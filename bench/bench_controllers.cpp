@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "lua/lua_controller.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

@@ -14,6 +14,7 @@
 #include <string_view>
 
 #include "physics_rows.h"
+#include "support/uses.h"
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
 #include "shipped.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "lattice/swarm.h"
 #include "shipped.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

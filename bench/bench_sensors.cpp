@@ -11,6 +11,7 @@
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/radio_medium.h"
 #include "physical/sensors/range_sensor.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

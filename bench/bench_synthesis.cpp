@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 
+#include "support/uses.h"
 #include "synthesis/emit.h"
 #include "synthesis/shapes.h"
 #include "synthesis/synthesise.h"
@@ -49,7 +50,7 @@ void compile(benchmark::State& state, const Target& target, Symmetry symmetry) {
   state.counters["colours"] = s.colour_count;
   state.counters["rules"] = static_cast<double>(s.rules.size());
   state.counters["exact_rules"] = static_cast<double>(s.exact_rules);
-  state.counters["proved"] = verify(rules, {}).verdict == ProofVerdict::proved ? 1 : 0;
+  state.counters["proved"] = verify::verify(rules, {}).verdict == ProofVerdict::proved ? 1 : 0;
   state.SetLabel(s.order.name);
 }
 

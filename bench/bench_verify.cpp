@@ -8,6 +8,7 @@
 
 #include "certify/check.h"
 #include "shipped.h"
+#include "support/uses.h"
 #include "verify/verify.h"
 
 namespace stig::bench {
@@ -48,7 +49,7 @@ void prove(benchmark::State& state, RuleSet (*make)(std::int64_t)) {
   options.seconds = 3600;
   std::size_t bricks = 0;
   for (auto _ : state) {
-    const VerifyResult result = verify(rules, options);
+    const VerifyResult result = verify::verify(rules, options);
     if (result.verdict != ProofVerdict::proved) state.SkipWithError("not proved");
     if (result.structure) bricks = result.structure->size();
   }
@@ -62,7 +63,7 @@ void check(benchmark::State& state, RuleSet (*make)(std::int64_t)) {
   VerifyOptions options;
   options.box = file_box(rules);
   options.seconds = 3600;
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   if (!result.certificate) return state.SkipWithError("not proved");
   for (auto _ : state) {
     const CheckReport report = check_certificate(rules, *result.certificate);

@@ -10,6 +10,7 @@
 #include "baseline_walk.h"
 #include "lattice/swarm.h"
 #include "shipped.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

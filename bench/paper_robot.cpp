@@ -8,6 +8,7 @@
 #include "compiler/block_figures.h"
 #include "robots/block.h"
 #include "robots/robot_reader.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "compiler/abilities.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

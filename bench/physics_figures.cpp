@@ -8,6 +8,7 @@
 #include "base/random.h"
 #include "physical/trials.h"
 #include "physics_rows.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

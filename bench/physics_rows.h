@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "robots/block.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

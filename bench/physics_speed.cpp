@@ -6,6 +6,7 @@
 
 #include "physical/trials.h"
 #include "physics_rows.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 namespace {

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

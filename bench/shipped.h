@@ -5,6 +5,7 @@
 #include <string>
 
 #include "rules/rule_set.h"
+#include "support/uses.h"
 
 namespace stig::bench {
 

@@ -14,24 +14,26 @@
 
 int main(int argc, char** argv) {
   stig::Diagnostics diagnostics;
-  const auto robot = stig::read_robot_file(STIG_DATA "/robots/bebot.yaml", diagnostics);
-  const auto block = stig::read_block_file(STIG_DATA "/blocks/stigmergic.yaml", diagnostics);
+  const auto robot = stig::robots::read_robot_file(STIG_DATA "/robots/bebot.yaml", diagnostics);
+  const auto block =
+      stig::robots::read_block_file(STIG_DATA "/blocks/stigmergic.yaml", diagnostics);
   std::cerr << stig::to_text(diagnostics);
   if (!robot || !block) return 1;
 
   // Steps of two and one, slices from the top down; the colours are chosen so that the robot can
   // tell what to do where.
-  const stig::Structure steps = stig::structure_literal(R"(
+  const stig::lattice::Structure steps = stig::lattice::structure_literal(R"(
 1 .
 ---
 1 1
 )");
-  stig::AssemblyTask task;
-  task.target = stig::target_of({steps, {stig::Brick{}}, /*placed=*/false}, stig::ColourUse::free);
-  task.robot = stig::abilities_of(*robot, stig::figures_of(*block));
+  stig::assembly::AssemblyTask task;
+  task.target = stig::synthesis::target_of({steps, {stig::rules::Brick{}}, /*placed=*/false},
+                                           stig::synthesis::ColourUse::free);
+  task.robot = stig::compiler::abilities_of(*robot, stig::compiler::figures_of(*block));
   task.wording = {"steps", "Steps of two and one", "examples/assemble.cpp"};
 
-  const stig::Assembly result = stig::assemble(task, /*effort=*/1);
+  const stig::assembly::Assembly result = stig::assembly::assemble(task, /*effort=*/1);
   if (!result.plan) {
     std::cerr << "no rules were found that this robot can follow\n";
     return 1;

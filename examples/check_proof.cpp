@@ -21,12 +21,12 @@ int main(int argc, char** argv) {
 
   // Both readers take untrusted text: whatever is malformed becomes a diagnostic.
   stig::Diagnostics diagnostics;
-  const auto rules = stig::read_rule_set_file(argv[1], diagnostics);
-  const auto certificate = stig::read_certificate(argv[2], text, diagnostics);
+  const auto rules = stig::rules::read_rule_set_file(argv[1], diagnostics);
+  const auto certificate = stig::certify::read_certificate(argv[2], text, diagnostics);
   std::cerr << stig::to_text(diagnostics);
   if (!rules || !certificate) return 1;
 
-  const stig::CheckReport report = stig::check_certificate(*rules, *certificate);
+  const stig::certify::CheckReport report = stig::certify::check_certificate(*rules, *certificate);
   if (!report.accepted) {
     std::cout << "refused: " << report.refusal << '\n';
     return 1;

@@ -21,14 +21,14 @@ blocks:
 
 /// Drives straight on until a rangefinder of the robot has something near. It knows what its
 /// readings say and nothing else, so that a run which is resumed can bring it back.
-class DriveUp final : public stig::RobotController {
+class DriveUp final : public stig::robots::RobotController {
  public:
-  stig::ControllerStatus init(stig::RobotCommands&) override { return {}; }
-  stig::ControllerStatus step(const stig::RobotReadings& readings,
-                              stig::RobotCommands& commands) override {
-    const bool near =
-        std::any_of(readings.rangefinders.begin(), readings.rangefinders.end(),
-                    [](const stig::RangeReading& range) { return range.proximity > kNear; });
+  stig::robots::ControllerStatus init(stig::robots::RobotCommands&) override { return {}; }
+  stig::robots::ControllerStatus step(const stig::robots::RobotReadings& readings,
+                                      stig::robots::RobotCommands& commands) override {
+    const bool near = std::any_of(
+        readings.rangefinders.begin(), readings.rangefinders.end(),
+        [](const stig::robots::RangeReading& range) { return range.proximity > kNear; });
     if (near && !stopped_) commands.log.emplace_back("something is near: stop");
     stopped_ = stopped_ || near;
     const double speed = stopped_ ? 0 : 0.05;  // m/s, of the wheels' rims
@@ -45,23 +45,23 @@ class DriveUp final : public stig::RobotController {
 
 int main() {
   // Where files that the scene names are looked for; the scene itself is no file here.
-  const stig::SceneLoader loader =
-      stig::disk_loader(STIG_DATA "/scenes", {STIG_DATA "/robots", STIG_DATA "/blocks"});
+  const stig::physics::SceneLoader loader =
+      stig::physics::disk_loader(STIG_DATA "/scenes", {STIG_DATA "/robots", STIG_DATA "/blocks"});
   stig::Diagnostics diagnostics;
-  const auto scene = stig::read_scene(
+  const auto scene = stig::physics::read_scene(
       std::make_shared<const stig::SourceFile>("scene.yaml", kScene), loader, diagnostics);
-  const auto placed = scene ? stig::place_scene(*scene, scene->seed, diagnostics) : std::nullopt;
+  const auto placed =
+      scene ? stig::physics::place_scene(*scene, scene->seed, diagnostics) : std::nullopt;
   std::cerr << stig::to_text(diagnostics);
   if (!placed) return 1;
 
   // Blocks keep the scene's own programs; the robot gets ours.
-  stig::ControllerFactory controllers = stig::lua_controllers();
-  controllers.robot = [](const stig::Scene&, const stig::PlacedScene&, std::size_t) {
-    return std::make_unique<DriveUp>();
-  };
-  stig::Simulation run(*scene, *placed, /*resumable=*/true, controllers);
-  stig::RunHooks hooks;
-  hooks.on_line = [](const stig::CrewLine& line) {
+  stig::physics::ControllerFactory controllers = stig::physics::lua_controllers();
+  controllers.robot = [](const stig::physics::Scene&, const stig::physics::PlacedScene&,
+                         std::size_t) { return std::make_unique<DriveUp>(); };
+  stig::physics::Simulation run(*scene, *placed, /*resumable=*/true, controllers);
+  stig::physics::RunHooks hooks;
+  hooks.on_line = [](const stig::physics::CrewLine& line) {
     std::printf("%s: %s\n", line.who.c_str(), line.text.c_str());
   };
   run.until(scene->duration, hooks);

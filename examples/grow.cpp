@@ -14,33 +14,32 @@
 int main(int argc, char** argv) {
   // Readers report all that is wrong with a file at once, each with its line, and return nothing.
   stig::Diagnostics diagnostics;
-  const auto rules = stig::read_rule_set_file(
+  const auto rules = stig::rules::read_rule_set_file(
       argc > 1 ? argv[1] : STIG_DATA "/rulesets/staircase.yaml", diagnostics);
   std::cerr << stig::to_text(diagnostics);
   if (!rules) return 1;
 
   // A RuleSet is what the author wrote; a RuleTable is the same compiled for matching.
-  const stig::RuleTable table(*rules);
+  const stig::rules::RuleTable table(*rules);
 
   // Agents that walk need a box. The same config gives the same structure on every machine.
-  stig::SwarmConfig config;
-  config.motion = stig::Motion::walk;
+  stig::lattice::SwarmConfig config;
+  config.motion = stig::lattice::Motion::walk;
   config.agents = 5;
-  config.box = stig::Box{{-4, -4, 0}, {9, 9, 6}, /*periodic=*/false, rules->floor};
+  config.box = stig::lattice::Box{{-4, -4, 0}, {9, 9, 6}, /*periodic=*/false, rules->floor};
   config.seed = 1;
   config.max_steps = 100'000;
-  if (const std::string problem = stig::config_problem(table, rules->start, config);
+  if (const std::string problem = stig::lattice::config_problem(table, rules->start, config);
       !problem.empty()) {
     std::cerr << problem << '\n';
     return 1;
   }
-  const stig::SwarmResult result = stig::run_swarm(table, rules->start, config);
+  const stig::lattice::SwarmResult result = stig::lattice::run_swarm(table, rules->start, config);
 
-  const stig::Measures measures = stig::measure(result.structure);
-  std::cout << stig::print_structure(result.structure, rules->bricks) << result.deposits
-            << " bricks placed, " << stig::to_string(result.terminated) << "; "
-            << measures.components << " component, " << measures.mean_neighbours
-            << " neighbours on average\n";
+  const stig::lattice::Measures measures = stig::lattice::measure(result.structure);
+  std::cout << stig::lattice::print_structure(result.structure, rules->bricks) << result.deposits
+            << " bricks placed, " << to_string(result.terminated) << "; " << measures.components
+            << " component, " << measures.mean_neighbours << " neighbours on average\n";
   for (std::size_t rule = 0; rule < result.rules.size(); ++rule) {
     std::cout << rules->rules[rule].name << ": " << result.rules[rule].fired << '\n';
   }

@@ -31,23 +31,23 @@ end
 
 int main() {
   stig::Diagnostics diagnostics;
-  const auto robot = stig::read_robot_file(STIG_DATA "/robots/bebot.yaml", diagnostics);
+  const auto robot = stig::robots::read_robot_file(STIG_DATA "/robots/bebot.yaml", diagnostics);
   std::cerr << stig::to_text(diagnostics);
   if (!robot) return 1;
 
   // Programs are untrusted: instructions, memory and the depth of calls are bounded.
-  stig::LuaSettings settings;
+  stig::lua::LuaSettings settings;
   settings.id = "robot1";
   settings.limits.instructions = 100'000;
-  stig::LuaController controller({"approach.lua", kProgram}, *robot, settings);
+  stig::lua::LuaController controller({"approach.lua", kProgram}, *robot, settings);
 
-  stig::RobotCommands commands;
+  stig::robots::RobotCommands commands;
   if (const auto status = controller.init(commands); !status.ok) {
     std::cerr << status.error << '\n';
     return 1;
   }
   // Lists of readings have an entry for each device of the robot's file, in its order.
-  stig::RobotReadings readings;
+  stig::robots::RobotReadings readings;
   readings.cameras.resize(robot->cameras.size());
   readings.rangefinders.resize(robot->rangefinders.size());
   readings.radios.resize(robot->radios.size());

@@ -10,24 +10,24 @@
 
 int main() {
   // An arch, slices from the top down. Its bricks are all of one kind, and free to get any colour.
-  const stig::Structure arch = stig::structure_literal(R"(
+  const stig::lattice::Structure arch = stig::lattice::structure_literal(R"(
 1 1 1
 ---
 1 . 1
 )");
-  const stig::Target target =
-      stig::target_of({arch, {stig::Brick{}}, /*placed=*/false}, stig::ColourUse::free);
+  const stig::synthesis::Target target = stig::synthesis::target_of(
+      {arch, {stig::rules::Brick{}}, /*placed=*/false}, stig::synthesis::ColourUse::free);
 
   // The search is deterministic: how long it may go on is counted in work.
-  stig::SynthesisOptions options;
+  stig::synthesis::SynthesisOptions options;
   options.floor = true;
-  const stig::Synthesis result = stig::synthesise(target, options);
+  const stig::synthesis::Synthesis result = stig::synthesis::synthesise(target, options);
   if (!result.best) {
     std::cerr << (result.obstacle ? result.obstacle->what : "not found with this effort") << '\n';
     return 1;
   }
-  const stig::Solution& best = *result.best;
-  std::cout << stig::print_rule_set(
-      stig::make_rule_set(*best.frame, best.colours, best.colour_count, target.bricks, best.rules,
-                          {"arch", "An arch of five bricks", "examples/synthesise.cpp"}));
+  const stig::synthesis::Solution& best = *result.best;
+  std::cout << stig::rules::print_rule_set(stig::synthesis::make_rule_set(
+      *best.frame, best.colours, best.colour_count, target.bricks, best.rules,
+      {"arch", "An arch of five bricks", "examples/synthesise.cpp"}));
 }

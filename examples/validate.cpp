@@ -41,80 +41,87 @@ rules:
 
 /// The library of programs that a compiled controller calls: each module after those that it
 /// requires.
-void add_module(std::string_view name, const stig::SceneLoader& load,
+void add_module(std::string_view name, const stig::physics::SceneLoader& load,
                 std::vector<std::string>& begun, std::vector<std::string>& out) {
   if (std::find(begun.begin(), begun.end(), name) != begun.end()) return;
   begun.emplace_back(name);
   stig::FileError error;
-  const auto text = load(stig::module_file(name), stig::kMostLuaSource, error);
+  const auto text = load(stig::lua::module_file(name), stig::lua::kMostLuaSource, error);
   if (!text) {
     std::cerr << error.message << '\n';
     std::exit(1);
   }
-  for (const std::string& required : stig::required_names(*text)) {
+  for (const std::string& required : stig::lua::required_names(*text)) {
     add_module(required, load, begun, out);
   }
   out.push_back(*text);
 }
 
 /// The controller in Lua: the library, the rules' decisions, and the chart that calls them.
-std::string controller_of(const stig::RuleSet& rules, const stig::Abilities& abilities,
-                          const stig::CompiledRules& compiled, const stig::SceneLoader& load) {
+std::string controller_of(const stig::rules::RuleSet& rules,
+                          const stig::compiler::Abilities& abilities,
+                          const stig::compiler::CompiledRules& compiled,
+                          const stig::physics::SceneLoader& load) {
   std::vector<std::string> begun, library;
-  add_module(stig::kRuntimeRoot, load, begun, library);
-  const auto plan = stig::plan_controller(rules, abilities, compiled);
-  return stig::controller_lua(rules, "tower.yaml", plan, compiled, library).text;
+  add_module(stig::compiler::kRuntimeRoot, load, begun, library);
+  const auto plan = stig::compiler::plan_controller(rules, abilities, compiled);
+  return stig::compiler::controller_lua(rules, "tower.yaml", plan, compiled, library).text;
 }
 
 /// Runs a scene, watched by a judge who knows every pose and never asks robots what they believe.
-int run(const stig::RuleSet& rules, const stig::CompiledRules& compiled, const stig::Scene& scene,
-        double seconds, stig::Diagnostics& diagnostics) {
-  const auto placed = stig::place_scene(scene, /*seed=*/1, diagnostics);
+int run(const stig::rules::RuleSet& rules, const stig::compiler::CompiledRules& compiled,
+        const stig::physics::Scene& scene, double seconds, stig::Diagnostics& diagnostics) {
+  const auto placed = stig::physics::place_scene(scene, /*seed=*/1, diagnostics);
   if (!placed) return 1;
   // Where the rules' lattice lies in the world: the blocks of the start say so.
   const auto site =
-      stig::find_site(rules, compiled.target->floor_level(), scene, *placed, diagnostics);
+      stig::validate::find_site(rules, compiled.target->floor_level(), scene, *placed, diagnostics);
   if (!site) return 1;
-  const stig::BuildTarget target{&rules, *compiled.proof.structure, *site};
-  stig::TrialSettings settings;
+  const stig::validate::BuildTarget target{&rules, *compiled.proof.structure, *site};
+  stig::validate::TrialSettings settings;
   settings.duration = seconds;
   settings.pictures = -1;
-  const stig::Trial trial = stig::run_trial(target, scene, *placed, settings, {});
+  const stig::validate::Trial trial =
+      stig::validate::run_trial(target, scene, *placed, settings, {});
 
-  for (const stig::BrickEvent& event : trial.events) {
-    std::cout << (event.kind == stig::BrickEvent::Kind::placed ? "placed" : "gone")
+  for (const stig::validate::BrickEvent& event : trial.events) {
+    std::cout << (event.kind == stig::validate::BrickEvent::Kind::placed ? "placed" : "gone")
               << ": brick at (" << event.cell.x << ", " << event.cell.y << ", " << event.cell.z
               << ")\n";
   }
-  std::cout << stig::to_string(trial.end) << ", " << stig::to_string(trial.judgement.verdict)
-            << ": " << trial.judgement.allowed << " of " << trial.judgement.placements
+  std::cout << to_string(trial.end) << ", " << to_string(trial.judgement.verdict) << ": "
+            << trial.judgement.allowed << " of " << trial.judgement.placements
             << " placements as the rules allow, " << trial.judgement.missing() << " missing\n";
-  return trial.judgement.verdict == stig::BuildVerdict::complete ? 0 : 1;
+  return trial.judgement.verdict == stig::validate::BuildVerdict::complete ? 0 : 1;
 }
 
 /// All of it; what is wrong is in the diagnostics.
 int validate(double seconds, stig::Diagnostics& diagnostics) {
   // Rules and robot, read and compiled as in compile.cpp.
-  const auto rules = stig::read_rule_set(
+  const auto rules = stig::rules::read_rule_set(
       std::make_shared<const stig::SourceFile>("tower.yaml", kRules), diagnostics);
-  const auto robot = stig::read_robot_file(STIG_DATA "/robots/bebot.yaml", diagnostics);
-  const auto block = stig::read_block_file(STIG_DATA "/blocks/stigmergic.yaml", diagnostics);
+  const auto robot = stig::robots::read_robot_file(STIG_DATA "/robots/bebot.yaml", diagnostics);
+  const auto block =
+      stig::robots::read_block_file(STIG_DATA "/blocks/stigmergic.yaml", diagnostics);
   if (!rules || !robot || !block) return 1;
-  const stig::Abilities abilities = stig::abilities_of(*robot, stig::figures_of(*block));
-  const stig::CompiledRules compiled = stig::compile_rules(*rules, abilities, {}, diagnostics);
+  const stig::compiler::Abilities abilities =
+      stig::compiler::abilities_of(*robot, stig::compiler::figures_of(*block));
+  const stig::compiler::CompiledRules compiled =
+      stig::compiler::compile_rules(*rules, abilities, {}, diagnostics);
   if (!compiled.decision) return 1;
 
   // The scene asks for the controller by the name kControllerFile, for all else by files' names.
-  const stig::SceneLoader disk = stig::disk_loader(
+  const stig::physics::SceneLoader disk = stig::physics::disk_loader(
       STIG_DATA "/scenes", {STIG_DATA "/robots", STIG_DATA "/blocks", STIG_DATA "/programs"});
   const std::string controller = controller_of(*rules, abilities, compiled, disk);
-  const stig::SceneLoader loader = [&](const std::string& name, std::size_t most,
-                                       stig::FileError& error) {
-    return name == stig::kControllerFile ? std::optional(controller) : disk(name, most, error);
+  const stig::physics::SceneLoader loader = [&](const std::string& name, std::size_t most,
+                                                stig::FileError& error) {
+    return name == stig::validate::kControllerFile ? std::optional(controller)
+                                                   : disk(name, most, error);
   };
-  const std::string text = stig::set_up_scene(*rules, compiled, {});
-  const auto scene = stig::read_scene(std::make_shared<const stig::SourceFile>("scene.yaml", text),
-                                      loader, diagnostics);
+  const std::string text = stig::validate::set_up_scene(*rules, compiled, {});
+  const auto scene = stig::physics::read_scene(
+      std::make_shared<const stig::SourceFile>("scene.yaml", text), loader, diagnostics);
   return scene ? run(*rules, compiled, *scene, seconds, diagnostics) : 1;
 }
 

@@ -8,6 +8,7 @@
 #include "certify/check.h"
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 
 namespace {
 
@@ -37,7 +38,7 @@ box: {size: [4, 2, 1], origin: [0, 0, 0]}
 const std::vector<PlacedBrick> kEnd{
     {{0, 0, 0}, 1}, {{0, 1, 0}, 3}, {{1, 0, 0}, 2}, {{2, 0, 0}, 3}, {{3, 0, 0}, 1}};
 
-const RuleSet& rules() {
+const RuleSet& the_rules() {
   static const RuleSet set = [] {
     Diagnostics diagnostics;
     auto read = read_rule_set(std::make_shared<const SourceFile>("fuzz.yaml", kRules), diagnostics);
@@ -59,9 +60,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto again = read_certificate("again.cert", print_certificate(*certificate), diagnostics);
   if (again != certificate) std::abort();
   // These two no mutation would ever find.
-  certificate->rule_set_hash = rule_set_hash(rules());
-  certificate->box = rules().box;
-  const CheckReport report = check_certificate(rules(), *certificate);
+  certificate->rule_set_hash = rule_set_hash(the_rules());
+  certificate->box = the_rules().box;
+  const CheckReport report = check_certificate(the_rules(), *certificate);
   if (report.accepted != report.refusal.empty()) std::abort();
   if (report.accepted && report.structure != kEnd) std::abort();
   return 0;

@@ -7,6 +7,7 @@
 
 #include "certify/clauses.h"
 #include "certify/drat.h"
+#include "support/uses.h"
 
 namespace {
 

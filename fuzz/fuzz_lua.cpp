@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lua/lua_controller.h"
+#include "support/uses.h"
 
 namespace {
 

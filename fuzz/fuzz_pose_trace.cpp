@@ -9,6 +9,7 @@
 #include "base/packed.h"
 #include "physical/simulation/checkpoint_file.h"
 #include "physical/trace/pose_trace.h"
+#include "support/uses.h"
 
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 
 namespace {
 

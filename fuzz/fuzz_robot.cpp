@@ -7,6 +7,7 @@
 #include <string>
 
 #include "robots/robot_reader.h"
+#include "support/uses.h"
 
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "physical/scene/poses_file.h"
 #include "physical/scene/scene.h"
+#include "support/uses.h"
 
 namespace {
 

@@ -6,6 +6,7 @@
 
 #include "base/packed.h"
 #include "lattice/trace.h"
+#include "support/uses.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   std::string bytes(reinterpret_cast<const char*>(data), size);

@@ -7,6 +7,7 @@
 
 #include "certify/check.h"
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 #include "verify/verify.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -25,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   config.motion = Motion::event;
   config.box = options.box;
   if (!config_problem(RuleTable(*rules), rules->start, config).empty()) return 0;
-  const VerifyResult result = verify(*rules, options);
+  const VerifyResult result = verify::verify(*rules, options);
   if (result.certificate) {
     const auto box = result.certificate->box;
     const CheckReport report = check_certificate(*rules, *result.certificate, box);

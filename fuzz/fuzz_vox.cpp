@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "lattice/vox.h"
+#include "support/uses.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace stig;

@@ -15,7 +15,7 @@
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -323,4 +323,4 @@ Assembly assemble(const AssemblyTask& task, double effort, const AssemblyHooks& 
   return Assembler(task, effort, hooks).run();
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -19,13 +19,14 @@
 
 #include "assembly/obstacle.h"
 #include "assembly/sequence.h"
+#include "assembly/uses.h"
 #include "assembly/work.h"
 #include "compiler/compile.h"
 #include "synthesis/effort.h"
 #include "synthesis/emit.h"
 #include "synthesis/target.h"
 
-namespace stig {
+namespace stig::assembly {
 
 struct AssemblyTask {
   Target target;  ///< cubic, two bricks or more
@@ -73,4 +74,4 @@ struct Assembly {
 /// `effort` as in SynthesisOptions.
 Assembly assemble(const AssemblyTask& task, double effort, const AssemblyHooks& hooks = {});
 
-}  // namespace stig
+}  // namespace stig::assembly

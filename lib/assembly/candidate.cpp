@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cstdlib>
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -96,4 +96,4 @@ void walk(const Builders& builders, const std::shared_ptr<Visibility>& visibilit
   candidate.walked = candidate.policy.complete;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -13,9 +13,10 @@
 #include <optional>
 
 #include "assembly/sequence.h"
+#include "assembly/uses.h"
 #include "compiler/policy.h"
 
-namespace stig {
+namespace stig::assembly {
 
 struct CandidateOrder {
   /// The bricks in the order of work, the start first, brick i of colour i + 1 as far as there are
@@ -44,4 +45,4 @@ CandidateOrder make_candidate(const TargetBricks& target, const Sequence& sequen
 void walk(const Builders& builders, const std::shared_ptr<Visibility>& visibility,
           const PolicyLimits& limits, CandidateOrder& candidate);
 
-}  // namespace stig
+}  // namespace stig::assembly

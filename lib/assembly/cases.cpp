@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -59,4 +59,4 @@ Cases cases_of(const CandidateOrder& candidate) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "assembly/candidate.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 inline constexpr std::size_t kMostCells = 128;  ///< of a window
 using CellBits = std::bitset<kMostCells>;
@@ -37,4 +38,4 @@ struct Cases {
 /// Takes a candidate that was walked, and looks at it structure by structure.
 Cases cases_of(const CandidateOrder& candidate);
 
-}  // namespace stig
+}  // namespace stig::assembly

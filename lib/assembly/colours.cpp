@@ -11,7 +11,7 @@
 
 #include "assembly/likeness.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -309,4 +309,4 @@ PaintResult paint(const Target& target, const Cases& cases, const RuleView& rule
   return Painter(target, cases, rules, k, texture, limits).run();
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

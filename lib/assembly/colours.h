@@ -20,9 +20,10 @@
 #include "assembly/cases.h"
 #include "assembly/schedule.h"
 #include "assembly/texture.h"
+#include "assembly/uses.h"
 #include "synthesis/colouring.h"
 
-namespace stig {
+namespace stig::assembly {
 
 struct PaintResult {
   Answered answer = Answered::given_up;
@@ -42,4 +43,4 @@ struct PaintLimits {
 PaintResult paint(const Target& target, const Cases& cases, const RuleView& rules, int k,
                   const Texture& texture, const PaintLimits& limits);
 
-}  // namespace stig
+}  // namespace stig::assembly

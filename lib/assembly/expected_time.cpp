@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::assembly {
 
 double expected_seconds(const std::vector<WorkStep>& work, int robots) {
   assert(robots > 0);
@@ -16,4 +16,4 @@ double expected_seconds(const std::vector<WorkStep>& work, int robots) {
   return kSecondsOfBrick * bricks * (robots > 1 ? kInEachOthersWay : 1);
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

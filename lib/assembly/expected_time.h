@@ -2,9 +2,10 @@
 // How long a build may take: an estimate from measured builds, no proof.
 #pragma once
 
+#include "assembly/uses.h"
 #include "assembly/work.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// Seconds that one robot takes for a brick, from block to block: measured with the paper's robot
 /// at the staircase (46 s) and at the stepped pyramid (55 s), docs/reproduction.md.
@@ -17,4 +18,4 @@ inline constexpr double kInEachOthersWay = 1.25;
 /// Within a third of what was measured; how far blocks are away counts for nothing.
 double expected_seconds(const std::vector<WorkStep>& work, int robots);
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -3,12 +3,13 @@
 
 #include <array>
 
+#include "assembly/uses.h"
 #include "rules/cell.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// From a brick to those that it shares a face with.
 inline constexpr std::array<Offset, 6> kFaces = {
     {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}};
 
-}  // namespace stig
+}  // namespace stig::assembly

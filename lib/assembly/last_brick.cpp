@@ -9,7 +9,7 @@
 #include "assembly/faces.h"
 #include "compiler/columns.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -132,4 +132,4 @@ bool Connected::about(const BrickSet& left, Cell middle) const {
   return (faces & ~met) == 0;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

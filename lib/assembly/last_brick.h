@@ -7,9 +7,10 @@
 #include <optional>
 #include <vector>
 
+#include "assembly/uses.h"
 #include "compiler/approach.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// Who builds: what a robot can do, and from which sides it works.
 struct Builders {
@@ -42,4 +43,4 @@ class Connected {
   std::vector<std::uint32_t> edge_;
 };
 
-}  // namespace stig
+}  // namespace stig::assembly

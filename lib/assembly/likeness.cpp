@@ -11,7 +11,7 @@
 #include <tuple>
 #include <unordered_map>
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -91,4 +91,4 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> compared_bricks(const Case&
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -5,9 +5,10 @@
 #include <functional>
 
 #include "assembly/cases.h"
+#include "assembly/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// Two cases that nothing but colours tells apart, as far as a question that `a` answers is asked.
 struct Likeness {
@@ -41,4 +42,4 @@ class Likenesses {
 /// Cells in which both cases see bricks, different ones: as pairs of bricks.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> compared_bricks(const Case& a, const Case& b);
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -6,7 +6,7 @@
 #include "base/hash.h"
 #include "compiler/compile.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -138,4 +138,4 @@ bool suits(const TargetBricks& target, const Liking& liking,
   return both(along_x) && (!rows_beside || both(!along_x));
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

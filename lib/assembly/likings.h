@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "assembly/sequence.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// Some that begin with a spine and sweep the rows beside it (texture.h), for large structures:
 /// those first that leave the colours least to count.
@@ -21,4 +22,4 @@ Liking liking_of(std::uint64_t seed);
 bool suits(const TargetBricks& target, const Liking& liking,
            const std::vector<ApproachSide>& sides);
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -12,7 +12,7 @@
 #include "compiler/local_policy.h"
 #include "compiler/local_situations.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -202,4 +202,4 @@ std::optional<Cases> local_cases(const CandidateOrder& candidate, const Builders
   return LocalCases(candidate, builders, visibility).run(looked);
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

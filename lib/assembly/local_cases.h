@@ -9,8 +9,9 @@
 #include <memory>
 
 #include "assembly/cases.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// Nothing when some brick might have to wait for ever, or when there is too much to look at.
 /// `looked` counts situations.
@@ -18,4 +19,4 @@ std::optional<Cases> local_cases(const CandidateOrder& candidate, const Builders
                                  const std::shared_ptr<Visibility>& visibility,
                                  std::size_t& looked);
 
-}  // namespace stig
+}  // namespace stig::assembly

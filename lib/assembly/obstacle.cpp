@@ -9,7 +9,7 @@
 
 #include "assembly/faces.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const 
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -5,8 +5,9 @@
 
 #include "assembly/remainder.h"
 #include "assembly/run.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 struct AssemblyObstacle {
   enum class Kind : std::uint8_t {
@@ -25,4 +26,4 @@ struct AssemblyObstacle {
 std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const Builders& builders,
                                               std::optional<std::uint32_t> start, int colours);
 
-}  // namespace stig
+}  // namespace stig::assembly

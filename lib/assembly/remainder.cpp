@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -77,4 +77,4 @@ Remainder find_remainder(const TargetBricks& target, const Builders& builders,
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

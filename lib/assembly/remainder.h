@@ -17,8 +17,9 @@
 #include <vector>
 
 #include "assembly/sequence.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// Why a brick cannot be put last, from one side.
 struct Bar {
@@ -39,4 +40,4 @@ struct Remainder {
 Remainder find_remainder(const TargetBricks& target, const Builders& builders,
                          std::optional<std::uint32_t> start);
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -8,7 +8,7 @@
 
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -149,4 +149,4 @@ std::vector<AssemblyRemedy> find_remedies(const AssemblyTask& task, const Assemb
   return Healer(task, made, effort, hooks).find(others);
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

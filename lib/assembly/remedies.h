@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "assembly/assemble.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 struct AssemblyRemedy {
   std::string what;         ///< "without the brick at (1, 1, 1)"
@@ -25,4 +26,4 @@ std::vector<AssemblyRemedy> find_remedies(const AssemblyTask& task, const Assemb
                                           const std::vector<OtherRobot>& others, double effort,
                                           const AssemblyHooks& hooks);
 
-}  // namespace stig
+}  // namespace stig::assembly

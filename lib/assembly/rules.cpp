@@ -11,7 +11,7 @@
 
 #include "rules/neighbourhood.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -160,4 +160,4 @@ RuleSet rules_of(const Target& target, const CandidateOrder& candidate, const Ru
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

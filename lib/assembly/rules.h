@@ -4,13 +4,14 @@
 #pragma once
 
 #include "assembly/colours.h"
+#include "assembly/uses.h"
 #include "synthesis/emit.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// `robots`: that the file says work at once; none: it does not say.
 RuleSet rules_of(const Target& target, const CandidateOrder& candidate, const RuleView& view,
                  const std::vector<Colour>& colours, const std::vector<ApproachSide>& sides,
                  std::optional<int> robots, const Wording& wording);
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -5,7 +5,7 @@
 #include <array>
 #include <cassert>
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -71,4 +71,4 @@ std::vector<FreeRun> runs_too_long(const TargetBricks& target, std::optional<std
   return {};
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

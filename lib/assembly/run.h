@@ -16,9 +16,10 @@
 #include <optional>
 #include <vector>
 
+#include "assembly/uses.h"
 #include "compiler/target_bricks.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// r₀ … rₙ, the free end last.
 using FreeRun = std::vector<Cell>;
@@ -28,4 +29,4 @@ using FreeRun = std::vector<Cell>;
 std::vector<FreeRun> runs_too_long(const TargetBricks& target, std::optional<std::uint32_t> start,
                                    int colours);
 
-}  // namespace stig
+}  // namespace stig::assembly

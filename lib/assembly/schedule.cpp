@@ -5,7 +5,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -137,4 +137,4 @@ void look_at_rules(const Target& target, const CandidateOrder& candidate, RuleVi
   out.schedule = std::move(schedule);
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

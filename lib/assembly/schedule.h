@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "assembly/candidate.h"
+#include "assembly/uses.h"
 #include "synthesis/local_states.h"
 #include "synthesis/target.h"
 
-namespace stig {
+namespace stig::assembly {
 
 struct RuleView {
   Frame frame;
@@ -20,4 +21,4 @@ struct RuleView {
 /// The frame must not move afterwards: the schedule points to it.
 void look_at_rules(const Target& target, const CandidateOrder& candidate, RuleView& out);
 
-}  // namespace stig
+}  // namespace stig::assembly

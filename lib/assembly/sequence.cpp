@@ -10,7 +10,7 @@
 #include "assembly/last_brick.h"
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -196,4 +196,4 @@ std::optional<Sequence> find_sequence(const TargetBricks& target, const Builders
   return Dismantler(target, builders, start, liking, most).run();
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "assembly/last_brick.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// Which bricks come late: those of the highest score, a sum of coordinates so weighted and of
 /// chance.
@@ -55,4 +56,4 @@ std::optional<Sequence> find_sequence(const TargetBricks& target, const Builders
                                       std::optional<std::uint32_t> start, const Liking& liking,
                                       std::uint64_t& most);
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <tuple>
 
-namespace stig {
+namespace stig::assembly {
 
 namespace {
 
@@ -75,4 +75,4 @@ Texture texture_of(const TargetBricks& target, const Liking& liking) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

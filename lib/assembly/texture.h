@@ -27,8 +27,9 @@
 #include <vector>
 
 #include "assembly/sequence.h"
+#include "assembly/uses.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// By brick, the first of those that have its colour.
 using Texture = std::vector<std::uint32_t>;
@@ -38,4 +39,4 @@ Texture no_texture(std::size_t bricks);
 /// Of rows beside a spine, swept where the liking is; without a spine, every brick by itself.
 Texture texture_of(const TargetBricks& target, const Liking& liking);
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -8,7 +8,7 @@
 
 #include "compiler/open_work.h"
 
-namespace stig {
+namespace stig::assembly {
 
 std::vector<WorkStep> work_of(const CompiledRules& compiled, const std::vector<Cell>& liked) {
   assert(compiled.target != nullptr && liked.size() == compiled.target->bricks());
@@ -29,4 +29,4 @@ std::vector<WorkStep> work_of(const CompiledRules& compiled, const std::vector<C
   }
 }
 
-}  // namespace stig
+}  // namespace stig::assembly

@@ -5,9 +5,10 @@
 
 #include <vector>
 
+#include "assembly/uses.h"
 #include "compiler/compile.h"
 
-namespace stig {
+namespace stig::assembly {
 
 /// A brick that is put, and what else could have been.
 struct WorkStep {
@@ -20,4 +21,4 @@ struct WorkStep {
 /// first in `liked`, a list of the structure's cells.
 std::vector<WorkStep> work_of(const CompiledRules& compiled, const std::vector<Cell>& liked);
 
-}  // namespace stig
+}  // namespace stig::assembly

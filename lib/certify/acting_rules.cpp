@@ -13,7 +13,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 /// States are cell contents: empty, up to 62 colours and the floor fit a 64-bit word
@@ -190,4 +190,4 @@ Action ActingRules::act(const Outlook& site, const std::vector<RuleCandidate>& c
   return action;
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -12,9 +12,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "certify/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::certify {
 
 /// A set of neighbours: bit i stands for the neighbour with index i.
 using NeighbourSet = std::uint32_t;
@@ -73,4 +74,4 @@ class ActingRules {
   std::size_t words_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -18,7 +18,7 @@
 #include "base/text.h"
 #include "certify/filling.h"
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 /// A side may span all cells that coordinates can name, from -kMaxCoordinate to
@@ -354,4 +354,4 @@ std::optional<Certificate> read_certificate(const std::string& path, const std::
   return Reader(path, text, diagnostics).read();
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -39,9 +39,10 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "certify/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::certify {
 
 /// One deposit of the witness run.
 struct CertifiedBrick {
@@ -85,4 +86,4 @@ std::string print_certificate(const Certificate& certificate);
 std::optional<Certificate> read_certificate(const std::string& path, const std::string& text,
                                             Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::certify

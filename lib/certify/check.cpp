@@ -16,7 +16,7 @@
 #include "rules/cell_text.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 /// Coordinates are bounded so that adding an offset, or measuring a side, never overflows
@@ -141,4 +141,4 @@ CheckReport check_certificate(const RuleSet& rules, const Certificate& certifica
   return report;
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -17,8 +17,9 @@
 #include <vector>
 
 #include "certify/certificate.h"
+#include "certify/uses.h"
 
-namespace stig {
+namespace stig::certify {
 
 struct CheckReport {
   bool accepted = false;
@@ -36,4 +37,4 @@ CheckReport check_certificate(const RuleSet& rules, const Certificate& certifica
 CheckReport check_certificate(const RuleSet& rules, const Certificate& certificate,
                               const std::optional<BoxSpec>& box);
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -9,7 +9,7 @@
 
 #include <charconv>
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
@@ -180,4 +180,4 @@ Read DratReader::next_in_binary(Literals& clause, bool& deletes) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::certify

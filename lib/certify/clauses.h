@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace stig {
+#include "certify/uses.h"
+
+namespace stig::certify {
 
 /// Variable v >= 1 is the literals 2v and, negated, 2v + 1.
 using Literal = std::uint32_t;
@@ -57,4 +59,4 @@ class DratReader {
   std::size_t at_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::certify

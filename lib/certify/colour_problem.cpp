@@ -16,7 +16,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 using nlohmann::json;
@@ -236,4 +236,4 @@ std::optional<ColourProblem> read_colour_problem(std::string_view text, std::str
   }
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -11,9 +11,10 @@
 #include <string_view>
 #include <vector>
 
+#include "certify/uses.h"
 #include "rules/symmetry.h"
 
-namespace stig {
+namespace stig::certify {
 
 /// A set of the target's cells, by number.
 using CellBits = std::vector<std::uint64_t>;
@@ -52,4 +53,4 @@ struct ColourProblem {
 /// What is wrong with the text goes to `problem`.
 std::optional<ColourProblem> read_colour_problem(std::string_view text, std::string& problem);
 
-}  // namespace stig
+}  // namespace stig::certify

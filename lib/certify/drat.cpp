@@ -19,7 +19,7 @@
 #include "base/hash.h"
 #include "certify/clauses.h"
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 /// Clauses under unit propagation. Every clause watches its first two literals; they are
@@ -317,4 +317,4 @@ DratReport check_drat(std::string_view cnf, std::string_view proof) {
   return report;
 }
 
-}  // namespace stig
+}  // namespace stig::certify

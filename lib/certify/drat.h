@@ -14,7 +14,9 @@
 #include <string>
 #include <string_view>
 
-namespace stig {
+#include "certify/uses.h"
+
+namespace stig::certify {
 
 struct DratReport {
   bool refuted = false;  ///< the formula has no solution
@@ -25,4 +27,4 @@ struct DratReport {
 
 DratReport check_drat(std::string_view cnf, std::string_view proof);
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -18,7 +18,7 @@
 
 #include "certify/colour_problem.h"
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 using Clause = std::vector<std::int64_t>;
@@ -314,4 +314,4 @@ FewestReport derive_formula(std::string_view problem, std::string_view cnf) {
   return report;
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -21,7 +21,9 @@
 #include <string>
 #include <string_view>
 
-namespace stig {
+#include "certify/uses.h"
+
+namespace stig::certify {
 
 struct FewestReport {
   bool derived = false;
@@ -35,4 +37,4 @@ struct FewestReport {
 /// `problem`: the text of fewer.json; `cnf`: that of fewer.cnf.
 FewestReport derive_formula(std::string_view problem, std::string_view cnf);
 
-}  // namespace stig
+}  // namespace stig::certify

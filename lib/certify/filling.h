@@ -7,8 +7,9 @@
 #include <cassert>
 
 #include "certify/certificate.h"
+#include "certify/uses.h"
 
-namespace stig {
+namespace stig::certify {
 
 inline constexpr std::size_t kBitsPerWord = 64;
 
@@ -37,4 +38,4 @@ inline bool less(const Filling& a, const Filling& b) {
   return std::lexicographical_compare(a.rbegin(), a.rend(), b.rbegin(), b.rend());
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -10,7 +10,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 bool within(std::int32_t at, std::int32_t low, std::int32_t size) {
@@ -101,4 +101,4 @@ void KnownCells::grow() {
   for (std::uint32_t i = 0; i < size(); ++i) slots_[slot_of(cells_[i].at)] = i;
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "certify/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::certify {
 
 /// Where bricks can be, and which cells are the same one.
 struct Space {
@@ -50,4 +51,4 @@ class KnownCells {
   std::vector<std::uint32_t> slots_;  ///< open addressing; kNone is free; half are
 };
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -12,7 +12,7 @@
 #include "certify/filling.h"
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::certify {
 
 StageCheck::StageCheck(const RuleSet& rules, const ActingRules& acting, const Space& space,
                        const CertifiedStage& stage, int number, KnownCells& cells)
@@ -240,4 +240,4 @@ bool StageCheck::windows_progress() {
   return true;
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -23,8 +23,9 @@
 #include "certify/acting_rules.h"
 #include "certify/certificate.h"
 #include "certify/space.h"
+#include "certify/uses.h"
 
-namespace stig {
+namespace stig::certify {
 
 class StageCheck {
  public:
@@ -130,4 +131,4 @@ class StageCheck {
   std::string refusal_;
 };
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -10,7 +10,7 @@
 #include "certify/stage_check.h"
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::certify {
 namespace {
 
 /// Beyond this check_least_states takes over; docs/proofs.md names the bound.
@@ -397,4 +397,4 @@ bool StageCheck::refuse_too_many(const Site& site) {
                             kMostLocalStates));
 }
 
-}  // namespace stig
+}  // namespace stig::certify

@@ -11,7 +11,7 @@
 
 #include "robots/robot_extent.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -103,4 +103,4 @@ Abilities abilities_of(const RobotModel& robot, const BlockFigures& block) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "compiler/uses.h"
 #include "robots/robot_model.h"
 #include "sensing/camera.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// The block as cameras see it: a cube with a tag in the middle of every face and four LEDs
 /// around it.
@@ -72,4 +73,4 @@ std::vector<std::string> lacking(const RobotModel& robot);
 /// The abilities of a robot that lacks nothing.
 Abilities abilities_of(const RobotModel& robot, const BlockFigures& block);
 
-}  // namespace stig
+}  // namespace stig::compiler

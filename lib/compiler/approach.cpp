@@ -17,7 +17,7 @@
 
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -330,4 +330,4 @@ std::string explain(const ReachResult& result) {
   return {};
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

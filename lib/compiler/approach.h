@@ -26,8 +26,9 @@
 
 #include "compiler/abilities.h"
 #include "compiler/target_bricks.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 enum class ApproachSide : std::uint8_t { plus_x, minus_x, plus_y, minus_y };
 inline constexpr std::array<ApproachSide, 4> kAllSides = {
@@ -80,4 +81,4 @@ bool reach_between(const TargetBricks& target, const BrickSet& least, const Bric
 /// "needs the lift at 168 mm, it goes to 137 mm": a sentence's end.
 std::string explain(const ReachResult& result);
 
-}  // namespace stig
+}  // namespace stig::compiler

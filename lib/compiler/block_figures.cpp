@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-namespace stig {
+namespace stig::compiler {
 
 BlockFigures figures_of(const BlockModel& block) {
   BlockFigures out;
@@ -23,4 +23,4 @@ BlockFigures figures_of(const BlockModel& block) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -3,12 +3,13 @@
 #pragma once
 
 #include "compiler/abilities.h"
+#include "compiler/uses.h"
 #include "robots/block.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// The file has one friction, taken for what blocks stand on as well; tags and LEDs have an
 /// angle each, of which the compiler takes the narrower.
 BlockFigures figures_of(const BlockModel& block);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-namespace stig {
+namespace stig::compiler {
 
 const Chart& building_chart() {
   static const Chart chart{{
@@ -61,4 +61,4 @@ std::string chart_dot(const Chart& chart) {
   return out + "}\n";
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -12,7 +12,9 @@
 #include <string_view>
 #include <vector>
 
-namespace stig {
+#include "compiler/uses.h"
+
+namespace stig::compiler {
 
 struct ChartStep {
   std::string_view event, to;
@@ -30,4 +32,4 @@ const Chart& building_chart();
 /// As Graphviz DOT.
 std::string chart_dot(const Chart& chart);
 
-}  // namespace stig
+}  // namespace stig::compiler

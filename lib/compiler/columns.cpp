@@ -4,7 +4,7 @@
 #include <cmath>
 #include <map>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -88,4 +88,4 @@ std::optional<WindowCell> next_to_column(const TargetBricks& target, const Brick
   return next ? std::optional(cell) : std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -9,8 +9,9 @@
 
 #include "compiler/approach.h"
 #include "compiler/sight.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// Columns from which a robot may put a brick, as (u, v) from the brick's own: that one, the one
 /// behind it, and those beside it.
@@ -35,4 +36,4 @@ std::optional<WindowCell> next_to_column(const TargetBricks& target, const Brick
 std::vector<std::uint32_t> bricks_about(const TargetBricks& target, ApproachSide side, int u,
                                         int v);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -17,7 +17,7 @@
 #include "compiler/refusal.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -252,7 +252,7 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
   if (!out.robots && rules.physical) out.robots = rules.physical->robots;
   const bool form = report_form(rules, diagnostics);
   if (!report_colours(rules, diagnostics) || !form) return out;
-  out.proof = verify(rules, options.verify);
+  out.proof = verify::verify(rules, options.verify);
   if (!report_proof(rules, out.proof, diagnostics)) return out;
   out.target = std::make_unique<TargetStates>(rules, out.proof);
   if (!report_height(rules, robot, *out.target, out.proof, diagnostics) ||
@@ -282,4 +282,4 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

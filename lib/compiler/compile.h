@@ -26,9 +26,10 @@
 #include "compiler/concurrent.h"
 #include "compiler/decision.h"
 #include "compiler/policy.h"
+#include "compiler/uses.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::compiler {
 
 enum class KnownDirections : std::uint8_t {
   symmetric,  ///< the rules hold in every turn
@@ -83,4 +84,4 @@ std::vector<PolicyScope> policy_scopes(const CompiledRules& compiled);
 CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
                             const CompileOptions& options, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -11,7 +11,7 @@
 #include <map>
 #include <set>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -246,4 +246,4 @@ Concurrency check_concurrency(const TargetStates& target, const Abilities& robot
   return Checker(target, robot, policy, decision).check();
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -24,8 +24,9 @@
 #include <vector>
 
 #include "compiler/decision.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// A brick to be put from a side.
 struct Work {
@@ -73,4 +74,4 @@ struct Concurrency {
 Concurrency check_concurrency(const TargetStates& target, const Abilities& robot,
                               const Policy& policy, const DecisionNode& decision);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -12,7 +12,7 @@
 #include "rules/cell_text.h"
 #include "rules/pattern_text.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -129,4 +129,4 @@ bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics&
   return compiled.robots.has_value();
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -4,8 +4,9 @@
 #pragma once
 
 #include "compiler/compile.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// In one line.
 std::string conflict_text(const CompiledRules& compiled, const Conflict& conflict);
@@ -17,4 +18,4 @@ std::string robots_text(const CompiledRules& compiled);
 /// warning where nobody said how many, and not at all where one works alone. Is it a refusal?
 bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -13,7 +13,7 @@
 #include "compiler/decision_text.h"
 #include "robots/robot_description.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -267,4 +267,4 @@ ControllerText controller_argos(const RuleSet& rules, std::string_view file,
   return out.take();
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

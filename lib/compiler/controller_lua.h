@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "compiler/controller_plan.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// Where a line of the program comes from.
 struct LineOrigin {
@@ -46,4 +47,4 @@ ControllerText controller_argos(const RuleSet& rules, std::string_view file,
                                 std::string_view description, std::string_view adapter,
                                 const std::vector<std::string>& library);
 
-}  // namespace stig
+}  // namespace stig::compiler

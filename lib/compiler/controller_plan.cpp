@@ -7,7 +7,7 @@
 #include <cassert>
 #include <set>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -73,4 +73,4 @@ std::vector<std::uint32_t> rules_of(const CompiledRules& compiled, const Decisio
   return {out.begin(), out.end()};
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "compiler/chart.h"
+#include "compiler/uses.h"
 #include "compiler/viewpoints.h"
 
-namespace stig {
+namespace stig::compiler {
 
 struct ControllerPlan {
   const Chart* chart = nullptr;
@@ -34,4 +35,4 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
 /// Rules by which the placement of a leaf is made, in some structure that can arise; rising.
 std::vector<std::uint32_t> rules_of(const CompiledRules& compiled, const DecisionNode& leaf);
 
-}  // namespace stig
+}  // namespace stig::compiler

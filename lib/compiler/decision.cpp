@@ -13,7 +13,7 @@
 #include <set>
 #include <tuple>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -342,4 +342,4 @@ std::optional<Placement> decide(const DecisionNode& root, const Observation& see
   return node->placement;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

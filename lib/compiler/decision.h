@@ -18,8 +18,9 @@
 #include <vector>
 
 #include "compiler/policy.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// What is asked: the column's top, what is known of a cell of the window, or from which side.
 struct Question {
@@ -64,4 +65,4 @@ std::unique_ptr<DecisionNode> simplify(const TargetBricks& target, Policy& polic
 /// not seen or has no branch.
 std::optional<Placement> decide(const DecisionNode& root, const Observation& seen);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -7,7 +7,7 @@
 
 #include <cstdlib>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -128,4 +128,4 @@ std::string decision_dot(const RuleSet& rules, const DecisionNode& root) {
   return out + "}\n";
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

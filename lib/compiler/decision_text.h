@@ -5,9 +5,10 @@
 #include <string>
 
 #include "compiler/decision.h"
+#include "compiler/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// "extend with Q2", "raise with Q3", "nothing".
 std::string placement_text(const RuleSet& rules, const std::optional<Placement>& placement);
@@ -21,4 +22,4 @@ std::string answers_text(const RuleSet& rules, const Question& question,
 std::string decision_text(const RuleSet& rules, const DecisionNode& root);
 std::string decision_dot(const RuleSet& rules, const DecisionNode& root);
 
-}  // namespace stig
+}  // namespace stig::compiler

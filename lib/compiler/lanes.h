@@ -5,8 +5,9 @@
 #include <array>
 
 #include "compiler/approach.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 class Lanes {
  public:
@@ -28,4 +29,4 @@ class Lanes {
   std::array<std::vector<BrickSet>, kAllSides.size()> known_;
 };
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -158,4 +158,4 @@ Concurrency check_locally(CompiledRules& compiled, const std::vector<Work>& deci
   return LocalChecker(compiled, robot, local, precedence, lanes).check(decided);
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

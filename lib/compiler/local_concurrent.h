@@ -13,8 +13,9 @@
 #include "compiler/compile.h"
 #include "compiler/lanes.h"
 #include "compiler/local_situations.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// `decided`: bricks and the sides from which they are put. A structure that shows a conflict is
 /// added to the policy's.
@@ -22,4 +23,4 @@ Concurrency check_locally(CompiledRules& compiled, const std::vector<Work>& deci
                           const Abilities& robot, const LocalSituations& local,
                           const Precedence& precedence, Lanes& lanes);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -15,7 +15,7 @@
 #include "compiler/local_concurrent.h"
 #include "compiler/local_situations.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -271,4 +271,4 @@ bool settle_locally(const Abilities& robot, const PolicyLimits& limits, Compiled
   return false;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -18,8 +18,9 @@
 
 #include "compiler/compile.h"
 #include "compiler/precedence.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// Situations before one column, and all in all, at most.
 inline constexpr std::size_t kMostAtColumn = 20'000, kMostLocalSituations = 4'000'000;
@@ -28,4 +29,4 @@ inline constexpr std::size_t kMostAtColumn = 20'000, kMostLocalSituations = 4'00
 /// proves nothing.
 bool settle_locally(const Abilities& robot, const PolicyLimits& limits, CompiledRules& compiled);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -10,7 +10,7 @@
 #include <cstdlib>
 #include <set>
 
-namespace stig {
+namespace stig::compiler {
 
 struct LocalSituations::Search {
   LocalSituation situation;           ///< `most` holds what is missing until it is shown
@@ -160,4 +160,4 @@ bool LocalSituations::extend(Search& search, std::size_t next) const {
   return true;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

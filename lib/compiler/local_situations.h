@@ -17,8 +17,9 @@
 #include "compiler/columns.h"
 #include "compiler/precedence.h"
 #include "compiler/sight.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// Is there an order of the bricks after the start in which each can be the next, given all before
 /// it, which are all that have to come before? The more stand, the fewer structures there are to
@@ -68,4 +69,4 @@ class LocalSituations {
   std::vector<std::uint32_t> place_;      ///< of a brick in the precedence's order
 };
 
-}  // namespace stig
+}  // namespace stig::compiler

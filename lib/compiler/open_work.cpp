@@ -8,7 +8,7 @@
 
 #include "compiler/columns.h"
 
-namespace stig {
+namespace stig::compiler {
 
 OpenWork::OpenWork(const CompiledRules& compiled) : compiled_(compiled) {
   assert(compiled.decision != nullptr);
@@ -69,4 +69,4 @@ std::optional<std::uint32_t> OpenWork::decided(const BrickSet& state, ApproachSi
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "compiler/compile.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 class OpenWork {
  public:
@@ -29,4 +30,4 @@ class OpenWork {
   mutable std::optional<Sight> sight_;         ///< otherwise
 };
 
-}  // namespace stig
+}  // namespace stig::compiler

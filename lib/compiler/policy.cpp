@@ -15,7 +15,7 @@
 #include "base/hash.h"
 #include "compiler/columns.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -345,4 +345,4 @@ void prune(const TargetBricks& target, Policy& policy, Pruning pruning) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

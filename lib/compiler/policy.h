@@ -37,8 +37,9 @@
 #include "compiler/approach.h"
 #include "compiler/sight.h"
 #include "compiler/target_states.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// A brick next to a column: in front of it, on top of it, or beside it. On top: at (0, 0, 0),
 /// whatever the level.
@@ -125,4 +126,4 @@ void prune(const TargetBricks& target, Policy& policy, Pruning pruning = Pruning
 /// False when it was not allowed anyway.
 bool withdraw(Policy& policy, const Withdrawal& withdrawal);
 
-}  // namespace stig
+}  // namespace stig::compiler

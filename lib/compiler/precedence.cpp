@@ -8,7 +8,7 @@
 #include <cassert>
 #include <optional>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -224,4 +224,4 @@ void wait_for_lanes(const TargetBricks& target, const std::vector<ApproachSide>&
   }
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

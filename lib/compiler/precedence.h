@@ -17,8 +17,9 @@
 
 #include "compiler/lanes.h"
 #include "compiler/target_states.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// More are not looked at: the sets below would fill the memory.
 inline constexpr std::size_t kMostOrderedBricks = 6000;
@@ -56,4 +57,4 @@ bool always_in_reach(const TargetBricks& target, const Precedence& precedence, L
 void wait_for_lanes(const TargetBricks& target, const std::vector<ApproachSide>& sides,
                     const Abilities& robot, Lanes& lanes, Precedence& precedence);
 
-}  // namespace stig
+}  // namespace stig::compiler

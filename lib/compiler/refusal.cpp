@@ -16,7 +16,7 @@
 #include "rules/cell_text.h"
 #include "rules/pattern_text.h"
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -108,7 +108,7 @@ class Explainer {
       out.notes.push_back(fmt::format(
           "from {}: {}", to_string(side),
           alone ? "it is not on, before or beside any column that the robot can drive up to"
-                : stig::explain(result)));
+                : compiler::explain(result)));
     }
     return out;
   }
@@ -324,4 +324,4 @@ void explain_refusal(const RuleSet& rules, const Abilities& robot, CompiledRules
   Explainer(rules, robot, compiled, diagnostics).explain();
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

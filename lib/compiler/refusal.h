@@ -3,8 +3,9 @@
 #pragma once
 
 #include "compiler/compile.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// Before a policy is looked for: reports a brick that the start alone keeps robots from, whatever
 /// else stands, since nothing of the start goes away. Is there one?
@@ -15,4 +16,4 @@ bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules&
 void explain_refusal(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled,
                      Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -10,7 +10,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -330,4 +330,4 @@ std::optional<ColumnTop> column_top(const Observation& seen) {
   return top;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

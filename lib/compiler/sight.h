@@ -23,8 +23,9 @@
 #include <vector>
 
 #include "compiler/approach.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// What is known of one cell.
 enum : std::uint8_t { kUnseen = 0, kSeenEmpty = 1, kSeenBrick = 2 };  ///< then colour + 2
@@ -137,4 +138,4 @@ struct ColumnTop {
 };
 std::optional<ColumnTop> column_top(const Observation& seen);
 
-}  // namespace stig
+}  // namespace stig::compiler

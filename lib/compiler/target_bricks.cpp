@@ -7,7 +7,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::compiler {
 
 bool BrickSet::contains(const BrickSet& other) const {
   assert(words_.size() == other.words_.size());
@@ -121,4 +121,4 @@ BrickSet TargetBricks::others(const BrickSet& set) const {
 
 BrickSet TargetBricks::whole() const { return BrickSet::first(bricks()); }
 
-}  // namespace stig
+}  // namespace stig::compiler

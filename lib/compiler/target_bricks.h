@@ -7,10 +7,11 @@
 #include <cstdint>
 #include <vector>
 
+#include "compiler/uses.h"
 #include "lattice/cell_map.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// A set of the target's bricks, 64 a word.
 class BrickSet {
@@ -94,4 +95,4 @@ class TargetBricks {
   int levels_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::compiler

@@ -9,7 +9,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::compiler {
 
 struct TargetStates::Model {
   RuleTable table;
@@ -150,4 +150,4 @@ Structure TargetStates::structure(const BrickSet& state) const {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

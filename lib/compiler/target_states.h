@@ -13,10 +13,11 @@
 #include <vector>
 
 #include "compiler/target_bricks.h"
+#include "compiler/uses.h"
 #include "verify/stage_model.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// What the rules of one brick ask of its neighbours.
 struct Demands {
@@ -53,4 +54,4 @@ class TargetStates : public TargetBricks {
   std::unique_ptr<Model> model_;
 };
 
-}  // namespace stig
+}  // namespace stig::compiler

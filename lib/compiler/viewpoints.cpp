@@ -11,7 +11,7 @@
 #include <numeric>
 #include <set>
 
-namespace stig {
+namespace stig::compiler {
 
 namespace {
 
@@ -96,4 +96,4 @@ std::vector<Viewpoint> choose_viewpoints(const Abilities& robot, const CompiledR
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::compiler

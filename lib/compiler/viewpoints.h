@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "compiler/compile.h"
+#include "compiler/uses.h"
 
-namespace stig {
+namespace stig::compiler {
 
 /// Far ones first; never empty.
 std::vector<Viewpoint> choose_viewpoints(const Abilities& robot, const CompiledRules& compiled);
 
-}  // namespace stig
+}  // namespace stig::compiler

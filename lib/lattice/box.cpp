@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 /// C++'s remainder takes the sign of the dividend; a cell's image has to lie within the
@@ -52,4 +52,4 @@ Box lay_box(const BoxSpec& spec, const std::vector<PlacedBrick>& start, bool flo
   return box;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

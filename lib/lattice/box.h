@@ -9,9 +9,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "lattice/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::lattice {
 
 struct Box {
   Cell low;
@@ -35,4 +36,4 @@ struct Box {
 /// too, unless there is a floor: then it stands on z = 0.
 Box lay_box(const BoxSpec& spec, const std::vector<PlacedBrick>& start, bool floor);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -12,7 +12,7 @@
 #include <map>
 #include <string_view>
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -172,4 +172,4 @@ std::string Canvas::finish() {
   return status == CAIRO_STATUS_SUCCESS ? std::move(page_->bytes) : std::string{};
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

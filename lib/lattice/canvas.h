@@ -9,9 +9,10 @@
 
 #include "lattice/picture.h"
 #include "lattice/rgb.h"
+#include "lattice/uses.h"
 #include "lattice/view.h"
 
-namespace stig {
+namespace stig::lattice {
 
 struct TextLook {
   double size = 14;  ///< units
@@ -51,4 +52,4 @@ class Canvas {
   std::unique_ptr<Page> page_;
 };
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -11,9 +11,10 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "lattice/uses.h"
 #include "rules/cell.h"
 
-namespace stig {
+namespace stig::lattice {
 
 template <class T>
 class CellMap {
@@ -83,4 +84,4 @@ class CellMap {
   mutable const Chunk* last_ = nullptr;  ///< where the last cell was found
 };
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -11,7 +11,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 constexpr std::size_t kFewestSlots = 64;
@@ -103,4 +103,4 @@ std::vector<Cell> CellMarks::cells_with(std::uint64_t marks) const {
   return cells;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -7,9 +7,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "lattice/uses.h"
 #include "rules/cell.h"
 
-namespace stig {
+namespace stig::lattice {
 
 class CellMarks {
  public:
@@ -38,4 +39,4 @@ class CellMarks {
   std::vector<std::uint32_t> slots_;  ///< 1 + position in entries_; 0 free
 };
 
-}  // namespace stig
+}  // namespace stig::lattice

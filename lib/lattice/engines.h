@@ -3,9 +3,10 @@
 #pragma once
 
 #include "lattice/swarm.h"
+#include "lattice/uses.h"
 #include "lattice/world.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// Book-keeping of a run: counts, limits, hooks. A step begins with begin_step();
 /// before that the engine asks whether a limit was reached.
@@ -38,4 +39,4 @@ SwarmResult run_event(LatticeWorld world, const SwarmConfig& config, const Swarm
 /// walk and teleport; the config has a box.
 SwarmResult run_agents(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -7,7 +7,7 @@
 #include <cassert>
 #include "lattice/engines.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 class EventRun {
@@ -91,4 +91,4 @@ SwarmResult run_event(LatticeWorld world, const SwarmConfig& config, const Swarm
   return EventRun(std::move(world), config, hooks).run();
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -14,7 +14,7 @@
 #include "base/hash.h"
 #include "lattice/swarm.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 /// A site and a colour in one word: the site's number shifted by six bits.
@@ -384,4 +384,4 @@ EventOrders explore_event_orders(const RuleTable& rules, const std::vector<Place
   return Search(rules, start, box, limits, hooks).run();
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

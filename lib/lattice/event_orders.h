@@ -20,9 +20,10 @@
 
 #include "lattice/box.h"
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 #include "rules/rule_table.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// Where the search gives up. Words are of 4 bytes: a state takes one a deposit
 /// and one an enabled event.
@@ -54,4 +55,4 @@ EventOrders explore_event_orders(const RuleTable& rules, const std::vector<Place
                                  const EventOrdersLimits& limits = {},
                                  const EventOrdersHooks& hooks = {});
 
-}  // namespace stig
+}  // namespace stig::lattice

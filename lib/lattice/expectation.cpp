@@ -13,7 +13,7 @@
 #include "base/text.h"
 #include "lattice/swarm.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 /// What sampling and searching found.
@@ -283,4 +283,4 @@ ExpectationReport verify_expectation(const RuleSet& rules, const ExpectationLimi
   return report;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -21,9 +21,10 @@
 #include <vector>
 
 #include "lattice/event_orders.h"
+#include "lattice/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::lattice {
 
 enum class Standing : std::uint8_t {
   held,              ///< shown to be so
@@ -68,4 +69,4 @@ struct ExpectationReport {
 ExpectationReport verify_expectation(const RuleSet& rules, const ExpectationLimits& limits = {},
                                      const EventOrdersHooks& hooks = {});
 
-}  // namespace stig
+}  // namespace stig::lattice

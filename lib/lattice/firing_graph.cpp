@@ -14,7 +14,7 @@
 #include <cstdlib>
 #include <map>
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 /// What a rule asks of the bricks around its site: of each set one colour. Cells
@@ -235,4 +235,4 @@ std::string to_dot(const FiringGraph& graph, const RuleSet& rules) {
   return out + "}\n";
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

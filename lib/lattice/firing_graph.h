@@ -18,9 +18,10 @@
 #include <string>
 #include <vector>
 
+#include "lattice/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::lattice {
 
 struct FiringNode {
   std::optional<int> level;
@@ -52,4 +53,4 @@ FiringGraph firing_graph(const RuleSet& rules);
 /// edges within a cycle drawn heavy, rules that never fire dashed.
 std::string to_dot(const FiringGraph& graph, const RuleSet& rules);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -10,7 +10,7 @@
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -52,4 +52,4 @@ std::string print_glb(const Mesh& mesh, const std::vector<Brick>& bricks, double
   return glb_file({node});
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

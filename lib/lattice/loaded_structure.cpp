@@ -10,7 +10,7 @@
 
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string to_string(const BrickListProblem& problem) {
   return {};
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

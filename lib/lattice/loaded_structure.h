@@ -12,8 +12,9 @@
 #include <vector>
 
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 struct LoadedStructure {
   Structure structure;
@@ -40,4 +41,4 @@ std::optional<BrickListProblem> find_problem(std::vector<PlacedBrick>& bricks);
 /// The problem in words, for a diagnostic.
 std::string to_string(const BrickListProblem& problem);
 
-}  // namespace stig
+}  // namespace stig::lattice

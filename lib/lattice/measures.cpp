@@ -9,7 +9,7 @@
 
 #include "base/islands.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 constexpr std::int64_t kMostCavityCells = std::int64_t{1} << 26;
@@ -194,4 +194,4 @@ Measures measure(const Structure& structure) {
   return m;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

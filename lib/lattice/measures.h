@@ -18,8 +18,9 @@
 #include <vector>
 
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 struct Measures {
   std::vector<std::uint64_t> bricks_by_colour;  ///< [0] is colour 1; up to the highest used
@@ -37,4 +38,4 @@ struct Measures {
 /// more than 2^26 cells.
 Measures measure(const Structure& structure);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -228,4 +228,4 @@ Mesh surface(const Structure& structure, Merging merging) {
   return mesh;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -16,8 +16,9 @@
 #include <vector>
 
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 struct Corner {
   std::int32_t x = 0, y = 0, z = 0;
@@ -63,4 +64,4 @@ enum class Merging : std::uint8_t {
 /// In a fixed order: by face, plane, row, column.
 Mesh surface(const Structure& structure, Merging merging);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "lattice/mesh.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// Binary STL: triangles and normals, without colour. For slicers the mesh must be
 /// unmerged.
@@ -23,4 +24,4 @@ std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double
 /// (x, z, -y).
 std::string print_glb(const Mesh& mesh, const std::vector<Brick>& bricks, double scale = 1);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -20,7 +20,7 @@
 #include "rules/rule_table.h"
 #include "rules/site_condition.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 /// What each neighbour of a site may show.
@@ -192,4 +192,4 @@ void check_rules_fire(const RuleSet& rules, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -14,8 +14,9 @@
 
 #include "base/diagnostic.h"
 #include "lattice/box.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// Looks at a rule's drawing in one orientation at one site; fractions of a second in all.
 inline constexpr std::uint64_t kLooksForUse = 4'000'000;
@@ -28,4 +29,4 @@ std::vector<std::uint32_t> rules_that_never_fire(const RuleSet& rules,
 /// Reports them (R318), in the file's own box. The set must have passed check_rule_set.
 void check_rules_fire(const RuleSet& rules, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::lattice

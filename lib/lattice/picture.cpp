@@ -16,7 +16,7 @@
 #include "lattice/picture_scene.h"
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -271,4 +271,4 @@ std::string draw_structures(const std::vector<PicturePanel>& panels,
   return Picture(panels, bricks, options).draw();
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 enum class PictureFormat : std::uint8_t { png, svg };
 
@@ -44,4 +45,4 @@ std::string draw_structure(const Structure& structure, const std::vector<Brick>&
 std::string draw_structures(const std::vector<PicturePanel>& panels,
                             const std::vector<Brick>& bricks, const PictureOptions& options = {});
 
-}  // namespace stig
+}  // namespace stig::lattice

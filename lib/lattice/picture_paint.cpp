@@ -10,7 +10,7 @@
 #include "lattice/picture_scene.h"
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -244,4 +244,4 @@ void paint_swatch(Canvas& canvas, Lattice lattice, PagePoint centre, double radi
   }
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -11,7 +11,7 @@
 
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -152,4 +152,4 @@ void share_frame(std::vector<PictureScene>& scenes) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "lattice/canvas.h"
+#include "lattice/uses.h"
 #include "lattice/view.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// A rectangle of the projected page, in cell widths; empty until something is added.
 struct PictureFrame {
@@ -62,4 +63,4 @@ void paint_scene(Canvas& canvas, const PictureScene& scene, const PicturePlaceme
 /// A single cell of the colour around `centre`, `radius` pixels in size.
 void paint_swatch(Canvas& canvas, Lattice lattice, PagePoint centre, double radius, Rgb colour);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -10,7 +10,7 @@
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -65,4 +65,4 @@ std::string print_ply(const Mesh& mesh, const std::vector<Brick>& bricks, double
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

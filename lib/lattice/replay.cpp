@@ -8,7 +8,7 @@
 #include "lattice/world.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 std::string to_text(const Deposit& d, const RuleSet& rules) {
@@ -168,4 +168,4 @@ ReplayReport replay(const Trace& trace, const RuleSet& rules, const SwarmHooks& 
   return trace.kind == "given" ? check_given(trace, rules, hooks) : rerun(trace, rules, hooks);
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -63,4 +63,4 @@ std::string symbol_of(const std::vector<Brick>& bricks, Colour colour) {
   return std::to_string(colour);
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "base/rgb.h"
+#include "lattice/uses.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// The colour of brick `colour`; one of a built-in palette, distinct for small
 /// numbers, when `bricks` has no such brick or its colour is not "#rrggbb".
@@ -20,4 +21,4 @@ std::vector<Brick> numbered_bricks(int count);
 /// The symbol of a colour; its number when `bricks` has no such brick.
 std::string symbol_of(const std::vector<Brick>& bricks, Colour colour);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -8,7 +8,7 @@
 #include "base/bytes.h"
 #include "lattice/mesh_files.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -41,4 +41,4 @@ std::string print_stl(const Mesh& mesh, double scale) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

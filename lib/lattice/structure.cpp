@@ -13,7 +13,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 constexpr int kShift = 3;
@@ -228,4 +228,4 @@ std::uint64_t structure_hash(const Structure& structure, Symmetry symmetry, bool
   return *least;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -9,10 +9,11 @@
 #include <optional>
 #include <vector>
 
+#include "lattice/uses.h"
 #include "rules/rule_set.h"
 #include "rules/symmetry.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// Bounding box, both corners inclusive.
 struct CellBounds {
@@ -105,4 +106,4 @@ std::uint64_t structure_hash(const Structure& structure, Symmetry symmetry, bool
 /// so that it can be kept up to date while the structure grows.
 std::uint64_t placement_hash(Cell cell, Colour colour);
 
-}  // namespace stig
+}  // namespace stig::lattice

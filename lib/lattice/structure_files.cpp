@@ -17,7 +17,7 @@
 #include "lattice/text_file.h"
 #include "lattice/vox.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -152,4 +152,4 @@ bool write_structure_file(const std::string& path, const Structure& structure,
   return false;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -12,8 +12,9 @@
 #include "base/diagnostic.h"
 #include "lattice/loaded_structure.h"
 #include "lattice/picture.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// What a file need not say itself. One that says otherwise is a diagnostic.
 struct StructureReadOptions {
@@ -40,4 +41,4 @@ bool write_structure_file(const std::string& path, const Structure& structure,
 /// a long run. Otherwise `error` lists the known ones.
 bool can_write_structure(const std::string& path, std::string& error);
 
-}  // namespace stig
+}  // namespace stig::lattice

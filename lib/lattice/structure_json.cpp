@@ -15,7 +15,7 @@
 
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -299,4 +299,4 @@ std::string print_structure_json(const Structure& structure, const std::vector<B
   return out + "]}\n";
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

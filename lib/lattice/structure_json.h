@@ -15,8 +15,9 @@
 
 #include "base/diagnostic.h"
 #include "lattice/loaded_structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// Keys may come in any order, all but `lattice` (cubic) must be there, unknown and
 /// repeated ones are errors. Reading stops at the first error in the form.
@@ -26,4 +27,4 @@ std::optional<LoadedStructure> read_structure_json(SourceRef source, Diagnostics
 /// the built-in palette.
 std::string print_structure_json(const Structure& structure, const std::vector<Brick>& bricks);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -14,7 +14,7 @@
 #include "lattice/loaded_structure.h"
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -221,4 +221,4 @@ std::string print_structure(const Structure& structure, const std::vector<Brick>
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -14,8 +14,9 @@
 
 #include "base/diagnostic.h"
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// How a row's symbols are told apart: by spaces, or as one character each ("##.#").
 enum class RowForm { spaced, joined };
@@ -35,4 +36,4 @@ Structure structure_literal(std::string_view text, Lattice lattice = Lattice::cu
 /// origin. `bricks` gives the symbols; without them colours are numbers.
 std::string print_structure(const Structure& structure, const std::vector<Brick>& bricks = {});
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -13,7 +13,7 @@
 #include "lattice/engines.h"
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 constexpr std::int64_t kMostBoxCells = std::int64_t{1} << 30;
@@ -216,4 +216,4 @@ std::vector<Cell> enabled_sites(const Structure& structure, const RuleTable& rul
   return world.enabled_sites();
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -28,9 +28,10 @@
 
 #include "lattice/box.h"
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 #include "rules/rule_table.h"
 
-namespace stig {
+namespace stig::lattice {
 
 enum class Motion : std::uint8_t { walk, teleport, event };
 /// saturated: no site is enabled, in this stage or a later one. deposits: the run's limit
@@ -109,4 +110,4 @@ View view_at(const Structure& structure, const RuleTable& rules, const std::opti
 std::vector<Cell> enabled_sites(const Structure& structure, const RuleTable& rules,
                                 const std::optional<Box>& box, int stage);
 
-}  // namespace stig
+}  // namespace stig::lattice

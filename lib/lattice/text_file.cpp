@@ -14,7 +14,7 @@
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -264,4 +264,4 @@ std::string print_text_file(const Structure& structure, const std::vector<Brick>
   return out + print_structure(structure, drawn);
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

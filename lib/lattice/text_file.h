@@ -15,8 +15,9 @@
 
 #include "base/diagnostic.h"
 #include "lattice/loaded_structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// A lattice and bricks that are given win over the head; another lattice there is a
 /// diagnostic. Without either the lattice is cubic, the corner (0, 0, 0), and the bricks
@@ -30,4 +31,4 @@ std::optional<LoadedStructure> read_text_file(const SourceRef& source,
 /// Head and slices. Symbols that cannot be drawn with are replaced by numbers.
 std::string print_text_file(const Structure& structure, const std::vector<Brick>& bricks);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -14,7 +14,7 @@
 #include "base/packed.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 constexpr std::string_view kMagic = "stigtrc1";
@@ -244,4 +244,4 @@ std::optional<Trace> read_trace(const std::string& path, const std::string& byte
   return trace;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

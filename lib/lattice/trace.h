@@ -22,8 +22,9 @@
 
 #include "base/diagnostic.h"
 #include "lattice/swarm.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 inline constexpr std::uint64_t kTraceHashEvery = 1024;
 
@@ -69,4 +70,4 @@ struct ReplayReport {
 /// Replays a trace. It uses the hooks progress and stop.
 ReplayReport replay(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks = {});
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -8,7 +8,7 @@
 #include <array>
 #include <cassert>
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -78,4 +78,4 @@ std::vector<ShownFace> shown_faces(const Structure& structure) {
   return shown;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -13,8 +13,9 @@
 #include <vector>
 
 #include "lattice/mesh.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// On the page, in cell widths: x to the right, y down.
 struct PagePoint {
@@ -45,4 +46,4 @@ Structure turned(const Structure& structure, int turns);
 /// nearest: painted in this order, near ones cover far ones.
 std::vector<ShownFace> shown_faces(const Structure& structure);
 
-}  // namespace stig
+}  // namespace stig::lattice

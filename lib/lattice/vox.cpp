@@ -13,7 +13,7 @@
 #include "lattice/rgb.h"
 #include "lattice/vox_scene.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -302,4 +302,4 @@ std::optional<LoadedStructure> read_vox(const std::string& path, std::string_vie
   return VoxReader(path, bytes, diagnostics).read(lattice);
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

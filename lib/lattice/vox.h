@@ -18,8 +18,9 @@
 
 #include "base/diagnostic.h"
 #include "lattice/loaded_structure.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 /// Reads models, scene (first frame of animations, hidden parts included) and
 /// palette; other chunks are passed over. When no palette index above 62 is used,
@@ -31,4 +32,4 @@ std::optional<LoadedStructure> read_vox(const std::string& path, std::string_vie
 /// The whole file's bytes.
 std::string print_vox(const Structure& structure, const std::vector<Brick>& bricks);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -13,7 +13,7 @@
 #include "lattice/vox.h"
 #include "lattice/vox_scene.h"
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -164,4 +164,4 @@ std::string print_vox(const Structure& structure, const std::vector<Brick>& bric
   return out + children;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -8,7 +8,7 @@
 #include <charconv>
 #include <set>
 
-namespace stig {
+namespace stig::lattice {
 
 namespace {
 
@@ -156,4 +156,4 @@ std::optional<std::vector<PlacedModel>> flatten_scene(const VoxScene& scene) {
   return models;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

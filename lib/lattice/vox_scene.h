@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "lattice/uses.h"
 
-namespace stig {
+namespace stig::lattice {
 
 inline constexpr std::uint32_t kVoxVersion = 150;   ///< of the format, as it is written here
 inline constexpr std::int32_t kVoxModelSide = 256;  ///< the most cells of a model along x, y or z
@@ -53,4 +54,4 @@ bool add_shape_node(ByteReader content, VoxScene& scene);
 /// names a node that is not there, or places anything further out than 2^26.
 std::optional<std::vector<PlacedModel>> flatten_scene(const VoxScene& scene);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -9,7 +9,7 @@
 #include "lattice/engines.h"
 #include "lattice/walk_kernel.h"
 
-namespace stig {
+namespace stig::lattice {
 namespace {
 
 /// Dense indices of a padded box.
@@ -384,4 +384,4 @@ SwarmResult run_agents(LatticeWorld world, const SwarmConfig& config, const Swar
   return AgentRun(std::move(world), config, hooks).run();
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

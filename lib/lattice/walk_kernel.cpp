@@ -9,7 +9,7 @@
 
 #include "base/random.h"
 
-namespace stig {
+namespace stig::lattice {
 
 void draw_moves(std::uint64_t seed, std::uint32_t run, std::uint64_t block, const Moves& moves,
                 bool vectorise, std::array<std::vector<std::int32_t>, 4>& out) {
@@ -54,4 +54,4 @@ std::uint32_t walk_some(std::uint8_t* flags, std::int32_t* position, const std::
   return done;
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -12,7 +12,9 @@
 #include <cstdint>
 #include <vector>
 
-namespace stig {
+#include "lattice/uses.h"
+
+namespace stig::lattice {
 
 /// Flags of a cell of the padded box.
 enum : std::uint8_t {
@@ -57,4 +59,4 @@ void draw_moves_vector(std::array<std::uint32_t, 4> counter, std::array<std::uin
 std::uint32_t walk_some(std::uint8_t* flags, std::int32_t* position, const std::int32_t* step,
                         WalkOrder order, std::uint32_t& agent, std::uint32_t count);
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -13,7 +13,7 @@
 #define STIG_AVX512 __attribute__((target("avx512f")))
 #endif
 
-namespace stig {
+namespace stig::lattice {
 
 #if defined(__x86_64__)
 namespace {
@@ -80,4 +80,4 @@ void draw_moves_vector(std::array<std::uint32_t, 4>, std::array<std::uint32_t, 2
 
 #endif
 
-}  // namespace stig
+}  // namespace stig::lattice

@@ -10,7 +10,7 @@
 
 #include "lattice/cell_marks.h"
 
-namespace stig {
+namespace stig::lattice {
 
 LatticeWorld::LatticeWorld(const RuleTable& rules, const std::vector<PlacedBrick>& start,
                            std::optional<Box> box)
@@ -131,4 +131,4 @@ Match LatticeWorld::choose(Cell site, Random& random) {
   return matches_.back();
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

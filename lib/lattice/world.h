@@ -10,9 +10,10 @@
 #include "base/random.h"
 #include "lattice/box.h"
 #include "lattice/structure.h"
+#include "lattice/uses.h"
 #include "rules/rule_table.h"
 
-namespace stig {
+namespace stig::lattice {
 
 class LatticeWorld {
  public:
@@ -112,4 +113,4 @@ void LatticeWorld::for_each_neighbour_view(Cell cell, const Visit& visit) const 
   }
 }
 
-}  // namespace stig
+}  // namespace stig::lattice

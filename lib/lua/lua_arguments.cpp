@@ -10,7 +10,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 void set_functions(lua_State* state, const LuaEntry* entries, std::size_t count) {
   assert(lua_istable(state, -1));
@@ -78,4 +78,4 @@ std::string_view text_argument(lua_State* state, int index, const char* function
   return {text, size};
 }
 
-}  // namespace stig
+}  // namespace stig::lua

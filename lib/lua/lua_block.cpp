@@ -9,7 +9,7 @@
 #include "lua/lua_interface.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -107,4 +107,4 @@ void put_readings(lua_State* state, const BlockSide& side, const BlockReadings& 
   for (std::size_t i = 0; i < count; ++i) put_received(state, side.radios[i], readings.radios[i]);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -366,4 +366,4 @@ std::string LuaBox::mapped(std::string text) const {
   return text;
 }
 
-}  // namespace stig
+}  // namespace stig::lua

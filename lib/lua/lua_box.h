@@ -17,12 +17,13 @@
 
 #include "base/random.h"
 #include "lua/lua_settings.h"
+#include "lua/uses.h"
 #include "robots/controller.h"
 
 struct lua_State;
 struct lua_Debug;
 
-namespace stig {
+namespace stig::lua {
 
 class LuaBox {
  public:
@@ -99,4 +100,4 @@ class LuaBox {
   Random random_;
 };
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -17,7 +17,7 @@
 #include "base/text.h"
 #include "lua/lua_box.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -145,4 +145,4 @@ void need_one_of(lua_State* state, std::initializer_list<const char*> names) {
   lua_error(state);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

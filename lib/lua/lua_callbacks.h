@@ -5,9 +5,11 @@
 
 #include <initializer_list>
 
+#include "lua/uses.h"
+
 struct lua_State;
 
-namespace stig {
+namespace stig::lua {
 
 /// Pushes the global function and returns true; false, with nothing pushed, when there is none.
 /// Raises an error when the name stands for something else.
@@ -20,4 +22,4 @@ void call_needed(lua_State* state, const char* name);
 /// is near to one of them, and where it begins.
 void need_one_of(lua_State* state, std::initializer_list<const char*> names);
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -8,7 +8,7 @@
 #include "lua/lua_libraries.h"
 #include "sensing/led_colour.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -122,4 +122,4 @@ void LuaDevice<CameraKind>::update(lua_State* state, const RobotSide& side,
   }
 }
 
-}  // namespace stig
+}  // namespace stig::lua

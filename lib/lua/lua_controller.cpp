@@ -14,7 +14,7 @@
 #include "lua/lua_interface.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -182,4 +182,4 @@ ControllerStatus LuaBlockController::ready() {
 const LuaFailure& LuaBlockController::failure() const { return state_->box.last_failure(); }
 std::size_t LuaBlockController::memory() const { return state_->box.memory(); }
 
-}  // namespace stig
+}  // namespace stig::lua

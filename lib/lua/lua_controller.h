@@ -8,10 +8,11 @@
 #include <memory>
 
 #include "lua/lua_settings.h"
+#include "lua/uses.h"
 #include "robots/controller.h"
 #include "robots/robot_model.h"
 
-namespace stig {
+namespace stig::lua {
 
 class LuaController final : public RobotController {
  public:
@@ -55,4 +56,4 @@ class LuaBlockController final : public BlockController {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace stig
+}  // namespace stig::lua

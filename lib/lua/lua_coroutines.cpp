@@ -7,7 +7,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -109,4 +109,4 @@ void open_coroutines(lua_State* state) {
   lua_pop(state, 1);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -11,8 +11,9 @@
 #include <string_view>
 
 #include "lua/lua_interface.h"
+#include "lua/uses.h"
 
-namespace stig {
+namespace stig::lua {
 
 RobotSide& robot_side(lua_State* state);
 RobotCommands& robot_commands(lua_State* state);
@@ -71,4 +72,4 @@ template <>
 void LuaDevice<LedKind>::update(lua_State* state, const RobotSide& side,
                                 const RobotReadings& readings);
 
-}  // namespace stig
+}  // namespace stig::lua

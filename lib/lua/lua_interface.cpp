@@ -12,7 +12,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -253,4 +253,4 @@ void put_received(lua_State* state, int radio, const std::vector<Message>& messa
   lua_pop(state, 1);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -8,12 +8,13 @@
 #include <string_view>
 #include <vector>
 
+#include "lua/uses.h"
 #include "robots/robot_io.h"
 #include "robots/robot_model.h"
 
 struct lua_State;
 
-namespace stig {
+namespace stig::lua {
 
 /// What the functions of the interface act on: LuaBox::user().
 struct LuaSide {
@@ -93,4 +94,4 @@ void push_radio(lua_State* state, std::size_t place, int (*send)(lua_State*));
 void add_message(lua_State* state, std::vector<std::vector<Message>>& sends, std::size_t radios);
 void put_received(lua_State* state, int radio, const std::vector<Message>& messages);
 
-}  // namespace stig
+}  // namespace stig::lua

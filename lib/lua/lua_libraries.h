@@ -8,11 +8,12 @@
 #include <string_view>
 
 #include "base/vec.h"
+#include "lua/uses.h"
 #include "sensing/camera.h"
 
 struct lua_State;
 
-namespace stig {
+namespace stig::lua {
 
 void open_base(lua_State* state);        ///< what of the basic library is harmless; pcall, load
 void open_order(lua_State* state);       ///< next, pairs, tostring: the same in every run
@@ -72,4 +73,4 @@ const char* push_shown(lua_State* state, int index);
 [[noreturn]] void bad_argument(lua_State* state, int index, const char* function, const char* name,
                                const char* expected);
 
-}  // namespace stig
+}  // namespace stig::lua

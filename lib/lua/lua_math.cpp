@@ -8,7 +8,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -68,4 +68,4 @@ void open_math(lua_State* state) {
   lua_pop(state, 1);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

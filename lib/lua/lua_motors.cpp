@@ -8,7 +8,7 @@
 #include "lua/lua_devices.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -150,4 +150,4 @@ void add_to_table(lua_State* state, const RobotSide& /*side*/, std::size_t numbe
   put_function(state, "set_target", set_joint, number);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

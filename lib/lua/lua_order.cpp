@@ -12,7 +12,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -256,4 +256,4 @@ void open_order(lua_State* state) {
   lua_pop(state, 1);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -7,7 +7,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -293,4 +293,4 @@ bool LuaPattern::set_has(char c, std::size_t p, std::size_t end) const {
   return negated;
 }
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -10,7 +10,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace stig {
+#include "lua/uses.h"
+
+namespace stig::lua {
 
 class LuaPattern {
  public:
@@ -62,4 +64,4 @@ class LuaPattern {
   std::array<Capture, kMostCaptures> captures_{};
 };
 
-}  // namespace stig
+}  // namespace stig::lua

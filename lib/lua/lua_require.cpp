@@ -14,7 +14,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -162,4 +162,4 @@ void open_require(lua_State* state) {
   lua_setglobal(state, "require");
 }
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -8,7 +8,7 @@
 #include "lua/lua_libraries.h"
 #include "robots/robot_description.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -121,4 +121,4 @@ void put_readings(lua_State* state, const RobotSide& side, const RobotReadings& 
   DeviceKinds::each([&](auto kind) { LuaDevice<decltype(kind)>::update(state, side, readings); });
 }
 
-}  // namespace stig
+}  // namespace stig::lua

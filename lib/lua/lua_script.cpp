@@ -14,7 +14,7 @@
 #include "lua/lua_interface.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -298,4 +298,4 @@ ControllerStatus LuaScript::call(ScriptCall which, ScriptWorld& world,
   return own.status;
 }
 
-}  // namespace stig
+}  // namespace stig::lua

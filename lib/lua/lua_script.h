@@ -13,9 +13,10 @@
 
 #include "base/vec.h"
 #include "lua/lua_settings.h"
+#include "lua/uses.h"
 #include "robots/controller.h"
 
-namespace stig {
+namespace stig::lua {
 
 struct ScriptBlock {
   std::string name;
@@ -89,4 +90,4 @@ class LuaScript {
   std::unique_ptr<State> state_;
 };
 
-}  // namespace stig
+}  // namespace stig::lua

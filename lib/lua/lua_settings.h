@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "base/file_io.h"
+#include "lua/uses.h"
 
-namespace stig {
+namespace stig::lua {
 
 /// Limits of one state. Work other than instructions (searching texts, sorting, strings) is
 /// charged as instructions too, so that the first of these bounds the time of a call.
@@ -68,4 +69,4 @@ struct LuaSettings {
   LineMap line_map;
 };
 
-}  // namespace stig
+}  // namespace stig::lua

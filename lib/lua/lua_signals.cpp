@@ -8,7 +8,7 @@
 #include "lua/lua_devices.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -163,4 +163,4 @@ void put_show(lua_State* state) {
   put(state, "show");
 }
 
-}  // namespace stig
+}  // namespace stig::lua

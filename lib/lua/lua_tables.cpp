@@ -9,7 +9,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -230,4 +230,4 @@ void open_tables(lua_State* state) {
   lua_setglobal(state, "table");
 }
 
-}  // namespace stig
+}  // namespace stig::lua

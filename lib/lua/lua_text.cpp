@@ -10,7 +10,7 @@
 #include "lua/lua_libraries.h"
 #include "lua/lua_pattern.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -372,4 +372,4 @@ void open_text(lua_State* state) {
   lua_pop(state, 4);
 }
 
-}  // namespace stig
+}  // namespace stig::lua

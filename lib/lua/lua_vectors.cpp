@@ -12,7 +12,7 @@
 #include "lua/lua_box.h"
 #include "lua/lua_libraries.h"
 
-namespace stig {
+namespace stig::lua {
 
 namespace {
 
@@ -412,4 +412,4 @@ void open_vectors(lua_State* state) {
                   {{"__mul", multiply_quaternions}});
 }
 
-}  // namespace stig
+}  // namespace stig::lua

@@ -2,7 +2,7 @@
 // A block's figures that follow from others, so that files do not say them twice.
 #include "robots/block.h"
 
-namespace stig {
+namespace stig::robots {
 
 double BlockModel::inertia() const {
   // Two of a point's three coordinates count for an axis.
@@ -21,4 +21,4 @@ std::vector<Vec3> BlockModel::magnet_places() const {
   return places;
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -10,8 +10,9 @@
 
 #include "base/diagnostic.h"
 #include "base/vec.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// Moment in A·m² of the paper's field 1: sqrt(7.0500949e-13 / 1e-7).
 inline constexpr double kMomentPerField = 2.65520148011408e-3;
@@ -68,4 +69,4 @@ std::string block_schema();
 /// Reads the file first; a file that cannot be read is a diagnostic too.
 std::optional<BlockModel> read_block_file(const std::string& path, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -11,7 +11,7 @@
 #include "robots/block.h"
 #include "robots/form_keys.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::string block_schema() {
                      "A block: mass, magnets, tags, LEDs, radios. Metres, kilograms, degrees.");
 }
 
-}  // namespace stig
+}  // namespace stig::robots

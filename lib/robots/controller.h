@@ -11,8 +11,9 @@
 #include <string>
 
 #include "robots/robot_io.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct ControllerStatus {
   bool ok = true;
@@ -34,4 +35,4 @@ class BlockController {
   virtual ControllerStatus step(const BlockReadings& readings, BlockCommands& commands) = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::robots

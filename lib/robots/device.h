@@ -36,13 +36,17 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "robots/uses.h"
 
 namespace stig {
-
-class DeviceParts;  // device_parts.h
 class FormView;
 class Random;
 struct Form;
+}  // namespace stig
+
+namespace stig::robots {
+
+class DeviceParts;  // device_parts.h
 struct RobotModel;
 
 /// One axis of one joint, by their places in RobotModel::joints and JointModel::axes.
@@ -57,4 +61,4 @@ struct BodyMotion {
   Vec3 velocity, spin;  ///< m/s, of its middle; rad/s
 };
 
-}  // namespace stig
+}  // namespace stig::robots

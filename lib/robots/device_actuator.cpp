@@ -3,7 +3,7 @@
 
 #include "robots/device_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 const Form& ActuatorKind::form() {
   using namespace keys;
@@ -19,4 +19,4 @@ ActuatorDevice ActuatorKind::read(const FormView& view, DeviceParts& parts) {
           parts.take_axis(view.find("joint"), axis, {"an actuator", true, true})};
 }
 
-}  // namespace stig
+}  // namespace stig::robots

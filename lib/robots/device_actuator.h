@@ -3,8 +3,9 @@
 #pragma once
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct ActuatorDevice {
   std::string name;
@@ -38,4 +39,4 @@ struct ActuatorKind {
   static ActuatorDevice read(const FormView& view, DeviceParts& parts);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -7,7 +7,7 @@
 #include "robots/robot_description.h"
 #include "sensing/camera_view.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::string CameraKind::description(const RobotModel& robot) {
                      described_place(robot.bodies[camera.body].X_RB.p), camera.intrinsics.fx);
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -5,9 +5,10 @@
 #include <array>
 
 #include "robots/device.h"
+#include "robots/uses.h"
 #include "sensing/camera.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct CameraDevice {
   std::string name;
@@ -61,4 +62,4 @@ struct CameraKind {
   static std::string description(const RobotModel& robot);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -7,7 +7,7 @@
 #include "robots/device_parts.h"
 #include "sensing/gaussian.h"
 
-namespace stig {
+namespace stig::robots {
 
 const Form& CompassKind::form() {
   using namespace keys;
@@ -31,4 +31,4 @@ CompassReading CompassKind::sense(const CompassDevice& device, const BodyMotion&
   return {std::remainder(heading, 2 * std::numbers::pi)};
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -6,8 +6,9 @@
 #pragma once
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct CompassDevice {
   std::string name;
@@ -43,4 +44,4 @@ struct CompassKind {
   static CompassReading sense(const CompassDevice& device, const BodyMotion& body, Random& random);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

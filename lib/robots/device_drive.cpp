@@ -5,7 +5,7 @@
 
 #include "robots/device_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -56,4 +56,4 @@ std::string DriveKind::description(const RobotModel& robot) {
                      drive.track, drive.most_speed, drive.most_acceleration);
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -5,8 +5,9 @@
 #include <optional>
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct DriveModel {
   std::vector<AxisRef> left, right;  ///< wheels, positive forwards
@@ -35,4 +36,4 @@ struct DriveKind {
   static std::string description(const RobotModel& robot);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

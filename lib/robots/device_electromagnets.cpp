@@ -6,7 +6,7 @@
 #include "robots/device_parts.h"
 #include "robots/robot_extent.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -67,4 +67,4 @@ std::string ElectromagnetsKind::description(const RobotModel& robot) {
   return out + " },\n";
 }
 
-}  // namespace stig
+}  // namespace stig::robots

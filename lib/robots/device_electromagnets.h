@@ -5,8 +5,9 @@
 #include <optional>
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// Charge follows its own dynamics, the current is the charge while discharging, with the mode's
 /// sign.
@@ -45,4 +46,4 @@ struct ElectromagnetsKind {
   static std::string description(const RobotModel& robot);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -18,8 +18,9 @@
 #include "robots/device_lift.h"
 #include "robots/device_radio.h"
 #include "robots/device_rangefinder.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 template <class... Kinds>
 struct KindList {
@@ -82,4 +83,4 @@ std::size_t first_number(const auto& robot) {
   return count;
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -3,7 +3,7 @@
 
 #include "robots/device_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 const Form& LedKind::form() {
   using namespace keys;
@@ -16,4 +16,4 @@ LedDevice LedKind::read(const FormView& view, DeviceParts& parts) {
   return {view.text("name"), on, parts.place(view, on)};
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct LedDevice {
   std::string name;
@@ -26,4 +27,4 @@ struct LedKind {
   static LedDevice read(const FormView& view, DeviceParts& parts);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

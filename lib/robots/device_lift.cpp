@@ -8,7 +8,7 @@
 #include "robots/device_parts.h"
 #include "robots/robot_extent.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -84,4 +84,4 @@ std::string LiftKind::description(const RobotModel& robot) {
   return out + fmt::format("   effector = {{ front = {:.6g} }},\n", front_of_lifted(robot));
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -6,8 +6,9 @@
 #include <utility>
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct LiftModel {
   AxisRef axis;
@@ -49,4 +50,4 @@ struct LiftKind {
   static std::string description(const RobotModel& robot);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -7,7 +7,7 @@
 
 #include "base/text.h"
 
-namespace stig {
+namespace stig::robots {
 
 std::size_t DeviceParts::on_body(const FormView& view) const {
   return body(view, "body").value_or(kNoBody);
@@ -60,4 +60,4 @@ void DeviceParts::claim_axis(const YamlNode& node, const AxisRef& axis, const Ax
   claims_.push_back({axis, need.what, range(node)});
 }
 
-}  // namespace stig
+}  // namespace stig::robots

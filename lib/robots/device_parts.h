@@ -4,8 +4,9 @@
 
 #include "robots/form_keys.h"
 #include "robots/robot_parts.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// What a device asks of the axis that it uses.
 struct AxisNeed {
@@ -52,4 +53,4 @@ inline FormKey at() {
 
 }  // namespace keys
 
-}  // namespace stig
+}  // namespace stig::robots

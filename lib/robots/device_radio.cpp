@@ -3,7 +3,7 @@
 
 #include "robots/device_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 const Form& RadioKind::form() {
   using namespace keys;
@@ -17,4 +17,4 @@ RadioDevice RadioKind::read(const FormView& view, DeviceParts& parts) {
   return {view.text("name"), on, parts.place(view, on), view.number("range")};
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -3,8 +3,9 @@
 #pragma once
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct RadioDevice {
   std::string name;
@@ -37,4 +38,4 @@ struct RadioKind {
   static RadioDevice read(const FormView& view, DeviceParts& parts);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -8,7 +8,7 @@
 #include "robots/device_parts.h"
 #include "robots/robot_description.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -87,4 +87,4 @@ std::string RangefinderKind::description(const RobotModel& robot) {
   return out + "   },\n";
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -7,8 +7,9 @@
 #include <cstdint>
 
 #include "robots/device.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct RangeDevice {
   std::string name;  ///< '1' … '12', 'left', …
@@ -54,4 +55,4 @@ struct RangefinderKind {
   static std::string description(const RobotModel& robot);
 };
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -8,7 +8,7 @@
 
 #include "base/form.h"
 
-namespace stig::keys {
+namespace stig::robots::keys {
 
 inline constexpr double kFar = 10;  ///< m, of a robot's parts from each other
 
@@ -72,4 +72,4 @@ inline FormKey required(FormKey key) {
 
 #pragma GCC diagnostic pop
 
-}  // namespace stig::keys
+}  // namespace stig::robots::keys

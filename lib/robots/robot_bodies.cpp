@@ -11,7 +11,7 @@
 #include "base/text.h"
 #include "robots/robot_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -240,4 +240,4 @@ void read_joints(const FormView& root, const RobotParts& parts) {
   check_count(root, parts);
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -58,4 +58,4 @@ std::string robot_description(const RobotModel& robot) {
   return out + "}";
 }
 
-}  // namespace stig
+}  // namespace stig::robots

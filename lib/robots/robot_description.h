@@ -11,8 +11,9 @@
 #include <string_view>
 
 #include "robots/robot_model.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// A table of Lua, on several lines. What the robot does not have is not in it.
 std::string robot_description(const RobotModel& robot);
@@ -22,4 +23,4 @@ std::string lua_quoted(std::string_view text);
 /// x, y and z as entries of a table.
 std::string described_place(const Vec3& place);
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -123,4 +123,4 @@ double current_of(const MagnetState& state) {
   return 0;
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -6,8 +6,9 @@
 
 #include "robots/robot_io.h"
 #include "robots/robot_model.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// Speeds of the rims, m/s, forward.
 struct DriveState {
@@ -52,4 +53,4 @@ void step(MagnetState& state, const MagnetCircuitModel& model, double dt);
 /// Constructive current adds to the passive field, destructive takes from it.
 double current_of(const MagnetState& state);
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -2,7 +2,7 @@
 // Sensors and devices of a robot file, kind by kind.
 #include "robots/device_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -29,4 +29,4 @@ void read_devices(const FormView& root, const RobotParts& robot) {
   });
 }
 
-}  // namespace stig
+}  // namespace stig::robots

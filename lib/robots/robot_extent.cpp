@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::robots {
 
 BodyExtent extent_of(const BodyModel& body) {
   assert(body.shape != ShapeType::hull || !body.points.empty());
@@ -55,4 +55,4 @@ Vec3 middle_of_poles(const RobotModel& robot) {
   return out * (1 / static_cast<double>(robot.magnets->poles.size()));
 }
 
-}  // namespace stig
+}  // namespace stig::robots

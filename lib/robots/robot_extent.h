@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "robots/robot_model.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// A box along the axes of frame R about a body.
 struct BodyExtent {
@@ -22,4 +23,4 @@ std::vector<bool> lifted_bodies(const RobotModel& robot);
 /// The middle of the electromagnets' poles, frame R. Of a robot that has some.
 Vec3 middle_of_poles(const RobotModel& robot);
 
-}  // namespace stig
+}  // namespace stig::robots

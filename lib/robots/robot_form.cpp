@@ -6,7 +6,7 @@
 #include "robots/robot_forms.h"
 #include "robots/robot_model.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -122,4 +122,4 @@ const Form& robot_form() {
   return kForm;
 }
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -4,10 +4,11 @@
 #pragma once
 
 #include "base/form.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// The whole file.
 const Form& robot_form();
 
-}  // namespace stig
+}  // namespace stig::robots

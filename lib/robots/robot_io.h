@@ -16,8 +16,9 @@
 #include "base/rgb.h"
 #include "base/vec.h"
 #include "robots/device_kinds.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 /// What each kind of device tells is a member that the kind brings.
 struct RobotReadings : DeviceKinds::Readings {
@@ -71,4 +72,4 @@ struct BlockCommands {
   std::vector<std::string> log;
 };
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -5,7 +5,7 @@
 
 #include "base/hull.h"
 
-namespace stig {
+namespace stig::robots {
 
 double RobotModel::mass() const {
   double sum = 0;
@@ -59,4 +59,4 @@ Vec3 moments_of(const BodyModel& body) {
   return Vec3{s.y + s.z, s.x + s.z, s.x + s.y} * (1.0 / 12);
 }
 
-}  // namespace stig
+}  // namespace stig::robots

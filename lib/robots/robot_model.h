@@ -19,8 +19,9 @@
 #include "base/source.h"
 #include "base/vec.h"
 #include "robots/device_kinds.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 enum class ShapeType : std::uint8_t { box, cylinder, sphere, hull };
 
@@ -84,4 +85,4 @@ struct RobotModel : DeviceKinds::Devices {
 /// Principal moments; products of inertia of a hull that is askew are left out.
 Vec3 moments_of(const BodyModel& body);
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -11,8 +11,9 @@
 
 #include "base/form.h"
 #include "robots/robot_model.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 struct RobotParts {
   const YamlDocument& document;
@@ -41,4 +42,4 @@ void read_joints(const FormView& root, const RobotParts& parts);
 void read_devices(const FormView& root, const RobotParts& parts);
 void check_tree(const RobotParts& parts);
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -14,7 +14,7 @@
 #include "robots/robot_forms.h"
 #include "robots/robot_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -138,4 +138,4 @@ std::string robot_schema() {
                      "A robot: bodies, joints, sensors and devices. Metres, kilograms, degrees.");
 }
 
-}  // namespace stig
+}  // namespace stig::robots

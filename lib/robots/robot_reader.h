@@ -8,8 +8,9 @@
 
 #include "base/diagnostic.h"
 #include "robots/robot_model.h"
+#include "robots/uses.h"
 
-namespace stig {
+namespace stig::robots {
 
 inline constexpr std::size_t kMaxRobotFileBytes = std::size_t{1} << 20;
 
@@ -21,4 +22,4 @@ std::optional<RobotModel> read_robot_file(const std::string& path, Diagnostics& 
 /// JSON Schema of robot files.
 std::string robot_schema();
 
-}  // namespace stig
+}  // namespace stig::robots

@@ -8,7 +8,7 @@
 #include "base/text.h"
 #include "robots/robot_parts.h"
 
-namespace stig {
+namespace stig::robots {
 
 namespace {
 
@@ -96,4 +96,4 @@ class Tree {
 
 void check_tree(const RobotParts& parts) { Tree(parts).check(); }
 
-}  // namespace stig
+}  // namespace stig::robots

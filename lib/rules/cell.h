@@ -9,7 +9,7 @@
 #include <compare>
 #include <cstdint>
 
-namespace stig {
+namespace stig::rules {
 
 struct Offset {
   std::int32_t x = 0, y = 0, z = 0;
@@ -32,4 +32,4 @@ constexpr Offset operator-(Cell a, Cell b) { return {a.x - b.x, a.y - b.y, a.z -
 /// that sums of a few of them never overflow.
 inline constexpr std::int32_t kMaxCoordinate = 1 << 24;
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-namespace stig {
+namespace stig::rules {
 
 std::string cell_text(Cell cell) { return fmt::format("({}, {}, {})", cell.x, cell.y, cell.z); }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -6,9 +6,9 @@
 
 #include "rules/cell.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// "(1, 0, 2)"
 std::string cell_text(Cell cell);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -82,4 +82,4 @@ std::vector<Comment> place_comments(const YamlDocument& document) {
   return comments;
 }
 
-}  // namespace stig
+}  // namespace stig::rules

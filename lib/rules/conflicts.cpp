@@ -20,7 +20,7 @@
 #include "rules/site_condition.h"
 #include "rules/view_search.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -355,4 +355,4 @@ void check_repetitions(const RuleSet& rules, Diagnostics& diagnostics) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -6,7 +6,7 @@
 #include "base/diagnostic.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// R301 for pairs that place different bricks, each pair once; R302 when the search
 /// had to be given up.
@@ -18,4 +18,4 @@ void check_repetitions(const RuleSet& rules, Diagnostics& diagnostics);
 /// Where a rule is best pointed at: its name.
 SourceRange rule_place(const Rule& rule);
 
-}  // namespace stig
+}  // namespace stig::rules

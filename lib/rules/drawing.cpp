@@ -14,7 +14,7 @@
 #include "rules/drawing_rows.h"
 #include "rules/rule_schema.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -190,4 +190,4 @@ std::optional<std::vector<PlacedBrick>> read_structure(const YamlNode& node,
   return bricks;
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -26,7 +26,7 @@
 #include "base/yaml.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// The symbols a file defines, and what they stand for.
 class SymbolTable {
@@ -78,4 +78,4 @@ std::optional<std::vector<PlacedBrick>> read_structure(const YamlNode& node,
 void report_unknown(const SourceRange& range, const std::string& symbol, bool bricks_only,
                     DrawingContext& context);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace stig {
+namespace stig::rules {
 
 /// Any white space separates symbols, so drawings can be lined up as their author likes;
 /// blank lines are no rows. Offsets are kept for exact carets.
@@ -27,4 +27,4 @@ std::vector<DrawnRow> split_rows(std::string_view text) {
   return rows;
 }
 
-}  // namespace stig
+}  // namespace stig::rules

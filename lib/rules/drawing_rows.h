@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace stig {
+namespace stig::rules {
 
 struct DrawnSymbol {
   std::string text;
@@ -22,4 +22,4 @@ struct DrawnRow {
 
 std::vector<DrawnRow> split_rows(std::string_view text);
 
-}  // namespace stig
+}  // namespace stig::rules

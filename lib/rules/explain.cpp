@@ -9,7 +9,7 @@
 #include "rules/rule_table.h"
 #include "rules/site_condition.h"
 
-namespace stig {
+namespace stig::rules {
 namespace {
 
 /// All disagreeing cells are listed, not only the first, since authors look for a pattern
@@ -77,4 +77,4 @@ Explanation explain(const RuleSet& rules, const View& view, std::int32_t z, int 
   return result;
 }
 
-}  // namespace stig
+}  // namespace stig::rules

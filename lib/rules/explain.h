@@ -18,7 +18,7 @@
 
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// A neighbour that disagrees with the pattern in the orientation reported.
 struct FailedCell {
@@ -56,4 +56,4 @@ struct Explanation {
 /// `view` is what a site at height z sees (lattice/swarm.h view_at); stage >= 1.
 Explanation explain(const RuleSet& rules, const View& view, std::int32_t z, int stage);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -14,7 +14,7 @@
 #include "rules/key_field.h"
 #include "rules/rule.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// Feeds values into one hash; every list is led by its length.
 class FieldHash {
@@ -84,4 +84,4 @@ class FieldHash {
   std::uint64_t hash_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::rules

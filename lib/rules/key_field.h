@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-namespace stig {
+namespace stig::rules {
 
 /// Does a member enter rule_set_hash?
 enum class Hashed : std::uint8_t {
@@ -103,4 +103,4 @@ bool same_fields(const std::vector<T>& a, const std::vector<T>& b) {
                     [](const T& x, const T& y) { return same_fields(x, y); });
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -4,7 +4,7 @@
 // formats: certificates and traces name neighbours by index.
 #include "rules/neighbourhood.h"
 
-namespace stig {
+namespace stig::rules {
 namespace {
 
 constexpr bool on_lattice(Lattice lattice, Offset o) {
@@ -66,4 +66,4 @@ std::string_view to_string(Lattice lattice) {
   return lattice == Lattice::cubic ? "cubic" : "hexagonal";
 }
 
-}  // namespace stig
+}  // namespace stig::rules

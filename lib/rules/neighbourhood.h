@@ -29,7 +29,7 @@
 #include "rules/cell.h"
 #include "rules/state.h"
 
-namespace stig {
+namespace stig::rules {
 
 enum class Lattice : std::uint8_t { cubic, hexagonal };
 
@@ -74,4 +74,4 @@ Point embed(Lattice lattice, Cell cell);
 
 std::string_view to_string(Lattice lattice);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -10,7 +10,7 @@
 
 #include "base/text.h"
 
-namespace stig {
+namespace stig::rules {
 
 void check_unique(SeenNames& names, const std::string& name, const SourceRange& range,
                   std::string_view what, Diagnostics& diagnostics) {
@@ -114,4 +114,4 @@ void PaletteReader::report_unused_legend() const {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -11,7 +11,7 @@
 #include "rules/drawing.h"
 #include "rules/plain_reader.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// Names that must be unique, with the place of their first use.
 using SeenNames = std::unordered_map<std::string, SourceRange>;
@@ -55,4 +55,4 @@ class PaletteReader {
   bool known_ = false;
 };
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -11,7 +11,7 @@
 #include "rules/drawing_rows.h"
 #include "rules/rule_schema.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -258,4 +258,4 @@ std::optional<Pattern> read_pattern(const YamlNode& node, bool inversion, Drawin
   return PatternReader(node, inversion, context).read();
 }
 
-}  // namespace stig
+}  // namespace stig::rules

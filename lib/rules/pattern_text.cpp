@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -136,4 +136,4 @@ std::string draw_structure(const RuleSet& rules, const std::vector<PlacedBrick>&
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::rules

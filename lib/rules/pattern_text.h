@@ -9,7 +9,7 @@
 
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// The symbol that drawings of this set have for a set of states, if any.
 std::optional<std::string> find_symbol(const RuleSet& rules, StateSet states);
@@ -18,4 +18,4 @@ std::optional<std::string> find_symbol(const RuleSet& rules, StateSet states);
 /// bricks, which must not be empty.
 std::string draw_structure(const RuleSet& rules, const std::vector<PlacedBrick>& bricks);
 
-}  // namespace stig
+}  // namespace stig::rules

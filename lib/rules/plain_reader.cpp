@@ -6,7 +6,7 @@
 #include <array>
 #include <cassert>
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -77,4 +77,4 @@ void PlainReader::read_value(const YamlNode& node, const FormKey& /*key*/,
   for (const YamlNode& word : node.items) value.push_back(word.text);
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -17,7 +17,7 @@
 #include "rules/rule_schema.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// Reads a tree whose shape has been checked; nodes in `bad` are passed over. All that it is
 /// made of must outlive it.
@@ -76,4 +76,4 @@ void PlainReader::read(const YamlNode& mapping, const Form& form, T& object) con
   });
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -16,7 +16,7 @@
 #include "rules/neighbourhood.h"
 #include "rules/symmetry.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// The states allowed at each neighbour index; unused indices hold anything().
 struct Pattern {
@@ -71,4 +71,4 @@ auto fields(R& rule) {
       KeyField{"stage", stage}, KeyField{"symmetry", symmetry}, KeyField{"inversion", inversion});
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -16,7 +16,7 @@
 #include "rules/site_condition.h"
 #include "rules/view_search.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -294,4 +294,4 @@ void check_rule_set(const RuleSet& rules, CheckScope scope, Diagnostics& diagnos
   check_inversion(rules, diagnostics);
 }
 
-}  // namespace stig
+}  // namespace stig::rules

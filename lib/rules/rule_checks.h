@@ -13,7 +13,7 @@
 #include "base/diagnostic.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 enum class CheckScope : std::uint8_t {
   all,
@@ -23,4 +23,4 @@ enum class CheckScope : std::uint8_t {
 /// Reports every R301 to R316 but R313, which only the reader can see.
 void check_rule_set(const RuleSet& rules, CheckScope scope, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -7,7 +7,7 @@
 #include "rules/field_hash.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::rules {
 
 std::uint64_t rule_set_hash(const RuleSet& rules) {
   FieldHash hash(neighbourhood(rules.lattice).size);
@@ -15,4 +15,4 @@ std::uint64_t rule_set_hash(const RuleSet& rules) {
   return hash.value();
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -13,7 +13,7 @@
 #include "rules/rule_schema.h"
 #include "rules/state.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::string kind_definitions(const std::vector<std::string>& symbols) {
       .dump();
 }
 
-}  // namespace stig
+}  // namespace stig::rules

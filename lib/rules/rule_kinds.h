@@ -9,7 +9,7 @@
 
 #include "base/form.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// A symbol of the drawings, quoted or not (`3` is the text "3").
 extern const ValueKind kSymbolKind;
@@ -23,4 +23,4 @@ extern const ValueKind kStageKind;
 /// What their schemas refer to, as a JSON object. Editors offer these symbols of bricks.
 std::string kind_definitions(const std::vector<std::string>& symbols);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -16,7 +16,7 @@
 #include "rules/rule_schema.h"
 #include "rules/value_texts.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -217,4 +217,4 @@ std::string print_rule_set(const RuleSet& rules) {
   return Printer(whole).print();
 }
 
-}  // namespace stig
+}  // namespace stig::rules

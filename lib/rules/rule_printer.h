@@ -8,7 +8,7 @@
 
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// YAML text of format version 1, comments included. Sets of states that have no
 /// symbol get one in the legend.
@@ -26,4 +26,4 @@ std::string draw_view(const RuleSet& rules, const View& view);
 /// sets without a symbol are written {1,2}.
 std::string symbol_of(const RuleSet& rules, StateSet states);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -19,7 +19,7 @@
 #include "rules/rule_checks.h"
 #include "rules/rule_schema.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -233,4 +233,4 @@ std::optional<RuleSet> read_rule_set_file(const std::string& path, Diagnostics& 
   return source ? read_rule_set(std::move(source), diagnostics) : std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::rules

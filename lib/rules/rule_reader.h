@@ -9,7 +9,7 @@
 #include "base/diagnostic.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// Largest rule set file read, in bytes.
 inline constexpr std::size_t kMaxRuleFileBytes = std::size_t{1} << 20;
@@ -21,4 +21,4 @@ std::optional<RuleSet> read_rule_set(SourceRef source, Diagnostics& diagnostics)
 /// Reads the file first; a file that cannot be read is a diagnostic too.
 std::optional<RuleSet> read_rule_set_file(const std::string& path, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::rules

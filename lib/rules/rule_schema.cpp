@@ -14,7 +14,7 @@
 #include "rules/rule_kinds.h"
 #include "rules/state.h"
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -324,4 +324,4 @@ std::string json_schema(const std::vector<std::string>& symbols) {
                      kind_definitions(symbols));
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -13,7 +13,7 @@
 
 #include "base/form.h"
 
-namespace stig {
+namespace stig::rules {
 
 const Form& rule_set_form();
 const Form& brick_form();
@@ -42,4 +42,4 @@ std::string json_schema();
 /// a palette grows while its file is written.
 std::string json_schema(const std::vector<std::string>& symbols);
 
-}  // namespace stig
+}  // namespace stig::rules

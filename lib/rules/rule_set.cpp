@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::rules {
 Colour RuleSet::colour_of(std::string_view symbol) const {
   for (std::size_t i = 0; i < bricks.size(); ++i) {
     if (bricks[i].symbol == symbol) return static_cast<Colour>(i + 1);
@@ -49,4 +49,4 @@ std::string_view to_string(Verdict verdict) {
   return "";
 }
 
-}  // namespace stig
+}  // namespace stig::rules

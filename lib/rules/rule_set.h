@@ -20,7 +20,7 @@
 #include "rules/rule.h"
 #include "rules/symmetry.h"
 
-namespace stig {
+namespace stig::rules {
 
 struct Brick {
   std::string symbol;  ///< what drawings use
@@ -174,4 +174,4 @@ bool operator==(const RuleSet& a, const RuleSet& b);
 std::string_view to_string(Conflicts conflicts);
 std::string_view to_string(Verdict verdict);  ///< "order-dependent"
 
-}  // namespace stig
+}  // namespace stig::rules

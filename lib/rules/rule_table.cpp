@@ -11,7 +11,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::rules {
 namespace {
 
 /// Random words by neighbour and state; a view's hash is their exclusive or. Exclusive or
@@ -295,4 +295,4 @@ void RuleTable::matches(const View& view, std::int32_t z, int stage,
   out.erase(std::unique(out.begin(), out.end(), same_rule), out.end());
 }
 
-}  // namespace stig
+}  // namespace stig::rules

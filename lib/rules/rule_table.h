@@ -17,7 +17,7 @@
 #include "rules/rule_set.h"
 #include "rules/site_condition.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// A rule that matches, in the first of its orientations that does.
 struct Match {
@@ -99,4 +99,4 @@ int count_in_view(const CountCondition& condition, const Neighbourhood& neighbou
 /// The pattern turned by an orientation: what the rule looks for when turned so.
 Pattern oriented(const Pattern& pattern, const Orientation& orientation, int neighbours);
 
-}  // namespace stig
+}  // namespace stig::rules

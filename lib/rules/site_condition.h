@@ -13,7 +13,7 @@
 
 #include "rules/rule.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// Whole numbers low..high; the extremes of 32 bits stand for no bound.
 struct Interval {
@@ -91,4 +91,4 @@ constexpr SiteCondition both(const SiteCondition& a, const SiteCondition& b) {
   return {both(a.height, b.height), both(a.stage, b.stage)};
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -6,7 +6,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace stig {
+namespace stig::rules {
 
 /// 0 is empty, 1..kMaxColours a brick of that colour, kFloor the floor.
 using State = std::uint8_t;
@@ -52,4 +52,4 @@ class StateSet {
   std::uint64_t bits_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::rules

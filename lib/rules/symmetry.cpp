@@ -7,7 +7,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::rules {
 namespace {
 
 /// a after b. Matrices act on columns, so "a after b" is the product a b; the vertical is
@@ -90,4 +90,4 @@ std::string_view to_string(Symmetry symmetry) {
   return "";
 }
 
-}  // namespace stig
+}  // namespace stig::rules

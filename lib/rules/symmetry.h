@@ -15,7 +15,7 @@
 
 #include "rules/neighbourhood.h"
 
-namespace stig {
+namespace stig::rules {
 
 enum class Symmetry : std::uint8_t { none, rotations, rotations_mirrors };
 
@@ -39,4 +39,4 @@ struct Orientation {
 /// then the same upside down.
 std::vector<Orientation> orientations(Lattice lattice, Symmetry symmetry, bool inversion);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -13,7 +13,7 @@
 #include "rules/pattern_text.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::rules {
 
 std::string ValueTexts::text(const std::string& value, const FormKey& key, bool in_line) const {
   if (key.kind == FormKind::colour) return "\"" + value + "\"";
@@ -129,4 +129,4 @@ std::string ValueTexts::rows(const std::vector<PlacedBrick>& structure) const {
   return structure.empty() ? std::string() : draw_structure(rules_, structure);
 }
 
-}  // namespace stig
+}  // namespace stig::rules

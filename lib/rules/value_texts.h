@@ -17,7 +17,7 @@
 #include "rules/rule_schema.h"
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// A key with its value as it is written. A drawing's rows stand below.
 struct KeyText {
@@ -112,4 +112,4 @@ std::vector<KeyText> ValueTexts::keys(const T& object, const T& usual, const For
   return in_order(written, form);
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <unordered_map>
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -242,4 +242,4 @@ bool fulfils(const Demand& demand, Lattice lattice, const View& view, std::int64
   });
 }
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -10,7 +10,7 @@
 #include "rules/rule_set.h"
 #include "rules/site_condition.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// What one rule, or several at once, demand of a site.
 struct Demand {
@@ -41,4 +41,4 @@ Answer find_view(const RuleSet& rules, const Demand& demand, Example& example, B
 /// Does a given view at height z fulfil the demand, in some stage?
 bool fulfils(const Demand& demand, Lattice lattice, const View& view, std::int64_t z);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -10,7 +10,7 @@
 #include <set>
 #include <string_view>
 
-namespace stig {
+namespace stig::rules {
 
 namespace {
 
@@ -79,4 +79,4 @@ RuleSet worked_from_own(RuleSet rules, const std::vector<std::string>& sides) {
   return worked_from(std::move(rules), from);
 }
 
-}  // namespace stig
+}  // namespace stig::rules

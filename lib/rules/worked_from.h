@@ -11,7 +11,7 @@
 
 #include "rules/rule_set.h"
 
-namespace stig {
+namespace stig::rules {
 
 /// The rules in those orientations that turn +x to one of the sides ("+x" "-x" "+y" "-y"), each
 /// as a rule of its own, without symmetry. Unchanged where there is nothing to leave out: all four
@@ -21,4 +21,4 @@ RuleSet worked_from(RuleSet rules, const std::vector<std::string>& sides);
 /// The same for these sides or, if there are none, those that the file names.
 RuleSet worked_from_own(RuleSet rules, const std::vector<std::string>& sides);
 
-}  // namespace stig
+}  // namespace stig::rules

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::sensing {
 
 namespace {
 
@@ -79,4 +79,4 @@ std::optional<Vec3> unproject(const CameraIntrinsics& camera, const ImagePoint& 
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::sensing

@@ -16,7 +16,7 @@
 
 #include "base/vec.h"
 
-namespace stig {
+namespace stig::sensing {
 
 /// A point on the image plane, pixels: x right, y down, from the upper left corner.
 struct ImagePoint {
@@ -44,4 +44,4 @@ ImageSlope image_slope(const CameraIntrinsics& camera, const Vec3& direction);
 /// that continues the one at the principal point.
 std::optional<Vec3> unproject(const CameraIntrinsics& camera, const ImagePoint& pixel);
 
-}  // namespace stig
+}  // namespace stig::sensing

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stig {
+namespace stig::sensing {
 
 CameraPicture::CameraPicture(const CameraIntrinsics& camera, const Vec3& ground)
     : width(camera.width),
@@ -40,4 +40,4 @@ PlaneHit meet_plane(const Pose& X_CT, const Vec3& way) {
   return {p.x, p.y, t};
 }
 
-}  // namespace stig
+}  // namespace stig::sensing

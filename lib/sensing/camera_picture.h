@@ -8,7 +8,7 @@
 #include "base/vec.h"
 #include "sensing/camera.h"
 
-namespace stig {
+namespace stig::sensing {
 
 /// Red, green and blue, 0 to 255, row by row.
 struct CameraPicture {
@@ -61,4 +61,4 @@ struct PlaneHit {
 };
 PlaneHit meet_plane(const Pose& X_CT, const Vec3& way);
 
-}  // namespace stig
+}  // namespace stig::sensing

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::sensing {
 
 namespace {
 
@@ -123,4 +123,4 @@ std::array<Vec3, 8> frustum_corners(const CameraView& view) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::sensing

@@ -11,7 +11,7 @@
 
 #include "sensing/camera.h"
 
-namespace stig {
+namespace stig::sensing {
 
 /// Made by make_view.
 struct CameraView {
@@ -34,4 +34,4 @@ std::optional<ImagePoint> image_of(const CameraView& view, const Vec3& p_C);
 /// A pyramid's stump about all that image_of shows, camera frame: near plane, far plane.
 std::array<Vec3, 8> frustum_corners(const CameraView& view);
 
-}  // namespace stig
+}  // namespace stig::sensing

@@ -4,9 +4,9 @@
 
 #include "base/random.h"
 
-namespace stig {
+namespace stig::sensing {
 
 /// A sample of mean 0 and standard deviation 1 (Box and Muller 1958).
 double gaussian(Random& random);
 
-}  // namespace stig
+}  // namespace stig::sensing

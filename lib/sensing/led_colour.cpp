@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::sensing {
 
 namespace {
 constexpr double kHalfWindow = 3;  ///< pixels
@@ -49,4 +49,4 @@ std::uint8_t LedWindow::colour() const {
   return y_ > 0 ? classify_led(yu_ / y_, yv_ / y_) : std::uint8_t{0};
 }
 
-}  // namespace stig
+}  // namespace stig::sensing

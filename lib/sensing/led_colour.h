@@ -14,7 +14,7 @@
 #include "base/rgb.h"
 #include "sensing/camera.h"
 
-namespace stig {
+namespace stig::sensing {
 
 /// Planes of an image, each 0 to 255; U and V about 128.
 struct Yuv {
@@ -42,4 +42,4 @@ class LedWindow {
   double y_ = 0, yu_ = 0, yv_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::sensing

@@ -10,7 +10,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::sensing {
 
 namespace {
 
@@ -292,4 +292,4 @@ std::optional<TagPose> estimate_tag_pose(const CameraIntrinsics& camera,
                  std::sqrt(fits[1].cost / 4), *centre};
 }
 
-}  // namespace stig
+}  // namespace stig::sensing

@@ -16,7 +16,7 @@
 
 #include "sensing/camera.h"
 
-namespace stig {
+namespace stig::sensing {
 
 /// A tag's corners, tag frame: lower left, lower right, upper right, upper left.
 std::array<Vec3, 4> tag_corners(double side);
@@ -36,4 +36,4 @@ struct TagPose {
 std::optional<TagPose> estimate_tag_pose(const CameraIntrinsics& camera,
                                          const std::array<ImagePoint, 4>& corners, double side);
 
-}  // namespace stig
+}  // namespace stig::sensing

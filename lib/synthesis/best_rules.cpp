@@ -17,7 +17,7 @@
 #include "synthesis/check_rules.h"
 #include "synthesis/emit.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// More rules than this hardly fit a file (kMaxRuleFileBytes).
@@ -136,4 +136,4 @@ void choose_rules(const Target& target, const SynthesisOptions& options,
   RuleChooser(target, options, limits, hooks, result).run(std::move(solutions), std::move(ready));
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -4,8 +4,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/synthesise.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct MergingLimits {
   Allowance quick;  ///< so long more than a few solutions of each number of colours are merged
@@ -19,4 +20,4 @@ void choose_rules(const Target& target, const SynthesisOptions& options,
                   std::vector<Solution> solutions, std::optional<Solution> ready,
                   const MergingLimits& limits, const SynthesisHooks& hooks, Synthesis& result);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -14,7 +14,7 @@
 #include "base/text.h"
 #include "synthesis/skeleton_rules.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Fills of so many needs are tried, few at first.
@@ -166,4 +166,4 @@ std::optional<Solution> solve_by_skeleton(const Target& target, const SynthesisO
       .solve(options.start.empty() ? outermost(target) : options.start);
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

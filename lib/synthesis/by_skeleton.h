@@ -4,8 +4,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/synthesise.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// The best of those that grow from the given start, or from the corners and the middle of the
 /// target's bottom and top; nothing when none was found. Without a symmetry and given
@@ -13,4 +14,4 @@ namespace stig {
 std::optional<Solution> solve_by_skeleton(const Target& target, const SynthesisOptions& options,
                                           const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

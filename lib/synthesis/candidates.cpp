@@ -15,7 +15,7 @@
 #include "synthesis/order_search.h"
 #include "synthesis/reasons.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Orders from which a search among orders begins.
@@ -183,4 +183,4 @@ std::optional<Schedule> Candidates::schedule_of(const Candidate& candidate,
   return schedule;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

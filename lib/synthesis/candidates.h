@@ -11,8 +11,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/synthesise.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// An order of a frame that may do, and how many colours it needs at least.
 struct Candidate {
@@ -73,4 +74,4 @@ class Candidates {
   std::optional<Obstacle> look_alike_;
 };
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -13,7 +13,7 @@
 #include "rules/rule_table.h"
 #include "synthesis/local_views.h"
 
-namespace stig {
+namespace stig::synthesis {
 std::optional<std::string> find_fault(const Schedule& schedule, const Colouring& colours,
                                       const RuleSet& rules) {
   const Frame& frame = *schedule.frame;
@@ -55,4 +55,4 @@ std::optional<std::string> find_fault(const Schedule& schedule, const Colouring&
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -8,11 +8,12 @@
 #include <string>
 
 #include "synthesis/clashes.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// What is wrong, in words; nothing when every order of events ends in the target.
 std::optional<std::string> find_fault(const Schedule& schedule, const Colouring& colours,
                                       const RuleSet& rules);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -12,7 +12,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// What one brick adds to the hash of a view: a sum, so that turning is re-indexing. A
@@ -205,4 +205,4 @@ std::vector<std::pair<int, int>> compared_orbits(const Schedule& schedule, const
   return pairs;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

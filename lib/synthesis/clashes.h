@@ -16,8 +16,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/local_states.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// Key `key`, turned by `orientation`, looks like local state `mask` of `site`.
 struct Clash {
@@ -47,4 +48,4 @@ std::vector<std::pair<int, int>> compared_orbits(const Schedule& schedule, const
 /// A key's mask as an orientation shows it.
 std::uint32_t turned(std::uint32_t mask, const Orientation& orientation);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -17,7 +17,7 @@
 #include "synthesis/encoding.h"
 #include "synthesis/proof_files.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// The values that CaDiCaL's solve() returns; 0 means that a limit was met.
@@ -334,4 +334,4 @@ std::vector<Clash> unsatisfiable_core(ColouringSearch& search, int named, int k,
   return clashes;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -16,8 +16,9 @@
 
 #include "synthesis/differences.h"
 #include "synthesis/effort.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// given_up: what was allowed did not suffice.
 enum class Answered : std::uint8_t { yes, no, given_up };
@@ -71,4 +72,4 @@ std::optional<Refutation> refute(const ColouringSearch& search, int named, int k
 std::vector<Clash> unsatisfiable_core(ColouringSearch& search, int named, int k,
                                       const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -5,7 +5,9 @@
 #include <atomic>
 #include <chrono>
 
-namespace stig {
+#include "synthesis/uses.h"
+
+namespace stig::synthesis {
 
 struct Deadline {
   std::chrono::steady_clock::time_point end = std::chrono::steady_clock::time_point::max();
@@ -23,4 +25,4 @@ struct Deadline {
   }
 };
 
-}  // namespace stig
+}  // namespace stig::synthesis

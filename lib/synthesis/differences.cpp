@@ -12,7 +12,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 StateSet colours_of(const Schedule& schedule, int orbit) {
@@ -191,4 +191,4 @@ std::vector<int> Differences::clique() const {
   return greedy_clique(differ);
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

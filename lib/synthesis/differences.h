@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "synthesis/clashes.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// Why a clause holds, and what it says of pairs (indices into Differences::pairs).
 struct DifferenceClause {
@@ -55,4 +56,4 @@ class Differences {
   std::optional<Clash> hopeless_;
 };
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -10,8 +10,9 @@
 #include <limits>
 
 #include "synthesis/deadline.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// Steps of one unit of effort, that of `stigc synth --effort 1`.
 inline constexpr double kStepsOfEffort = 20e9;
@@ -61,4 +62,4 @@ struct Allowance {
   }
 };
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -16,7 +16,7 @@
 #include "lattice/structure.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// One character a colour: drawings stay in line.
@@ -161,4 +161,4 @@ RuleSet make_rule_set(const Frame& frame, const Colouring& colours, int colour_c
   return set;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

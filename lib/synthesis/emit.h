@@ -6,8 +6,9 @@
 #include <string>
 
 #include "synthesis/merge.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct Wording {
   std::string name;  ///< of the set; empty: none
@@ -24,4 +25,4 @@ RuleSet make_rule_set(const Frame& frame, const Colouring& colours, int colour_c
 /// "place 2 on 1 beside 3": what the bricks that a pattern asks for are to the site.
 std::string name_of(const RuleSet& set, const MergedRule& rule);
 
-}  // namespace stig
+}  // namespace stig::synthesis

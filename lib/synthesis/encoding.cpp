@@ -9,7 +9,7 @@
 #include <array>
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 
 namespace {
 /// Quadratic in the number of colours: beyond 16 the clauses cost more than they help.
@@ -89,4 +89,4 @@ void Encoding::emit_clashes(std::size_t first, const Sink& sink) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "synthesis/differences.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// What a clause says, for its comment.
 struct ClauseKind {
@@ -45,4 +46,4 @@ class Encoding {
   std::vector<bool> differ_defined_, equal_defined_;
 };
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -11,7 +11,7 @@
 #include <map>
 #include <set>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Steps of asking one fill at one kind of site.
@@ -156,4 +156,4 @@ void FilledGrid::place(std::int32_t at) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -11,8 +11,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/solid_grid.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// A site from height `low` to `high` that has bricks at all of `needs`, neighbours by bit.
 struct Fill {
@@ -55,4 +56,4 @@ class FilledGrid {
   std::size_t count_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::synthesis

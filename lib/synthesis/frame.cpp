@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Turns about the middle of the start. Coordinates are doubled, since the middle may
@@ -144,4 +144,4 @@ Frame make_frame(const Target& target, const Placing& placing) {
   return frame;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

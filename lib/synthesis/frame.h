@@ -13,8 +13,9 @@
 
 #include "rules/symmetry.h"
 #include "synthesis/target.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// An empty place beside the target, or one of its cells, with the orbits around it.
 struct Site {
@@ -67,4 +68,4 @@ Frame make_frame(const Target& target, const Placing& placing);
 /// Index of a cell in a sorted list, or -1.
 int index_in(const std::vector<Cell>& cells, Cell cell);
 
-}  // namespace stig
+}  // namespace stig::synthesis

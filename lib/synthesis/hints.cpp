@@ -10,7 +10,7 @@
 
 #include "base/random.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// How deep orbits lie in the target: 0 where a neighbour is missing, and from there breadth
@@ -54,4 +54,4 @@ Colouring hint_of(const Frame& frame, Hint hint, int k) {
   return colours;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

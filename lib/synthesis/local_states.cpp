@@ -11,7 +11,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Steps of placing a cell in an order, and of working out and looking up a state or a key.
@@ -178,4 +178,4 @@ std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder&
   return schedule;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

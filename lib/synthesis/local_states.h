@@ -21,8 +21,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/order.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// States [first[s], first[s + 1]) of `masks` are those of site s.
 struct LocalStates {
@@ -77,4 +78,4 @@ struct BadOrder {
 std::optional<Schedule> make_schedule(const Frame& frame, Order order, BadOrder& problem,
                                       const ScheduleLimits& limits = {});
 
-}  // namespace stig
+}  // namespace stig::synthesis

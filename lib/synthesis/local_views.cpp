@@ -10,7 +10,7 @@
 #include <cstring>
 #include <map>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Byte order of states is an arbitrary order; what counts is that it is total and cheap.
@@ -112,4 +112,4 @@ std::vector<ExactRule> exact_rules(const Schedule& schedule, const Colouring& co
   return rules;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -10,8 +10,9 @@
 #include "rules/neighbourhood.h"
 #include "synthesis/clashes.h"
 #include "synthesis/effort.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// What a site shows in a local state.
 View view_of(const Frame& frame, const Site& site, std::uint32_t mask, const Colouring& colours);
@@ -39,4 +40,4 @@ struct ExactRule {
 /// By rank, then view.
 std::vector<ExactRule> exact_rules(const Schedule& schedule, const Colouring& colours);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -18,7 +18,7 @@
 #include "rules/rule_table.h"
 #include "synthesis/working_views.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// One demand: cell `at` shows one of `states`.
@@ -378,4 +378,4 @@ std::vector<MergedRule> merge_rules(const Frame& frame, int colours,
   return best;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

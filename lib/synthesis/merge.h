@@ -17,8 +17,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/local_views.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct MergedRule {
   Pattern pattern;
@@ -37,4 +38,4 @@ std::vector<MergedRule> merge_rules(const Frame& frame, int colours,
 /// Without merging.
 std::vector<MergedRule> as_patterns(const Frame& frame, const std::vector<ExactRule>& exact);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -6,7 +6,7 @@
 #include "synthesis/proof_files.h"
 #include "synthesis/synthesise.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
                                             const Allowance& allowance) {
@@ -26,4 +26,4 @@ std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
                          std::move(refutation->drat)};
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

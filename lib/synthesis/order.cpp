@@ -12,7 +12,7 @@
 #include <queue>
 #include <set>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 bool within(const Neighbourhood& n, std::size_t i, Steps steps) {
@@ -212,4 +212,4 @@ std::vector<Order> all_orders(const Frame& frame, std::size_t most, Ties ties) {
   return Lister(frame, most, ties).list();
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

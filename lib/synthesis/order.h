@@ -15,8 +15,9 @@
 #include <vector>
 
 #include "synthesis/frame.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct Order {
   std::string name;
@@ -65,4 +66,4 @@ enum class Ties : std::uint8_t { none, allowed };
 /// for ties of others are no different from one after the other.
 std::vector<Order> all_orders(const Frame& frame, std::size_t most, Ties ties = Ties::none);
 
-}  // namespace stig
+}  // namespace stig::synthesis

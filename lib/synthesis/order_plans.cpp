@@ -10,7 +10,7 @@
 
 #include "synthesis/order.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// A way to read coordinates: which axis comes first, and in which direction.
@@ -181,4 +181,4 @@ std::vector<OrderPlan> order_plans() {
   return plans;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

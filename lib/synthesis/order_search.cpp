@@ -10,7 +10,7 @@
 
 #include "base/random.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Changes without gain after which the next beginning is tried.
@@ -113,4 +113,4 @@ OrderSearch search_orders(const Frame& frame, const Colouring& colours,
   return std::move(searcher.result);
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

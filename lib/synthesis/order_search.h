@@ -10,8 +10,9 @@
 
 #include "synthesis/clashes.h"
 #include "synthesis/effort.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct OrderSearch {
   std::optional<Order> order;  ///< without a clash
@@ -24,4 +25,4 @@ struct OrderSearch {
 OrderSearch search_orders(const Frame& frame, const Colouring& colours,
                           const std::vector<Order>& first, const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

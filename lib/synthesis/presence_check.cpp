@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// Steps of asking one rule at one site.
@@ -135,4 +135,4 @@ std::optional<std::vector<std::int32_t>> order_of_growth(const SolidGrid& grid,
   return check.order();
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

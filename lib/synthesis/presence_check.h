@@ -12,8 +12,9 @@
 
 #include "synthesis/merge.h"
 #include "synthesis/solid_grid.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// Colours by place; 0 where the target has no cell.
 using PlaceColours = std::vector<Colour>;
@@ -26,4 +27,4 @@ std::optional<std::vector<std::int32_t>> order_of_growth(const SolidGrid& grid,
                                                          const std::vector<MergedRule>& rules,
                                                          const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -11,7 +11,7 @@
 
 #include "synthesis/encoding.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 std::string reason_of(const Differences& differences, const std::vector<int>& naming,
@@ -99,4 +99,4 @@ std::string print_problem(const Schedule& schedule, int named, int k) {
   return out + " ]}\n";
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

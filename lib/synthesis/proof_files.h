@@ -28,11 +28,12 @@
 #include <vector>
 
 #include "synthesis/differences.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 std::string print_cnf(const Differences& differences, int named, int k,
                       const std::vector<int>& naming);
 std::string print_problem(const Schedule& schedule, int named, int k);
 
-}  // namespace stig
+}  // namespace stig::synthesis

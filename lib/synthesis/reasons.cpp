@@ -13,7 +13,7 @@
 
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 using Kind = Obstacle::Kind;
@@ -225,4 +225,4 @@ Obstacle describe_few_colours(const Schedule& schedule, int named, int allowed, 
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

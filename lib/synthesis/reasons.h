@@ -5,8 +5,9 @@
 #include <optional>
 
 #include "synthesis/synthesise.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// What stands in the way before any order is looked at: the start, a part that is not
 /// connected to it, a symmetry that the target lacks.
@@ -23,4 +24,4 @@ Obstacle describe_look_alikes(const Schedule& schedule, const Clash& clash, cons
 Obstacle describe_few_colours(const Schedule& schedule, int named, int allowed, int needed,
                               const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -7,7 +7,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// What one order may cost.
@@ -97,4 +97,4 @@ std::optional<Recoloured> find_recolouring(const Target& target, const Placing& 
   return best;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

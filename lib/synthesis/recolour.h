@@ -3,8 +3,9 @@
 #pragma once
 
 #include "synthesis/synthesise.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct Recoloured {
   Target target;                                 ///< as it could be built
@@ -17,4 +18,4 @@ struct Recoloured {
 std::optional<Recoloured> find_recolouring(const Target& target, const Placing& placing,
                                            const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -14,7 +14,7 @@
 #include "synthesis/recolour.h"
 #include "synthesis/scaffold.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 using Kind = Obstacle::Kind;
@@ -179,4 +179,4 @@ std::vector<std::string> find_remedies(const Target& target, const SynthesisOpti
   return RemedyFinder(target, options, hooks).find(obstacle);
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <set>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// The step from one cell of a straight run to the next; nothing when it is none.
@@ -195,4 +195,4 @@ std::optional<Scaffold> find_scaffold(const Target& target, const std::vector<Ce
   return best;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

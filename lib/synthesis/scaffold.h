@@ -7,8 +7,9 @@
 #pragma once
 
 #include "synthesis/synthesise.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct Scaffold {
   std::vector<Cell> cells;
@@ -30,4 +31,4 @@ std::optional<Scaffold> find_scaffold(const Target& target, const std::vector<Ce
                                       const SynthesisOptions& options, double effort,
                                       const SynthesisHooks& hooks);
 
-}  // namespace stig
+}  // namespace stig::synthesis

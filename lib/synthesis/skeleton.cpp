@@ -9,7 +9,7 @@
 #include <cassert>
 #include <tuple>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 constexpr Colour kFillColour = 1, kFirstRay = 2;
@@ -191,4 +191,4 @@ std::optional<Skeleton> find_skeleton(const SolidGrid& grid, std::int32_t start,
   return SkeletonSearch(grid, start, fills, limits).find();
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -10,8 +10,9 @@
 #pragma once
 
 #include "synthesis/fills.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct Ray {
   Colour from_colour = 0;  ///< of the brick it begins at; the same as `colour`: the start's
@@ -38,4 +39,4 @@ struct SkeletonLimits {
 std::optional<Skeleton> find_skeleton(const SolidGrid& grid, std::int32_t start,
                                       const std::vector<Fill>& fills, const SkeletonLimits& limits);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -10,7 +10,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 constexpr std::int32_t kLowest = std::numeric_limits<std::int32_t>::min();
@@ -285,4 +285,4 @@ std::optional<SkeletonRules> make_skeleton_rules(const SolidGrid& grid, const Sk
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -4,8 +4,9 @@
 
 #include "synthesis/presence_check.h"
 #include "synthesis/skeleton.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct SkeletonRules {
   std::vector<MergedRule> rules;
@@ -19,4 +20,4 @@ struct SkeletonRules {
 std::optional<SkeletonRules> make_skeleton_rules(const SolidGrid& grid, const Skeleton& skeleton,
                                                  bool floor, const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 constexpr std::int64_t kMostPlaces = std::int64_t{1} << 22;
@@ -66,4 +66,4 @@ std::optional<SolidGrid> make_solid_grid(const Target& target, bool floor) {
   return grid;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "synthesis/target.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 struct SolidGrid {
   Lattice lattice = Lattice::cubic;
@@ -33,4 +34,4 @@ struct SolidGrid {
 /// Nothing when the box is very large.
 std::optional<SolidGrid> make_solid_grid(const Target& target, bool floor);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -9,7 +9,7 @@
 
 #include "synthesis/synthesise.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 std::vector<std::vector<Cell>> likely_starts(const Target& target, Symmetry symmetry, bool) {
   assert(!target.cells.empty());
@@ -50,4 +50,4 @@ std::vector<std::vector<Cell>> likely_starts(const Target& target, Symmetry symm
   return starts;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -18,7 +18,7 @@
 #include "synthesis/hints.h"
 #include "synthesis/reasons.h"
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// When, in shares of the effort, each part of the search is to end. The rest is for
@@ -321,4 +321,4 @@ Synthesis synthesise(const Target& target, const SynthesisOptions& options,
   return result;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -20,8 +20,9 @@
 
 #include "synthesis/colouring.h"
 #include "synthesis/merge.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 enum class Fewest : std::uint8_t { colours, rules };
 
@@ -95,4 +96,4 @@ struct MinimalityProof {
 std::optional<MinimalityProof> prove_fewest(const Solution& solution, int named,
                                             const Allowance& allowance);
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -6,7 +6,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 bool is_wildcard(const Brick& brick) { return brick.symbol == "?" || brick.symbol == "#"; }
@@ -35,4 +35,4 @@ Target target_of(const LoadedStructure& structure, ColourUse use) {
   return target;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

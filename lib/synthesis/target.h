@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "lattice/loaded_structure.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// What becomes of the colours that a structure file gives.
 enum class ColourUse : std::uint8_t {
@@ -25,4 +26,4 @@ struct Target {
 /// Given colours are numbered anew, in the order of the file, wildcards left out.
 Target target_of(const LoadedStructure& structure, ColourUse use);
 
-}  // namespace stig
+}  // namespace stig::synthesis

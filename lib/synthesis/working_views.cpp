@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::synthesis {
 namespace {
 
 /// At most about so many views are worked on at first.
@@ -51,4 +51,4 @@ std::vector<std::size_t> asked_cells(const Pattern& pattern, std::size_t size) {
   return asked;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

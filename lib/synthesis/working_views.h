@@ -9,8 +9,9 @@
 
 #include "synthesis/effort.h"
 #include "synthesis/local_views.h"
+#include "synthesis/uses.h"
 
-namespace stig {
+namespace stig::synthesis {
 
 /// Steps for looking at one cell of one view or pattern.
 inline constexpr std::uint64_t kStepsOfGlance = 2;
@@ -54,4 +55,4 @@ inline bool shows(const View& view, const std::vector<std::size_t>& asked, const
   return true;
 }
 
-}  // namespace stig
+}  // namespace stig::synthesis

@@ -15,7 +15,7 @@
 #include "robots/device_kinds.h"
 #include "validate/build_site.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 constexpr double kMargin = 0.3;  ///< m, of the arena round the outermost block
@@ -190,4 +190,4 @@ std::string argos_experiment(const RuleSet& rules, const CompiledRules& compiled
          kPhysicsAndMedia;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

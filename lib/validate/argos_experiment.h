@@ -9,8 +9,9 @@
 #include <string>
 
 #include "validate/set_up.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 inline constexpr double kBlocksApart = 0.2;  ///< m, centre to centre
 
@@ -24,4 +25,4 @@ struct ArgosScripts {
 std::string argos_experiment(const RuleSet& rules, const CompiledRules& compiled,
                              const SetUpRequest& request, const ArgosScripts& scripts);
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // On the floor: the radius of a cache knows no height, as in the run that fills it.
@@ -82,4 +82,4 @@ std::vector<std::string> cache_troubles(const RuleSet& rules,
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -8,9 +8,10 @@
 #include <vector>
 
 #include "physical/scene/scene.h"
+#include "validate/uses.h"
 #include "validate/watch.h"
 
-namespace stig {
+namespace stig::validate {
 
 struct BlockCount {
   std::size_t began = 0;      ///< there when the run began
@@ -42,4 +43,4 @@ std::vector<std::string> cache_troubles(const RuleSet& rules,
                                         const std::vector<WatchedBlock>& there, const Watch& watch,
                                         const std::vector<CacheSpawn>& caches);
 
-}  // namespace stig
+}  // namespace stig::validate

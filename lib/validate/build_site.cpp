@@ -11,7 +11,7 @@
 
 #include "physical/readout/lattice_reading.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // Scenes say places to the hundredth of a millimetre, so this is for scenes written by hand.
@@ -87,7 +87,7 @@ CellFit fit_of(const BuildSite& site, const Pose& X_WB) {
 }
 
 Led led_of(const RuleSet& rules, Colour colour) {
-  return led_of(rules.brick(colour).led).value_or(Led::off);
+  return physics::led_of(rules.brick(colour).led).value_or(Led::off);
 }
 
 Colour colour_of(const RuleSet& rules, Led led) {
@@ -135,4 +135,4 @@ std::optional<BuildSite> find_site(const RuleSet& rules, std::int32_t floor_leve
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

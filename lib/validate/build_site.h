@@ -13,8 +13,9 @@
 #include "physical/robots/led.h"
 #include "physical/scene/scene.h"
 #include "rules/rule_set.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 struct BuildSite {
   Pose X_WL;             ///< centre of cell (0, 0, 0), and the axes of the rules
@@ -44,4 +45,4 @@ std::optional<BuildSite> find_site(const RuleSet& rules, std::int32_t floor_leve
                                    const Scene& scene, const PlacedScene& placed,
                                    Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::validate

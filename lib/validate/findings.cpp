@@ -12,7 +12,7 @@
 #include "base/degree.h"
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // The programs' approach begins there (docs/behaviours.md).
@@ -152,4 +152,4 @@ std::vector<std::string> findings_of(const BuildTarget& target, const Trial& tri
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "validate/trial.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 /// None: nothing did.
 std::vector<std::string> findings_of(const BuildTarget& target, const Trial& trial);
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -16,7 +16,7 @@
 #include "rules/cell_text.h"
 #include "validate/replay_events.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 constexpr double kCellWay = 0.012, kCellTurn = 0.26;  ///< m, rad: within this a block fills a cell
@@ -214,4 +214,4 @@ bool spoilt(const BuildTarget& target, const Watch& watch) {
                       [&](const auto& brick) { return is_right(target, brick); });
 }
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -19,9 +19,10 @@
 #include <vector>
 
 #include "lattice/structure.h"
+#include "validate/uses.h"
 #include "validate/watch.h"
 
-namespace stig {
+namespace stig::validate {
 
 /// What was to be built. The rules must outlive it.
 struct BuildTarget {
@@ -100,4 +101,4 @@ bool spoilt(const BuildTarget& target, const Watch& watch);
 /// "Q3 brick at (0, 0, 2)", for reports.
 std::string brick_text(const RuleSet& rules, Led led, Cell cell);
 
-}  // namespace stig
+}  // namespace stig::validate

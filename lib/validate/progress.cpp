@@ -7,7 +7,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // Rows of the table over all times: enough for a smooth curve, few enough for a spreadsheet.
@@ -122,4 +122,4 @@ std::string progress_csv(const std::vector<ProgressCurve>& curves, const Progres
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

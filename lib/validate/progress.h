@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "validate/trial.h"
+#include "validate/uses.h"
 #include "validate/work_sites.h"
 
-namespace stig {
+namespace stig::validate {
 
 struct ProgressCurve {
   std::uint64_t seed = 1;
@@ -47,4 +48,4 @@ double round_step(double reach, double most);
 /// time,mean,deviation,least,most,sites,idle,busy and a column for each run; a line for each time.
 std::string progress_csv(const std::vector<ProgressCurve>& curves, const ProgressBand& band);
 
-}  // namespace stig
+}  // namespace stig::validate

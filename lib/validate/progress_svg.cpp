@@ -11,7 +11,7 @@
 #include <cmath>
 #include <iterator>
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 constexpr double kWidth = 760, kLeft = 56, kRight = 16, kTop = 24, kCurves = 290;
@@ -169,4 +169,4 @@ std::string progress_svg(const std::vector<ProgressCurve>& curves, const Progres
   return out + "</svg>\n";
 }
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -6,11 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "validate/uses.h"
 #include "validate/work_summary.h"
 
-namespace stig {
+namespace stig::validate {
 
 std::string progress_svg(const std::vector<ProgressCurve>& curves, const ProgressBand& band,
                          int bricks);
 
-}  // namespace stig
+}  // namespace stig::validate

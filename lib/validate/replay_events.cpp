@@ -18,7 +18,7 @@
 #include "rules/rule_printer.h"
 #include "rules/rule_table.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 std::string seen_text(const RuleSet& rules, State state) {
@@ -104,4 +104,4 @@ Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>&
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

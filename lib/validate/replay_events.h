@@ -3,8 +3,9 @@
 #pragma once
 
 #include "validate/judge.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 struct Replayed {
   std::size_t placements = 0;  ///< all of them
@@ -15,4 +16,4 @@ struct Replayed {
 /// In the structure as it stood at each time, bricks that had left taken away again.
 Replayed replay_events(const BuildTarget& target, const std::vector<BrickEvent>& events);
 
-}  // namespace stig
+}  // namespace stig::validate

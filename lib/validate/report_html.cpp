@@ -18,7 +18,7 @@
 #include "validate/findings.h"
 #include "validate/progress_svg.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // Braces of the style are doubled, since fmt reads them; {0} is the title.
@@ -300,4 +300,4 @@ std::string report_html(const ValidationReport& report) {
   return page.take();
 }
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "validate/uses.h"
 #include "validate/work_summary.h"
 
-namespace stig {
+namespace stig::validate {
 
 struct ValidationReport {
   const BuildTarget* target = nullptr;
@@ -26,4 +27,4 @@ std::vector<ProgressCurve> curves_of(const ValidationReport& report);
 
 std::string report_html(const ValidationReport& report);
 
-}  // namespace stig
+}  // namespace stig::validate

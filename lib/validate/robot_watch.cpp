@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // Jitter of a robot at rest is far below, a step of work far above.
@@ -176,4 +176,4 @@ std::vector<RobotRecord> RobotWatch::finish(const Watch& watch) {
   return records;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

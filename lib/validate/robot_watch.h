@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "validate/trial.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 class RobotWatch {
  public:
@@ -45,4 +46,4 @@ class RobotWatch {
   double last_motion_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::validate

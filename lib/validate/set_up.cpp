@@ -13,7 +13,7 @@
 
 #include "validate/build_site.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // Caches drop blocks from a little above the floor: 2.3 block sides, clear of one that lies there.
@@ -236,4 +236,4 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
          "noise: {pixels: 0.5, missed_tags: 0.02, colour: 8}\n";
 }
 
-}  // namespace stig
+}  // namespace stig::validate

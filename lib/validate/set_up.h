@@ -29,8 +29,9 @@
 
 #include "base/vec.h"
 #include "compiler/compile.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 inline constexpr std::string_view kControllerFile = "controller.lua";
 inline constexpr double kMostBuildTime = 2400;  ///< s
@@ -79,4 +80,4 @@ SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
                          const SetUpRequest& request);
 
-}  // namespace stig
+}  // namespace stig::validate

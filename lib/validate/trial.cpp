@@ -14,7 +14,7 @@
 #include "physical/simulation/run_picture.h"
 #include "validate/robot_watch.h"
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 // The control period of the robots that ship.
@@ -212,4 +212,4 @@ Trial run_trial(const BuildTarget& target, const Scene& scene, const PlacedScene
   return TrialRun(target, scene, placed, settings, hooks).go();
 }
 
-}  // namespace stig
+}  // namespace stig::validate

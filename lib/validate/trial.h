@@ -18,8 +18,9 @@
 #include "physical/simulation/simulation.h"
 #include "validate/block_count.h"
 #include "validate/judge.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 enum class TrialEnd : std::uint8_t { built, time, spoilt, stuck, script, diverged, interrupted };
 std::string_view to_string(TrialEnd end);
@@ -105,4 +106,4 @@ struct TrialSettings {
 Trial run_trial(const BuildTarget& target, const Scene& scene, const PlacedScene& placed,
                 const TrialSettings& settings, const TrialHooks& hooks);
 
-}  // namespace stig
+}  // namespace stig::validate

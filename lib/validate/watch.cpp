@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 constexpr double kRestTime = 1;  ///< s
@@ -186,4 +186,4 @@ bool Watch::is_part(std::size_t block) const {
   return found != known_.end() && found->second.cell.has_value();
 }
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -14,8 +14,9 @@
 #include <vector>
 
 #include "validate/build_site.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 inline constexpr std::size_t kNoRobot = SIZE_MAX;
 
@@ -97,4 +98,4 @@ class Watch {
   std::vector<Haul> hauls_;
 };
 
-}  // namespace stig
+}  // namespace stig::validate

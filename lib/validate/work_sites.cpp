@@ -5,7 +5,7 @@
 
 #include "validate/build_site.h"
 
-namespace stig {
+namespace stig::validate {
 
 // Open sites are those of the compiled decisions in the structure as it stands; each event makes a
 // new state, and asking is linear in the bricks.
@@ -33,4 +33,4 @@ std::vector<std::pair<double, int>> WorkSites::over(const std::vector<BrickEvent
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "compiler/open_work.h"
+#include "validate/uses.h"
 #include "validate/watch.h"
 
-namespace stig {
+namespace stig::validate {
 
 class WorkSites {
  public:
@@ -30,4 +31,4 @@ class WorkSites {
   OpenWork open_;
 };
 
-}  // namespace stig
+}  // namespace stig::validate

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-namespace stig {
+namespace stig::validate {
 namespace {
 
 /// How much of a time lies between two others, s.
@@ -122,4 +122,4 @@ std::vector<WorkPhase> phases_of(const std::vector<ProgressCurve>& curves) {
   return out.size() > 1 ? out : std::vector<WorkPhase>{};
 }
 
-}  // namespace stig
+}  // namespace stig::validate

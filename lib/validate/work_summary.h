@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "validate/progress.h"
+#include "validate/uses.h"
 
-namespace stig {
+namespace stig::validate {
 
 /// Time in one state, of all robots and runs together.
 struct StateTime {
@@ -47,4 +48,4 @@ struct WorkPhase {
 /// None where all is one phase, as for a robot alone, or no run is complete.
 std::vector<WorkPhase> phases_of(const std::vector<ProgressCurve>& curves);
 
-}  // namespace stig
+}  // namespace stig::validate

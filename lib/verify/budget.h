@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <limits>
 
-namespace stig {
+#include "verify/uses.h"
+
+namespace stig::verify {
 
 inline constexpr double kNoTimeLimit = 3.2e7;  ///< seconds: a year, which the clock can hold
 inline constexpr std::uint64_t kNoWorkLimit = std::numeric_limits<std::uint64_t>::max();
@@ -56,4 +58,4 @@ struct Budget {
   }
 };
 
-}  // namespace stig
+}  // namespace stig::verify

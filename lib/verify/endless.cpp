@@ -11,7 +11,7 @@
 
 #include "rules/site_condition.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 constexpr std::size_t kLongestPeriod = 1000;
@@ -88,4 +88,4 @@ std::optional<Repetition> find_repetition(const RuleSet& rules,
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

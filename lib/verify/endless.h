@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "lattice/swarm.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 struct Repetition {
   std::uint64_t period = 0;  ///< deposits
@@ -25,4 +26,4 @@ std::optional<Repetition> find_repetition(const RuleSet& rules,
                                           const std::vector<PlacedBrick>& before,
                                           const std::vector<Deposit>& run);
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -9,7 +9,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::verify {
 
 EntryIndex::EntryIndex(const RuleSet& rules, const RuleTable& table, int stage)
     : stage_(stage), size_(static_cast<std::size_t>(table.neighbours().size)) {
@@ -63,4 +63,4 @@ void EntryIndex::possible(const PossibleStates& states, std::int32_t z,
   }
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -10,8 +10,9 @@
 
 #include "rules/rule_table.h"
 #include "rules/site_condition.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// For each neighbour index the states it may have.
 using PossibleStates = std::array<StateSet, kMaxNeighbours>;
@@ -38,4 +39,4 @@ class EntryIndex {
   std::vector<std::uint64_t> accept_;  ///< [neighbour][row] -> set of entries
 };
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -11,7 +11,7 @@
 #include <cassert>
 #include <map>
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// Failures come by rising site; the first ones usually lie in one region and their chains
@@ -100,4 +100,4 @@ bool drop_broken_chains(const StageModel& model, Invariant& invariant) {
   return dropped;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

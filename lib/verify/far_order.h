@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "verify/local_proof.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// Looks for chains between bricks around the sites that failed. True: some were added to
 /// invariant.far.
@@ -17,4 +18,4 @@ bool add_far_chains(const StageModel& model, const std::vector<LocalFailure>& fa
 /// Takes out chains with a step that `before` no longer has. True: there were some.
 bool drop_broken_chains(const StageModel& model, Invariant& invariant);
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -16,7 +16,7 @@
 #include "verify/repair.h"
 #include "verify/rule_use.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// A limit that does not depend on the budget keeps reports of large generated sets short.
@@ -148,4 +148,4 @@ Findings find_more(const RuleSet& rules, const VerifyOptions& options, const Ver
   return findings;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

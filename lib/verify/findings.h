@@ -7,9 +7,10 @@
 #include <string>
 #include <vector>
 
+#include "verify/uses.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// How much of the work can be done at once: in each round a brick is placed in every site
 /// that is open when it begins and still when its turn comes.
@@ -70,4 +71,4 @@ struct FindingOptions {
 Findings find_more(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
                    const FindingOptions& limits);
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -12,7 +12,7 @@
 #include <set>
 #include <utility>
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// The number of rounds bounds the time lost to intermediate sizes before the exhaustive
@@ -129,4 +129,4 @@ std::uint32_t most_helpful(const StageModel& model, const Invariant& invariant,
   return best;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "verify/local_proof.h"
+#include "verify/uses.h"
 #include "verify/window.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// Bricks of each group by rising number; no two groups have bricks beside each other.
 using Groups = std::vector<std::vector<std::uint32_t>>;
@@ -29,4 +30,4 @@ void take_into_group(Invariant& invariant, std::uint32_t brick, std::uint32_t wi
 std::uint32_t most_helpful(const StageModel& model, const Invariant& invariant,
                            std::uint32_t window, const Budget& budget);
 
-}  // namespace stig
+}  // namespace stig::verify

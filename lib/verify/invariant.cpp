@@ -10,7 +10,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 constexpr Mask kSelfBit = bit(StageModel::kSelf);
@@ -136,4 +136,4 @@ bool for_each_local_state(const StageModel& model, const StageSite& site, const 
   return true;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -11,8 +11,9 @@
 #include <vector>
 
 #include "verify/stage_model.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// Bricks whose fillings are listed one by one.
 struct Window {
@@ -71,4 +72,4 @@ LocalOrder local_order(const StageModel& model, const Invariant& invariant, cons
 bool for_each_local_state(const StageModel& model, const StageSite& site, const LocalOrder& order,
                           Mask among, std::uint64_t most, const std::function<bool(Mask)>& visit);
 
-}  // namespace stig
+}  // namespace stig::verify

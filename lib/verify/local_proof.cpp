@@ -15,7 +15,7 @@
 #include <cassert>
 #include <deque>
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// A quarter of what the checker lists at most, so what passes here is not refused there
@@ -375,4 +375,4 @@ LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first
   return proof;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

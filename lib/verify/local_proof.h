@@ -14,8 +14,9 @@
 
 #include "verify/budget.h"
 #include "verify/invariant.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// Why a site keeps the stage from being proved.
 struct LocalFailure {
@@ -43,4 +44,4 @@ std::vector<Mask> placed_before(const StageModel& model, const std::vector<Depos
 LocalProof prove_locally(const StageModel& model, const std::vector<Mask>& first,
                          Invariant& invariant, const Budget& budget);
 
-}  // namespace stig
+}  // namespace stig::verify

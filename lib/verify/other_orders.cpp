@@ -11,7 +11,7 @@
 #include <cassert>
 #include <set>
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 constexpr std::size_t kDepositsOfRuns = 200'000;  ///< in all runs after the first
@@ -188,4 +188,4 @@ bool OtherOrders::shown_by(const Window& window, const LocalFailure& failure) {
   return false;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "verify/local_proof.h"
+#include "verify/uses.h"
 #include "verify/window.h"
 
-namespace stig {
+namespace stig::verify {
 
 class OtherOrders {
  public:
@@ -44,4 +45,4 @@ class OtherOrders {
   std::optional<StageRun> found_;
 };
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -18,7 +18,7 @@
 #include "lattice/cell_map.h"
 #include "verify/stage_run.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// 64 million cells are 8 MB of bits for each flood fill.
@@ -237,4 +237,4 @@ void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const Ve
   Reachability(rules, options, result, budget).find(findings);
 }
 
-}  // namespace stig
+}  // namespace stig::verify

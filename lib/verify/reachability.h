@@ -8,11 +8,12 @@
 #pragma once
 
 #include "verify/findings.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// Fills in walled_in and maybe_walled_in of a proved set.
 void find_walled_in(const RuleSet& rules, const VerifyOptions& options, const VerifyResult& result,
                     const Budget& budget, Findings& findings);
 
-}  // namespace stig
+}  // namespace stig::verify

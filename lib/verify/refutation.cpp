@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// The second order may grow without end. It is cut some way past the length of the first;
@@ -243,4 +243,4 @@ std::optional<DivergingOrders> find_whole_orders(const LatticeWorld& start, cons
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -5,9 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "verify/uses.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// `earlier`: deposits of the stages before, on which all orders agree; `first` and
 /// `other`: two orders of the present stage that differ, of which the first ended. None when
@@ -27,4 +28,4 @@ std::optional<DivergingOrders> explain_refutation(const RuleSet& rules, const Ru
 /// that end differently; none: all that were tried and ended agree.
 std::optional<DivergingOrders> find_whole_orders(const LatticeWorld& start, const Budget& budget);
 
-}  // namespace stig
+}  // namespace stig::verify

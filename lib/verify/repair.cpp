@@ -14,7 +14,7 @@
 
 #include "rules/rule_checks.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 constexpr std::size_t kMostAdded = 3;    ///< rules of one repair
@@ -188,4 +188,4 @@ std::optional<Repair> find_repair(const RuleSet& rules, const VerifyOptions& opt
   return Repairer(rules, options, budget).find(refuted);
 }
 
-}  // namespace stig
+}  // namespace stig::verify

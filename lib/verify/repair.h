@@ -5,11 +5,12 @@
 #pragma once
 
 #include "verify/findings.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// None: nothing that was tried within the budget is proved.
 std::optional<Repair> find_repair(const RuleSet& rules, const VerifyOptions& options,
                                   const VerifyResult& refuted, const Budget& budget);
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -12,7 +12,7 @@
 
 #include "verify/invariant.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// Of sites with more states only so many are looked at: blocking pairs are hints for the
@@ -118,4 +118,4 @@ RuleUse use_of_rules(const RuleSet& rules, const VerifyOptions& options,
   return uses.result();
 }
 
-}  // namespace stig
+}  // namespace stig::verify

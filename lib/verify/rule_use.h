@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "verify/findings.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 struct RuleUse {
   std::vector<std::uint32_t> dead;  ///< match in no local state that the certificate allows
@@ -17,4 +18,4 @@ struct RuleUse {
 RuleUse use_of_rules(const RuleSet& rules, const VerifyOptions& options,
                      const VerifyResult& result);
 
-}  // namespace stig
+}  // namespace stig::verify

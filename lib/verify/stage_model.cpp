@@ -10,7 +10,7 @@
 #include <bit>
 #include <cassert>
 
-namespace stig {
+namespace stig::verify {
 
 /// Over layers, since in a narrow periodic box one brick can be a neighbour several times
 /// and then counts as often.
@@ -189,4 +189,4 @@ std::uint64_t colours_placed(const StageModel& model, const StageSite& site, Mas
   return colours;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

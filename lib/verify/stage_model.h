@@ -19,8 +19,9 @@
 #include "lattice/cell_map.h"
 #include "verify/entry_index.h"
 #include "verify/stage_run.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// A set of neighbour indices.
 using Mask = std::uint32_t;
@@ -120,4 +121,4 @@ class StageModel {
 std::uint64_t colours_placed(const StageModel& model, const StageSite& site, Mask state,
                              bool beside);
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -19,7 +19,7 @@
 #include "verify/groups.h"
 #include "verify/other_orders.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// Each witness delays more bricks than the one before; the bound keeps sets that it does
@@ -288,4 +288,4 @@ StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const Latti
   return StageProver(rules, table, before, run.deposits, budget).prove(false);
 }
 
-}  // namespace stig
+}  // namespace stig::verify

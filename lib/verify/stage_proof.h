@@ -16,8 +16,9 @@
 #include "certify/certificate.h"
 #include "verify/budget.h"
 #include "verify/stage_run.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 enum class ProofMethod : std::uint8_t { certificate, components, exhaustive };
 
@@ -42,4 +43,4 @@ struct StageProof {
 StageProof prove_stage(const RuleSet& rules, const RuleTable& table, const LatticeWorld& before,
                        const StageRun& run, const Budget& budget);
 
-}  // namespace stig
+}  // namespace stig::verify

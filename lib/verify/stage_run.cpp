@@ -11,7 +11,7 @@
 
 #include "lattice/cell_marks.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// A constant, so verdicts do not depend on the user's seeds. Streams are told apart by
@@ -121,4 +121,4 @@ LatticeWorld world_at_stage(const RuleTable& rules, const std::vector<PlacedBric
   return world;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -10,8 +10,9 @@
 #include "lattice/swarm.h"
 #include "lattice/world.h"
 #include "verify/budget.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 /// Which of the open sites is next. Different schedules find different ends, and the
 /// newest first grows a single limb, whose period is easily seen.
@@ -57,4 +58,4 @@ StageRun run_stage(LatticeWorld& world, const StageRunConfig& config, const Budg
 LatticeWorld world_at_stage(const RuleTable& rules, const std::vector<PlacedBrick>& bricks,
                             const std::optional<Box>& box, int stage);
 
-}  // namespace stig
+}  // namespace stig::verify

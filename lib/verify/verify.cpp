@@ -16,7 +16,7 @@
 #include "verify/endless.h"
 #include "verify/refutation.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 constexpr std::uint32_t kFirstRun = 0;  ///< its stream of random numbers
@@ -254,4 +254,4 @@ VerifyResult verify_within(const RuleSet& rules, const VerifyOptions& options,
   return result;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -23,8 +23,9 @@
 #include "lattice/swarm.h"
 #include "verify/budget.h"
 #include "verify/stage_proof.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 enum class ProofVerdict : std::uint8_t { proved, refuted, endless, unknown };
 std::string_view to_string(ProofVerdict verdict);  ///< "proved"
@@ -92,4 +93,4 @@ VerifyResult verify(const RuleSet& rules, const VerifyOptions& options);
 VerifyResult verify_within(const RuleSet& rules, const VerifyOptions& options,
                            const Budget& budget);
 
-}  // namespace stig
+}  // namespace stig::verify

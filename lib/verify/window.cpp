@@ -14,7 +14,7 @@
 
 #include "base/hash.h"
 
-namespace stig {
+namespace stig::verify {
 namespace {
 
 /// A neighbour of a brick: its bit in the brick's local state and in the filling.
@@ -227,4 +227,4 @@ std::vector<std::uint32_t> path_to(const Window& window, std::size_t filling) {
   return path;
 }
 
-}  // namespace stig
+}  // namespace stig::verify

@@ -12,8 +12,9 @@
 
 #include "verify/budget.h"
 #include "verify/invariant.h"
+#include "verify/uses.h"
 
-namespace stig {
+namespace stig::verify {
 
 struct WindowFailure {
   enum class Kind : std::uint8_t {
@@ -33,4 +34,4 @@ std::optional<WindowFailure> explore_window(const StageModel& model, const Invar
 /// The bricks of a filling, in an order in which the search added them.
 std::vector<std::uint32_t> path_to(const Window& window, std::size_t filling);
 
-}  // namespace stig
+}  // namespace stig::verify

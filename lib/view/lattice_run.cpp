@@ -12,7 +12,7 @@
 #include "base/text.h"
 #include "lattice/rgb.h"
 
-namespace stig {
+namespace stig::view {
 
 namespace {
 
@@ -168,4 +168,4 @@ void add_structure(const LoadedStructure& loaded, const std::string& name, PageC
             {"columns", columns.json(page.columns())}});
 }
 
-}  // namespace stig
+}  // namespace stig::view

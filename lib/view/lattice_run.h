@@ -8,8 +8,9 @@
 #include "lattice/loaded_structure.h"
 #include "lattice/trace.h"
 #include "view/page.h"
+#include "view/uses.h"
 
-namespace stig {
+namespace stig::view {
 
 /// Adds a trace with the rules that it ran on. What is wrong with it, in words, when its events are
 /// none of these rules: a colour or a rule that there is not, or two bricks in one cell.
@@ -19,4 +20,4 @@ std::optional<std::string> add_lattice_run(const Trace& trace, const RuleSet& ru
 /// Adds a structure, all of it there from the beginning.
 void add_structure(const LoadedStructure& loaded, const std::string& name, PageContent& page);
 
-}  // namespace stig
+}  // namespace stig::view

@@ -6,7 +6,7 @@
 
 #include "base/text.h"
 
-namespace stig {
+namespace stig::view {
 
 namespace {
 
@@ -51,4 +51,4 @@ std::optional<std::string> page_of(std::string_view page_template, const PageCon
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::view

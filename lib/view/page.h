@@ -9,8 +9,9 @@
 #include <string_view>
 
 #include "view/page_data.h"
+#include "view/uses.h"
 
-namespace stig {
+namespace stig::view {
 
 /// Runs to be shown together. Each is an object of `runs`, see lattice_run.h.
 class PageContent {
@@ -38,4 +39,4 @@ class PageContent {
 /// The page; nothing when the template has no place for title and data.
 std::optional<std::string> page_of(std::string_view page_template, const PageContent& content);
 
-}  // namespace stig
+}  // namespace stig::view

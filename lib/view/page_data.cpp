@@ -12,7 +12,7 @@
 #include "base/base64.h"
 #include "base/bytes.h"
 
-namespace stig {
+namespace stig::view {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::string deflated(std::string_view bytes) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::view

@@ -10,7 +10,9 @@
 #include <string>
 #include <string_view>
 
-namespace stig {
+#include "view/uses.h"
+
+namespace stig::view {
 
 /// Collects columns of whole numbers. A column is the zigzag varints of the differences from one
 /// number to the next, the first from 0: what grows slowly takes a byte each.
@@ -30,4 +32,4 @@ std::string page_data(const nlohmann::ordered_json& json, const PageColumns& col
 /// A zlib stream (RFC 1950).
 std::string deflated(std::string_view bytes);
 
-}  // namespace stig
+}  // namespace stig::view

@@ -11,7 +11,7 @@
 #include "physical/trace/pose_frames.h"
 #include "view/pose_track.h"
 
-namespace stig {
+namespace stig::view {
 
 namespace {
 
@@ -143,4 +143,4 @@ void add_pose_run(const PoseTrace& trace, const std::string& name, PageContent& 
        {"show", values_json(trace, "show", columns)}});
 }
 
-}  // namespace stig
+}  // namespace stig::view

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stig {
+namespace stig::view {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::vector<TrackKey> PoseTrack::finish() {
   return std::move(kept_);
 }
 
-}  // namespace stig
+}  // namespace stig::view

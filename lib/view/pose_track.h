@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "physical/trace/pose_trace.h"
+#include "view/uses.h"
 
-namespace stig {
+namespace stig::view {
 
 struct TrackKey {
   std::uint64_t tick = 0;
@@ -40,4 +41,4 @@ class PoseTrack {
   bool still_ = true;            ///< are all of since_ as the last one kept?
 };
 
-}  // namespace stig
+}  // namespace stig::view

@@ -10,6 +10,7 @@
 #include "assembly/targets.h"
 #include "compiler/lattice_walk.h"
 #include "lattice/structure_text.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -9,6 +9,7 @@
 #include "assembly/targets.h"
 #include "compiler/columns.h"
 #include "compiler/support.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

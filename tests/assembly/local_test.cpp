@@ -11,6 +11,7 @@
 #include "compiler/local_policy.h"
 #include "compiler/local_situations.h"
 #include "support/small_sets.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {
@@ -188,7 +189,7 @@ TEST_CASE("a rule that never fires does not hide what another demands") {
       . . .   . * .   . . .
       . . .   . . .   . . .
 )");
-  const VerifyResult proof = verify(rules, {});
+  const VerifyResult proof = verify::verify(rules, {});
   REQUIRE(proof.verdict == ProofVerdict::proved);
   const TargetStates target(rules, proof);
   REQUIRE(target.bricks() == 5);

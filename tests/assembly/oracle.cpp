@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "assembly/oracle.h"
+#include "support/uses.h"
 
 #include <set>
 #include <vector>

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "assembly/sequence.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -7,6 +7,7 @@
 #include "assembly/oracle.h"
 #include "assembly/targets.h"
 #include "compiler/support.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -8,6 +8,7 @@
 #include "assembly/targets.h"
 #include "compiler/support.h"
 #include "lattice/structure_text.h"
+#include "support/uses.h"
 #include "synthesis/synthesise.h"
 
 namespace stig {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "support/uses.h"
 
 namespace stig {
 

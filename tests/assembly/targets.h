@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "support/uses.h"
 #include "synthesis/target.h"
 
 namespace stig {

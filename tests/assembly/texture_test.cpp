@@ -8,6 +8,7 @@
 #include <string>
 
 #include "assembly/likings.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

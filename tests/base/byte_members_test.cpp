@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/byte_members.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

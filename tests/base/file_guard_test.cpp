@@ -9,6 +9,7 @@
 #include <fstream>
 
 #include "base/file_io.h"
+#include "support/uses.h"
 
 namespace stig {
 

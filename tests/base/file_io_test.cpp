@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "base/load.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/hash.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "base/yaml.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

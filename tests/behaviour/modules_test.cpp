@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A scene brings what its programs require, so that a trace can run them again anywhere.
 #include "behaviour/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 using namespace stig::behaviour;

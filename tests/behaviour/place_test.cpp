@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "behaviour/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 using namespace stig::behaviour;

@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "behaviour/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 using namespace stig::behaviour;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "behaviour/support.h"
+#include "support/uses.h"
 
 #include <algorithm>
 #include <cmath>

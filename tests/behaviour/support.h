@@ -10,6 +10,7 @@
 #include "base/degree.h"
 #include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/simulation.h"
+#include "support/uses.h"
 
 namespace stig::behaviour {
 

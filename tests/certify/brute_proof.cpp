@@ -9,6 +9,7 @@
 #include "lattice/swarm.h"
 #include "rules/rule_printer.h"
 #include "support/oracle.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "certify/certificate.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "certify/changes.h"
+#include "support/uses.h"
 
 #include <rapidcheck.h>
 

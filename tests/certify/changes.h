@@ -3,6 +3,7 @@
 #pragma once
 
 #include "certify/certificate.h"
+#include "support/uses.h"
 
 namespace stig {
 

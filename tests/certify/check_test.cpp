@@ -12,6 +12,7 @@
 #include "lattice/box.h"
 #include "rules/rule_printer.h"
 #include "support/small_sets.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

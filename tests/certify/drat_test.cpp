@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "certify/drat.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

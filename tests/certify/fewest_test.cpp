@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Clauses about colours with their reasons, written by hand: what follows, and what does not.
 #include "certify/fewest.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>

@@ -11,6 +11,7 @@
 #include "rules/rule_printer.h"
 #include "support/random_rules.h"
 #include "support/small_sets.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

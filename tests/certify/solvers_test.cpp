@@ -12,6 +12,7 @@
 #include "base/file_io.h"
 #include "base/random.h"
 #include "certify/drat.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -7,6 +7,7 @@
 #include "certify/check.h"
 #include "support/shipped.h"
 #include "support/small_worlds.h"
+#include "support/uses.h"
 #include "verify/verify.h"
 
 namespace stig {
@@ -16,7 +17,7 @@ VerifyResult verified(const RuleSet& rules, std::uint64_t work) {
   VerifyOptions options;
   options.box = file_box(rules);
   options.work = work;
-  return verify(rules, options);
+  return verify::verify(rules, options);
 }
 
 TEST_CASE("shipped sets that are proved have certificates that are accepted") {

@@ -4,6 +4,7 @@
 #include "compiler/block_figures.h"
 #include "support.h"
 #include "support/shipped_robot.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "compiler/decision_text.h"
 #include "support.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "compiler/lattice_walk.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

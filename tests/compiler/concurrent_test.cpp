@@ -6,6 +6,7 @@
 #include <set>
 
 #include "crew_oracle.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -6,6 +6,7 @@
 
 #include "compiler/controller_lua.h"
 #include "support.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -13,6 +13,7 @@
 #include "compiler/concurrent.h"
 #include "support.h"
 #include "support/oracle.h"
+#include "support/uses.h"
 
 namespace stig {
 

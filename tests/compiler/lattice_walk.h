@@ -9,6 +9,7 @@
 #include <set>
 
 #include "compiler/support.h"
+#include "support/uses.h"
 
 namespace stig {
 

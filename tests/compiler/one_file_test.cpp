@@ -9,6 +9,7 @@
 #include "rules/rule_printer.h"
 #include "rules/worked_from.h"
 #include "support.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

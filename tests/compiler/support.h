@@ -9,6 +9,7 @@
 
 #include "compiler/compile.h"
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 
 namespace stig {
 

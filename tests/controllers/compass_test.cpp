@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "controllers/lua_fixture.h"
 #include "robots/robot_reader.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "controllers/lua_fixture.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

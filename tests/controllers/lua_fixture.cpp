@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "controllers/lua_fixture.h"
+#include "support/uses.h"
 
 namespace stig {
 

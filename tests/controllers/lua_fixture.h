@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lua/lua_controller.h"
+#include "support/uses.h"
 
 namespace stig {
 

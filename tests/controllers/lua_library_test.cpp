@@ -6,6 +6,7 @@
 #include <lua.hpp>
 
 #include "controllers/lua_fixture.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

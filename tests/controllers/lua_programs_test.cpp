@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "controllers/lua_fixture.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "controllers/lua_fixture.h"
 #include "sensing/led_colour.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

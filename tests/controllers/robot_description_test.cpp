@@ -6,6 +6,7 @@
 
 #include "controllers/lua_fixture.h"
 #include "support/shipped_robot.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -9,6 +9,7 @@
 #include "robots/robot_reader.h"
 #include "support/golden.h"
 #include "support/shipped_robot.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -8,6 +8,7 @@
 #include "support/bad_files.h"
 #include "support/golden.h"
 #include "support/shipped_robot.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -8,6 +8,7 @@
 #include "rules/rule_table.h"
 #include "support/oracle.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -10,6 +10,7 @@
 #include "lattice/swarm.h"
 #include "support/oracle.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -7,6 +7,7 @@
 #include "rules/rule_printer.h"
 #include "support/oracle.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

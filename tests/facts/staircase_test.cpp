@@ -9,6 +9,7 @@
 #include "support/exact_sets.h"
 #include "support/oracle.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -12,6 +12,7 @@
 #include "support/random_rules.h"
 #include "support/shipped.h"
 #include "support/small_sets.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "support/shipped.h"
 #include "support/small_sets.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -6,6 +6,7 @@
 #include "lattice/swarm.h"
 #include "support/shipped.h"
 #include "support/small_sets.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/measures.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

@@ -6,6 +6,7 @@
 #include "support/shipped.h"
 #include "support/small_sets.h"
 #include "support/small_worlds.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -8,6 +8,7 @@
 
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

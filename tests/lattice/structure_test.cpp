@@ -10,6 +10,7 @@
 
 #include "lattice/cell_marks.h"
 #include "support/random_structures.h"
+#include "support/uses.h"
 
 using namespace stig;
 

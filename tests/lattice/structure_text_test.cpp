@@ -6,6 +6,7 @@
 
 #include "lattice/rgb.h"
 #include "support/any_structure.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -11,6 +11,7 @@
 #include "base/random.h"
 #include "lattice/walk_kernel.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 using namespace stig;
 

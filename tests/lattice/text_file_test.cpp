@@ -7,6 +7,7 @@
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
 #include "support/any_structure.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

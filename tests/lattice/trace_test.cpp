@@ -8,6 +8,7 @@
 
 #include "rules/rule_printer.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -9,6 +9,7 @@
 #include "lattice/structure_text.h"
 #include "lattice/vox_scene.h"
 #include "support/any_structure.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

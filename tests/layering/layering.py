@@ -13,8 +13,10 @@ layer's name is its folder's path: physical/solver. Checked, each with path:line
   - no headers include each other in a circle;
   - vendor headers stand in .cpp files, of layers that name the vendor; yaml-cpp and
     CLI11, which cost much to compile, in one file each;
-  - no two headers of lib/ define a type of one name: linked into one program, the two
-    would silently be taken for each other;
+  - a file of lib/ opens its layer's namespace, if any, and a layer's uses.h makes visible the
+    namespaces of the layers that it uses, and of no others;
+  - no two headers of lib/ define a type of one name: tests and programs speak of all layers
+    unqualified;
   - each source begins with its SPDX line.
 
 Exit status: 0 clean, 1 violations, 2 the check could not run.
@@ -150,6 +152,35 @@ def check_type_names(tree):
             first.setdefault(name, path)
 
 
+def space_of(layer):
+    """The namespace of a layer, below stig: that of the layers in lib/physical is one."""
+    if layer.startswith("physical"):
+        return "physics"
+    return "" if layer == "base" else layer
+
+
+OPENS = re.compile(r"^namespace stig(?:::(\w+))?(?:::\w+)? \{$", re.MULTILINE)
+MAKES_VISIBLE = re.compile(r"^using namespace (\w+);$", re.MULTILINE)
+
+
+def check_namespaces(tree):
+    for path in sources(tree.root, ["lib"], {".h", ".cpp"}):
+        here = layer_of(tree, path)
+        if here not in tree.layers:
+            continue
+        text, own = path.read_text(encoding="utf-8"), space_of(here)
+        opened = {match[1] or "" for match in OPENS.finditer(text)}
+        # A header that adds to the namespace of a lower layer, for lookup by argument, opens both.
+        if opened and own not in opened and opened != {""}:
+            tree.report(path, 1, f"layer '{here}' is namespace stig::{own}".removesuffix("::"))
+        if path.name == "uses.h":
+            wanted = {space_of(layer) for layer in reach(tree.layers, here)} - {"", own}
+            found = set(MAKES_VISIBLE.findall(text))
+            for name in sorted(wanted ^ found):
+                tree.report(path, 1, f"'using namespace {name};' is " +
+                            ("missing" if name in wanted else "of no layer that this one uses"))
+
+
 def check_graph(tree):
     build_file = tree.root / "lib" / "CMakeLists.txt"
     for name, layer in tree.layers.items():
@@ -278,6 +309,7 @@ def check(root, layers):
     check_one_file(tree)
     check_header_cycles(tree)
     check_type_names(tree)
+    check_namespaces(tree)
     check_spdx(tree)
     return sorted(tree.problems)
 

@@ -39,6 +39,20 @@ class LayeringTest(unittest.TestCase):
                            "lib/rules/b.h": "\nclass Site final : public X {\n};\n"}),
                     "lib/rules/b.h", 3, "type 'Site' is defined in lib/base/a.h too")
 
+    def test_namespace_of_another_layer(self):
+        inside = "namespace stig::{0} {{\n}}  // namespace stig::{0}\n"
+        self.assertEqual([], check({"lib/rules/a.h": inside.format("rules")}))
+        self.expect(check({"lib/lattice/a.h": inside.format("rules")}),
+                    "lib/lattice/a.h", 1, "layer 'lattice' is namespace stig::lattice")
+
+    def test_uses_as_the_graph_has_them(self):
+        uses = "namespace stig::lattice {{\n{}}}  // namespace stig::lattice\n"
+        self.assertEqual([], check({"lib/lattice/uses.h": uses.format("using namespace rules;\n")}))
+        self.expect(check({"lib/lattice/uses.h": uses.format("")}), "lib/lattice/uses.h", 1,
+                    "'using namespace rules;' is missing")
+        self.expect(check({"lib/rules/uses.h": "using namespace lattice;\n"}),
+                    "lib/rules/uses.h", 1, "is of no layer that this one uses")
+
     def test_upward_include(self):
         problems = check({"lib/rules/a.h": "",
                           "lib/base/b.cpp": '\n#include "rules/a.h"\n'})

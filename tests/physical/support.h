@@ -11,6 +11,7 @@
 #include "physical/trials.h"
 #include "robots/block.h"
 #include "support/scenes.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "physical/collision/contact.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "base/random.h"
+#include "support/uses.h"
 
 namespace stig {
 

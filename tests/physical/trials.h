@@ -10,6 +10,7 @@
 #include "base/degree.h"
 #include "physical/dynamics/world.h"
 #include "support/scenes.h"
+#include "support/uses.h"
 
 namespace stig {
 

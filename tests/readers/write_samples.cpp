@@ -17,6 +17,7 @@
 #include "lattice/rgb.h"
 #include "lattice/structure_files.h"
 #include "lattice/structure_text.h"
+#include "support/uses.h"
 
 namespace {
 

@@ -8,6 +8,7 @@
 
 #include "rules/rule_reader.h"
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 

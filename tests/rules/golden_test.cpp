@@ -5,6 +5,7 @@
 #include "rules/rule_reader.h"
 #include "rules/rule_schema.h"
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 

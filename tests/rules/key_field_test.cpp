@@ -14,6 +14,7 @@
 #include "rules/rule_schema.h"
 #include "support/golden.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -13,6 +13,7 @@
 #include "rules/view_search.h"
 #include "support/draws.h"
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 

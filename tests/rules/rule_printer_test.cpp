@@ -8,6 +8,7 @@
 #include "rules/whole_rule_sets.h"
 #include "support/golden.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -12,6 +12,7 @@
 #include "rules/rule_table.h"
 #include "support/oracle.h"
 #include "support/random_rules.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

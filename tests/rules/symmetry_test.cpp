@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rules/symmetry.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

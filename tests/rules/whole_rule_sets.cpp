@@ -8,6 +8,7 @@
 
 #include "rules/rule_checks.h"
 #include "support/draw_fields.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "rules/rule_set.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -10,6 +10,7 @@
 #include "support/oracle.h"
 #include "support/random_rules.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -11,6 +11,7 @@
 #include "robots/robot_reader.h"
 #include "rules/rule_reader.h"
 #include "rules/rule_schema.h"
+#include "support/uses.h"
 
 namespace stig {
 

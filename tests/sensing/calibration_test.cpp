@@ -8,6 +8,7 @@
 
 #include "sensing/camera_picture.h"
 #include "support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "sensing/led_colour.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

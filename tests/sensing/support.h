@@ -8,6 +8,7 @@
 
 #include "base/degree.h"
 #include "sensing/tag_pose.h"
+#include "support/uses.h"
 
 namespace stig {
 

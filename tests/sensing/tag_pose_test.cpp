@@ -8,6 +8,7 @@
 
 #include "base/random.h"
 #include "support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

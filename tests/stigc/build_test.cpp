@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "program.h"
+#include "support/uses.h"
 
 namespace stig {
 

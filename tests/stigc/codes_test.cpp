@@ -5,6 +5,7 @@
 #include "base/diagnostic_example.h"
 #include "program.h"
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

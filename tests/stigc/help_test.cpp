@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "program.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

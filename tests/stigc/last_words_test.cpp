@@ -13,6 +13,7 @@
 
 #include "program.h"
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {
@@ -28,7 +29,7 @@ Outcome end_of(void (*body)()) {
   REQUIRE(child >= 0);
   if (child == 0) {
     dup2(ends[1], STDERR_FILENO);
-    prepare_last_words();
+    cli::prepare_last_words();
     without_catcher(body);
     _exit(0);
   }

@@ -7,6 +7,7 @@
 
 #include "program.h"
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -17,6 +17,7 @@
 #include <thread>
 
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "support/uses.h"
+
 namespace stig {
 
 struct Outcome {

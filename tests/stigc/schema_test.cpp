@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

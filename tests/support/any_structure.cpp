@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/any_structure.h"
+#include "support/uses.h"
 
 #include <rapidcheck.h>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lattice/structure.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "support/golden.h"
+#include "support/uses.h"
 
 namespace stig {
 

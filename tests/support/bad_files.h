@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/diagnostic.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -15,6 +15,7 @@
 #include "rules/key_field.h"
 #include "rules/rule_schema.h"
 #include "support/draws.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include "base/vec.h"
+#include "support/uses.h"
 
 namespace stig {
 

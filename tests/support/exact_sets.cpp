@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/exact_sets.h"
+#include "support/uses.h"
 
 #include <algorithm>
 #include <cassert>

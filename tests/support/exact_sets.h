@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/oracle.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "base/file_io.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -6,6 +6,8 @@
 
 #include <string>
 
+#include "support/uses.h"
+
 namespace stig {
 
 /// Fails the running test when the text differs from the file, whose path is

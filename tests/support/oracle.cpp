@@ -9,6 +9,7 @@
 
 #include "base/hash.h"
 #include "base/random.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -14,6 +14,7 @@
 #include "lattice/box.h"
 #include "rules/rule_set.h"
 #include "rules/rule_table.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "support/draw_fields.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rules/rule_set.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -2,6 +2,7 @@
 #include "support/scenes.h"
 
 #include "base/random.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "physical/dynamics/world_config.h"
+#include "support/uses.h"
 
 namespace stig {
 

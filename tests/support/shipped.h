@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rules/rule_set.h"
+#include "support/uses.h"
 
 namespace stig {
 

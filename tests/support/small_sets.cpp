@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 
 namespace stig {
 

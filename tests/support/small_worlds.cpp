@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "support/small_worlds.h"
+#include "support/uses.h"
 
 #include <map>
 #include <random>

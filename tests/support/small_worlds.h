@@ -7,6 +7,7 @@
 #include <set>
 
 #include "support/oracle.h"
+#include "support/uses.h"
 
 namespace stig {
 

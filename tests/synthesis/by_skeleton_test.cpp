@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Skeletons and fills: few rules with heights, each set held to the verifier.
 #include "synthesis/by_skeleton.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 
@@ -24,7 +25,7 @@ RuleSet rules_of(const Solution& s) {
 /// The verifier proves that every order of events ends in the target; the file is read back.
 void check_proved(const Solution& s, const Target& target) {
   const RuleSet rules = rules_of(s);
-  const VerifyResult result = verify(rules, {});
+  const VerifyResult result = verify::verify(rules, {});
   CHECK(result.verdict == ProofVerdict::proved);
   REQUIRE(result.structure);
   std::vector<Cell> cells;

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "lattice/event_orders.h"
+#include "support/uses.h"
 #include "synthesis/check_rules.h"
 #include "synthesis/emit.h"
 #include "synthesis/shapes.h"

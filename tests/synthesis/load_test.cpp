@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "rules/rule_printer.h"
+#include "support/uses.h"
 #include "synthesis/emit.h"
 #include "synthesis/shapes.h"
 #include "synthesis/synthesise.h"
@@ -61,7 +62,7 @@ TEST_CASE("a deadline that is over ends the search, and the result says so") {
 /// Are these the target's cells, whatever the order of events?
 void check_proved(const Solution& s) {
   const VerifyResult result =
-      verify(make_rule_set(*s.frame, s.colours, s.colour_count, {}, s.rules, {}), {});
+      verify::verify(make_rule_set(*s.frame, s.colours, s.colour_count, {}, s.rules, {}), {});
   CHECK(result.verdict == ProofVerdict::proved);
   REQUIRE(result.structure);
   CHECK(result.structure->size() == s.frame->cells.size());

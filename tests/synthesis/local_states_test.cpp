@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "synthesis/local_states.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

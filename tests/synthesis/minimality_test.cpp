@@ -5,6 +5,7 @@
 #include "certify/drat.h"
 #include "certify/fewest.h"
 #include "shapes.h"
+#include "support/uses.h"
 #include "synthesis/synthesise.h"
 
 namespace stig {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "synthesis/remedies.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 
@@ -88,7 +89,7 @@ TEST_CASE("a line too long for all colours there are: slopes that end by their h
     const Solution& s = *found->result.best;
     CHECK(found->cells.size() <= 390);
     const VerifyResult proof =
-        verify(make_rule_set(*s.frame, s.colours, s.colour_count, {}, s.rules, {}), {});
+        verify::verify(make_rule_set(*s.frame, s.colours, s.colour_count, {}, s.rules, {}), {});
     CHECK(proof.verdict == ProofVerdict::proved);
     REQUIRE(proof.structure);
     CHECK(proof.structure->size() == 130 + found->cells.size());

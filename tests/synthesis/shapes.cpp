@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "synthesis/shapes.h"
+#include "support/uses.h"
 
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "support/uses.h"
 #include "synthesis/frame.h"
 
 namespace stig {

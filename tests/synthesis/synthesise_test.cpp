@@ -2,6 +2,7 @@
 // What comes out is held to an exhaustive search over all orders of events, and the
 // solver's answers to other solvers.
 #include "synthesis/synthesise.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 
@@ -65,7 +66,7 @@ void check_all_orders(const RuleSet& rules, const Target& target) {
 
 /// The verifier, which knows nothing of how the rules were made, proves as much.
 void check_proved(const RuleSet& rules, const Target& target) {
-  const VerifyResult result = verify(rules, {});
+  const VerifyResult result = verify::verify(rules, {});
   CHECK(result.verdict == ProofVerdict::proved);
   REQUIRE(result.structure);
   CHECK(to_origin(*result.structure).bricks() == rules.expect->structure);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "validate/argos_experiment.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "validate/block_count.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include "rules/rule_reader.h"
+#include "support/uses.h"
 #include "validate/replay_events.h"
 
 namespace stig {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "support/uses.h"
 #include "validate/progress_svg.h"
 #include "validate/report_html.h"
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "validate/set_up.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

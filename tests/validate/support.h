@@ -9,6 +9,7 @@
 
 #include "compiler/compile.h"
 #include "compiler/support.h"
+#include "support/uses.h"
 #include "validate/judge.h"
 #include "validate/trial.h"
 

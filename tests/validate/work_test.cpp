@@ -3,6 +3,7 @@
 
 #include "support.h"
 #include "support/golden.h"
+#include "support/uses.h"
 #include "validate/progress_svg.h"
 #include "validate/work_sites.h"
 #include "validate/work_summary.h"

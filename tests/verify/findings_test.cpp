@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "verify/findings.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 
@@ -13,7 +14,7 @@ namespace {
 Findings findings_of(const RuleSet& rules) {
   VerifyOptions options;
   options.box = file_box(rules);
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   CHECK(result.verdict == ProofVerdict::proved);
   return find_more(rules, options, result, {});
 }
@@ -33,7 +34,7 @@ TEST_CASE("of a refuted set it is known too") {
                                   "conflicts: random\nfloor: true\n");
   RuleSet more = rules;
   more.rules.back().height_min = 1;
-  const VerifyResult result = verify(more, {});
+  const VerifyResult result = verify::verify(more, {});
   REQUIRE(result.verdict == ProofVerdict::refuted);
   CHECK(find_more(more, {}, result, {}).dead == std::vector<std::uint32_t>{2});
 }
@@ -55,10 +56,10 @@ TEST_CASE("of two rules that do the same either can be left out") {
 TEST_CASE("what else there is to say depends on the work allowed, not on the clock") {
   const RuleSet rules = shipped("stepped-pyramid");
   VerifyOptions options;
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   REQUIRE(result.verdict == ProofVerdict::proved);
   CHECK(result.work > 0);
-  CHECK(verify(rules, options).work == result.work);
+  CHECK(verify::verify(rules, options).work == result.work);
   const Findings none = find_more(rules, options, result, {1});
   CHECK(none.untried == rules.rules.size());
   CHECK(none.redundant.empty());
@@ -72,7 +73,7 @@ TEST_CASE("what else there is to say depends on the work allowed, not on the clo
 TEST_CASE("a repair that was not looked for to the end is said to be open") {
   const RuleSet rules = small_set(east_of("1", "2") + east_of("1", "3"), "conflicts: random\n");
   VerifyOptions options;
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   REQUIRE(result.verdict == ProofVerdict::refuted);
   const Findings cut = find_more(rules, options, result, {1});
   CHECK_FALSE(cut.repair);
@@ -85,7 +86,7 @@ TEST_CASE("a repair that was not looked for to the end is said to be open") {
 TEST_CASE("a verdict depends on the work allowed") {
   VerifyOptions options;
   options.work = 1;
-  CHECK(verify(shipped("stepped-pyramid"), options).verdict == ProofVerdict::unknown);
+  CHECK(verify::verify(shipped("stepped-pyramid"), options).verdict == ProofVerdict::unknown);
 }
 
 TEST_CASE("a row has as many rounds as bricks, four arms have fewer") {

@@ -9,6 +9,7 @@
 #include "certify/check.h"
 #include "lattice/event_orders.h"
 #include "support/shipped.h"
+#include "support/uses.h"
 #include "verify/findings.h"
 
 using namespace stig;
@@ -52,7 +53,7 @@ void change(RuleSet& rules, Words& words) {
 }
 
 void hold(const RuleSet& rules, const VerifyOptions& options) {
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   EventOrdersLimits limits;
   limits.states = 20'000;
   const RuleTable table(rules);

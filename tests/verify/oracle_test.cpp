@@ -10,6 +10,7 @@
 #include "rules/rule_printer.h"
 #include "support/oracle.h"
 #include "support/small_worlds.h"
+#include "support/uses.h"
 #include "verify/verify.h"
 
 using namespace stig;
@@ -67,7 +68,7 @@ void check_world(std::uint64_t seed, Tally& tally) {
   config.box = options.box;
   if (!config_problem(table, rules.start, config).empty()) return;
   CAPTURE(seed);
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   // Most worlds come to a halt at once and test little.
   const std::size_t deposits =
       result.refutation ? result.refutation->first.size() + result.refutation->second.size()

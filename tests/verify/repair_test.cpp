@@ -4,6 +4,7 @@
 
 #include "rules/rule_checks.h"
 #include "support/small_worlds.h"
+#include "support/uses.h"
 #include "verify/findings.h"
 
 using namespace stig;
@@ -49,7 +50,7 @@ void try_world(std::uint64_t seed, RepairTally& tally) {
   CAPTURE(seed);
   VerifyOptions options;
   options.box = file_box(rules);
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   if (result.verdict != ProofVerdict::refuted) return;
   const Findings findings = find_more(rules, options, result, {});
   if (findings.repair) check_claim(*findings.repair, result.stage, tally);

@@ -7,6 +7,7 @@
 #include "rules/rule_printer.h"
 #include "support/shipped.h"
 #include "support/small_sets.h"
+#include "support/uses.h"
 #include "verify/findings.h"
 #include "verify/verify.h"
 
@@ -18,7 +19,7 @@ VerifyResult verdict(const RuleSet& rules, std::uint64_t work = kVerifyWork) {
   VerifyOptions options;
   options.box = file_box(rules);
   options.work = work;
-  return verify(rules, options);
+  return verify::verify(rules, options);
 }
 
 /// The steps of architecture 4(n) from `first` to `last` as stages 1, 2, ….

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pages: what goes into them comes out again, and what does not fit is refused.
 #include "view/page.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

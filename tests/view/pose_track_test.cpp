@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Tracks: few moments are kept, and interpolation between them is as near as is promised.
 #include "view/pose_track.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

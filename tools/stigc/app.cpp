@@ -17,7 +17,7 @@
 #include "base/file_io.h"
 #include "rules/rule_reader.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// Results are written in pieces of this size, so that long ones need no memory.
@@ -196,4 +196,4 @@ void stop_on_signals() {
 
 const std::atomic<bool>& stop_requested() { return stop_flag; }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -15,8 +15,9 @@
 #include "base/text.h"
 #include "options.h"
 #include "rules/rule_set.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Exit codes of the program.
 inline constexpr int kOk = 0;
@@ -78,4 +79,4 @@ void stop_on_signals();
 /// Set when the user asked to stop.
 const std::atomic<bool>& stop_requested();
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -9,7 +9,7 @@
 #include "physical/render/scene_picture.h"
 #include "physical/render/sensor_picture.h"
 
-namespace stig {
+namespace stig::cli {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::string view_png(const Simulation& run, const CameraPlace& place) {
                 "");
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -6,8 +6,9 @@
 #include <string>
 
 #include "physical/simulation/simulation.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 struct CameraPlace {
   std::size_t robot = 0, camera = 0;
@@ -19,4 +20,4 @@ std::optional<CameraPlace> camera_named(const Simulation& run, const std::string
 /// A PNG file.
 std::string view_png(const Simulation& run, const CameraPlace& place);
 
-}  // namespace stig
+}  // namespace stig::cli

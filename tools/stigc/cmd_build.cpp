@@ -18,7 +18,7 @@
 #include "synth_words.h"
 #include "validate_runs.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -98,7 +98,7 @@ class BuildWork {
     wanted.seconds = options_.seconds;
     wanted.output = in_folder(kRules);
     // By name: `run` of this class would be found first.
-    return stig::run(wanted, app_);
+    return cli::run(wanted, app_);
   }
 
   int compile() {
@@ -106,7 +106,7 @@ class BuildWork {
     wanted.file = in_folder(kRules);
     wanted.robot = options_.robot;
     wanted.output = in_folder(kDecisions);
-    return stig::run(wanted, app_);
+    return cli::run(wanted, app_);
   }
 
   int validate() {
@@ -120,7 +120,7 @@ class BuildWork {
     wanted.output = options_.output;
     // The controller that is validated is compiled again from the rules, which takes no time next
     // to the rest.
-    return stig::run(wanted, app_);
+    return cli::run(wanted, app_);
   }
 
   /// The end of the first run. What replay prints of it is no result here.
@@ -130,7 +130,7 @@ class BuildWork {
     wanted.picture = in_folder(kBuilt);
     // A second App, whose output is never flushed.
     App drawing(app_.options());
-    return stig::run(wanted, drawing);
+    return cli::run(wanted, drawing);
   }
 
   const BuildOptions& options_;
@@ -142,4 +142,4 @@ class BuildWork {
 
 int run(const BuildOptions& options, App& app) { return BuildWork(options, app).run(); }
 
-}  // namespace stig
+}  // namespace stig::cli

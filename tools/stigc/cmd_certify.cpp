@@ -23,7 +23,7 @@
 #include "rules/rule_printer.h"
 #include "rules/worked_from.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 // Sizes are bounded before anything is parsed, since a proof may come from anybody. Large proofs
@@ -208,4 +208,4 @@ int run(const CertifyOptions& options, App& app) {
   return options.drat ? certify_drat(options, app) : certify_rules(options, app);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -13,7 +13,7 @@
 #include "rules/rule_reader.h"
 #include "scene_input.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// Reads a file as what its first keys say it is; rule sets are the default.
@@ -66,4 +66,4 @@ int run(const CheckOptions& options, App& app) {
   return app.invalid(all) ? kFailed : kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,7 +7,7 @@
 #include "base/diagnostic_example.h"
 #include "commands.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// The name or the slug that was meant.
@@ -39,4 +39,4 @@ int explain_code(const std::string& code, App& app) {
   return kUsage;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

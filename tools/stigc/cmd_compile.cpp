@@ -19,7 +19,7 @@
 #include "runtime_input.h"
 #include "validate/argos_experiment.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 // "-" as everywhere in the program.
@@ -216,4 +216,4 @@ int run(const CompileFileOptions& options, App& app) {
                app);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

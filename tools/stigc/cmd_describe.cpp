@@ -10,7 +10,7 @@
 #include "robot_report.h"
 #include "robots/robot_reader.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// Words of what is wrong with the picture's name, or empty.
@@ -46,4 +46,4 @@ int run(const DescribeOptions& options, App& app) {
   return options.picture ? write_picture(*robot, *options.picture, app) : kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -18,7 +18,7 @@
 #include "report.h"
 #include "rules/rule_reader.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 enum class Health : std::uint8_t { ok, warn, fail };
@@ -194,4 +194,4 @@ int run(const DoctorOptions& options, App& app) {
   return failed ? kFailed : kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

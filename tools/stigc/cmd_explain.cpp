@@ -17,7 +17,7 @@
 #include "rules/rule_table.h"
 #include "structure_input.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// More disagreeing cells than this are counted, not listed; the drawing has them.
@@ -153,7 +153,7 @@ void print_text(const ExplainedSite& scene, const ExplainOptions& options, App& 
   }
 }
 
-Json to_json(const ExplainedSite& scene, const RuleExplanation& said) {
+Json json_of_rule(const ExplainedSite& scene, const RuleExplanation& said) {
   const Rule& rule = scene.rules.rules[said.rule];
   Json json{{"rule", said.rule + 1},
             {"name", rule.name},
@@ -186,7 +186,7 @@ void print_json(const ExplainedSite& scene, const ExplainOptions& options, App& 
             {"rules", Json::array()}};
   for (const RuleExplanation& said : scene.explanation.rules) {
     if (options.rule && static_cast<std::uint32_t>(*options.rule) != said.rule + 1) continue;
-    json["rules"].push_back(to_json(scene, said));
+    json["rules"].push_back(json_of_rule(scene, said));
   }
   app.print(dump(json));
 }
@@ -231,4 +231,4 @@ int run(const ExplainOptions& options, App& app) {
   return kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

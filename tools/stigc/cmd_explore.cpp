@@ -17,7 +17,7 @@
 #include "progress.h"
 #include "report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// The share of a run that is done for certain: by the nearer of its limits. The larger share,
@@ -158,4 +158,4 @@ int run(const ExploreOptions& options, App& app) {
                   : explore_once(*rules, table, config, options, outputs, app);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

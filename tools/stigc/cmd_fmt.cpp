@@ -9,7 +9,7 @@
 #include "commands.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// Prints, rewrites or compares one file; returns an exit code.
@@ -57,4 +57,4 @@ int run(const FmtOptions& options, App& app) {
   return code;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

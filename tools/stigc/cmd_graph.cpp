@@ -5,7 +5,7 @@
 #include "commands.h"
 #include "lattice/firing_graph.h"
 
-namespace stig {
+namespace stig::cli {
 
 int run(const GraphOptions& options, App& app) {
   const std::optional<RuleSet> rules = app.read_rules(options.file);
@@ -19,4 +19,4 @@ int run(const GraphOptions& options, App& app) {
   return kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -11,7 +11,7 @@
 #include "report.h"
 #include "structure_input.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// The file's name without folders and ending.
@@ -69,4 +69,4 @@ int run(const DrawOptions& options, App& app) {
   return kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

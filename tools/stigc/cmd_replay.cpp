@@ -17,7 +17,7 @@
 #include "report.h"
 #include "trace_rules.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 void print(const ReplayOptions& options, const Trace& trace, const RuleSet& rules,
@@ -83,4 +83,4 @@ int run(const ReplayOptions& options, App& app) {
   return report.identical ? kOk : kFailed;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

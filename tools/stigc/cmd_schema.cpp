@@ -11,7 +11,7 @@
 #include "robots/robot_reader.h"
 #include "rules/rule_schema.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 std::string schema_of(FileForm form) {
@@ -71,4 +71,4 @@ int run(const CompletionsOptions& options, App& app) {
   return kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -24,7 +24,7 @@
 #include "simulate_runs.h"
 #include "trace_file.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr std::size_t kMostFileBytes = std::size_t{1} << 30;
@@ -305,4 +305,4 @@ int run(const SimulateOptions& options, App& app) {
   return OneRun(options, *loaded, app).run(checkpoint);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -33,7 +33,7 @@
 #include "verify/reachability.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// In larger structures it is not asked whether agents can walk to every site in time. Walking is a
@@ -126,7 +126,7 @@ void prove(const RuleSet& rules, const Deadline& deadline, SynthOutcome& outcome
     verifying.seconds = std::clamp(left.count(), kSecondsAfterwards, verifying.seconds);
     verifying.stop = deadline.stop;
   }
-  outcome.proof = verify(rules, verifying);
+  outcome.proof = verify::verify(rules, verifying);
   const bool small = outcome.proof.structure && outcome.proof.structure->size() <= kMostWalkedTo;
   if (outcome.proof.verdict == ProofVerdict::proved && small && !deadline.passed()) {
     const Budget budget{deadline.end, verifying.states, deadline.stop};
@@ -290,4 +290,4 @@ int run(const SynthOptions& options, App& app) {
   return code;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

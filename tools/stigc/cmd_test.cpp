@@ -15,7 +15,7 @@
 #include "report.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 std::string coloured(Standing standing, bool color) {
@@ -64,7 +64,7 @@ void print_text(const std::string& file, const ExpectationReport& report, App& a
   }
 }
 
-Json to_json(const std::string& file, const ExpectationReport& report) {
+Json json_of_file(const std::string& file, const ExpectationReport& report) {
   Json json{{"file", file},
             {"passed", report.passed()},
             {"expectations", report.items.size()},
@@ -157,7 +157,7 @@ void settle_by_proof(const RuleSet& rules, ExpectationReport& report) {
   options.box = file_box(rules);
   // The proof is bounded by work; only the user's patience bounds it in time.
   options.stop = &stop_requested();
-  const VerifyResult result = verify(rules, options);
+  const VerifyResult result = verify::verify(rules, options);
   for (ExpectationItem& item : report.items) {
     if (!open(item)) continue;
     switch (result.verdict) {
@@ -215,7 +215,7 @@ int run(const TestOptions& options, App& app) {
       app.flush();
     }
     if (options.json) {
-      all.push_back(rules ? to_json(file, report)
+      all.push_back(rules ? json_of_file(file, report)
                           : Json{{"file", file}, {"passed", false}, {"problem", "invalid"}});
     }
   }
@@ -231,4 +231,4 @@ int run(const TestOptions& options, App& app) {
   return stop_requested() ? kRunFailed : worst;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

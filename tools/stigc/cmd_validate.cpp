@@ -34,7 +34,7 @@
 #include "validate_report.h"
 #include "validate_runs.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -256,7 +256,7 @@ class Validation {
     // An earlier report marks the folder as this command's own.
     std::error_code ignored;
     const bool ours = fs::exists(*options_.output + "/" + kReport, ignored);
-    return stig::prepare_folder({*options_.output, output_names(), ours, "validation"}, app_);
+    return cli::prepare_folder({*options_.output, output_names(), ours, "validation"}, app_);
   }
 
   bool write_one(const std::string& name, const std::string& text) const {
@@ -304,4 +304,4 @@ class Validation {
 
 int run(const ValidateOptions& options, App& app) { return Validation(options, app).run(); }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -16,7 +16,7 @@
 #include "rules/worked_from.h"
 #include "verify_report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// The world to prove things of; none: unbounded space.
@@ -93,7 +93,7 @@ int run(const VerifyFileOptions& options, App& app) {
   settings.progress = [&](int stage, const std::string& what) {
     progress.show(0, rules->stage_count() > 1 ? fmt::format("stage {}: {}", stage, what) : what);
   };
-  const VerifyResult result = verify(*rules, settings);
+  const VerifyResult result = verify::verify(*rules, settings);
   FindingOptions limits;
   limits.work = part(limits.work);
   limits.seconds = settings.seconds;
@@ -115,4 +115,4 @@ int run(const VerifyFileOptions& options, App& app) {
   return code;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,7 +7,7 @@
 #include "page_template.h"
 #include "view_input.h"
 
-namespace stig {
+namespace stig::cli {
 
 int run(const ViewOptions& options, App& app) {
   if (!options.output.ends_with(".html")) {
@@ -32,4 +32,4 @@ int run(const ViewOptions& options, App& app) {
   return kRunFailed;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

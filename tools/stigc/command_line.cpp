@@ -15,7 +15,7 @@
 #include "base/diagnostic.h"
 #include "numbers.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// Where the parser puts what it reads: one of each kind of options. CLI11 writes into these by
@@ -826,4 +826,4 @@ Parsed parse_command_line(int argc, const char* const* argv) {
   return result;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "options.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// An option or a positional argument, as help and completions show it.
 struct OptionInfo {
@@ -44,4 +45,4 @@ struct Parsed {
 
 Parsed parse_command_line(int argc, const char* const* argv);
 
-}  // namespace stig
+}  // namespace stig::cli

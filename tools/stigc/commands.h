@@ -4,8 +4,9 @@
 
 #include "app.h"
 #include "options.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 int run(const CheckOptions& options, App& app);
 int run(const FmtOptions& options, App& app);
@@ -32,4 +33,4 @@ int run(const ViewOptions& options, App& app);
 /// `stigc --explain CODE`; the empty code lists all.
 int explain_code(const std::string& code, App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -14,7 +14,7 @@
 #include "compiler/decision_text.h"
 #include "report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 std::string sides_text(const CompiledRules& compiled) {
@@ -148,4 +148,4 @@ std::string line_map_json(const CompileJob& job, const ControllerText& program) 
   return dump(out);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -10,8 +10,9 @@
 #include "app.h"
 #include "compiler/controller_lua.h"
 #include "options.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// What the reports are about.
 struct CompileJob {
@@ -31,4 +32,4 @@ std::string compile_ir(const CompileJob& job);
 /// Which lines of the program stand for which lines of the rules, as JSON.
 std::string line_map_json(const CompileJob& job, const ControllerText& program);
 
-}  // namespace stig
+}  // namespace stig::cli

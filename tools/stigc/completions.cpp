@@ -12,7 +12,7 @@
 #include "base/diagnostic.h"
 #include "help.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 bool is_file(const OptionInfo& option) {
@@ -258,4 +258,4 @@ std::string completion_script(const CommandTree& tree, Shell shell) {
   return {};
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -16,7 +16,7 @@
 #include "progress.h"
 #include "report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// Takes over one finished run.
@@ -167,4 +167,4 @@ std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,
   return out + bold("runs by structure hash", color) + "\n" + structure_table(ensemble);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

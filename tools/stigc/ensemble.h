@@ -9,8 +9,9 @@
 
 #include "explore_config.h"
 #include "explore_outputs.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 struct RunSummary {
   std::uint64_t steps = 0, deposits = 0, bricks = 0, hash = 0;
@@ -39,4 +40,4 @@ std::string runs_csv(const Ensemble& ensemble);
 std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,
                            const Ensemble& ensemble, bool color);
 
-}  // namespace stig
+}  // namespace stig::cli

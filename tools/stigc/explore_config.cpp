@@ -5,7 +5,7 @@
 
 #include "meant_box.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 std::optional<Box> chosen_box(const RuleSet& rules, const ExploreOptions& options,
@@ -67,4 +67,4 @@ ExploreConfig explore_config(const RuleSet& rules, const RuleTable& table,
   return config;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

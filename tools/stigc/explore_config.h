@@ -7,8 +7,9 @@
 
 #include "lattice/swarm.h"
 #include "options.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 inline constexpr std::uint64_t kDefaultSteps = 10'000'000;
 inline constexpr std::uint64_t kDefaultDeposits = 100'000;
@@ -23,4 +24,4 @@ struct ExploreConfig {
 ExploreConfig explore_config(const RuleSet& rules, const RuleTable& table,
                              const ExploreOptions& options);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -14,7 +14,7 @@
 #include "outputs.h"
 #include "report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr std::string_view kRun = "{run}";
@@ -143,4 +143,4 @@ int OutputWriter::write(const SwarmResult& result, const App& app) {
   return code;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

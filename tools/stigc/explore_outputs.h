@@ -10,8 +10,9 @@
 #include "app.h"
 #include "lattice/swarm.h"
 #include "lattice/trace.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 enum class OutputKind : std::uint8_t { structure, deposits, trace };
 
@@ -53,4 +54,4 @@ class OutputWriter {
   std::uint64_t deposits_ = 0;
 };
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -11,7 +11,7 @@
 #include "scene_text.h"
 #include "validate/set_up.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// Does the scene, as it was written, ask for a file with the compiled program's name? By reading
@@ -57,4 +57,4 @@ bool controller_name_is_free(const std::string& path, const std::string& compile
   return false;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,8 +7,9 @@
 
 #include "app.h"
 #include "physical/scene/scene.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// The scene's text with the compiled program for robots that have none; nothing when the file
 /// cannot be read, which is then said.
@@ -19,4 +20,4 @@ std::optional<std::string> given_scene(const std::string& path, const App& app);
 bool controller_name_is_free(const std::string& path, const std::string& compiled,
                              const SceneLoader& load, const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr std::size_t kIndent = 26;
@@ -112,4 +112,4 @@ std::string help_text(const CommandTree& tree, const CommandInfo& command) {
   return out + "\nExamples:\n" + command.examples;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

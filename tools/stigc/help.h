@@ -5,8 +5,9 @@
 #include <string>
 
 #include "command_line.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// `stigc --help`, or the help of one command.
 std::string help_text(const CommandTree& tree);
@@ -16,4 +17,4 @@ std::string usage_line(const CommandInfo& command);
 /// A script for the shell to load; see its first lines.
 std::string completion_script(const CommandTree& tree, Shell shell);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -12,7 +12,7 @@
 
 #include "base/text.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr int kStatus = 3;  ///< the work failed
@@ -45,4 +45,4 @@ void complain(const char* what, const char* detail) {
 
 void prepare_last_words() { std::set_terminate(say_last_words); }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -4,10 +4,12 @@
 // unless it says that memory or the system gave out.
 #pragma once
 
-namespace stig {
+#include "uses.h"
+
+namespace stig::cli {
 
 /// From now on such an exception ends the process with a message on standard error and exit
 /// status 3, in place of a signal.
 void prepare_last_words();
 
-}  // namespace stig
+}  // namespace stig::cli

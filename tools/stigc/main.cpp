@@ -14,7 +14,7 @@
 #include "last_words.h"
 #include "shipped_files.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 int print_help(const Parsed& parsed, App& app) {
@@ -65,6 +65,6 @@ int run_program(int argc, const char* const* argv) {
 }
 
 }  // namespace
-}  // namespace stig
+}  // namespace stig::cli
 
-int main(int argc, char** argv) { return stig::run_program(argc, argv); }
+int main(int argc, char** argv) { return stig::cli::run_program(argc, argv); }

@@ -2,7 +2,7 @@
 // The same answer for explore, verify and certify: what is proved must be what is run.
 #include "meant_box.h"
 
-namespace stig {
+namespace stig::cli {
 
 std::optional<BoxSpec> meant_box(const RuleSet& rules, const WorldOptions& world,
                                  std::string& problem) {
@@ -19,4 +19,4 @@ std::optional<BoxSpec> meant_box(const RuleSet& rules, const WorldOptions& world
   return meant;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

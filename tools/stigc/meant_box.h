@@ -7,12 +7,13 @@
 
 #include "options.h"
 #include "rules/rule_set.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// The box of the command line, else the file's; none: unbounded space. `problem` becomes the words
 /// of what is wrong with it.
 std::optional<BoxSpec> meant_box(const RuleSet& rules, const WorldOptions& world,
                                  std::string& problem);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -8,7 +8,7 @@
 #include <cassert>
 #include <charconv>
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// The whole text as a number of base 10 or 16; a leading '+' is taken too.
@@ -113,4 +113,4 @@ std::string parse_size(std::string_view text, Offset& out) {
   return problem;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "rules/cell.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 std::string parse_integer(std::string_view text, std::int64_t low, std::int64_t high,
                           std::int64_t& out);
@@ -28,4 +29,4 @@ std::string parse_cells(std::string_view text, std::vector<Cell>& out);
 /// "X,Y,Z", each 1 to kMaxCoordinate.
 std::string parse_size(std::string_view text, Offset& out);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -11,9 +11,10 @@
 
 #include "lattice/swarm.h"
 #include "synthesis/synthesise.h"
+#include "uses.h"
 #include "validate/set_up.h"
 
-namespace stig {
+namespace stig::cli {
 
 enum class Coloured : std::uint8_t { automatic, always, never };
 
@@ -255,4 +256,4 @@ struct CommandLine {
   CommandOptions command;
 };
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -12,7 +12,7 @@
 #include "compiler/precedence.h"
 #include "robot_input.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// A tenth of synth's own effort: enough for what compile is usually asked about.
@@ -91,4 +91,4 @@ void note_other_rules(const RuleSet& rules, const CompiledRules& compiled, const
   }
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,11 +7,12 @@
 
 #include "app.h"
 #include "compiler/compile.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Adds that to the last error, or that no rules would do. `robot_file` as the user wrote it.
 void note_other_rules(const RuleSet& rules, const CompiledRules& compiled, const Abilities& robot,
                       const std::optional<std::string>& robot_file, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -18,7 +18,7 @@
 #include "base/file_io.h"
 #include "lattice/structure_files.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -154,4 +154,4 @@ bool write_structure(const std::string& path, const Structure& structure,
   return write_structure_file(path, structure, bricks, options, error);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -9,8 +9,9 @@
 
 #include "app.h"
 #include "lattice/structure.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// "tower.vox", of "models/tower.vox".
 std::string file_name(const std::string& path);
@@ -45,4 +46,4 @@ bool write_structure(const std::string& path, const Structure& structure,
                      const std::vector<Brick>& bricks, const std::string& title, bool floor,
                      std::string& error);
 
-}  // namespace stig
+}  // namespace stig::cli

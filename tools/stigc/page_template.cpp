@@ -4,7 +4,7 @@
 #include "base/file_io.h"
 #include "shipped_files.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr std::size_t kMostTemplateBytes = std::size_t{1} << 24;
@@ -23,4 +23,4 @@ std::optional<std::string> page_template(const App& app) {
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

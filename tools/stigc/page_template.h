@@ -6,10 +6,11 @@
 #include <string>
 
 #include "app.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Its text; nothing when it did not come with the program, which is complained of.
 std::optional<std::string> page_template(const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

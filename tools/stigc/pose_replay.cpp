@@ -15,7 +15,7 @@
 #include "report.h"
 #include "simulate_report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr std::size_t kMostBodiesShown = 40, kWidestName = 40;
@@ -217,4 +217,4 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   return kRunFailed;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

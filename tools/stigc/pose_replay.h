@@ -5,10 +5,11 @@
 #include <string>
 
 #include "app.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// `bytes` begin as a trace of poses does; an exit code.
 int replay_poses(const ReplayOptions& options, std::string bytes, App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

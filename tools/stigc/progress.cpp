@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-namespace stig {
+namespace stig::cli {
 
 void Progress::show(double fraction, const std::string& what) {
   if (!on_) return;
@@ -46,4 +46,4 @@ std::string duration_in_words(double seconds) {
   return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -8,8 +8,9 @@
 #include <string>
 
 #include "app.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 class Progress {
  public:
@@ -37,4 +38,4 @@ class Progress {
 /// "12 s", "3 min 05 s", "2 h 10 min".
 std::string duration_in_words(double seconds);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -9,8 +9,9 @@
 #include "lattice/measures.h"
 #include "lattice/swarm.h"
 #include "rules/rule_set.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 using Json = nlohmann::ordered_json;
 
@@ -44,4 +45,4 @@ std::string to_text(Offset size);  ///< "20×20×20"
 /// The drawing, when it is small enough to be looked at; otherwise empty.
 std::string small_drawing(const Structure& structure, const std::vector<Brick>& bricks);
 
-}  // namespace stig
+}  // namespace stig::cli

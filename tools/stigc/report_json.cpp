@@ -9,7 +9,7 @@
 #include "report.h"
 #include "rules/rule_printer.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 // Bytes that are no UTF-8 are replaced rather than refused: names come from files.
@@ -125,4 +125,4 @@ Json run_json(const RuleSet& rules, const SwarmConfig& config, const SwarmResult
   return json;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -9,7 +9,7 @@
 #include "report.h"
 #include "rules/cell_text.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// A drawing of more lines or wider lines than this is no longer looked at. A drawing prints slices
@@ -153,4 +153,4 @@ std::string small_drawing(const Structure& structure, const std::vector<Brick>& 
   return print_structure(structure, bricks);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

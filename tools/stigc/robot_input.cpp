@@ -12,7 +12,7 @@
 #include "robots/robot_reader.h"
 #include "scene_input.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr const char* kBlock = "stigmergic.yaml";
@@ -59,4 +59,4 @@ std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_
   return abilities_of(*robot, figures_of(*block));
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,8 +7,9 @@
 
 #include "app.h"
 #include "compiler/abilities.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// The paper's, and the one that ARGoS has.
 inline constexpr const char* kPaperRobot = "bebot.yaml";
@@ -22,4 +23,4 @@ std::optional<RobotModel> read_own_robot(const char* name, const App& app);
 std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
                                         const App& app, const char* usual = kPaperRobot);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -12,7 +12,7 @@
 #include "app.h"
 #include "report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr double kDegrees = 180 / 3.14159265358979323846;
@@ -347,4 +347,4 @@ std::string to_text(const RobotModel& robot, bool color) {
 
 std::string to_json(const RobotModel& robot) { return dump(JsonReport(robot).report()); }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "robots/robot_model.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 std::string to_text(const RobotModel& robot, bool color);
 std::string to_json(const RobotModel& robot);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -10,7 +10,7 @@
 #include "lua/lua_settings.h"
 #include "scene_input.h"
 
-namespace stig {
+namespace stig::cli {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::optional<std::vector<std::string>> read_runtime(const App& app) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

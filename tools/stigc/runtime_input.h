@@ -9,8 +9,9 @@
 
 #include "app.h"
 #include "compiler/controller_lua.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// One of its files, "motion.lift" for motion/lift.lua; said when it is missing.
 std::optional<std::string> read_module(std::string_view name, const App& app);
@@ -18,4 +19,4 @@ std::optional<std::string> read_module(std::string_view name, const App& app);
 /// said.
 std::optional<std::vector<std::string>> read_runtime(const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

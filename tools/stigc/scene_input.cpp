@@ -9,7 +9,7 @@
 #include "physical/scene/scene_programs.h"
 #include "shipped_files.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -74,4 +74,4 @@ std::optional<LoadedScene> read_loaded_scene(const std::string& path,
   return loaded;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

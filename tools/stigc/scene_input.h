@@ -8,8 +8,9 @@
 
 #include "app.h"
 #include "physical/simulation/loaded_scene.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// What a data file is, by its key stigc, stigc_scene, stigc_robot or stigc_block.
 enum class FileContent : std::uint8_t { rules, scene, robot, block };
@@ -25,4 +26,4 @@ SceneLoader own_loader();
 std::optional<LoadedScene> read_loaded_scene(const std::string& path,
                                              std::optional<std::uint64_t> seed, const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -9,7 +9,7 @@
 
 #include "base/yaml.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// The scene's mapping; nothing where the text is none.
@@ -50,4 +50,4 @@ std::string with_default(std::string text, std::string_view key, std::string_vie
   return with_key(std::move(text), *root, key, value);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

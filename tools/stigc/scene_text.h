@@ -6,7 +6,9 @@
 #include <string>
 #include <string_view>
 
-namespace stig {
+#include "uses.h"
+
+namespace stig::cli {
 
 /// The same scene with this duration in s, whatever it had.
 std::string with_duration(std::string text, double seconds);
@@ -14,4 +16,4 @@ std::string with_duration(std::string text, double seconds);
 /// The same scene with this key, where it does not have it. The value is plain in YAML.
 std::string with_default(std::string text, std::string_view key, std::string_view value);
 
-}  // namespace stig
+}  // namespace stig::cli

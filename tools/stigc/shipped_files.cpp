@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <optional>
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -105,4 +105,4 @@ void find_shipped_files(CommandOptions& options, const App& app) {
   std::visit(Finder{app}, options);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

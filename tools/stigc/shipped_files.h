@@ -11,8 +11,9 @@
 
 #include "app.h"
 #include "options.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Where files of a kind ("robots") may be: installed beside the program, or in its sources.
 std::vector<std::string> shipped_folders(const std::string& kind);
@@ -21,4 +22,4 @@ std::vector<std::string> shipped_folders(const std::string& kind);
 /// where there are such; a remark says which is read.
 void find_shipped_files(CommandOptions& options, const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -21,7 +21,7 @@
 #include "physical/simulation/run_picture.h"
 #include "report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 // Lists are cut for people; JSON has all.
@@ -381,4 +381,4 @@ bool write_picture(const std::string& path, const std::vector<PictureBody>& bodi
   return good;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

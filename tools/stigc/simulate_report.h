@@ -11,8 +11,9 @@
 #include "physical/readout/lattice_reading.h"
 #include "physical/render/scene_picture.h"
 #include "physical/simulation/simulation.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 using Json = nlohmann::ordered_json;
 
@@ -67,4 +68,4 @@ bool write_picture(const std::string& path, const std::vector<PictureBody>& bodi
                    const std::vector<PictureLine>& lines, bool floor, const std::string& title,
                    double time, std::string& error);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -12,7 +12,7 @@
 #include "report.h"
 #include "simulate_report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// One seed; nothing when it has no place for the blocks, which `diagnostics` then says.
@@ -102,4 +102,4 @@ int simulate_runs(const SimulateOptions& options, const Scene& scene, App& app) 
   return programs_failed ? kFailed : kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

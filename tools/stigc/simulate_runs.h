@@ -4,10 +4,11 @@
 
 #include "app.h"
 #include "physical/scene/scene.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Runs the scene for `runs` seeds from the first on, prints a table or JSON; an exit code.
 int simulate_runs(const SimulateOptions& options, const Scene& scene, App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

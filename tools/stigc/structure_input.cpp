@@ -7,7 +7,7 @@
 
 #include "lattice/structure_files.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 std::optional<LoadedStructure> read(const std::string& path, const StructureReadOptions& options,
@@ -60,4 +60,4 @@ std::optional<Structure> read_structure_for(const RuleSet& rules, const std::str
   return structure;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,8 +7,9 @@
 
 #include "app.h"
 #include "lattice/loaded_structure.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Reads a file on its own terms; `lattice` is for files that do not say theirs, and
 /// holds the others to it. Problems are reported.
@@ -21,4 +22,4 @@ std::optional<LoadedStructure> read_structure(const std::string& path,
 std::optional<Structure> read_structure_for(const RuleSet& rules, const std::string& path,
                                             const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

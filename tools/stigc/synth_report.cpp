@@ -13,7 +13,7 @@
 #include "rules/cell_text.h"
 #include "synth_words.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 std::string_view words(Obstacle::Kind kind) {
@@ -145,4 +145,4 @@ std::string synth_reason(const Synthesis& result, bool color) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -10,10 +10,11 @@
 #include "options.h"
 #include "report.h"
 #include "synthesis/synthesise.h"
+#include "uses.h"
 #include "verify/reachability.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// What came of it, besides the synthesis itself.
 struct SynthOutcome {
@@ -36,4 +37,4 @@ std::string synth_reason(const Synthesis& result, bool color);
 /// That none of the orders tried works.
 std::string orders_in_words(std::size_t tried);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -18,7 +18,7 @@
 #include "structure_input.h"
 #include "synth_words.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// What rules for robots cannot be asked to be; empty: nothing was asked.
@@ -208,4 +208,4 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   return code;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

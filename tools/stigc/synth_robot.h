@@ -4,8 +4,9 @@
 
 #include "app.h"
 #include "assembly/remedies.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Options that do not go together are a usage error.
 int synth_for_robot(const SynthOptions& options, App& app);
@@ -23,4 +24,4 @@ std::string assembly_json(const SynthOptions& options, const Target& target, con
                           const std::vector<AssemblyRemedy>& remedies, double seconds,
                           const std::vector<std::string>& written);
 
-}  // namespace stig
+}  // namespace stig::cli

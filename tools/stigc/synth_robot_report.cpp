@@ -19,7 +19,7 @@
 #include "rules/cell_text.h"
 #include "synth_robot.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 /// So many bricks of a remainder are spoken of; the rest looks like them.
@@ -327,4 +327,4 @@ std::string assembly_json(const SynthOptions& options, const Target& target, con
   return dump(json);
 }
 
-}  // namespace stig
+}  // namespace stig::cli

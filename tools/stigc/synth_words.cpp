@@ -5,7 +5,7 @@
 #include "base/file_io.h"
 #include "outputs.h"
 
-namespace stig {
+namespace stig::cli {
 
 bool has_file(const SynthOptions& options) { return options.output && *options.output != "-"; }
 
@@ -36,4 +36,4 @@ int write_one(const std::string& path, const std::string& bytes, const App& app,
   return kOk;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

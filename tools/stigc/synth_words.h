@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "app.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// What a rule set of synth says of itself, and then of what it was compiled.
 inline constexpr std::string_view kMadeBySynth = "compiled by stigc synth";
@@ -26,4 +27,4 @@ std::string_view ended_early();
 int write_one(const std::string& path, const std::string& bytes, const App& app,
               std::vector<std::string>& written);
 
-}  // namespace stig
+}  // namespace stig::cli

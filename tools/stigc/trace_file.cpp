@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::cli {
 
 bool TraceFile::open(const std::string& path) {
   path_ = path;
@@ -31,4 +31,4 @@ int commit(TraceFile& trace, const App& app) {
   return kRunFailed;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

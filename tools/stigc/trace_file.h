@@ -8,8 +8,9 @@
 #include "app.h"
 #include "base/file_io.h"
 #include "physical/trace/pose_trace.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 class TraceFile {
  public:
@@ -31,4 +32,4 @@ class TraceFile {
 /// Commits and says so; an exit code.
 int commit(TraceFile& trace, const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

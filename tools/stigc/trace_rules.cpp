@@ -4,7 +4,7 @@
 #include "base/file_io.h"
 #include "rules/rule_reader.h"
 
-namespace stig {
+namespace stig::cli {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, con
   return rules;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -7,8 +7,9 @@
 
 #include "app.h"
 #include "lattice/trace.h"
+#include "uses.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// The bytes of a trace of either kind; complains when there are none.
 std::optional<std::string> trace_bytes(const std::string& path, const App& app);
@@ -16,4 +17,4 @@ std::optional<std::string> trace_bytes(const std::string& path, const App& app);
 /// Problems are reported under the trace's name.
 std::optional<RuleSet> rules_of(const Trace& trace, const std::string& path, const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -18,7 +18,7 @@
 #include "validate/findings.h"
 #include "validate_work.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 double in_mm(double metres) { return metres * 1e3; }
@@ -278,4 +278,4 @@ std::string lines_of(const ValidationReport& report, bool color) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

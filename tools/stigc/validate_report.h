@@ -5,9 +5,10 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "uses.h"
 #include "validate/report_html.h"
 
-namespace stig {
+namespace stig::cli {
 
 using Json = nlohmann::ordered_json;
 
@@ -15,4 +16,4 @@ Json to_json(const ValidationReport& report);
 /// With the bricks of a single run, and a table of several.
 std::string lines_of(const ValidationReport& report, bool color);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -13,7 +13,7 @@
 #include "progress.h"
 #include "trace_file.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 constexpr std::size_t kMostEndsDrawn = 12;  ///< runs whose end is drawn
@@ -124,4 +124,4 @@ TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const Valid
   return Batch(target, scene, options, duration, app).run();
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -9,9 +9,10 @@
 #include "app.h"
 #include "base/diagnostic.h"
 #include "physical/scene/scene.h"
+#include "uses.h"
 #include "validate/trial.h"
 
-namespace stig {
+namespace stig::cli {
 
 struct TrialBatch {
   std::vector<Trial> trials;            ///< of runs that could begin
@@ -27,4 +28,4 @@ std::string trace_name(std::uint64_t seed);
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
                       double duration, const App& app);
 
-}  // namespace stig
+}  // namespace stig::cli

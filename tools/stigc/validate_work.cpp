@@ -9,7 +9,7 @@
 
 #include "base/text.h"
 
-namespace stig {
+namespace stig::cli {
 
 Json to_json(const WorkSummary& all) {
   Json json{{"runs", all.runs},
@@ -83,4 +83,4 @@ std::string state_lines(const WorkSummary& all) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

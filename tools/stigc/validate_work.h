@@ -6,9 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "uses.h"
 #include "validate/work_summary.h"
 
-namespace stig {
+namespace stig::cli {
 
 using Json = nlohmann::ordered_json;
 
@@ -21,4 +22,4 @@ std::string work_in_words(const WorkSummary& all);
 std::string lines_of(const std::vector<WorkPhase>& phases);
 std::string state_lines(const WorkSummary& all);
 
-}  // namespace stig
+}  // namespace stig::cli

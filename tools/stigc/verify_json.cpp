@@ -8,7 +8,7 @@
 #include "rules/rule_printer.h"
 #include "verify_report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 Json rule_json(const RuleSet& rules, std::uint32_t rule) {
@@ -135,4 +135,4 @@ Json to_json(const VerifyReport& report) {
   return json;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

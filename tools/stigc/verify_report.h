@@ -4,10 +4,11 @@
 
 #include "app.h"
 #include "report.h"
+#include "uses.h"
 #include "verify/findings.h"
 #include "verify/verify.h"
 
-namespace stig {
+namespace stig::cli {
 
 struct VerifyReport {
   const RuleSet& rules;
@@ -26,4 +27,4 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
 /// Every name that a file of write_witness can have.
 std::vector<std::string> witness_names(const std::string& name);
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -13,7 +13,7 @@
 #include "rules/rule_printer.h"
 #include "verify_report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 // More names than a line has room for.
@@ -269,4 +269,4 @@ std::string to_text(const VerifyReport& report, bool color) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::cli

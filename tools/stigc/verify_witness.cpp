@@ -10,7 +10,7 @@
 #include "rules/rule_printer.h"
 #include "verify_report.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 // Larger pictures take minutes and show nothing.
@@ -113,4 +113,4 @@ int write_witness(const std::string& name, const VerifyReport& report, const App
   return witness.code();
 }
 
-}  // namespace stig
+}  // namespace stig::cli

@@ -13,7 +13,7 @@
 #include "view/lattice_run.h"
 #include "view/pose_run.h"
 
-namespace stig {
+namespace stig::cli {
 namespace {
 
 namespace fs = std::filesystem;
@@ -88,4 +88,4 @@ bool add_file(const std::string& path, const ViewOptions& options, const App& ap
   return loaded.has_value();
 }
 
-}  // namespace stig
+}  // namespace stig::cli

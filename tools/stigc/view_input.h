@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "app.h"
+#include "uses.h"
 #include "view/page.h"
 
-namespace stig {
+namespace stig::cli {
 
 /// Names that stand for several files become those: that of a witness of verify, a folder of
 /// validate.
@@ -18,4 +19,4 @@ std::vector<std::string> viewed_files(const std::vector<std::string>& names);
 bool add_file(const std::string& path, const ViewOptions& options, const App& app,
               PageContent& page);
 
-}  // namespace stig
+}  // namespace stig::cli

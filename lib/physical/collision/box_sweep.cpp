@@ -10,7 +10,7 @@
 
 #include "physical/collision/touch_points.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -107,4 +107,4 @@ Touch touch_moving_boxes(const Placed& a, const Placed& b, const Passing& motion
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,7 +9,7 @@
 
 #include "physical/collision/touch_points.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -173,4 +173,4 @@ Touch touch_boxes(const Placed& a, const Placed& b, double margin) {
   return touch_boxes_along(a, b, axis, margin);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

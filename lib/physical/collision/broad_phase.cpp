@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cassert>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> candidate_pairs(
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

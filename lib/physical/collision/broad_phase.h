@@ -11,7 +11,7 @@
 
 #include "base/vec.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Bounds {
   Vec3 low, high;
@@ -38,4 +38,4 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> candidate_pairs(
     const std::vector<CellEntry>& moving, const std::vector<CellEntry>& resting,
     const std::vector<Bounds>& bounds);
 
-}  // namespace stig
+}  // namespace stig::physics

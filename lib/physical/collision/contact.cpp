@@ -13,7 +13,7 @@
 
 #include "physical/collision/touch_points.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -198,4 +198,4 @@ Touch touch_floor(const Placed& a, double margin) {
   return reduced(up, corners.points.data(), corners.count);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

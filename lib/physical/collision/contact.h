@@ -17,7 +17,7 @@
 #include "base/vec.h"
 #include "physical/collision/convex.h"
 
-namespace stig {
+namespace stig::physics {
 
 enum class ShapeKind : std::uint8_t { box, sphere, cylinder, hull };
 
@@ -75,4 +75,4 @@ Touch touch_moving_boxes(const Placed& a, const Placed& b, const Passing& motion
 Touch touch(const Placed& a, const Placed& b, double margin);
 Touch touch_floor(const Placed& a, double margin);
 
-}  // namespace stig
+}  // namespace stig::physics

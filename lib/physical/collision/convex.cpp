@@ -10,7 +10,7 @@
 
 #include "base/hull.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -157,4 +157,4 @@ PrincipalHull principal_hull(const std::vector<Vec3>& points) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

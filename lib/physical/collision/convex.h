@@ -9,7 +9,7 @@
 
 #include "base/vec.h"
 
-namespace stig {
+namespace stig::physics {
 
 inline constexpr std::size_t kMostHullPoints = 64;
 
@@ -50,4 +50,4 @@ struct PrincipalHull {
 /// The hull of points that enclose a volume, in its principal frame.
 PrincipalHull principal_hull(const std::vector<Vec3>& points);
 
-}  // namespace stig
+}  // namespace stig::physics

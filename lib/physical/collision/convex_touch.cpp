@@ -7,7 +7,7 @@
 
 #include "physical/collision/touch_points.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -291,4 +291,4 @@ Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin) {
   return single_touch(n, best + n * (gap / 2), gap, margin);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

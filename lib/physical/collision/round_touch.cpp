@@ -9,7 +9,7 @@
 
 #include "physical/collision/touch_points.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -71,4 +71,4 @@ Touch touch_sphere_cylinder(const Placed& ball, const Placed& cylinder, double m
   return single_touch(cylinder.r * n, ball.p, -std::min(to_side, to_cap) - r, margin);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

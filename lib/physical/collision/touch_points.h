@@ -5,7 +5,7 @@
 
 #include "physical/collision/contact.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Two convex quadrilaterals meet in at most eight corners.
 struct PointList {
@@ -47,4 +47,4 @@ Touch touch_sphere_hull(const Placed& ball, const Placed& hull, double margin);
 Touch touch_sphere_cylinder(const Placed& ball, const Placed& cylinder, double margin);
 Touch touch_floor_cylinder(const Placed& a, double margin);
 
-}  // namespace stig
+}  // namespace stig::physics

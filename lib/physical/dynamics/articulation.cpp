@@ -13,7 +13,7 @@
 #include "physical/dynamics/world_state.h"
 #include "physical/solver/small_matrix.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -338,4 +338,4 @@ bool driven(const Articulation& it) {
   return false;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

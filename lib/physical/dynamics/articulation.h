@@ -17,9 +17,10 @@
 #include <vector>
 
 #include "physical/dynamics/mechanism.h"
+#include "physical/dynamics/uses.h"
 #include "physical/dynamics/world_config.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Body;
 
@@ -124,4 +125,4 @@ double motor_force(const Articulation& articulation, std::size_t dof, double dt)
 /// Whether an actuator has something to do, so that the mechanism may not sleep.
 bool driven(const Articulation& articulation);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,7 +5,7 @@
 
 #include "physical/dynamics/articulation.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -161,4 +161,4 @@ void add_articulations(const WorldConfig& config, std::size_t first, Articulatio
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -13,7 +13,7 @@
 #include "physical/dynamics/world_settings.h"
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -368,4 +368,4 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
   return true;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,11 +5,13 @@
 
 #include <mutex>
 
-namespace stig {
+#include "physical/dynamics/uses.h"
+
+namespace stig::physics {
 
 inline std::mutex& dart_lock() {
   static std::mutex mutex;
   return mutex;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -14,7 +14,7 @@
 #include "physical/dynamics/world_config.h"
 #include "physical/solver/solver.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::vector<std::string> problems_of_joints(const WorldConfig& config) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -16,8 +16,9 @@
 #include <vector>
 
 #include "base/vec.h"
+#include "physical/dynamics/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// What moves a degree of freedom, besides what touches the bodies.
 enum class Actuator : std::uint8_t {
@@ -65,4 +66,4 @@ std::vector<std::uint32_t> mechanisms_of(const WorldConfig& config);
 /// Empty where there are none.
 std::vector<std::string> problems_of_joints(const WorldConfig& config);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -12,9 +12,10 @@
 
 #include "base/vec.h"
 #include "physical/dynamics/joint.h"
+#include "physical/dynamics/uses.h"
 #include "physical/solver/solver.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// A rigid part: bodies that are fixed to each other, as one.
 struct Part {
@@ -50,4 +51,4 @@ class Mechanism {
 /// a lock that is the process's.
 std::shared_ptr<Mechanism> make_mechanism(const std::vector<Part>& parts);
 
-}  // namespace stig
+}  // namespace stig::physics

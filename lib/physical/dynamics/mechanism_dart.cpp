@@ -13,7 +13,7 @@
 #include "physical/dynamics/dart_lock.h"
 #include "physical/dynamics/mechanism.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -177,4 +177,4 @@ std::shared_ptr<Mechanism> make_mechanism(const std::vector<Part>& parts) {
           }};
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,8 +5,9 @@
 #include <cmath>
 
 #include "base/vec.h"
+#include "physical/dynamics/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 inline bool positive(double x) { return std::isfinite(x) && x > 0; }
 inline bool not_negative(double x) { return std::isfinite(x) && x >= 0; }
@@ -15,4 +16,4 @@ inline bool is_unit(const Quat& q) {
   return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -18,7 +18,7 @@
 #include "physical/dynamics/stock_step.h"
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -149,4 +149,4 @@ void StockStep::move(WorldState& world) const {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

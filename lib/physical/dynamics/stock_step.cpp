@@ -5,7 +5,7 @@
 
 #include "physical/dynamics/world_config.h"
 
-namespace stig {
+namespace stig::physics {
 
 std::string problem_of_stock(const WorldConfig& config) {
   if (!config.joints.empty()) return "solver 'stock' knows no joints";
@@ -15,4 +15,4 @@ std::string problem_of_stock(const WorldConfig& config) {
   return known ? "" : "solver 'stock' knows boxes and spheres alone";
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -17,7 +17,9 @@
 #include <memory>
 #include <string>
 
-namespace stig {
+#include "physical/dynamics/uses.h"
+
+namespace stig::physics {
 
 struct WorldConfig;
 struct WorldState;
@@ -43,4 +45,4 @@ class StockStep {
   std::unique_ptr<Dart> dart_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

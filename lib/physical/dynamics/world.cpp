@@ -11,7 +11,7 @@
 #include "base/hash.h"
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -397,4 +397,4 @@ std::string World::checkpoint() const { return write_checkpoint(*state_); }
 bool World::resume(std::string_view bytes) { return read_checkpoint(*state_, bytes); }
 std::uint64_t World::hash() const { return hash_text(checkpoint()); }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -21,9 +21,10 @@
 #include <string_view>
 #include <vector>
 
+#include "physical/dynamics/uses.h"
 #include "physical/dynamics/world_config.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The body's place in WorldConfig::bodies.
 enum class BodyId : std::uint32_t {};
@@ -176,4 +177,4 @@ class World {
   std::vector<ForceFunction> functions_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

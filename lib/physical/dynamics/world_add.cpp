@@ -6,7 +6,7 @@
 
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -74,4 +74,4 @@ AddResult World::add(const Addition& addition) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,7 +10,7 @@
 #include "physical/dynamics/stock_step.h"
 #include "physical/dynamics/world_settings.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -252,4 +252,4 @@ std::vector<std::string> problems_of(const WorldConfig& config) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,10 +9,11 @@
 #include "base/vec.h"
 #include "physical/collision/contact.h"
 #include "physical/dynamics/joint.h"
+#include "physical/dynamics/uses.h"
 #include "physical/magnets/magnetism.h"
 #include "robots/block.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Number of a kind of surface; pairs of them have a friction coefficient.
 using Material = std::uint8_t;
@@ -129,4 +130,4 @@ bool inside_arena(const Vec3& p, double arena);
 /// What find_problems says, each a sentence that names the bodies by their numbers.
 std::vector<std::string> problems_of(const WorldConfig& config);
 
-}  // namespace stig
+}  // namespace stig::physics

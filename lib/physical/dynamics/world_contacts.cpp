@@ -9,7 +9,7 @@
 
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -311,4 +311,4 @@ void report_contacts(WorldState& world) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,7 +6,7 @@
 
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -61,4 +61,4 @@ void integrate_velocity(WorldState& world, std::uint32_t number) {
   body.w += body.kick_w;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,7 +7,7 @@
 
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -185,4 +185,4 @@ double magnet_energy(const WorldState& world) {
   return energy;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,7 +7,7 @@
 
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -154,4 +154,4 @@ PlaceResult World::place(BodyId id, const Pose& X_WB) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

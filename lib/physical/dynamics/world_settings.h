@@ -19,9 +19,10 @@
 #include <vector>
 
 #include "base/degree.h"
+#include "physical/dynamics/uses.h"
 #include "physical/dynamics/world_config.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Setting {
   /// The mapping of a scene file that has the key; empty: the file itself.
@@ -126,4 +127,4 @@ void visit_settings(auto&& each, EitherConfig auto& config) {
   visit_sleep_settings(each, config);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,7 +8,7 @@
 #include "base/islands.h"
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -107,4 +107,4 @@ void put_to_sleep(WorldState& world) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,7 +7,7 @@
 
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -54,4 +54,4 @@ void report_snaps(WorldState& world) {
   world.snaps = std::move(snaps);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,7 +8,7 @@
 #include "base/islands.h"
 #include "physical/dynamics/world_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -261,4 +261,4 @@ void solve_world(WorldState& world) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

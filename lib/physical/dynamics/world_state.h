@@ -13,10 +13,11 @@
 #include "physical/collision/broad_phase.h"
 #include "physical/dynamics/articulation.h"
 #include "physical/dynamics/stock_step.h"
+#include "physical/dynamics/uses.h"
 #include "physical/dynamics/world.h"
 #include "physical/solver/solver.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Body {
   Shape shape;
@@ -134,4 +135,4 @@ double friction_of(const WorldConfig& config, Material a, Material b);
 std::string write_checkpoint(const WorldState& world);
 bool read_checkpoint(WorldState& world, std::string_view bytes);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,7 +10,7 @@
 #include <array>
 #include <cassert>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -238,4 +238,4 @@ Vec3 spin_magnet(Magnet& magnet, const Vec3& torque, const Vec3& body_spin, cons
   return (magnet.spin - body_spin) * damping;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

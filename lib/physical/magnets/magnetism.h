@@ -19,7 +19,7 @@
 
 #include "base/vec.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// μ0 / 4π, in N/A².
 inline constexpr double kDipoleConstant = 1e-7;
@@ -97,4 +97,4 @@ struct Bearing {
 Vec3 spin_magnet(Magnet& magnet, const Vec3& torque, const Vec3& body_spin, const Bearing& bearing,
                  double dt);
 
-}  // namespace stig
+}  // namespace stig::physics

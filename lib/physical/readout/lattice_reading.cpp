@@ -14,7 +14,7 @@
 #include <queue>
 #include <tuple>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -364,4 +364,4 @@ StructureReading read_lattices(const std::vector<PlacedBlock>& blocks, double si
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -20,7 +20,7 @@
 
 #include "base/vec.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct PlacedBlock {
   Pose X_WB;
@@ -69,4 +69,4 @@ Mat3 beyond_cube_turn(const Mat3& r);
 StructureReading read_lattices(const std::vector<PlacedBlock>& blocks, double side = 0.055,
                                const Tolerance& tolerance = {});
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,7 +9,7 @@
 
 #include "physical/render/scene_picture.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -70,4 +70,4 @@ std::string png_of(const Image& image, const std::string& caption) {
   return status == CAIRO_STATUS_SUCCESS ? bytes : std::string{};
 }
 
-}  // namespace stig
+}  // namespace stig::physics

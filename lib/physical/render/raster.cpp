@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -119,4 +119,4 @@ Image Raster::image(int samples) const {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "base/rgb.h"
+#include "physical/render/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Image {
   int width = 0, height = 0;
@@ -54,4 +55,4 @@ class Raster {
   std::vector<std::uint8_t> shaded_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -14,7 +14,7 @@
 #include "base/glb.h"
 #include "physical/render/scene_picture.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -223,4 +223,4 @@ std::string robot_glb(const RobotModel& robot) {
   return glb_file(nodes);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

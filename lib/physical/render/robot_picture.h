@@ -6,9 +6,10 @@
 #include <string>
 
 #include "physical/render/solid_faces.h"
+#include "physical/render/uses.h"
 #include "robots/robot_model.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The faces of a body as its file has it, cylinders and hulls too; body frame.
 std::vector<SolidFace> faces_of(const BodyModel& body);
@@ -19,4 +20,4 @@ std::string robot_png(const RobotModel& robot);
 /// lines of the picture.
 std::string robot_glb(const RobotModel& robot);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,7 +7,7 @@
 
 #include "physical/render/solid_faces.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -314,4 +314,4 @@ ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureVi
   return {raster.image(kSamples), step};
 }
 
-}  // namespace stig
+}  // namespace stig::physics

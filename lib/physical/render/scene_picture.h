@@ -10,10 +10,11 @@
 #include "physical/collision/contact.h"
 #include "physical/render/raster.h"
 #include "physical/render/solid_faces.h"
+#include "physical/render/uses.h"
 #include "physical/robots/led.h"
 #include "sensing/camera.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct PictureBody {
   Shape shape;
@@ -59,4 +60,4 @@ ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureVi
 /// A PNG file with a caption in its lower left corner; empty when there is no memory for it.
 std::string png_of(const Image& image, const std::string& caption);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <set>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -244,4 +244,4 @@ Image whole_numbers(const CameraPicture& picture) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,10 +8,11 @@
 #include <optional>
 
 #include "physical/render/raster.h"
+#include "physical/render/uses.h"
 #include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_picture.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The cells of a tag's sheet, 10 x 10, row by row from above: true is light. The outermost are
 /// its white border.
@@ -28,4 +29,4 @@ CameraPicture camera_picture(const SensorScene& scene, const CameraIntrinsics& c
 /// In whole numbers.
 Image whole_numbers(const CameraPicture& picture);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -72,4 +72,4 @@ std::vector<PictureLine> show_lines(std::string_view json, const Pose& X_WB) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

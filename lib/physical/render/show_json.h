@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "physical/render/scene_picture.h"
+#include "physical/render/uses.h"
 #include "robots/robot_io.h"
 
-namespace stig {
+namespace stig::physics {
 
 std::string show_json(const UserData& shown, const Pose& X_BR);
 /// Arrows of such a text, as lines in the world, for pictures; none when it is something else.
 std::vector<PictureLine> show_lines(std::string_view json, const Pose& X_WB);
 
-}  // namespace stig
+}  // namespace stig::physics

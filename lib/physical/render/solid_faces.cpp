@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::vector<SolidFace> faces_of(const Shape& shape) {
   return box_faces(shape.half);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

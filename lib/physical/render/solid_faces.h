@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "physical/collision/contact.h"
+#include "physical/render/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct SolidFace {
   std::vector<Vec3> corners;  ///< body frame, counter-clockwise from outside
@@ -16,4 +17,4 @@ struct SolidFace {
 
 std::vector<SolidFace> faces_of(const Shape& shape);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -11,7 +11,7 @@
 #include "physical/dynamics/ticks.h"
 #include "physical/robots/crew_history.h"
 
-namespace stig {
+namespace stig::physics {
 
 Crew::Crew(CrewConfig config, const WorldConfig& world)
     : config_(std::move(config)),
@@ -240,4 +240,4 @@ void Crew::say(const CrewLine& about, const std::vector<std::string>& lines,
   log_.push_back(line);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -26,8 +26,9 @@
 #include "physical/robots/crew_senses.h"
 #include "physical/robots/crew_signals.h"
 #include "physical/robots/reading_history.h"
+#include "physical/robots/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Something that a program said, or that ended it.
 struct CrewLine {
@@ -69,7 +70,7 @@ class Crew {
     return senses_.scene(config_, world, signals_);
   }
   Pose camera_pose(const World& world, std::size_t robot, std::size_t camera) const {
-    return stig::camera_pose(world, config_.robots[robot], camera);
+    return physics::camera_pose(world, config_.robots[robot], camera);
   }
   /// The body that a robot's file takes for its root, and its pose in the robot's frame.
   BodyId root_body(std::size_t robot) const;
@@ -151,4 +152,4 @@ class Crew {
   std::vector<std::size_t> stepped_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,38 +7,44 @@
 
 #include "base/byte_members.h"
 #include "physical/robots/robot_body.h"
+#include "physical/robots/uses.h"
 #include "robots/robot_devices.h"
 #include "robots/robot_io.h"
 #include "robots/robot_model.h"
 
+// In the namespace of BytesOut and BytesIn, where they are looked up whatever they are handed.
 namespace stig {
 
-void each_member(auto& each, EitherWay<ImagePoint> auto& p) { each(p.x), each(p.y); }
-void each_member(auto& each, EitherWay<std::vector<Message>> auto& messages) {
+void each_member(auto& each, EitherWay<sensing::ImagePoint> auto& p) { each(p.x), each(p.y); }
+void each_member(auto& each, EitherWay<std::vector<robots::Message>> auto& messages) {
   each.list(messages);
 }
-void each_member(auto& each, EitherWay<TagReading> auto& tag) {
+void each_member(auto& each, EitherWay<robots::TagReading> auto& tag) {
   each(tag.id), each_member(each, tag.p_CT), each_member(each, tag.q_CT),
       each_member(each, tag.centre);
   for (auto& corner : tag.corners) each_member(each, corner);
 }
-void each_member(auto& each, EitherWay<LedReading> auto& led) {
+void each_member(auto& each, EitherWay<robots::LedReading> auto& led) {
   each_member(each, led.centre), each(led.y), each(led.u), each(led.v);
 }
-void each_member(auto& each, EitherWay<CameraReading> auto& camera) {
+void each_member(auto& each, EitherWay<robots::CameraReading> auto& camera) {
   each(camera.enabled), each(camera.timestamp), each.list(camera.tags), each.list(camera.leds);
   each_member(each, camera.X_RC.p), each_member(each, camera.X_RC.q);
 }
 /// Readings that are a few figures.
 template <class Each, class Reading>
-requires HasFigures<Reading>
+requires robots::HasFigures<Reading>
 void each_member(Each& each, Reading& reading) {
   std::remove_const_t<Reading>::fields(
       [&each](const char* /*name*/, auto& value, const char* /*unit*/) { each(value); }, reading);
 }
-void each_member(auto& each, EitherWay<std::vector<RangeReading>> auto& ranges) {
+void each_member(auto& each, EitherWay<std::vector<robots::RangeReading>> auto& ranges) {
   each.list(ranges);
 }
+
+}  // namespace stig
+
+namespace stig::physics {
 
 /// Kinds of devices whose readings are in every record, in the order in which they have been there
 /// from the beginning. Those of other kinds follow in the order of the list, where the robot has
@@ -71,4 +77,4 @@ void each_member(auto& each, EitherWay<RobotDevices> auto& d) {
   each.list(d.joints);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,11 +10,12 @@
 #include "physical/dynamics/world.h"
 #include "physical/robots/led.h"
 #include "physical/robots/robot_body.h"
+#include "physical/robots/uses.h"
 #include "physical/sensors/sensor_noise.h"
 #include "robots/block.h"
 #include "robots/controller.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct CrewRobot {
   std::string name;
@@ -43,4 +44,4 @@ struct CrewConfig {
   std::vector<CrewBlock> blocks;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,10 +7,11 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "physical/robots/uses.h"
 #include "robots/robot_io.h"
 #include "robots/robot_model.h"
 
-namespace stig {
+namespace stig::physics {
 
 std::string bytes_of(const RobotReadings& readings, const RobotModel& robot);
 /// `since`: ticks of the world since the block's step before.
@@ -20,4 +21,4 @@ std::string bytes_of(const std::vector<std::vector<Message>>& inbox, std::uint64
 RobotReadings take_readings(ByteReader& in, const RobotModel& robot);
 void take_inbox(ByteReader& in, std::vector<std::vector<Message>>& inbox, std::uint64_t& since);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -11,7 +11,7 @@
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/range_sensor.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -197,7 +197,7 @@ CameraReading CrewSenses::see(const CrewConfig& config, const World& world,
     const std::size_t place = first_number<CameraKind>(*robot.model) + camera;
     const NoiseAddress address = address_of(config, number, place, world);
     const CameraView& view = senses.views[camera];
-    out = read_camera(scene_, stig::look(index, view, X_WC), view, robot.camera_noise, address);
+    out = read_camera(scene_, physics::look(index, view, X_WC), view, robot.camera_noise, address);
   }
   out.enabled = senses.enabled[camera];
   out.timestamp = world.time();
@@ -249,4 +249,4 @@ Pose camera_pose(const World& world, const CrewRobot& robot, std::size_t camera)
   return pose_of(world, robot.body, device.body) * device.X_BC;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,10 +6,11 @@
 #include <vector>
 
 #include "physical/robots/crew_signals.h"
+#include "physical/robots/uses.h"
 #include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_view.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The sensors of one robot.
 struct RobotSenses {
@@ -66,4 +67,4 @@ class CrewSenses {
 /// From where a camera looks.
 Pose camera_pose(const World& world, const CrewRobot& robot, std::size_t camera);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,7 +10,7 @@
 
 #include "physical/sensors/radio_medium.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -99,7 +99,7 @@ bool CrewSignals::carry(const CrewConfig& config, const World& world) {
   };
   for (Mailbox& robot : robots_) send_all(robot);
   for (BlockSignals& block : blocks_) send_all(block.mail);
-  const auto heard = stig::carry(radios_of(config, world), sends);
+  const auto heard = physics::carry(radios_of(config, world), sends);
   auto next = heard.begin();
   const auto take_all = [&next](Mailbox& mail) {
     bool any = false;
@@ -175,4 +175,4 @@ bool CrewSignals::fits(const CrewConfig& config) const {
   });
 }
 
-}  // namespace stig
+}  // namespace stig::physics

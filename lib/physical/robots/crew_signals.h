@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "physical/robots/crew_config.h"
+#include "physical/robots/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Messages of one robot or block: a list for each of its radios.
 struct Mailbox {
@@ -66,4 +67,4 @@ class CrewSignals {
   bool sends_ = false;  ///< somebody has sent since messages were carried
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,7 +8,7 @@
 #include "physical/robots/crew_bytes.h"
 #include "physical/robots/crew_history.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -167,4 +167,4 @@ bool Crew::resume(std::string_view checkpoint) {
   return true;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,8 +9,9 @@
 #include <string_view>
 
 #include "base/rgb.h"
+#include "physical/robots/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 enum class Led : std::uint8_t { off, q1, q2, q3, q4 };
 
@@ -33,4 +34,4 @@ constexpr Rgb rgb_of(Led led) {
   return kColours[static_cast<std::size_t>(led)];
 }
 
-}  // namespace stig
+}  // namespace stig::physics

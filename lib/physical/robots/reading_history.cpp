@@ -8,7 +8,7 @@
 
 #include "base/packed.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -42,4 +42,4 @@ bool ReadingHistory::each(const std::function<bool(ByteReader&)>& next) const {
   return std::all_of(packed_.begin(), packed_.end(), whole) && read_all(last_, next);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

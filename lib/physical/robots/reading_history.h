@@ -10,8 +10,9 @@
 #include <vector>
 
 #include "base/bytes.h"
+#include "physical/robots/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 class ReadingHistory {
  public:
@@ -29,4 +30,4 @@ class ReadingHistory {
   std::string last_;  ///< not packed yet
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,7 +10,7 @@
 
 #include "robots/block.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -224,4 +224,4 @@ Pose pose_of(const World& world, const RobotModel& robot, const RobotBody& body)
   return pose_of(world, body, root) * inverse(robot.bodies[root].X_RB);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -20,10 +20,11 @@
 #include <vector>
 
 #include "physical/dynamics/world.h"
+#include "physical/robots/uses.h"
 #include "robots/robot_devices.h"
 #include "robots/robot_model.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Names of kinds of surface; their places are the numbers of WorldConfig::frictions.
 struct Materials {
@@ -69,4 +70,4 @@ Pose pose_of(const World& world, const RobotBody& body, std::size_t place);
 /// Where the robot is: its root's pose, taken back to the frame of its file.
 Pose pose_of(const World& world, const RobotModel& robot, const RobotBody& body);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -4,8 +4,8 @@
 
 #include "physical/scene/lua_programs.h"
 
-namespace stig {
+namespace stig::physics {
 
 ControllerFactory lua_controllers() { return {robot_program, block_program}; }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -17,9 +17,10 @@
 #include <memory>
 
 #include "physical/scene/scene.h"
+#include "physical/scene/uses.h"
 #include "robots/controller.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Either function may give null: a robot without controller stands where it is, a block without
 /// one keeps its LEDs as they are.
@@ -37,4 +38,4 @@ struct ControllerFactory {
 /// The programs that the scene names.
 ControllerFactory lua_controllers();
 
-}  // namespace stig
+}  // namespace stig::physics

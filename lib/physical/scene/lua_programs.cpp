@@ -6,7 +6,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -55,4 +55,4 @@ std::optional<LuaScript> script_of(const Scene& scene, const PlacedScene& placed
   return LuaScript(scene.programs[scene.script], settings);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

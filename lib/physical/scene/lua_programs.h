@@ -9,8 +9,9 @@
 #include "lua/lua_controller.h"
 #include "lua/lua_script.h"
 #include "physical/scene/scene.h"
+#include "physical/scene/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The program of the scene's robot of that number; null when it has none.
 std::unique_ptr<LuaController> robot_program(const Scene& scene, const PlacedScene& placed,
@@ -21,4 +22,4 @@ std::unique_ptr<LuaBlockController> block_program(const Scene& scene, const Plac
 /// The experiment's script, if there is one.
 std::optional<LuaScript> script_of(const Scene& scene, const PlacedScene& placed);
 
-}  // namespace stig
+}  // namespace stig::physics

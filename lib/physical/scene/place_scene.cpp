@@ -16,7 +16,7 @@
 #include "base/text.h"
 #include "physical/scene/scene.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -395,4 +395,4 @@ std::optional<PlacedScene> place_scene(const Scene& scene, std::uint64_t seed,
   return placed;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -14,7 +14,7 @@
 
 #include "base/degree.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -93,4 +93,4 @@ std::optional<std::vector<Pose>> read_poses_file(SourceRef source, Diagnostics& 
   return std::nullopt;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

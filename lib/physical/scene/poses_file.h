@@ -7,8 +7,9 @@
 
 #include "base/diagnostic.h"
 #include "base/vec.h"
+#include "physical/scene/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 inline constexpr std::size_t kMostPoses = 20'000;
 
@@ -19,4 +20,4 @@ Quat turned(const Vec3& degrees_zyx);
 /// it names the columns.
 std::optional<std::vector<Pose>> read_poses_file(SourceRef source, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::physics

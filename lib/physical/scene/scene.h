@@ -25,10 +25,11 @@
 #include "physical/dynamics/world_config.h"
 #include "physical/robots/led.h"
 #include "physical/robots/robot_body.h"
+#include "physical/scene/uses.h"
 #include "physical/sensors/sensor_noise.h"
 #include "robots/block.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// How one entry of `blocks` becomes blocks.
 enum class SpawnKind : std::uint8_t { single, column, wall, pyramid, grid, scatter, poses };
@@ -161,4 +162,4 @@ std::optional<PlacedScene> place_scene(const Scene& scene, std::uint64_t seed,
 /// JSON Schema draft 7 of scene files, with a newline at the end.
 std::string scene_schema();
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,7 +6,7 @@
 #include "physical/scene/poses_file.h"
 #include "physical/scene/scene_parts.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -158,4 +158,4 @@ void read_caches(const FormView& root, SceneParts& parts) {
   for (const FormView& entry : root.forms("caches")) read_cache(entry, parts);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,7 +5,7 @@
 
 #include <cassert>
 
-namespace stig {
+namespace stig::physics {
 
 CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t body,
                      const ControllerFactory& controllers) {
@@ -43,4 +43,4 @@ CrewConfig crew_of(const Scene& scene, const PlacedScene& placed,
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -4,8 +4,9 @@
 
 #include "physical/robots/crew.h"
 #include "physical/scene/controller_factory.h"
+#include "physical/scene/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The scene must outlive the crew that is made of it.
 CrewConfig crew_of(const Scene& scene, const PlacedScene& placed,
@@ -14,4 +15,4 @@ CrewConfig crew_of(const Scene& scene, const PlacedScene& placed,
 CrewBlock crew_block(const Scene& scene, const PlacedScene& placed, std::size_t body,
                      const ControllerFactory& controllers);
 
-}  // namespace stig
+}  // namespace stig::physics

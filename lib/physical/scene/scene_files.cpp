@@ -10,7 +10,7 @@
 #include "physical/scene/scene_parts.h"
 #include "robots/robot_reader.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -133,4 +133,4 @@ SceneLoader memory_loader(std::vector<SceneFile> files) {
   };
 }
 
-}  // namespace stig
+}  // namespace stig::physics

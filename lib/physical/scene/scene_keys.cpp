@@ -7,7 +7,7 @@
 #include "physical/dynamics/world_settings.h"
 #include "physical/scene/scene.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -302,4 +302,4 @@ std::string scene_schema() {
                      "What stands where when a physical simulation begins.");
 }
 
-}  // namespace stig
+}  // namespace stig::physics

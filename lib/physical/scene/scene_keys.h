@@ -3,9 +3,10 @@
 #pragma once
 
 #include "base/form.h"
+#include "physical/scene/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 const Form& scene_keys();
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,8 +9,9 @@
 
 #include "base/form.h"
 #include "physical/scene/scene.h"
+#include "physical/scene/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The files that a scene names, each read once; what is wrong with one is said where it is named.
 class NamedFiles {
@@ -52,4 +53,4 @@ void read_caches(const FormView& root, SceneParts& parts);
 void read_robots(const FormView& root, SceneParts& parts);
 void read_noise(const FormView& node, Scene& scene);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -13,7 +13,7 @@
 
 #include "physical/scene/lua_programs.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -127,4 +127,4 @@ void check_programs(const Scene& scene, const PlacedScene& placed, Diagnostics& 
   ProgramCheck(scene, placed, diagnostics).run();
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,8 +5,9 @@
 
 #include "base/diagnostic.h"
 #include "physical/scene/scene.h"
+#include "physical/scene/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Reports, with S610 and S611, programs of robots, of blocks and of the experiment that are no
 /// Lua, fail while they are loaded or in `init`, or define nothing that is called. A program that
@@ -14,4 +15,4 @@ namespace stig {
 /// robots.
 void check_programs(const Scene& scene, const PlacedScene& placed, Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,7 +9,7 @@
 #include "physical/scene/scene_keys.h"
 #include "physical/scene/scene_parts.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -81,4 +81,4 @@ std::optional<Scene> read_scene(SourceRef source, const SceneLoader& load,
   return own.has_errors() ? std::nullopt : std::move(scene);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,7 +5,7 @@
 #include "base/degree.h"
 #include "physical/scene/scene_parts.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -95,4 +95,4 @@ void read_noise(const FormView& node, Scene& scene) {
   scene.range_noise.latency = static_cast<int>(node.number("range_latency"));
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,7 +10,7 @@
 #include "physical/dynamics/world_settings.h"
 #include "physical/scene/scene_parts.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -101,4 +101,4 @@ void check_friction(const FormView& table, const SceneParts& parts) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

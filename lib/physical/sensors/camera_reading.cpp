@@ -13,7 +13,7 @@
 #include "sensing/led_colour.h"
 #include "sensing/tag_pose.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -129,4 +129,4 @@ CameraReading read_camera(const SensorScene& scene, const CameraSight& sight,
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,9 +5,10 @@
 
 #include "physical/sensors/camera_sensor.h"
 #include "physical/sensors/sensor_noise.h"
+#include "physical/sensors/uses.h"
 #include "robots/robot_io.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Ids that false tags have: those of the family tag36h11.
 inline constexpr std::uint64_t kTagIds = 587;
@@ -18,4 +19,4 @@ CameraReading read_camera(const SensorScene& scene, const CameraSight& sight,
                           const CameraView& view, const CameraNoise& noise,
                           const NoiseAddress& address);
 
-}  // namespace stig
+}  // namespace stig::physics

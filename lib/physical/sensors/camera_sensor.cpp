@@ -10,7 +10,7 @@
 #include "physical/sensors/line_of_sight.h"
 #include "sensing/tag_pose.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -109,4 +109,4 @@ CameraSight look(const SensorIndex& index, const CameraView& view, const Pose& X
   return sight;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

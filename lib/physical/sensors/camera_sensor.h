@@ -15,9 +15,10 @@
 #include <vector>
 
 #include "physical/sensors/sensor_scene.h"
+#include "physical/sensors/uses.h"
 #include "sensing/camera_view.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct SeenTag {
   std::uint32_t body = 0;  ///< place in SensorScene::marked
@@ -39,4 +40,4 @@ struct CameraSight {
 /// The camera's frame at X_WC has z ahead, x right and y down.
 CameraSight look(const SensorIndex& index, const CameraView& view, const Pose& X_WC);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -121,4 +121,4 @@ bool LinesOfSight::hidden(const Vec3& p_W, std::uint32_t owner) const {
   return false;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -12,9 +12,10 @@
 #include <vector>
 
 #include "physical/sensors/sensor_scene.h"
+#include "physical/sensors/uses.h"
 #include "sensing/camera_view.h"
 
-namespace stig {
+namespace stig::physics {
 
 class LinesOfSight {
  public:
@@ -58,4 +59,4 @@ class LinesOfSight {
 /// About the camera's frustum, world frame.
 Bounds frustum_bounds(const CameraView& view, const Pose& X_WC);
 
-}  // namespace stig
+}  // namespace stig::physics

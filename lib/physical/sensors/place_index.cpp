@@ -9,7 +9,7 @@
 #include <cmath>
 #include <tuple>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -105,4 +105,4 @@ void PlaceIndex::find(const Bounds& where, std::vector<std::uint32_t>& found) co
   found.erase(std::unique(found.begin(), found.end()), found.end());
 }
 
-}  // namespace stig
+}  // namespace stig::physics

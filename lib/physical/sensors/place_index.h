@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "physical/collision/broad_phase.h"
+#include "physical/sensors/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// About a box of half edges `half` at a pose.
 Bounds bounds_of(const Pose& X_WS, const Vec3& half);
@@ -41,4 +42,4 @@ class PlaceIndex {
   std::vector<std::uint32_t> large_;  ///< in so many cells that they are asked each time
 };
 
-}  // namespace stig
+}  // namespace stig::physics

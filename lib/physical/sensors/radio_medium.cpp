@@ -8,7 +8,7 @@
 
 #include "physical/sensors/place_index.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -48,4 +48,4 @@ std::vector<std::vector<Message>> carry(const std::vector<Radio>& radios,
   return heard;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,9 +8,10 @@
 
 #include <vector>
 
+#include "physical/sensors/uses.h"
 #include "robots/robot_io.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Radio {
   Vec3 p_W;
@@ -22,4 +23,4 @@ struct Radio {
 std::vector<std::vector<Message>> carry(const std::vector<Radio>& radios,
                                         const std::vector<std::vector<Message>>& sends);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,7 +9,7 @@
 
 #include "sensing/gaussian.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -76,4 +76,4 @@ double read_range(const SensorIndex& index, const RangeDevice& device, const Pos
   return calibrated(device, distance);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,9 +7,10 @@
 
 #include "physical/sensors/sensor_noise.h"
 #include "physical/sensors/sensor_scene.h"
+#include "physical/sensors/uses.h"
 #include "robots/robot_model.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Metres to the nearest body that is not the owner's, or the floor; 0 when the ray starts inside
 /// one. Nothing within `range`: nothing. `direction_W` is unit.
@@ -25,4 +26,4 @@ double calibrated(const RangeDevice& device, std::optional<double> distance);
 double read_range(const SensorIndex& index, const RangeDevice& device, const Pose& X_WB,
                   std::uint32_t owner, const RangeNoise& noise, const NoiseAddress& address);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "physical/sensors/sensor_noise.h"
 
-namespace stig {
+namespace stig::physics {
 
 Random noise_stream(const NoiseAddress& address) {
   return {address.seed, address.device, Purpose::sense, address.robot, address.tick};
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,8 +9,9 @@
 #include <utility>
 
 #include "base/random.h"
+#include "physical/sensors/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct CameraNoise {
   double pixel = 0;        ///< px, standard deviation of each coordinate of a corner or an LED
@@ -52,4 +53,4 @@ struct Late {
   }
 };
 
-}  // namespace stig
+}  // namespace stig::physics

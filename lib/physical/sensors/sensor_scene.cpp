@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -84,4 +84,4 @@ SensorIndex::SensorIndex(const SensorScene& scene_now)
   for (const SightObstacle& o : scene.obstacles) axes.push_back(matrix(o.X_WS.q));
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -15,8 +15,9 @@
 #include "base/vec.h"
 #include "physical/sensors/place_index.h"
 #include "physical/sensors/sight_shape.h"
+#include "physical/sensors/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// A square tag; its frame as in sensing/tag_pose.h.
 struct TagMark {
@@ -83,4 +84,4 @@ struct SensorIndex {
   PlaceIndex obstacles, marked;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

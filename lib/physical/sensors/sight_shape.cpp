@@ -8,7 +8,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -121,4 +121,4 @@ std::optional<RayCut> cut(const SightShape& shape, const Vec3& origin, const Vec
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

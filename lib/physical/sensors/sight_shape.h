@@ -8,9 +8,10 @@
 
 #include "base/vec.h"
 #include "physical/collision/contact.h"
+#include "physical/sensors/uses.h"
 #include "robots/robot_model.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The points p with normal · p <= offset.
 struct HalfSpace {
@@ -46,4 +47,4 @@ struct RayCut {
 /// cut too. Nothing when they do not meet, or the direction is 0.
 std::optional<RayCut> cut(const SightShape& shape, const Vec3& origin, const Vec3& direction);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,7 +8,7 @@
 
 #include "physical/simulation/run_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -69,4 +69,4 @@ bool BlockSupply::accept(const RunState& run) const {
   return all == run.world.size();
 }
 
-}  // namespace stig
+}  // namespace stig::physics

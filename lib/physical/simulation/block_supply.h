@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct CacheSpawn;
 struct Scene;
@@ -30,4 +31,4 @@ class BlockSupply final : public SavedPart<BlockSupply> {
   std::vector<std::size_t> dropped_;  ///< by each cache, and by the script
 };
 
-}  // namespace stig
+}  // namespace stig::physics

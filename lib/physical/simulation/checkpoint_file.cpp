@@ -6,7 +6,7 @@
 #include "base/byte_members.h"
 #include "base/packed.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -47,4 +47,4 @@ std::optional<Checkpoint> read_checkpoint_file(std::string_view bytes, std::stri
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

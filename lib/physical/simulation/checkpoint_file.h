@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "physical/scene/scene.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Checkpoint {
   std::vector<SceneFile> files;
@@ -21,4 +22,4 @@ std::string checkpoint_bytes(const Checkpoint& checkpoint);
 /// Nothing when the bytes are damaged or something else; `problem` says what.
 std::optional<Checkpoint> read_checkpoint_file(std::string_view bytes, std::string& problem);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,7 +6,7 @@
 
 #include "physical/simulation/run_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 void EventTally::after_step(RunState& run) {
   for (const WorldEvent& event : run.world.events()) count(event);
@@ -42,4 +42,4 @@ bool EventTally::accept(const RunState& run) const {
                      [&](std::uint32_t body) { return body < run.world.size(); });
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct RunTally {
   std::uint64_t contacts = 0, slept = 0, woke = 0, snapped = 0, let_go = 0;
@@ -34,4 +35,4 @@ class EventTally final : public SavedPart<EventTally> {
   RunTally tally_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,7 +7,7 @@
 
 #include "physical/simulation/run_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -34,4 +34,4 @@ bool ForcePushes::accept(const RunState& run) const {
   });
 }
 
-}  // namespace stig
+}  // namespace stig::physics

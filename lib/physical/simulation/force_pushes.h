@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 class ForcePushes final : public SavedPart<ForcePushes> {
  public:
@@ -33,4 +34,4 @@ class ForcePushes final : public SavedPart<ForcePushes> {
   std::vector<Push> pushes_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -2,7 +2,7 @@
 // The other files are found by the names that the scene calls them by, in memory alone.
 #include "physical/simulation/loaded_scene.h"
 
-namespace stig {
+namespace stig::physics {
 
 std::optional<LoadedScene> load_scene(const std::vector<SceneFile>& files, std::uint64_t seed,
                                       Diagnostics& diagnostics) {
@@ -18,4 +18,4 @@ std::optional<LoadedScene> load_scene(const std::vector<SceneFile>& files, std::
   return LoadedScene{std::move(*scene), std::move(*placed)};
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "physical/scene/scene.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct LoadedScene {
   Scene scene;
@@ -18,4 +19,4 @@ struct LoadedScene {
 std::optional<LoadedScene> load_scene(const std::vector<SceneFile>& files, std::uint64_t seed,
                                       Diagnostics& diagnostics);
 
-}  // namespace stig
+}  // namespace stig::physics

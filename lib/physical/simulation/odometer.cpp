@@ -5,7 +5,7 @@
 
 #include "physical/simulation/run_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 Odometer::Odometer(const Scene& scene) {
   for (const RobotSpawn& robot : scene.robots) robots_.push_back({0, robot.X_WR.p});
@@ -21,4 +21,4 @@ void Odometer::before_step(RunState& run, const RunHooks& /*hooks*/) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct Scene;
 
@@ -35,4 +36,4 @@ class Odometer final : public SavedPart<Odometer> {
   std::vector<Way> robots_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,7 +9,7 @@
 #include "physical/scene/scene_crew.h"
 #include "physical/simulation/run_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -101,4 +101,4 @@ std::array<int, 6> faces_of(const RunState& run, std::size_t body) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

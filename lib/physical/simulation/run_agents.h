@@ -6,8 +6,9 @@
 #include <optional>
 
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct ControllerFactory;
 struct PlacedScene;
@@ -38,4 +39,4 @@ Led led_of(const RunState& run, std::size_t body);
 /// Likewise of each face, in the order of its radios.
 std::array<int, 6> faces_of(const RunState& run, std::size_t body);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -19,8 +19,9 @@
 
 #include "base/byte_members.h"
 #include "physical/robots/crew.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct RunState;
 
@@ -53,4 +54,4 @@ class SavedPart : public RunPart {
   }
 };
 
-}  // namespace stig
+}  // namespace stig::physics

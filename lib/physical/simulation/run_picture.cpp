@@ -4,7 +4,7 @@
 
 #include "physical/render/show_json.h"
 
-namespace stig {
+namespace stig::physics {
 
 std::vector<PictureBody> picture_bodies(const Simulation& run) {
   std::vector<PictureBody> out;
@@ -30,4 +30,4 @@ std::vector<PictureLine> picture_lines(const Simulation& run) {
   return out;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

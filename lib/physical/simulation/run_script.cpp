@@ -9,7 +9,7 @@
 #include "physical/simulation/scene_script.h"
 #include "physical/simulation/script_record.h"
 
-namespace stig {
+namespace stig::physics {
 
 RunScript::RunScript(const Scene& scene, const PlacedScene& placed)
     : script_(script_of(scene, placed)) {}
@@ -76,4 +76,4 @@ bool RunScript::replay(ByteReader& in, RunState& run) {
   return answers.good() && answers.left() == 0 && failed_ == failed;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -9,8 +9,9 @@
 #include "lua/lua_script.h"
 #include "physical/robots/reading_history.h"
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct PlacedScene;
 struct Scene;
@@ -43,4 +44,4 @@ class RunScript final : public SavedPart<RunScript> {
   std::map<std::string, double> measures_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,7 +6,7 @@
 #include "base/hash.h"
 #include "physical/dynamics/ticks.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -37,4 +37,4 @@ std::uint64_t hash_of(const RunState& run) {
   return combine(run.world.hash(), hash_text(crew->state()));
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -13,8 +13,9 @@
 #include "physical/simulation/run_agents.h"
 #include "physical/simulation/run_script.h"
 #include "physical/simulation/trace_recorder.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct RunState {
   /// The scene must outlive it.
@@ -43,4 +44,4 @@ bool looks_now(const RunState& run);
 /// A hash of the world's state, and of robots and blocks with programs.
 std::uint64_t hash_of(const RunState& run);
 
-}  // namespace stig
+}  // namespace stig::physics

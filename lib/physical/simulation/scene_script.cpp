@@ -8,7 +8,7 @@
 #include "physical/dynamics/ticks.h"
 #include "physical/readout/lattice_reading.h"
 
-namespace stig {
+namespace stig::physics {
 
 // Blocks are numbered among themselves, robots by the scene.
 SceneScript::SceneScript(RunState& run) : run_(run) {
@@ -151,4 +151,4 @@ void SceneScript::measure(std::string name, double value) {
   run_.script.measure(std::move(name), value);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -4,8 +4,9 @@
 
 #include "lua/lua_script.h"
 #include "physical/simulation/run_state.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// For one call of the script: blocks' numbers and lattices are read when first asked for.
 class SceneScript final : public ScriptWorld {
@@ -37,4 +38,4 @@ class SceneScript final : public ScriptWorld {
   mutable std::optional<std::vector<ScriptBlock>> read_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

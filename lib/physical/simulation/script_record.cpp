@@ -5,7 +5,7 @@
 
 #include "base/byte_members.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -109,4 +109,4 @@ std::optional<std::size_t> ReplayedWorld::drop(const Pose& /*X_WB*/, std::string
   return dropped.place;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,8 +7,9 @@
 
 #include "base/bytes.h"
 #include "lua/lua_script.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Passes everything on to the world, and appends its answers to `record`.
 class RecordedWorld final : public ScriptWorld {
@@ -69,4 +70,4 @@ class ReplayedWorld final : public ScriptWorld {
   ByteReader& in_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -12,7 +12,7 @@
 #include <cassert>
 #include <cmath>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -100,4 +100,4 @@ bool Simulation::resume(std::string_view state) {
   return true;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -17,8 +17,9 @@
 #include <string_view>
 
 #include "physical/simulation/run_state.h"
+#include "physical/simulation/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 class Simulation {
  public:
@@ -71,4 +72,4 @@ class Simulation {
   RunState run_;
 };
 
-}  // namespace stig
+}  // namespace stig::physics

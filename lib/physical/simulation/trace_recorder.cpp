@@ -9,7 +9,7 @@
 #include "physical/render/show_json.h"
 #include "physical/simulation/run_state.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -125,4 +125,4 @@ void TraceRecorder::finish(const RunState& run, RunEnd end) {
   writer_ = nullptr;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

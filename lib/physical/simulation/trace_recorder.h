@@ -3,9 +3,10 @@
 #pragma once
 
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 #include "physical/trace/pose_trace.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct PlacedScene;
 struct Scene;
@@ -35,4 +36,4 @@ class TraceRecorder final : public RunPart {
   std::uint64_t framed_ = UINT64_MAX;  ///< tick of the last frame written
 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -8,7 +8,7 @@
 
 #include "physical/simulation/simulation.h"
 
-namespace stig {
+namespace stig::physics {
 
 TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
                              const RunHooks& hooks, const ControllerFactory& controllers) {
@@ -44,4 +44,4 @@ TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
   return report;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

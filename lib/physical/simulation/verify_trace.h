@@ -8,9 +8,10 @@
 #include "physical/scene/controller_factory.h"
 #include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/run_part.h"
+#include "physical/simulation/uses.h"
 #include "physical/trace/pose_trace.h"
 
-namespace stig {
+namespace stig::physics {
 
 struct TraceComparison {
   bool identical = false;
@@ -24,4 +25,4 @@ TraceComparison verify_trace(const PoseTrace& trace, const LoadedScene& loaded,
                              const RunHooks& hooks,
                              const ControllerFactory& controllers = lua_controllers());
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,7 +7,7 @@
 #include <cassert>
 #include <utility>
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -49,7 +49,7 @@ class MechanismMotion {
     const double speed = product(numbers_ + hold.at + direction * hold.reach.width(), hold);
     // 0 + keeps the sum as the general code has it, also for -0.
     if constexpr (!kLoose) return 0 + speed;
-    return 0 + stig::product(point.loose[0].j[direction], loose_) + speed;
+    return 0 + physics::product(point.loose[0].j[direction], loose_) + speed;
   }
   void push(const RowPoint& point, std::size_t direction, double impulse) {
     if constexpr (kLoose) add(point.loose[0], direction, impulse, loose_);
@@ -108,4 +108,4 @@ RunCode mechanism_code(std::uint32_t dofs, bool on_loose) {
   return (on_loose ? kOnLoose : kOnFixed)[dofs - kLeastWrittenOutDofs];
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -7,7 +7,7 @@
 
 #include "physical/solver/row_runs.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// From a floating body alone to this number of them, each is compiled for itself.
 inline constexpr std::uint32_t kMostWrittenOutDofs = 20;
@@ -15,4 +15,4 @@ inline constexpr std::uint32_t kMostWrittenOutDofs = 20;
 /// The code for runs of points of one mechanism, against what stands or against a free body.
 RunCode mechanism_code(std::uint32_t dofs, bool on_loose);
 
-}  // namespace stig
+}  // namespace stig::physics

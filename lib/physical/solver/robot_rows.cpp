@@ -7,7 +7,7 @@
 #include "physical/solver/mechanism_rows.h"
 #include "physical/solver/row_runs.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -149,4 +149,4 @@ void follow_run_gaps(std::span<RowPoint> run, const double* numbers, double dt) 
   code_of(run[0]).follow_gaps(run, numbers, dt);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

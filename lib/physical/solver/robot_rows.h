@@ -10,7 +10,7 @@
 
 #include "physical/solver/solver_rows.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Degrees of freedom of such a robot: a floating body, four wheels and a lift.
 inline constexpr std::uint32_t kRobotDofs = 11;
@@ -23,4 +23,4 @@ void apply_last_run(std::span<const RowPoint> run, const double* numbers);
 double relax_run(std::span<RowPoint> run, const double* numbers, double inverse_dt);
 void follow_run_gaps(std::span<RowPoint> run, const double* numbers, double dt);
 
-}  // namespace stig
+}  // namespace stig::physics

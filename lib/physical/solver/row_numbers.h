@@ -11,7 +11,7 @@
 
 #include "physical/solver/solver_rows.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Two numbers at once, as every processor of this width computes them.
 using Two = double __attribute__((vector_size(16)));
@@ -96,4 +96,4 @@ inline bool carries_nothing(const RowPoint& point) {
   return point.push == 0 && point.slide[0] == 0 && point.slide[1] == 0;
 }
 
-}  // namespace stig
+}  // namespace stig::physics

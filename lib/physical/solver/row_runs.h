@@ -10,7 +10,7 @@
 
 #include "physical/solver/row_numbers.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// A free body's velocity and spin, along each axis.
 struct LooseMotion {
@@ -93,4 +93,4 @@ constexpr RunCode run_code() {
   return {&relax_points<Motion>, &apply_last_points<Motion>, &follow_point_gaps<Motion>};
 }
 
-}  // namespace stig
+}  // namespace stig::physics

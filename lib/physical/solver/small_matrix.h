@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace stig {
+namespace stig::physics {
 
 /// The inverse of a positive definite matrix of which the lower half is given, in place; the same
 /// by rows and by columns. Innermost are sums of different numbers, which need not wait for each
@@ -68,4 +68,4 @@ inline void solve_linear(std::vector<double>& m, std::vector<double>& b) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,7 +10,7 @@
 
 #include "physical/solver/solver_rows.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -293,4 +293,4 @@ void solve(SolverTask& task) {
   keep_row_impulses(rows, task);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -28,7 +28,7 @@
 
 #include "physical/collision/contact.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The other side of a contact with the floor.
 inline constexpr std::uint32_t kFloorBody = 0xffffffff;
@@ -118,4 +118,4 @@ struct SolverTask {
 /// Changes velocities so that contacts, motors and stops hold; impulses stay in the task.
 void solve(SolverTask& task);
 
-}  // namespace stig
+}  // namespace stig::physics

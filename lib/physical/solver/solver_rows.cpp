@@ -12,7 +12,7 @@
 #include "physical/solver/robot_rows.h"
 #include "physical/solver/row_numbers.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -226,4 +226,4 @@ void keep_row_impulses(const Rows& rows, SolverTask& task) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -13,7 +13,7 @@
 
 #include "physical/solver/solver.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// The three directions at a point: the normal, and tangents of which the first lies along the
 /// axle.
@@ -112,4 +112,4 @@ double least_shift(double gap, double dt);
 /// Part of an overlap undone in a step.
 inline constexpr double kOverlapCorrection = 0.1;
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -10,7 +10,7 @@
 #include "physical/solver/robot_rows.h"
 #include "physical/solver/row_numbers.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -254,4 +254,4 @@ void make_rows(SolverTask& task, Rows& rows) {
   }
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -5,10 +5,11 @@
 #include <functional>
 
 #include "physical/trace/pose_trace.h"
+#include "physical/trace/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 /// Calls `visit` for each frame of a trace that was read, in the order of their ticks.
 void for_each_frame(const PoseTrace& trace, const std::function<void(const TraceFrame&)>& visit);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -34,8 +34,9 @@
 #include "base/diagnostic.h"
 #include "physical/dynamics/world.h"
 #include "physical/scene/scene.h"
+#include "physical/trace/uses.h"
 
-namespace stig {
+namespace stig::physics {
 
 inline constexpr std::string_view kPoseTraceMagic = "stigpos1";
 inline constexpr std::size_t kFramesPerChunk = 250;
@@ -163,4 +164,4 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick);
 /// run as if it had never stopped.
 void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer);
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -6,7 +6,9 @@
 #include <cstdint>
 #include <string_view>
 
-namespace stig {
+#include "physical/trace/uses.h"
+
+namespace stig::physics {
 
 inline constexpr std::string_view kTrailerMagic = "stigpend";
 inline constexpr char kHeaderTag = 'H', kChunkTag = 'C', kEndTag = 'E';
@@ -20,4 +22,4 @@ inline constexpr std::array<std::string_view, 4> kShapeNames = {"box", "sphere",
 /// A body in a frame: which differences follow, and its state.
 enum TraceFlags : std::uint8_t { kMoved = 1, kTurned = 2, kAwake = 4, kLeft = 8 };
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -14,7 +14,7 @@
 #include "physical/trace/pose_trace.h"
 #include "physical/trace/pose_trace_format.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -403,4 +403,4 @@ void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& 
   for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);
 }
 
-}  // namespace stig
+}  // namespace stig::physics

@@ -13,7 +13,7 @@
 #include "physical/trace/pose_trace.h"
 #include "physical/trace/pose_trace_format.h"
 
-namespace stig {
+namespace stig::physics {
 
 namespace {
 
@@ -226,4 +226,4 @@ void PoseTraceWriter::finish(const TraceEnd& end) {
   sink_(trailer + std::string(kTrailerMagic));
 }
 
-}  // namespace stig
+}  // namespace stig::physics

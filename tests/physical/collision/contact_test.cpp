@@ -9,6 +9,7 @@
 
 #include "physical/touch_oracle.h"
 #include "support/draws.h"
+#include "support/uses.h"
 
 using namespace stig;
 

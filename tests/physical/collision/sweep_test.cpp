@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Fast bodies, and bodies that pass each other closely.
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bodies that come into a world that runs.
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

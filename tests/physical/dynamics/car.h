@@ -4,6 +4,7 @@
 #pragma once
 
 #include "physical/support.h"
+#include "support/uses.h"
 
 namespace stig {
 

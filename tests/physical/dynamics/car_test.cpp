@@ -2,6 +2,7 @@
 // A robot on four wheels with a lift: driving, turning, resting, lifting.
 
 #include "physical/dynamics/car.h"
+#include "support/uses.h"
 
 #include <cmath>
 

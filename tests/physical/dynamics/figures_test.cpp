@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

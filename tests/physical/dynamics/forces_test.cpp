@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Forces that users add, and damping.
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

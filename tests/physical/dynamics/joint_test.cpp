@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -3,6 +3,7 @@
 #include <rapidcheck.h>
 
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -9,6 +9,7 @@
 #include <dart/simulation/World.hpp>
 
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

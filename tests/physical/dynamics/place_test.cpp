@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Bodies that a hand puts elsewhere while the world runs.
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -10,6 +10,7 @@
 #include "physical/touch_oracle.h"
 #include "physical/trace/pose_trace.h"
 #include "support/draws.h"
+#include "support/uses.h"
 
 using namespace stig;
 

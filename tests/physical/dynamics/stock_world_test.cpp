@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -4,6 +4,7 @@
 
 #include "physical/support.h"
 #include "support/draws.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

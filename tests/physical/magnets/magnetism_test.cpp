@@ -9,6 +9,7 @@
 
 #include "robots/block.h"
 #include "support/draws.h"
+#include "support/uses.h"
 
 using namespace stig;
 

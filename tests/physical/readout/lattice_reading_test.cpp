@@ -6,6 +6,7 @@
 #include <set>
 
 #include "physical/readout/lattice_reading.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

@@ -3,6 +3,7 @@
 #include "physical/render/scene_picture.h"
 #include "physical/render/solid_faces.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -19,6 +19,7 @@ extern "C" {
 #include "physical/sensors/sensor_support.h"
 #include "sensing/led_colour.h"
 #include "sensing/tag_pose.h"
+#include "support/uses.h"
 
 using namespace stig;
 

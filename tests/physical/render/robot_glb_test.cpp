@@ -6,6 +6,7 @@
 
 #include "physical/render/robot_picture.h"
 #include "robots/robot_reader.h"
+#include "support/uses.h"
 
 namespace stig {
 namespace {

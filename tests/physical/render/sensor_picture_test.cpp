@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "physical/sensors/sensor_support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "physical/robots/crew_support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

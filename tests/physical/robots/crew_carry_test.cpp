@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "physical/robots/crew_support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -4,6 +4,7 @@
 
 #include "physical/robots/crew_support.h"
 #include "physical/sensors/range_sensor.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -7,6 +7,7 @@
 #include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/simulation.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -10,6 +10,7 @@
 
 #include "physical/render/show_json.h"
 #include "physical/robots/crew_support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "robots/robot_reader.h"
+#include "support/uses.h"
 
 using namespace stig;
 

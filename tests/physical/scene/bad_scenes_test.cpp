@@ -12,6 +12,7 @@
 
 #include "physical/scene/scene_programs.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/file_io.h"
+#include "support/uses.h"
 
 namespace stig {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "physical/robots/crew_support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

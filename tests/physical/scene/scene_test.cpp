@@ -10,6 +10,7 @@
 
 #include "physical/scene/poses_file.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

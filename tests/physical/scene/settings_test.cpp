@@ -12,6 +12,7 @@
 #include "physical/scene/block_text.h"
 #include "physical/scene/scene.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -8,6 +8,7 @@
 
 #include "physical/sensors/sensor_support.h"
 #include "sensing/led_colour.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -8,6 +8,7 @@
 #include "physical/sensors/sensor_support.h"
 #include "sensing/tag_pose.h"
 #include "support/draws.h"
+#include "support/uses.h"
 
 using namespace stig;
 

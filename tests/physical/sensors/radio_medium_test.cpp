@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "physical/sensors/radio_medium.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -9,6 +9,7 @@
 #include "physical/sensors/camera_reading.h"
 #include "physical/sensors/sensor_scene.h"
 #include "sensing/camera_view.h"
+#include "support/uses.h"
 
 namespace stig {
 

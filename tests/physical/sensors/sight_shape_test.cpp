@@ -7,6 +7,7 @@
 #include <array>
 
 #include "support/draws.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -5,6 +5,7 @@
 
 #include "physical/robots/crew_support.h"
 #include "physical/simulation/verify_trace.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -3,6 +3,7 @@
 #include "physical/simulation/run_part.h"
 
 #include "physical/robots/crew_support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

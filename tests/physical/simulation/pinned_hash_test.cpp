@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "physical/simulation/simulation.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -6,6 +6,7 @@
 #include "physical/simulation/loaded_scene.h"
 #include "physical/simulation/verify_trace.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

@@ -2,6 +2,7 @@
 // Points of a mechanism are gone through with its velocities at hand, whatever the number of its
 // degrees of freedom, and come out to the bit as each by itself.
 #include "physical/solver/solver_rows.h"
+#include "support/uses.h"
 
 #include <doctest/doctest.h>
 

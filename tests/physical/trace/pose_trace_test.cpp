@@ -6,6 +6,7 @@
 #include "base/random.h"
 #include "physical/simulation/simulation.h"
 #include "physical/support.h"
+#include "support/uses.h"
 
 using namespace stig;
 

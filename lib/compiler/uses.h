@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The layers whose names this one speaks of unqualified: those that its CMakeLists.txt says it
+// uses.
+#pragma once
+
+namespace stig::rules {}
+namespace stig::lattice {}
+namespace stig::certify {}
+namespace stig::verify {}
+namespace stig::sensing {}
+namespace stig::robots {}
+
+namespace stig::compiler {
+using namespace rules;
+using namespace lattice;
+using namespace certify;
+using namespace verify;
+using namespace sensing;
+using namespace robots;
+}  // namespace stig::compiler

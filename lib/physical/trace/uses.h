@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// The layers whose names this one speaks of unqualified: those that its CMakeLists.txt says it
+// uses.
+#pragma once
+
+namespace stig::sensing {}
+namespace stig::robots {}
+namespace stig::lua {}
+
+namespace stig::physics {
+using namespace sensing;
+using namespace robots;
+using namespace lua;
+}  // namespace stig::physics
