@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The layers whose names this one speaks of unqualified: those that its CMakeLists.txt says it
-// uses.
+// The layers whose names this one speaks of unqualified: those that it uses, and those that
+// these use.
 #pragma once
 
 namespace stig::rules {}

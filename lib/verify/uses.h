@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The layers whose names this one speaks of unqualified: those that its CMakeLists.txt says it
-// uses.
+// The layers whose names this one speaks of unqualified: those that it uses, and those that
+// these use.
 #pragma once
 
-namespace stig::rules {}
-namespace stig::lattice {}
-namespace stig::certify {}
+#include "certify/uses.h"
+#include "lattice/uses.h"
 
 namespace stig::verify {
-using namespace rules;
-using namespace lattice;
 using namespace certify;
+using namespace lattice;
 }  // namespace stig::verify

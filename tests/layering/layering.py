@@ -14,7 +14,7 @@ layer's name is its folder's path: physical/solver. Checked, each with path:line
   - vendor headers stand in .cpp files, of layers that name the vendor; yaml-cpp and
     CLI11, which cost much to compile, in one file each;
   - a file of lib/ opens its layer's namespace, if any, and a layer's uses.h makes visible the
-    namespaces of the layers that it uses, and of no others;
+    namespaces of the layers that it uses, directly or through others, and of no others;
   - no two headers of lib/ define a type of one name: tests and programs speak of all layers
     unqualified;
   - each source begins with its SPDX line.
@@ -163,6 +163,17 @@ OPENS = re.compile(r"^namespace stig(?:::(\w+))?(?:::\w+)? \{$", re.MULTILINE)
 MAKES_VISIBLE = re.compile(r"^using namespace (\w+);$", re.MULTILINE)
 
 
+def made_visible(tree, path):
+    """The namespaces of the directives in a uses.h and in those that it includes. An include of
+    what is no file is check_own_include's to report."""
+    found = set(MAKES_VISIBLE.findall(path.read_text(encoding="utf-8")))
+    for _, name, quoted in includes_of(path):
+        other = tree.root / "lib" / name
+        if quoted and other.name == "uses.h" and other != path and other.is_file():
+            found |= made_visible(tree, other)
+    return found
+
+
 def check_namespaces(tree):
     for path in sources(tree.root, ["lib"], {".h", ".cpp"}):
         here = layer_of(tree, path)
@@ -171,14 +182,13 @@ def check_namespaces(tree):
         text, own = path.read_text(encoding="utf-8"), space_of(here)
         opened = {match[1] or "" for match in OPENS.finditer(text)}
         # A header that adds to the namespace of a lower layer, for lookup by argument, opens both.
-        if opened and own not in opened and opened != {""}:
+        if opened and own not in opened:
             tree.report(path, 1, f"layer '{here}' is namespace stig::{own}".removesuffix("::"))
         if path.name == "uses.h":
             wanted = {space_of(layer) for layer in reach(tree.layers, here)} - {"", own}
-            found = set(MAKES_VISIBLE.findall(text))
-            for name in sorted(wanted ^ found):
-                tree.report(path, 1, f"'using namespace {name};' is " +
-                            ("missing" if name in wanted else "of no layer that this one uses"))
+            for name in sorted(wanted ^ (made_visible(tree, path) - {own})):
+                tree.report(path, 1, f"namespace stig::{name} is " +
+                            ("not made visible" if name in wanted else "of no layer that this one uses"))
 
 
 def check_graph(tree):

@@ -44,14 +44,29 @@ class LayeringTest(unittest.TestCase):
         self.assertEqual([], check({"lib/rules/a.h": inside.format("rules")}))
         self.expect(check({"lib/lattice/a.h": inside.format("rules")}),
                     "lib/lattice/a.h", 1, "layer 'lattice' is namespace stig::lattice")
+        bare = "namespace stig {\n}  // namespace stig\n"
+        self.expect(check({"lib/lattice/a.h": bare}),
+                    "lib/lattice/a.h", 1, "layer 'lattice' is namespace stig::lattice")
+        self.assertEqual([], check({"lib/base/a.h": bare,
+                                    "lib/rules/a.h": bare + inside.format("rules")}))
 
     def test_uses_as_the_graph_has_them(self):
         uses = "namespace stig::lattice {{\n{}}}  // namespace stig::lattice\n"
         self.assertEqual([], check({"lib/lattice/uses.h": uses.format("using namespace rules;\n")}))
         self.expect(check({"lib/lattice/uses.h": uses.format("")}), "lib/lattice/uses.h", 1,
-                    "'using namespace rules;' is missing")
+                    "namespace stig::rules is not made visible")
         self.expect(check({"lib/rules/uses.h": "using namespace lattice;\n"}),
                     "lib/rules/uses.h", 1, "is of no layer that this one uses")
+
+    def test_uses_through_those_of_others(self):
+        graph = "base | | | \nlow | base | | \nmiddle | low | | \nhigh | middle | | \n"
+        files = {"lib/middle/uses.h": "namespace stig::middle {\nusing namespace low;\n}\n",
+                 "lib/high/uses.h": '#include "middle/uses.h"\n'
+                                    "namespace stig::high {\nusing namespace middle;\n}\n"}
+        self.assertEqual([], check(files, graph))
+        files["lib/middle/uses.h"] = "namespace stig::middle {\n}\n"
+        self.assertEqual(["lib/high/uses.h", "lib/middle/uses.h"],
+                         [path for path, _, _ in check(files, graph)])
 
     def test_upward_include(self):
         problems = check({"lib/rules/a.h": "",

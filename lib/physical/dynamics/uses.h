@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The layers whose names this one speaks of unqualified: those that its CMakeLists.txt says it
-// uses.
+// The layers whose names this one speaks of unqualified: those that it uses, and those that
+// these use.
 #pragma once
 
-namespace stig::sensing {}
-namespace stig::robots {}
+#include "robots/uses.h"
 
 namespace stig::physics {
-using namespace sensing;
 using namespace robots;
 }  // namespace stig::physics

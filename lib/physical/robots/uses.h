@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The layers whose names this one speaks of unqualified: those that its CMakeLists.txt says it
-// uses.
+// The layers whose names this one speaks of unqualified: those that it uses, and those that
+// these use.
 #pragma once
 
-namespace stig::sensing {}
-namespace stig::robots {}
-
-namespace stig::physics {
-using namespace sensing;
-using namespace robots;
-}  // namespace stig::physics
+#include "physical/dynamics/uses.h"
+#include "physical/sensors/uses.h"

@@ -1,14 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The layers whose names this one speaks of unqualified: those that its CMakeLists.txt says it
-// uses.
+// The layers whose names this one speaks of unqualified: those that it uses, and those that
+// these use.
 #pragma once
 
-namespace stig::sensing {}
-namespace stig::robots {}
-namespace stig::lua {}
-
-namespace stig::physics {
-using namespace sensing;
-using namespace robots;
-using namespace lua;
-}  // namespace stig::physics
+#include "physical/render/uses.h"
+#include "physical/trace/uses.h"
