@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assembly/span.h"
 #include "base/hash.h"
 #include "compiler/compile.h"
 
@@ -18,13 +19,7 @@ constexpr int kAlong = 100, kLevels = 1, kSteps = 150;
 
 /// How many bricks a target is wide along x, or y.
 int width_of(const TargetBricks& target, bool along_x) {
-  const auto at = [&](std::uint32_t i) { return along_x ? target.cell(i).x : target.cell(i).y; };
-  int low = at(0), high = at(0);
-  for (std::uint32_t i = 0; i < target.bricks(); ++i) {
-    low = std::min(low, at(i));
-    high = std::max(high, at(i));
-  }
-  return high - low + 1;
+  return span_of(target, along_x ? &Cell::x : &Cell::y).width();
 }
 
 /// Can a spine of so many bricks across count this far to both ends? What comes next follows from

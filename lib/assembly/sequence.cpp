@@ -8,6 +8,7 @@
 #include <set>
 
 #include "assembly/last_brick.h"
+#include "assembly/span.h"
 #include "base/hash.h"
 
 namespace stig::assembly {
@@ -16,22 +17,6 @@ namespace {
 
 /// Outweighs the other terms of a score, so that rows decide first.
 constexpr std::int64_t kSpine = 100'000;
-
-/// The range of one coordinate over all bricks.
-struct Span {
-  int low = 0, high = 0;
-  /// Twice the distance from the middle.
-  int from_middle(int at) const { return std::abs(2 * at - low - high); }
-};
-
-Span span_of(const TargetBricks& target, std::int32_t Cell::*coordinate) {
-  Span out{target.cell(0).*coordinate, target.cell(0).*coordinate};
-  for (std::size_t i = 0; i < target.bricks(); ++i) {
-    out.low = std::min(out.low, target.cell(i).*coordinate);
-    out.high = std::max(out.high, target.cell(i).*coordinate);
-  }
-  return out;
-}
 
 std::int32_t across_spine(const Liking& liking, Cell cell) {
   return liking.spine == Liking::Spine::along_x ? cell.y : cell.x;

@@ -2,10 +2,11 @@
 #include "assembly/texture.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <tuple>
+
+#include "assembly/span.h"
 
 namespace stig::assembly {
 
@@ -18,37 +19,32 @@ class Rows {
  public:
   Rows(const TargetBricks& target, const Liking& liking)
       : target_(target),
-        along_x_(liking.spine == Liking::Spine::along_x),
-        spine_(spine_rows(target, liking)) {
-    first_ = last_ = along(0);
-    for (std::uint32_t i = 0; i < target.bricks(); ++i) {
-      first_ = std::min(first_, along(i));
-      last_ = std::max(last_, along(i));
-      below_ = std::min(below_, row(i));
-      above_ = std::max(above_, row(i));
-    }
-  }
+        along_(liking.spine == Liking::Spine::along_x ? &Cell::x : &Cell::y),
+        across_(liking.spine == Liking::Spine::along_x ? &Cell::y : &Cell::x),
+        spine_(spine_rows(target, liking)),
+        places_(span_of(target, along_)),
+        rows_(span_of(target, across_)) {}
 
-  int along(std::uint32_t i) const { return along_x_ ? target_.cell(i).x : target_.cell(i).y; }
   /// From the spine, signed; 0 for its own.
-  int row(std::uint32_t i) const {
-    return spine_.beside(along_x_ ? target_.cell(i).y : target_.cell(i).x);
-  }
+  int row(std::uint32_t i) const { return spine_.beside(target_.cell(i).*across_); }
   /// Which of the colours of a row that repeats them.
-  int place_in_repeat(std::uint32_t i) const { return ((along(i) % kRepeat) + kRepeat) % kRepeat; }
+  int place_in_repeat(std::uint32_t i) const {
+    return ((target_.cell(i).*along_ % kRepeat) + kRepeat) % kRepeat;
+  }
   /// Which of the colours of rows that are swept.
   int place_in_sweep(std::uint32_t i) const {
-    if (along(i) == last_) return 2;
-    const int rows_to_come = row(i) < 0 ? row(i) - below_ : above_ - row(i);
-    return along(i) - first_ == rows_to_come ? 1 : 0;
+    const Cell at = target_.cell(i);
+    if (at.*along_ == places_.high) return 2;
+    const int rows_to_come = row(i) < 0 ? at.*across_ - rows_.low : rows_.high - at.*across_;
+    return at.*along_ - places_.low == rows_to_come ? 1 : 0;
   }
 
  private:
   const TargetBricks& target_;
-  bool along_x_ = false;
+  std::int32_t Cell::*along_;
+  std::int32_t Cell::*across_;
   SpineRows spine_;
-  int first_ = 0, last_ = 0;   ///< places along
-  int below_ = 0, above_ = 0;  ///< outermost rows
+  Span places_, rows_;
 };
 
 }  // namespace

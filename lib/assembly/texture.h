@@ -5,12 +5,11 @@
 // (Liking::Spine), the rows beside have no end of their own to find: a brick comes wherever one
 // stands before it, unless that is of the last row. How the rows are counted is up to the texture.
 //
-//     repeated  each row repeats three colours along itself, which say which row it is
-//     swept     one colour for all rows but for two lines of others. The last bricks of all rows
-//     have
-//               one of their own, so each row ends where the one before it does. From a brick of
-//               the spine a line goes aslant, one brick a row, to where rows begin: the row that
-//               begins with it is the last.
+// Repeated: each row repeats three colours along itself, which say which row it is.
+//
+// Swept: one colour for all rows, but for two lines of others. The last bricks of all rows have one
+// of their own, so each row ends where the one before it does. From a brick of the spine a line
+// goes aslant, one brick a row, to where rows begin: the row that begins with it is the last.
 //
 // A plate, the spine s, rows swept from the left, the lines e and a:
 //
