@@ -186,6 +186,11 @@ function SiteWork:look()
    end
    self.row = column.row
    if not self.magnets:holds() then return 'dropped' end
+   -- a structure that was pushed away meanwhile is looked for before anything is put to it
+   if not self.map.known then
+      self.record:tally('aborted')
+      return 'unseen'
+   end
    local wish, top_seen = column:decide()
    self.wish = wish
    if wish then return 'decided' end

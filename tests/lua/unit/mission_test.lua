@@ -203,6 +203,26 @@ case('a robot that is off the line of a row joins it before it looks', function(
    near('squarely', angle, 0, 0.03)
 end)
 
+case('a structure that is lost in a look is looked for, not built at', function()
+   local machine, fake, run = machine_with { { x = 0.30, y = 0, colour = 1 } }
+   local task = { transport = 4, sides = ALL, turns = false, levels = 1, asks = {},
+                  looks = { { distance = 0.140, lift = 0.06 } } }
+   run(function() machine.lift:to(0.06) machine.process:wait(1) end)
+   local map = StructureMap.new(fake.robot, machine.odometry, machine.tracker, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local aborted = 0
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   work.record = { tally = function(_, what) if what == 'aborted' then aborted = aborted + 1 end end }
+   work.magnets = { holds = function() return true end }
+   work.row = map:rows()[0]
+   work.look_from = function() map:lose() return true end
+   same('looks', run(function() return work:look() end), 'unseen')
+   same('wants nothing', work.wish, nil)
+   same('told', aborted, 1)
+   same('then', run(function() map.in_memory = function() return nil end return work:choose_row() end), 'lost')
+end)
+
 case('each state of the chart is something that a part does', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 })
    for does, part in pairs(Builder.BEHAVIOURS) do
