@@ -47,7 +47,7 @@ std::vector<Demand> demands(const RuleSet& rules, const Rule& rule) {
 bool matches_bare(const RuleSet& rules, const Demand& demand, bool on_floor) {
   const View view = bare_view(rules.lattice, on_floor);
   if (on_floor) return fulfils(demand, rules.lattice, view, 0);
-  const std::int64_t lowest = rules.floor ? 1 : INT32_MIN;
+  const std::int32_t lowest = rules.floor ? 1 : INT32_MIN;
   const auto z = allowed_height(demand.where, {lowest, INT32_MAX});
   return z && fulfils(demand, rules.lattice, view, *z);
 }

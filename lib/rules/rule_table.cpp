@@ -224,6 +224,7 @@ std::int64_t RuleTable::stage_limit(int stage) const {
 }
 
 bool RuleTable::counts_hold(const Action& action, const View& view) const {
+  if (action.counts.empty()) return true;  // by far the most
   return std::all_of(action.counts.begin(), action.counts.end(), [&](const CountCondition& c) {
     const int number = count_in_view(c, neighbours(), view);
     return number >= c.min && number <= c.max;
