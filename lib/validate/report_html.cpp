@@ -21,27 +21,41 @@
 namespace stig::validate {
 namespace {
 
-// Braces of the style are doubled, since fmt reads them; {0} is the title.
+// Braces of the style are doubled, since fmt reads them; {0} is the title, {1} the source of the
+// player's script and {2} its style, which the report's comes after. Nothing is ever loaded, and no
+// other script is run.
 constexpr std::string_view kHead = R"(<!DOCTYPE html>
 <html lang="en">
 <head>
 <meta charset="utf-8"/>
+<meta http-equiv="Content-Security-Policy" content="default-src 'none'; script-src {1}; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
 <title>{0}</title>
-<style>
-body {{ font: 15px/1.45 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em; color: #222 }}
-table {{ border-collapse: collapse; margin: .6em 0 1.4em }}
-th, td {{ padding: .2em .7em; text-align: right; border-bottom: 1px solid #ddd }}
-th:first-child, td:first-child {{ text-align: left }}
-td.t, th.t {{ text-align: left }}
+<style>{2}
+:root {{ --text: #222; --soft: #555; --page: #fff; --rule: #ddd; --box: #f5f5f5; --good: #276749;
+  --bad: #9b2c2c; --link: #1f5f99; color-scheme: light dark }}
+@media (prefers-color-scheme: dark) {{
+  :root {{ --text: #dde3ea; --soft: #9aa7b5; --page: #14181e; --rule: #36404d; --box: #1f2630;
+    --good: #7bd3a0; --bad: #f29a9a; --link: #6db3f2 }}
+}}
+body {{ font: 15px/1.45 sans-serif; max-width: 60em; margin: 2em auto; padding: 0 1em;
+  color: var(--text); background: var(--page); overflow-wrap: break-word }}
+a {{ color: var(--link) }}
+body > table {{ display: block; overflow-x: auto; width: fit-content; max-width: 100%;
+  border-collapse: collapse; margin: .6em 0 1.4em }}
+body > table th, body > table td {{ padding: .2em .7em; text-align: right;
+  border-bottom: 1px solid var(--rule) }}
+body > table th:first-child, body > table td:first-child, td.t, th.t {{ text-align: left }}
 figure {{ display: inline-block; margin: .3em }}
-figure img {{ width: 20em; border: 1px solid #ccc }}
-.good {{ color: #276749 }}
-.bad {{ color: #9b2c2c }}
-pre {{ background: #f5f5f5; padding: .8em; overflow: auto }}
-svg {{ max-width: 100%; height: auto }}
+figure img {{ width: 20em; max-width: 100%; border: 1px solid var(--rule) }}
+.good {{ color: var(--good) }}
+.bad {{ color: var(--bad) }}
+.soft {{ color: var(--soft) }}
+body > pre {{ background: var(--box); padding: .8em; overflow: auto }}
+body > svg {{ max-width: 100%; height: auto; background: #fff; border-radius: 4px }}
 </style>
 </head>
-<body>
+<body class="report">
 )";
 
 std::string escaped(std::string_view text) { return escaped_markup(printable(text)); }
@@ -213,7 +227,28 @@ void robots(const Trial& trial, Page& page) {
   page.table({"robot", "@state", "time / s", "share / %"}, states);
 }
 
-void trial_part(const BuildTarget& target, const Trial& trial, Page& page) {
+/// What there is to look at: the runs themselves, or why there are pictures alone.
+void player(const ValidationReport& report, Page& page) {
+  if (!report.player) {
+    if (!report.no_player.empty())
+      page.add("<p class=\"soft\">{}</p>\n", escaped(report.no_player));
+    return;
+  }
+  page.raw(report.player->body);
+  const std::size_t shown = report.player->runs;
+  if (shown < report.trials.size()) {
+    page.add(
+        "<p class=\"soft\">The first {} can be played here; <code>stigc view</code> shows the "
+        "others by their traces.</p>\n",
+        counted(shown, "run"));
+  }
+}
+
+/// The run of a number; so many, from the first on, can be played.
+void trial_part(const ValidationReport& report, std::size_t number, Page& page) {
+  const BuildTarget& target = *report.target;
+  const Trial& trial = report.trials[number];
+  const std::size_t played = report.player ? report.player->runs : 0;
   const Judgement& judgement = trial.judgement;
   page.add("<h2>Seed {}: <span class=\"{}\">{}</span>, {} after {:.1f} s</h2>\n", trial.seed,
            judgement.verdict == BuildVerdict::complete ? "good" : "bad",
@@ -222,6 +257,9 @@ void trial_part(const BuildTarget& target, const Trial& trial, Page& page) {
   if (!findings.empty()) page.raw("<ul class=\"bad\">\n");
   for (const std::string& one : findings) page.add("<li>{}</li>\n", escaped(one));
   if (!findings.empty()) page.raw("</ul>\n");
+  // The player reads the address: no script of the report's own is needed.
+  if (number < played)
+    page.add("<p><a href=\"#run={}&amp;t=0\">Play this run</a></p>\n", number + 1);
   for (const TrialPicture& picture : trial.pictures) {
     // Pictures are in the page itself: they move with it, and no path can break.
     page.add("<figure><img alt=\"after {0:.0f} s\" src=\"data:image/png;base64,{1}\"/></figure>\n",
@@ -280,11 +318,14 @@ std::string report_html(const ValidationReport& report) {
   // Start bricks stand from the beginning; curves count what robots put.
   const int bricks = static_cast<int>(target.whole.size() - target.rules->start.size());
   Page page;
-  page.add(kHead, escaped(title));
+  const bool played = report.player.has_value();
+  page.add(kHead, escaped(title), played ? report.player->script : "'none'",
+           played ? report.player->style : "");
   page.add("<h1>{}: <span class=\"{}\">{}</span></h1>\n", escaped(title),
            all_complete(report) ? "good" : "bad", escaped(verdict_text(report)));
   page.add("<p>{}, {} at the start; {}.</p>\n", counted(target.whole.size(), "brick"),
            target.rules->start.size(), counted(report.trials.front().robots.size(), "robot"));
+  player(report, page);
   runs(report, page);
   page.raw("<h2>Progress</h2>\n");
   page.raw(progress_svg(curves, band_of(curves), bricks));
@@ -295,7 +336,7 @@ std::string report_html(const ValidationReport& report) {
   if (!report.robots.empty()) {
     page.add("<p>Robots at work, as proved: {}.</p>\n", escaped(report.robots));
   }
-  for (const Trial& trial : report.trials) trial_part(target, trial, page);
+  for (std::size_t i = 0; i < report.trials.size(); ++i) trial_part(report, i, page);
   page.raw("</body>\n</html>\n");
   return page.take();
 }

@@ -15,6 +15,17 @@ using Json = nlohmann::ordered_json;
 constexpr std::string_view kTitleMark = "@TITLE@", kDataMark = "@DATA@";
 constexpr int kVersion = 1;  ///< of the data; the script refuses others
 
+/// What stands between two words, of which the second comes after the first.
+std::optional<std::string_view> between(std::string_view text, std::string_view before,
+                                        std::string_view after) {
+  const std::size_t found = text.find(before);
+  if (found == std::string_view::npos) return std::nullopt;
+  text.remove_prefix(found + before.size());
+  const std::size_t end = text.find(after);
+  if (end == std::string_view::npos) return std::nullopt;
+  return text.substr(0, end);
+}
+
 }  // namespace
 
 PageContent::PageContent(std::string title)
@@ -49,6 +60,18 @@ std::optional<std::string> page_of(std::string_view page_template, const PageCon
   out += content.data();
   out += page_template.substr(data + kDataMark.size());
   return out;
+}
+
+// The build escapes what within a script would end it: what is looked for is that of the page.
+std::optional<PlayerParts> player_of(std::string_view page_template, const PageContent& content) {
+  const auto script = between(page_template, "script-src ", ";");
+  const auto style = between(page_template, "<style>", "</style>");
+  const auto body = between(page_template, "<body>", "</body>");
+  const std::size_t data = body ? body->find(kDataMark) : std::string_view::npos;
+  if (!script || !style || data == std::string_view::npos) return std::nullopt;
+  return PlayerParts{std::string(*script), std::string(*style),
+                     std::string(body->substr(0, data)) + content.data() +
+                         std::string(body->substr(data + kDataMark.size()))};
 }
 
 }  // namespace stig::view

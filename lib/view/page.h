@@ -39,4 +39,14 @@ class PageContent {
 /// The page; nothing when the template has no place for title and data.
 std::optional<std::string> page_of(std::string_view page_template, const PageContent& content);
 
+/// What another page takes to show runs in a part of itself.
+struct PlayerParts {
+  std::string script;  ///< its script, as a content security policy names it
+  std::string style;   ///< but for the margin of `body`, of the player's elements alone
+  std::string body;    ///< the player with its data and its script
+};
+
+/// Cut out of the template; nothing when it is damaged.
+std::optional<PlayerParts> player_of(std::string_view page_template, const PageContent& content);
+
 }  // namespace stig::view

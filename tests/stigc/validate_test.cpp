@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -244,6 +245,23 @@ TEST_CASE("a file of the user's that is called controller.lua is not left out wi
   // So does one beside the very program.
   REQUIRE(place.shell("stigc compile " + rules + " -o controller.lua").exit_code == 0);
   CHECK(!validated("program: controller.lua, params: {side: +x}").out.empty());
+}
+
+TEST_CASE("a program without its viewer writes reports with pictures, and says so") {
+  namespace fs = std::filesystem;
+  const Workplace place;
+  place.shell("mkdir -p bare/bin bare/share/stig");
+  fs::copy_file(STIGC_PROGRAM, place.path("bare/bin/stigc"));
+  for (const char* kind : {"rulesets", "scenes", "robots", "blocks", "programs"}) {
+    fs::create_symlink(fs::path(STIG_SOURCE_DIR) / kind, place.path("bare/share/stig/") + kind);
+  }
+  const Outcome outcome =
+      place.shell("bare/bin/stigc validate rulesets/staircase.yaml --duration 1 -o out --quiet");
+  CHECK(outcome.exit_code == 1);
+  const std::string report = place.file("out/report.html");
+  CHECK(report.find("built without its viewer") != std::string::npos);
+  CHECK(report.find("<img alt=\"after 1 s\" src=\"data:image/png;base64,") != std::string::npos);
+  CHECK(report.find("<script") == std::string::npos);
 }
 
 TEST_CASE("validate writes over its own earlier results, and over no others") {

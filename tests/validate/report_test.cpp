@@ -134,6 +134,25 @@ TEST_CASE("the report is one well-formed file") {
   CHECK(html.find("href=") == std::string::npos);
 }
 
+TEST_CASE("runs that can be played stand in place of pictures") {
+  MadeUpReport made;
+  for (Trial& trial : made.report.trials) trial.pictures.clear();
+  made.report.player = ReportPlayer{"'sha256-x'", "b{}", "<div id=\"stig-view\"></div>", 2};
+  const std::string html = report_html(made.report);
+  CHECK(tag_problem(html) == "");
+  CHECK(html.find("script-src 'sha256-x';") != std::string::npos);
+  CHECK(html.find("<div id=\"stig-view\"></div>") != std::string::npos);
+  CHECK(html.find("<a href=\"#run=2&amp;t=0\">") != std::string::npos);
+  CHECK(html.find("<a href=\"#run=3&amp;t=0\">") == std::string::npos);
+  CHECK(html.find("The first 2 runs can be played here") != std::string::npos);
+  made.report.player.reset();
+  made.report.no_player = "None & why.";
+  const std::string without = report_html(made.report);
+  CHECK(without.find("None &amp; why.") != std::string::npos);
+  CHECK(without.find("script-src 'none';") != std::string::npos);
+  CHECK(without.find("href=") == std::string::npos);
+}
+
 TEST_CASE("a single run that is complete") {
   MadeUpReport made;
   made.report.trials.resize(1);

@@ -84,6 +84,23 @@ TEST_CASE("a page is its template with title and data in their places") {
   CHECK(!page_of("<data>@DATA@</data><title>@TITLE@</title>", content));
 }
 
+TEST_CASE("a player is the template's style, script and body, with the data in their place") {
+  PageContent content("t");
+  const std::string_view whole =
+      "<meta content=\"script-src 'sha256-x'; style-src 'sha256-y'\"><title>@TITLE@</title>"
+      "<style>a{}</style><body><i>@DATA@</i><script>1</script></body>";
+  const auto parts = player_of(whole, content);
+  REQUIRE(parts);
+  CHECK(parts->script == "'sha256-x'");
+  CHECK(parts->style == "a{}");
+  CHECK(parts->body == "<i>" + content.data() + "</i><script>1</script>");
+  for (const std::string_view part : {"script-src", "<style>", "</body>", "@DATA@"}) {
+    std::string damaged(whole);
+    damaged.erase(damaged.find(part), part.size());
+    CHECK_MESSAGE(!player_of(damaged, content), part);
+  }
+}
+
 TEST_CASE("the data of a run are its bricks in their order, and its rules' lines") {
   PageContent one("one"), two("two");
   CHECK(!add_lattice_run(line_of(2), line_rules(), "a.stigt", one));

@@ -22,8 +22,10 @@
 #include "given_scene.h"
 #include "other_rules.h"
 #include "outputs.h"
+#include "page_template.h"
 #include "physical/scene/scene_programs.h"
 #include "report.h"
+#include "report_player.h"
 #include "robot_input.h"
 #include "rules/worked_from.h"
 #include "runtime_input.h"
@@ -54,8 +56,11 @@ class Validation {
     if (const int code = compile(); code != kOk) return code;
     if (const int code = load(); code != kOk) return code;
     if (const int code = options_.output ? prepare_folder() : kOk; code != kOk) return code;
+    // The report plays the runs; without the viewer it has pictures of them.
+    const auto player = options_.output ? shipped_page_template() : std::nullopt;
+    const bool pictures = options_.output && !player;
     // Runs share the scene and differ by their seeds alone.
-    TrialBatch batch = run_trials(target_, *scene_, options_, duration_, app_);
+    TrialBatch batch = run_trials(target_, *scene_, options_, duration_, pictures, app_);
     if (batch.diagnostics.has_errors()) {
       app_.report(batch.diagnostics);
       return kFailed;
@@ -67,6 +72,10 @@ class Validation {
     ValidationReport report{&target_, decision_text(*rules_, *compiled_.decision),
                             robots_text(compiled_), std::move(batch.trials), &compiled_};
     app_.print(options_.json ? dump(to_json(report)) : lines_of(report, app_.color_out()));
+    if (pictures) report.no_player = kNoPlayer;
+    if (player && batch.complaints.empty()) {
+      report.player = report_player(*player, batch.written, app_);
+    }
     const int written = options_.output ? write(report, batch) : kOk;
     const bool broken =
         std::any_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {

@@ -11,12 +11,18 @@ constexpr std::size_t kMostTemplateBytes = std::size_t{1} << 24;
 
 }  // namespace
 
-std::optional<std::string> page_template(const App& app) {
+std::optional<std::string> shipped_page_template() {
   FileError error;
   for (const std::string& folder : shipped_folders("viewer")) {
     auto text = read_file(folder + "/viewer.html", kMostTemplateBytes, error);
     if (text) return text;
   }
+  return std::nullopt;
+}
+
+std::optional<std::string> page_template(const App& app) {
+  auto text = shipped_page_template();
+  if (text) return text;
   app.complain(
       "this program was built without its viewer, which takes node and npm: install them (Debian: "
       "nodejs, npm), then configure and build again, with access to npm's packages");

@@ -10,7 +10,10 @@
 
 namespace stig::cli {
 
-/// Its text; nothing when it did not come with the program, which is complained of.
+/// Its text; nothing when it did not come with the program.
+std::optional<std::string> shipped_page_template();
+
+/// Likewise, which is complained of.
 std::optional<std::string> page_template(const App& app);
 
 }  // namespace stig::cli

@@ -29,11 +29,12 @@ struct Slot {
 class Batch {
  public:
   Batch(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
-        double duration, const App& app)
+        double duration, bool pictures, const App& app)
       : target_(target),
         scene_(scene),
         options_(options),
         duration_(duration),
+        pictures_(pictures),
         progress_(app),
         slots_(static_cast<std::size_t>(options.runs)),
         shares_(slots_.size()) {}
@@ -54,11 +55,9 @@ class Batch {
     if (!placed) return;
     TrialSettings settings;
     settings.duration = duration_;
-    // Pictures are for the report: without a folder there are none. The first run has some on its
-    // way, the next ones have their end alone, and those after kMostEndsDrawn have none.
-    settings.pictures = !options_.output || i >= kMostEndsDrawn ? -1
-                        : i == 0                                ? kPicturesOnTheWay
-                                                                : 0;
+    // The first run has some on its way, the next ones have their end alone, and those after
+    // kMostEndsDrawn have none.
+    settings.pictures = !pictures_ || i >= kMostEndsDrawn ? -1 : i == 0 ? kPicturesOnTheWay : 0;
     if (options_.output) {
       slot.traced = true;
       slot.good = slot.trace.open(*options_.output + "/" + trace_name(seed));
@@ -109,6 +108,7 @@ class Batch {
   const Scene& scene_;
   const ValidateOptions& options_;
   double duration_;
+  bool pictures_;
   Progress progress_;
   std::vector<Slot> slots_;
   std::vector<std::atomic<double>> shares_;
@@ -120,8 +120,8 @@ class Batch {
 std::string trace_name(std::uint64_t seed) { return fmt::format("run-{}.stigp", seed); }
 
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
-                      double duration, const App& app) {
-  return Batch(target, scene, options, duration, app).run();
+                      double duration, bool pictures, const App& app) {
+  return Batch(target, scene, options, duration, pictures, app).run();
 }
 
 }  // namespace stig::cli

@@ -24,8 +24,9 @@ struct TrialBatch {
 /// The name that a run's trace has in the folder.
 std::string trace_name(std::uint64_t seed);
 
-/// Traces go to `folder` as run-SEED.stigp, when there is one.
+/// Traces go to the folder of `options` as run-SEED.stigp, when there is one. Pictures are drawn
+/// only where they are wanted.
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
-                      double duration, const App& app);
+                      double duration, bool pictures, const App& app);
 
 }  // namespace stig::cli

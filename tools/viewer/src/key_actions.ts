@@ -14,6 +14,8 @@ export interface Actions {
   runs: number;
   levels: () => readonly [number, number];
   robots: () => number;
+  /** Is the player a part of another page? */
+  embedded: boolean;
   link: () => void;
   switchTheme: () => void;
 }
@@ -100,12 +102,15 @@ function structureKeys({state, levels, runs, robots}: Actions): KeyAction[] {
 
 export function keyActions(actions: Actions): KeyAction[] {
   const {state} = actions;
+  const whole = {keys: ['z'], shown: 'z', does: 'the whole window, or a part of the report',
+                 run: () => state.set({whole: !state.now.whole})};
   return [
     ...timeKeys(actions), ...cameraKeys(actions), ...structureKeys(actions),
+    ...actions.embedded ? [whole] : [],
     {keys: ['t'], shown: 't', does: 'light or dark', run: () => actions.switchTheme()},
     {keys: ['k'], shown: 'k', does: 'a link to this view', run: () => actions.link()},
     {keys: ['?'], shown: '?', does: 'this sheet', run: () => state.set({help: !state.now.help})},
     {keys: ['Escape'], shown: 'Escape', does: 'close, let go of the brick',
-     run: () => state.set(state.now.help ? {help: false} : {picked: null})},
+     run: () => state.set(state.now.help ? {help: false} : {picked: null, whole: false})},
   ];
 }

@@ -27,9 +27,11 @@ function isItsOwn(event: KeyboardEvent): boolean {
                                : key === ' ');
 }
 
-export function listen(root: HTMLElement, actions: readonly KeyAction[]): void {
+/** Keys anywhere on the page, or within an element that is a part of it. */
+export function listen(target: Document | HTMLElement, actions: readonly KeyAction[]): void {
   const byKey = new Map(actions.flatMap(action => action.keys.map(key => [key, action] as const)));
-  root.ownerDocument.addEventListener('keydown', event => {
+  target.addEventListener('keydown', given => {
+    const event = given as KeyboardEvent;
     if (event.ctrlKey || event.metaKey || event.altKey || isItsOwn(event)) return;
     const action = byKey.get(event.key);
     if (!action) return;

@@ -16,7 +16,8 @@ async function begin(root: HTMLElement): Promise<void> {
   if (!data) throw new Error('the page has no data');
   const packed = await unpack(data.textContent);
   data.remove();
-  window.stigView = new Viewer(root, pageOf(packed));
+  const partOfReport = document.body.classList.contains('report');
+  window.stigView = new Viewer(root, pageOf(packed), partOfReport);
 }
 
 const root = document.getElementById('stig-view');

@@ -36,6 +36,8 @@ export interface Choices {
   picked: {run: number; brick: number} | null;
   orthographic: boolean;
   theme: Theme;
+  /** Over the whole window, of a player that is part of a report. */
+  whole: boolean;
   help: boolean;
 }
 
@@ -83,5 +85,6 @@ export const kFirstChoices: Choices = {
   picked: null,
   orthographic: false,
   theme: 'auto',
+  whole: false,
   help: false,
 };

@@ -61,10 +61,11 @@ export class Viewer {
   /** Where the robot that is followed was in the frame before. */
   private followed: three.Vector3 | null = null;
 
-  constructor(readonly root: HTMLElement, readonly page: Page) {
+  /** `embedded`: as a part of a report, which leaves the rest of the page its keys and wheel. */
+  constructor(readonly root: HTMLElement, readonly page: Page, readonly embedded = false) {
     const timeline = timelineOf(page.runs);
-    this.state = new ViewState({...kFirstChoices, time: timeline.end,
-                                side: page.runs.length > 1 && page.runs.length <= kMostPanes});
+    const side = !embedded && page.runs.length > 1 && page.runs.length <= kMostPanes;
+    this.state = new ViewState({...kFirstChoices, time: timeline.end, side});
     this.player = new Player(this.state, timeline);
     const host = element('div', {class: 'stage'}, this.labels);
     this.stage = new Stage(host, () => this.viewpoint.camera);
@@ -93,7 +94,10 @@ export class Viewer {
     this.state.onChange(changed => this.changed(changed));
     this.stage.onFrame = () => this.beforeFrame();
     this.dark.addEventListener('change', () => this.changed(new Set<keyof Choices>(['theme'])));
-    addEventListener('hashchange', () => this.follow(location.hash));
+    addEventListener('hashchange', () => {
+      this.follow(location.hash);
+      if (this.embedded) this.root.scrollIntoView();
+    });
     const {canvas} = this.stage;
     let pressed: [number, number] = [0, 0];
     canvas.addEventListener('pointerdown', event => pressed = [event.clientX, event.clientY]);
@@ -101,7 +105,23 @@ export class Viewer {
       const moved = Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]);
       if (moved <= kClickWithin) this.pick(event.clientX, event.clientY);
     });
-    listen(this.root, keyActions(this.actions()));
+    listen(this.embedded ? this.root : document, keyActions(this.actions()));
+    if (this.embedded) this.mindFocus();
+  }
+
+  /** Until somebody turns to the player, wheel and fingers move the report. */
+  private mindFocus(): void {
+    const {root, viewpoint, stage} = this;
+    root.tabIndex = -1;
+    const take = (all: boolean): void => {
+      viewpoint.zooms = all;
+      stage.canvas.style.touchAction = all ? 'none' : 'pan-y';
+    };
+    root.addEventListener('focusin', () => take(true));
+    root.addEventListener('focusout', event => {
+      if (!(event.relatedTarget instanceof Node && root.contains(event.relatedTarget))) take(false);
+    });
+    take(false);
   }
 
   private actions(): Actions {
@@ -112,6 +132,7 @@ export class Viewer {
       runs: this.page.runs.length,
       levels: () => this.levels(),
       robots: () => this.robots(),
+      embedded: this.embedded,
       link: () => this.link(),
       switchTheme: () => this.switchTheme(),
     };
@@ -146,6 +167,7 @@ export class Viewer {
     }
     bar.append(element('nav', {}, ...tabs), element('span', {class: 'tools'},
         button('fit', 'fit the view (f)', () => this.viewpoint.fit()),
+        ...this.embedded ? [this.switchOf('whole', 'enlarge', 'the whole window (z)')] : [],
         button('link', 'a link to this view (k)', () => this.link()),
         button('theme', 'light or dark (t)', () => this.switchTheme()),
         button('?', 'keys (?)', () => state.set({help: true}))));
@@ -153,7 +175,8 @@ export class Viewer {
   }
 
   /** A button that is on or off. */
-  private switchOf(key: 'side' | 'difference', text: string, title: string): HTMLButtonElement {
+  private switchOf(key: 'side' | 'difference' | 'whole', text: string, title: string):
+      HTMLButtonElement {
     const {state} = this;
     const out = button(text, title, () => state.set({[key]: !state.now[key]}));
     const show = (): boolean => out.classList.toggle('chosen', state.now[key]);
@@ -180,6 +203,7 @@ export class Viewer {
       this.stage.dark = this.isDark;
     }
     if (changed.has('help')) this.showSheet(help);
+    this.root.classList.toggle('whole', this.state.now.whole);
     this.viewpoint.orthographic = orthographic;
     this.stage.draw();
   }

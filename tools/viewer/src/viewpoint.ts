@@ -49,6 +49,11 @@ export class Viewpoint {
     this.place(numbers);
   }
 
+  /** Does the wheel zoom? */
+  set zooms(wanted: boolean) {
+    this.controls.enableZoom = wanted;
+  }
+
   resize(aspect: number): void {
     if (aspect === this.aspect) return;
     this.aspect = aspect;
