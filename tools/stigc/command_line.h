@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The command line: what there is to say (CommandTree) and what was said
-// (CommandLine). The parser's library stays in command_line.cpp.
+// (CommandLine). The parser's library stays in command_line.cpp and in the files
+// that declare options (option_kinds.h).
 #pragma once
 
 #include <optional>

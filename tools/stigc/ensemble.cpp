@@ -58,7 +58,7 @@ struct Range {
   double mean = 0;
 };
 
-// Of at least one run.
+/// The range of a value over at least one run.
 template <class Value>
 Range range_of(const std::vector<RunSummary>& runs, const Value& value) {
   Range range{value(runs.front()), value(runs.front()), 0};

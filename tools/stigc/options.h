@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the command line says, as plain data. command_line.cpp fills it; every
-// command takes its own part and knows nothing of how it was written.
+// What the command line says, as plain data. The options that options_*.cpp declare fill it;
+// every command takes its own part and knows nothing of how it was written.
 #pragma once
 
 #include <cstdint>

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The options of the commands that look at structures and runs, and at the program itself.
+#include "command_options.h"
+#include "option_kinds.h"
+
+namespace stig::cli {
+
+void add_view(CLI::App& app, ViewOptions& o) {
+  CLI::App* sub = command(
+      app, "view", "make a page that shows structures and runs in 3-D, in any browser",
+      "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc view run.stigt -o "
+      "run.html\n"
+      "  stigc explore rulesets/tiling.yaml --motion event --deposits 500 -o tiling.json\n"
+      "  stigc view tiling.json -o tiling.html\n"
+      "  stigc verify rulesets/order-dependent.yaml --witness two  # exit status 1: refuted\n"
+      "  stigc view two -o two-ends.html\n"
+      "  stigc simulate scenes/drop.yaml --duration 1 --trace drop.stigp\n"
+      "  stigc view drop.stigp -o drop.html\n");
+  sub->add_option("FILE", o.files,
+                  "a structure file (.vox .json .txt), a trace (.stigt .stigp), a folder of "
+                  "validate, or the name that verify --witness was given; several are shown "
+                  "together")
+      ->type_name("FILE")
+      ->required();
+  sub->add_option("-o,--output", o.output, "the page, .html; nothing else is needed to open it")
+      ->type_name("FILE")
+      ->required();
+  path(sub, "--title", o.title, "what the page is called (default: the first file's title)")
+      ->type_name("TEXT");
+  lattice(sub, o.lattice);
+}
+
+void add_completions(CLI::App& app, CompletionsOptions& o) {
+  CLI::App* sub = command(app, "completions", "print a completion script for a shell",
+                          "  source <(stigc completions bash)\n"
+                          "  mkdir -p ~/.zfunc && stigc completions zsh > ~/.zfunc/_stigc\n"
+                          "  mkdir -p ~/.config/fish/completions\n"
+                          "  stigc completions fish > ~/.config/fish/completions/stigc.fish\n");
+  choice(sub, "SHELL", o.shell, {{"bash", Shell::bash}, {"zsh", Shell::zsh}, {"fish", Shell::fish}},
+         "the shell")
+      ->required();
+}
+
+void add_doctor(CLI::App& app, DoctorOptions& o) {
+  CLI::App* sub = command(app, "doctor", "look at the surroundings the program runs in",
+                          "  stigc doctor\n"
+                          "  stigc doctor rulesets/staircase.yaml\n");
+  sub->add_option("FILE", o.files, "rule sets to check as well")->type_name("FILE");
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
+}  // namespace stig::cli
