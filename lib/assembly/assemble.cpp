@@ -26,11 +26,11 @@ constexpr std::uint64_t kMostLooks = 20'000, kMostLooksOfBrick = 20;
 constexpr std::size_t kMostCompiledStates = 20'000;
 constexpr std::uint64_t kStepsOfLook = 5'000, kStepsOfSituation = 20'000, kStepsOfJudging = 60'000;
 constexpr std::size_t kMostCandidates = 4'000;
-/// Of larger targets the first candidates grow from a spine, the rows beside it in few colours
-/// (texture.h), and no candidate's colours are looked for longer than that.
+/// The first candidates for larger targets grow from a spine, the rows beside it in few colours
+/// (texture.h), and no candidate's colours are looked for longer than the steps below say.
 constexpr std::size_t kMostPlainBricks = 200;
 constexpr std::uint64_t kStepsOfPaint = 2'000'000'000;
-/// Of a spine with rows that are swept, which leave the spine's colours alone to count.
+/// The same for a spine with rows that are swept, which leave the spine's colours alone to count.
 constexpr std::uint64_t kStepsOfSweptPaint = 4 * kStepsOfPaint;
 constexpr int kConflictsAtOnce = 1000;
 /// Candidates for one robot are taken when so many more did not do for several.

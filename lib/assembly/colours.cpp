@@ -18,7 +18,7 @@ namespace {
 constexpr int kSatisfiable = 10, kUnsatisfiable = 20;
 constexpr std::size_t kClausesOfRound = 4000, kClashesOfState = 64;
 constexpr std::uint64_t kStepsOfPair = 100, kStepsOfCall = 20'000;
-/// Of a large target: some 100 µs.
+/// The same for a large target: some 100 µs.
 constexpr std::uint64_t kStepsOfConflict = 100'000;
 constexpr int kMostRounds = 400;
 

@@ -168,7 +168,8 @@ class Dismantler {
 SpineRows spine_rows(const TargetBricks& target, const Liking& liking) {
   assert(liking.spine != Liking::Spine::none);
   const Span span = span_of(target, liking.spine == Liking::Spine::along_x ? &Cell::y : &Cell::x);
-  // Of two in the middle the lower; an even number of rows has one more above it than below.
+  // The lower one where two are in the middle; an even number of rows has one more above it than
+  // below.
   const int middle = span.low + (span.high - span.low) / 2;
   const int first = middle - (liking.spine_rows - 1) / 2;
   return {first, first + liking.spine_rows - 1};

@@ -18,7 +18,7 @@ struct Span {
   int from_middle(int at) const { return std::abs(2 * at - low - high); }
 };
 
-/// Of x, y or z. The target has a brick.
+/// The target's least and greatest x, y or z. It must have a brick.
 Span span_of(const TargetBricks& target, std::int32_t Cell::*coordinate);
 
 }  // namespace stig::assembly

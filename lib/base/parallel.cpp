@@ -73,7 +73,7 @@ void run_parallel(std::size_t count, int threads, const std::function<void(std::
   };
   const Whole whole(order);
   arena.execute([&] {
-    // Of `most` pieces at a time the earliest are begun first.
+    // At most `most` pieces run at a time, and the earliest are begun first.
     tbb::parallel_pipeline(
         most, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, begin) &
                   tbb::make_filter<std::size_t, void>(tbb::filter_mode::parallel, run));

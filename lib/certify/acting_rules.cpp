@@ -4,7 +4,7 @@
 // hide itself here. All it takes from lib/rules are the neighbours' offsets and the
 // orientations of a symmetry group, which docs/proofs.md lists among what is trusted.
 //
-// Of the up to 2^26 sets of open neighbours of a site only those that some rule asks about
+// A site has up to 2^26 sets of open neighbours, but only those that some rule asks about
 // make a difference, so each oriented rule is reduced to two masks once per site (`asked`),
 // and a local state then costs a few bit operations per rule (`act`).
 #include "certify/acting_rules.h"

@@ -58,7 +58,7 @@ struct CameraKind {
   static auto& readings(auto& readings) { return readings.cameras; }
   static const Form& form();
   static CameraDevice read(const FormView& view, DeviceParts& parts);
-  /// Of the first one.
+  /// The line of robot.description about the robot's first camera.
   static std::string description(const RobotModel& robot);
 };
 

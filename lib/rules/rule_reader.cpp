@@ -216,7 +216,7 @@ std::optional<RuleSet> read_rule_set(SourceRef source, Diagnostics& diagnostics)
     const BadNodes bad = check_form(*document, rule_set_form(), found);
     Reader reader(*document, bad, found);
     rules = reader.read();
-    // Of a file with errors only what is certain is said: a brick that seems unused
+    // Only what is certain is said of a file with errors: a brick that seems unused
     // may be used by the rule that could not be read.
     const bool whole = !found.has_errors();
     check_rule_set(*rules, whole ? CheckScope::all : CheckScope::certain, found);

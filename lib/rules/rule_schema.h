@@ -25,7 +25,8 @@ const Form& box_form();
 const Form& physical_form();
 const Form& expect_form();
 
-/// Of a key that is there; `a/b` is the key b of the mapping under a (key_field.h).
+/// The key at a path, which has to be there; `a/b` is the key b of the mapping under a
+/// (key_field.h).
 const FormKey& key_of(const Form& form, std::string_view path);
 
 /// The version of the file format that is read.

@@ -74,7 +74,7 @@ constexpr bool allows_height(const SiteCondition& condition, std::int64_t height
   return allows(condition, {height, std::max(condition.stage.low, 1)});
 }
 
-/// Of the heights in `range`, the one nearest to 0 that the condition allows in some stage.
+/// The height nearest to 0 in `range` that the condition allows in some stage.
 constexpr std::optional<std::int64_t> allowed_height(const SiteCondition& condition,
                                                      const Interval& range) {
   const Interval within = both(condition.height, range);

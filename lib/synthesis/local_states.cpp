@@ -47,8 +47,8 @@ class Enumerator {
   bool add(const Site& site, std::size_t most, std::vector<std::uint32_t>& out) {
     list_.clear();
     std::uint32_t always = 0, possible = 0;
-    // Of a cell of the target, neighbours of higher rank come after it and are never there
-    // while it is empty. Of a site outside, all neighbours may be.
+    // Neighbours of higher rank than a cell of the target come after it and are never there
+    // while it is empty. All neighbours of a site outside may be there.
     for_each_bit(site.present, [&](std::size_t i) {
       if (of(site, i).start) {
         always |= 1U << i;

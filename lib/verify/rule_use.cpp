@@ -15,8 +15,8 @@
 namespace stig::verify {
 namespace {
 
-/// Of sites with more states only so many are looked at: blocking pairs are hints for the
-/// author of the rules.
+/// Only so many states of a site are looked at: blocking pairs are hints for the author of the
+/// rules.
 constexpr std::uint64_t kMostStates = 4096;    ///< of one site
 constexpr std::uint64_t kMostSites = 200'000;  ///< of a stage, for blocking pairs
 

@@ -25,7 +25,7 @@ constexpr Vec3 kSheetLight{230, 230, 230}, kSheetDark{25, 25, 25};
 constexpr std::array<std::uint64_t, 6> kTags = {0xd5d628584, 0xd97f18b49, 0xdd280910e,
                                                 0xe479e9c98, 0xebcbca822, 0xf31dab3ac};
 
-/// Of the face of a hull that a point of its surface lies in.
+/// The normal of the face of a hull that a point of its surface lies in.
 Vec3 hull_normal(const SightShape& hull, const Vec3& p) {
   const auto above = [&p](const HalfSpace& h) { return dot(h.normal, p) - h.offset; };
   const auto face =

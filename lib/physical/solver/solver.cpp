@@ -47,7 +47,7 @@ struct Patches {
   std::vector<Point> points;
 };
 
-/// Of the first body against the second, at the point.
+/// The first body's velocity at the point, seen from the second, in m/s.
 Vec3 velocity(const Point& point, const SolverBody& a, const SolverBody& b) {
   return a.v - b.v + cross(a.w, point.arm_a) - cross(b.w, point.arm_b);
 }
