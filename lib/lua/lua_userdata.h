@@ -5,12 +5,13 @@
 
 #include <array>
 #include <bit>
-#include <cstring>
-#include <lua.hpp>
+#include <cstddef>
 #include <string_view>
 
 #include "base/vec.h"
 #include "lua/uses.h"
+
+struct lua_State;
 
 namespace stig::lua::userdata {
 
@@ -55,42 +56,37 @@ T value_of(const Numbers<T>& numbers) {
 template <class T>
 inline constexpr char kKey = 0;
 
-template <class T>
-void push_metatable(lua_State* state) {
-  lua_rawgetp(state, LUA_REGISTRYINDEX, &kKey<T>);
-}
+/// Pushes a copy of `size` bytes as userdata whose metatable is the one of this key.
+void push_copy(lua_State* state, const void* value, std::size_t size, const void* key);
+/// The bytes of the value at this index, or null where it has not the metatable of this key.
+void* userdata_at(lua_State* state, int index, const void* key);
+/// A Lua error: the value at this index is no `name`.
+void not_userdata(lua_State* state, int index, const char* name);
+/// The letter of a string of one, or 0.
+char letter_at(lua_State* state, int index);
 
 template <class T>
 int push(lua_State* state, const T& value) {
-  void* place = lua_newuserdatauv(state, sizeof(T), 0);
-  std::memcpy(place, &value, sizeof value);
-  push_metatable<T>(state);
-  lua_setmetatable(state, -2);
+  push_copy(state, &value, sizeof value, &kKey<T>);
   return 1;
 }
 
 template <class T>
 T* test(lua_State* state, int index) {
-  void* value = lua_touserdata(state, index);
-  if (value == nullptr || lua_getmetatable(state, index) == 0) return nullptr;
-  push_metatable<T>(state);
-  const bool is_one = lua_rawequal(state, -1, -2) != 0;
-  lua_pop(state, 2);
-  return is_one ? static_cast<T*>(value) : nullptr;
+  return static_cast<T*>(userdata_at(state, index, &kKey<T>));
 }
 template <class T>
 T& check(lua_State* state, int index) {
   T* value = test<T>(state, index);
-  if (value == nullptr) luaL_checkudata(state, index, Meta<T>::kName);  // says what is wrong
+  if (value == nullptr) not_userdata(state, index, Meta<T>::kName);
   return *value;
 }
 
 /// The place of a field by its one-letter name, or npos.
 template <class T>
 std::size_t field(lua_State* state, int index) {
-  if (lua_type(state, index) != LUA_TSTRING || lua_rawlen(state, index) != 1)
-    return std::string_view::npos;
-  return Meta<T>::kFields.find(*lua_tostring(state, index));
+  const char letter = letter_at(state, index);
+  return letter == 0 ? std::string_view::npos : Meta<T>::kFields.find(letter);
 }
 
 }  // namespace stig::lua::userdata
