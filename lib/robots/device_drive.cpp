@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "robots/device_parts.h"
+#include "robots/robot_pivot.h"
 
 namespace stig::robots {
 
@@ -52,8 +53,9 @@ DriveModel DriveKind::read(const FormView& view, DeviceParts& parts) {
 std::string DriveKind::description(const RobotModel& robot) {
   if (!robot.drive) return {};
   const DriveModel& drive = *robot.drive;
-  return fmt::format("   drive = {{ track = {:.6g}, speed = {:.6g}, acceleration = {:.6g} }},\n",
-                     drive.track, drive.most_speed, drive.most_acceleration);
+  return fmt::format(
+      "   drive = {{ track = {:.6g}, pivot = {:.6g}, speed = {:.6g}, acceleration = {:.6g} }},\n",
+      drive.track, pivot_of(robot), drive.most_speed, drive.most_acceleration);
 }
 
 }  // namespace stig::robots

@@ -32,14 +32,17 @@ void read_lift_speeds(const FormView& view, const DeviceParts& parts, LiftModel&
   }
 }
 
-/// x of the foremost of what goes up and down, m.
-double front_of_lifted(const RobotModel& robot) {
-  const std::vector<bool> lifted = lifted_bodies(robot);
-  double front = -1e9;
-  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    if (lifted[i]) front = std::max(front, extent_of(robot.bodies[i]).high.x);
-  }
-  return front;
+/// What goes up and down, and what does not; as seen from above, m.
+std::string described_reach(const RobotModel& robot) {
+  std::vector<bool> counts = lifted_bodies(robot);
+  const BodyExtent lifted = extent_of(robot, counts);
+  counts.flip();
+  const BodyExtent body = extent_of(robot, counts);
+  const auto half_width = [](const BodyExtent& e) { return std::max(e.high.y, -e.low.y); };
+  return fmt::format(
+      "   effector = {{ front = {:.6g}, half_width = {:.6g} }},\n"
+      "   body = {{ front = {:.6g}, back = {:.6g}, half_width = {:.6g} }},\n",
+      lifted.high.x, half_width(lifted), body.high.x, -body.low.x, half_width(body));
 }
 
 }  // namespace
@@ -81,7 +84,7 @@ std::string LiftKind::description(const RobotModel& robot) {
   std::string out = fmt::format("   lift = {{ top = {:.6g}, tolerance = {:.6g} }},\n",
                                 robot.lift->high, robot.lift->tolerance);
   if (robot.lift->axis.joint >= robot.joints.size()) return out;
-  return out + fmt::format("   effector = {{ front = {:.6g} }},\n", front_of_lifted(robot));
+  return out + described_reach(robot);
 }
 
 }  // namespace stig::robots

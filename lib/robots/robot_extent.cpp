@@ -32,6 +32,20 @@ BodyExtent extent_of(const BodyModel& body) {
   return out;
 }
 
+BodyExtent extent_of(const RobotModel& robot, const std::vector<bool>& counts) {
+  assert(std::find(counts.begin(), counts.end(), true) != counts.end());
+  BodyExtent out{{1e9, 1e9, 1e9}, {-1e9, -1e9, -1e9}};
+  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
+    if (!counts[i]) continue;
+    const BodyExtent one = extent_of(robot.bodies[i]);
+    out.low = {std::min(out.low.x, one.low.x), std::min(out.low.y, one.low.y),
+               std::min(out.low.z, one.low.z)};
+    out.high = {std::max(out.high.x, one.high.x), std::max(out.high.y, one.high.y),
+                std::max(out.high.z, one.high.z)};
+  }
+  return out;
+}
+
 std::vector<bool> lifted_bodies(const RobotModel& robot) {
   assert(robot.lift);
   std::vector<bool> out(robot.bodies.size(), false);

@@ -22,7 +22,10 @@ TEST_CASE("the description is what the robot's file says") {
   CHECK(told(robot, "d.name") == "bebot");
   CHECK(told(robot, "d.drive.track, d.drive.speed, d.drive.acceleration") == "0.07106\t0.33\t1");
   CHECK(told(robot, "d.lift.top, d.lift.tolerance") == "0.137\t0.001");
-  CHECK(told(robot, "d.effector.front") == "0.129755");
+  CHECK(told(robot, "d.drive.pivot") == "0.03175");
+  CHECK(told(robot, "d.effector.front, d.effector.half_width") == "0.129755\t0.033");
+  CHECK(told(robot, "d.body.front, d.body.back, d.body.half_width") ==
+        "0.0475\t0.073845\t0.04375");
   CHECK(told(robot, "d.magnets.ahead, d.magnets.neutral") == "0.093755\t165");
   CHECK(told(robot, "d.camera.anchor.x, d.camera.anchor.z, d.camera.focal") ==
         "0.055755\t0.079\t883.961");
@@ -35,7 +38,7 @@ TEST_CASE("what is not there is not told") {
   CHECK(told(shipped_robot("builderbot.yaml"),
              "d.rangefinders.front.calibration, d.magnets.neutral") == "metres\t15.114");
   const RobotModel cart = shipped_robot("gripper_cart.yaml");
-  CHECK(told(cart, "d.lift, d.magnets, d.effector") == "nil\tnil\tnil");
+  CHECK(told(cart, "d.lift, d.magnets, d.effector, d.body") == "nil\tnil\tnil\tnil");
   CHECK(told({}, "d.drive, d.camera, next(d.rangefinders)") == "nil\tnil\tnil");
 }
 
