@@ -13,7 +13,7 @@ local function watched_cells(task)
    local out, known = {}, {}
    local function add(du, dv, level)
       local key = du .. ' ' .. dv .. ' ' .. level
-      if not known[key] then table.insert(out, { key = key, du = du, dv = dv, level = level }) end
+      if not known[key] then table.insert(out, { du = du, dv = dv, level = level }) end
       known[key] = true
    end
    for _, ask in ipairs(task.asks) do add(table.unpack(ask)) end
@@ -21,8 +21,9 @@ local function watched_cells(task)
    return out
 end
 
--- bricks and empty by "du dv level": the block there; how often it would have been seen. watched:
--- {key, du, dv, level} of cells that are counted as empty where no brick is seen.
+-- bricks and empty by "u v level", cells as rows are counted, since the row's front may be found to be another
+-- in the midst of a look: the block there; how often it would have been seen. watched: {du, dv, level} of cells
+-- that are counted as empty where no brick is seen.
 local Column = {}
 Column.__index = Column
 
@@ -31,6 +32,10 @@ function Column.new(odometry, tracker, sight, map, task, row)
       odometry = odometry, tracker = tracker, sight = sight, map = map, task = task, row = row,
       bricks = {}, empty = {}, watched = watched_cells(task),
    }, Column)
+end
+
+function Column:key(du, dv, level)
+   return self.row.front + du .. ' ' .. self.row.v + dv .. ' ' .. level
 end
 
 function Column:count_empty(key)
@@ -44,8 +49,8 @@ function Column:note(known)
    local du = -geometry.round(along / SIDE) - row.front
    local dv = geometry.round(left / SIDE) - row.v
    local level = geometry.level_of(known.z)
-   self.bricks[du .. ' ' .. dv .. ' ' .. level] = known
-   if known.top_time == self.odometry.time then self:count_empty(du .. ' ' .. dv .. ' ' .. level + 1) end
+   self.bricks[self:key(du, dv, level)] = known
+   if known.top_time == self.odometry.time then self:count_empty(self:key(du, dv, level + 1)) end
 end
 
 -- Once in each step, for as long as the robot stands: bricks by colour, cells that are empty since a
@@ -58,18 +63,24 @@ function Column:watch()
    end
    for _, cell in ipairs(self.watched) do
       local x, y = self.map.place_of(self.row, cell.du, cell.dv)
-      if not self.bricks[cell.key] and self.sight:would_see(x, y, cell.level, self.row.frame.yaw) then
-         self:count_empty(cell.key)
+      local key = self:key(cell.du, cell.dv, cell.level)
+      if not self.bricks[key] and self.sight:would_see(x, y, cell.level, self.row.frame.yaw) then
+         self:count_empty(key)
       end
    end
 end
 
--- A colour, 'empty', or nil where it is not known.
+-- A colour, 'empty', or nil where it is not known, or was seen both empty and filled.
 function Column:cell(du, dv, level)
-   local key = du .. ' ' .. dv .. ' ' .. level
-   local known = self.bricks[key]
-   if known then return self.map:is_brick(known) and known.colour or nil end
-   return (self.empty[key] or 0) >= OFTEN and 'empty' or nil
+   local key = self:key(du, dv, level)
+   local known, empty = self.bricks[key], (self.empty[key] or 0) >= OFTEN
+   if not known then return empty and 'empty' or nil end
+   return not empty and self.map:is_brick(known) and known.colour or nil
+end
+
+-- The block that was seen in a cell.
+function Column:brick(du, dv, level)
+   return self.bricks[self:key(du, dv, level)]
 end
 
 -- The highest brick of the column in front.
@@ -79,7 +90,7 @@ function Column:top()
       local is = self:cell(0, 0, level)
       if is == 'empty' or (not is and level == self.task.levels) then return top end
       if not is then return nil end
-      top = { level = level, colour = is, known = self.bricks['0 0 ' .. level] }
+      top = { level = level, colour = is, known = self:brick(0, 0, level) }
    end
    return top
 end
@@ -87,7 +98,7 @@ end
 -- The highest of its bricks, whatever is below.
 function Column:highest()
    for level = self.task.levels, 0, -1 do
-      local known = self.bricks['0 0 ' .. level]
+      local known = self:brick(0, 0, level)
       if known then return known end
    end
 end
@@ -95,7 +106,7 @@ end
 -- Whether a brick stands in a cell, as was seen from here, or before: looks show what decisions ask for,
 -- and need not show all that is in the way.
 function Column:stands(du, dv, level)
-   local seen = self.bricks[du .. ' ' .. dv .. ' ' .. level]
+   local seen = self:brick(du, dv, level)
    if seen then return self.map:is_brick(seen) or du == 0 and dv == 0 end
    local place = { z = SIDE * (level + 0.5) }
    place.x, place.y = self.map.place_of(self.row, du, dv)
@@ -116,7 +127,7 @@ end
 -- Its bricks from a level down, as far as they are known.
 function Column:down_from(highest)
    local out = {}
-   for level = highest, 0, -1 do table.insert(out, self.bricks['0 0 ' .. level]) end
+   for level = highest, 0, -1 do table.insert(out, self:brick(0, 0, level)) end
    return out
 end
 

@@ -103,6 +103,7 @@ case('what a column shows', function()
    local _, row = next(map:rows())
    local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, row)
    machine.sight.would_see = function() return true end
+   machine.tracker.tracks[1].top_time = -1
    for _ = 1, 2 do column:watch() end
    same('below', column:cell(0, 0, 0), 1)
    same('not often enough', column:cell(1, 0, 0), nil)
@@ -132,6 +133,32 @@ case('what a column shows', function()
    same('both sides', select(1, column:decide()).aside, 0)
    column.bricks = { ['0 0 0'] = column.bricks['0 0 0'], ['0 0 1'] = column.bricks['0 0 1'] }
    same('the other side', select(1, column:decide()).aside, 1)
+end)
+
+-- As the front of a row that was known too coarsely before it.
+case('a brick in front that is seen in the midst of a look leaves what was seen where it is', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = { { 0, 1, 0 }, { 0, -1, 0 } } }
+   local map, machine = map_of({ { 0, 0, 0, colour = 2 }, { 0, 1, 0, colour = 3 }, { 0, -1, 0 } },
+                               { x = 0.4, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[0])
+   machine.sight.would_see = function() return true end
+   for _ = 1, 3 do column:watch() end
+   same('beside', column:cell(0, 1, 0), 3)
+   table.insert(machine.tracker.tracks, {
+      id = 9, x = 0.4 - SIDE, y = 0, z = SIDE / 2, yaw = 0, turned = 1e-4, level = 0, colour = 4, seen = 9,
+      missed = 0, time = 0, top_time = 0,
+   })
+   task.transport = 0
+   for _ = 1, 3 do column:watch() end
+   same('the row begins with it', column.row.front, 1)
+   same('its own colour', column:top().colour, 4)
+   same('beside that', column:cell(0, 1, 0), 'empty')
+   same('behind, beside', column:cell(-1, 1, 0), 3)
+   -- seen empty, and then filled
+   column.empty[column:key(-1, 1, 0)] = 3
+   same('one or the other', column:cell(-1, 1, 0), nil)
 end)
 
 -- From where the camera sees the front of what stands there, and no top.
