@@ -200,6 +200,9 @@ void print_task(Printer& out, const ControllerPlan& plan) {
   out.line(fmt::format("   sides = {{ {}}}, turns = {},", list, plan.turns));
   out.line(fmt::format("   levels = {}, transport = {}, delay = {:.1f},", plan.levels,
                        plan.transport, plan.longest_wait));
+  out.line(
+      fmt::format("   widest = {:.4f},  -- rad, between a tag's normal and the line to the camera",
+                  plan.widest));
   out.line("}");
   out.line();
 }

@@ -52,6 +52,7 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   // Robots wait a random time before they approach, so that two that saw the same do not
   // act at the same moment.
   out.longest_wait = compiled.robots == 1 ? 0 : kLongestWait;
+  out.widest = robot.block.most_angle;
   return out;
 }
 

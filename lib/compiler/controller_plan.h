@@ -26,6 +26,7 @@ struct ControllerPlan {
   int levels = 0;           ///< of the structure
   int transport = 4;        ///< LED colour of a block on its way; 0: dark
   double longest_wait = 0;  ///< s, before a site is approached
+  double widest = 0;        ///< rad, of a tag's normal from the line to a camera that reads it
 };
 
 /// The plan for rules that were compiled with success; it is valid for as long as `compiled` is.

@@ -10,6 +10,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/degree.h"
+
 namespace stig::compiler {
 
 namespace {
@@ -25,7 +27,8 @@ std::size_t around_index(int du, int dv, int z) {
   return static_cast<std::size_t>((z * kDepth + du + kBehind) * kRows + dv + kBeside);
 }
 
-constexpr double kEdge = 0.02;  ///< of the image's width
+constexpr double kEdge = 0.02;         ///< of the image's width
+constexpr double kTilt = 5 * kDegree;  ///< of the widest angle at which a tag is read
 
 /// Faces that a robot can see: towards it, the top, and both sides. Robot's frame: x ahead.
 constexpr std::array<Vec3, 4> kFaces = {Vec3{-1, 0, 0}, Vec3{0, 0, 1}, Vec3{0, 1, 0},
@@ -79,9 +82,11 @@ class Shot {
     const double side = robot_.block.side;
     return {column_x_ - c.du * side, c.dv * side, (c.z + 0.5) * side};
   }
+  /// Here too a margin is given away; robots keep a part of it (perception/line_of_sight.lua), so
+  /// that they do not take for empty what they see too obliquely.
   bool facing(const Vec3& p, const Vec3& normal) const {
     const Vec3 to = X_RC_.p - p;
-    return dot(to, normal) >= length(to) * std::cos(robot_.block.most_angle);
+    return dot(to, normal) >= length(to) * std::cos(robot_.block.most_angle - kTilt);
   }
   /// A margin of the image is given away, since a robot never stands exactly where it
   /// should.

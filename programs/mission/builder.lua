@@ -9,6 +9,7 @@
 --     task.asks            cells that it asks for: {du, dv, level} about the column
 --     task.looks           where to look from: {distance from camera to column, height of the lift}
 --     task.sides           sides to work from, '+x' ...; task.turns: the rules hold in every turn
+--     task.widest          rad, between a tag's normal and the line to a camera that reads it
 --     task.transport       colour of a block on its way (0: dark)
 --     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
 --
@@ -50,6 +51,7 @@ function Builder.new(robot, chart, task)
    }, Builder)
    self.builder = self
    machine.placement.transport = task.transport
+   if task.widest then machine.sight:reads_up_to(task.widest) end
    machine:start(function() self:follow_chart() end)
    return self
 end

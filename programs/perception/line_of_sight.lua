@@ -7,7 +7,8 @@ local geometry = require 'common.geometry'
 local SIDE, HALF = geometry.SIDE, geometry.HALF
 local TAG_TO_MIDDLE = 0.0285
 local HALF_TAG = 0.012
-local STEEPEST = math.cos(math.rad(70))  -- of a face, against the direction from which it is seen
+local WIDEST = math.rad(75)              -- between a tag's normal and the line to the camera, if none is said
+local SPARE = math.rad(2)                -- of that, since the robot is not quite where it believes
 local NEAREST, FARTHEST = 0.05, 0.48     -- m, between which a tag is detected
 local MARGIN = 4                         -- px
 local FACES = { { -1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 }, { 0, -1, 0 } }
@@ -17,7 +18,14 @@ local LineOfSight = {}
 LineOfSight.__index = LineOfSight
 
 function LineOfSight.new(odometry, camera, tracker)
-   return setmetatable({ odometry = odometry, camera = camera, tracker = tracker }, LineOfSight)
+   local self = setmetatable({ odometry = odometry, camera = camera, tracker = tracker }, LineOfSight)
+   self:reads_up_to(WIDEST)
+   return self
+end
+
+-- Of these blocks' tags no camera reads one that it sees more obliquely; rad, from its normal.
+function LineOfSight:reads_up_to(widest)
+   self.steepest = math.cos(widest - SPARE)
 end
 
 -- Whether the line from `eye` to `p` goes through a block; all in the robot's frame.
@@ -83,7 +91,7 @@ function LineOfSight:shows_tag(own, others)
    for _, face in ipairs(FACES) do
       local centre, normal, right, up = tag_of(own, face)
       local way = eye - centre
-      local all = way:dot(normal) >= way:length() * STEEPEST
+      local all = way:dot(normal) >= way:length() * self.steepest
       for _, corner in ipairs(CORNERS) do
          all = all and visible(centre + right * (HALF_TAG * corner[1]) + up * (HALF_TAG * corner[2]))
       end
