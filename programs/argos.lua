@@ -9,10 +9,12 @@ local argos = { robot = {}, math = setmetatable({}, { __index = math }) }
 local robot = argos.robot
 
 -- Takes our BuilderBot's description for the one that ARGoS has. The four magnets lie 3.06 mm behind the
--- end effector's middle, the wheels' motors know no ramp, and the field of the magnets vanishes at 10 V.
+-- end effector's middle, the wheels' motors know no ramp, and the field of the magnets vanishes at 10 V. Places
+-- are counted from the axle, about which it turns; its base's middle is 20 mm behind.
 function argos.describe(description)
    description.magnets.ahead, description.magnets.neutral = 0.095025, 10
-   description.drive.acceleration = 10
+   description.drive.acceleration, description.drive.pivot = 10, 0
+   description.body.front, description.body.back = 0.045, 0.085
    description.camera.anchor = { x = 0.0980875, y = 0, z = 0.055 }
    description.rangefinders.left.x, description.rangefinders.right.x = 0.0637875, 0.0637875
    robot.description = description

@@ -17,6 +17,7 @@ local BlockTracker = require 'perception.block_tracker'
 local LineOfSight = require 'perception.line_of_sight'
 local UnexplainedReturns = require 'perception.unexplained_returns'
 local Clearance = require 'motion.clearance'
+local Sweep = require 'motion.sweep'
 local PathFollower = require 'motion.path_following'
 local Search = require 'motion.search'
 local Magnets = require 'manipulation.magnets'
@@ -30,7 +31,7 @@ local Machine = {}
 Machine.__index = Machine
 
 -- What the robot's description has to say for the parts below.
-local NEEDED = { 'drive', 'lift', 'effector', 'magnets', 'camera', 'rangefinders' }
+local NEEDED = { 'drive', 'lift', 'effector', 'body', 'magnets', 'camera', 'rangefinders' }
 
 -- Call it in init or reset, once readings are there.
 function Machine.new(robot)
@@ -54,13 +55,15 @@ function Machine:perceive_with(robot, description)
    local detector = BlockDetector.new(robot, self.camera)
    self.tracker = BlockTracker.new(self.odometry, self.camera, detector)
    self.sight = LineOfSight.new(self.odometry, self.camera, self.tracker)
-   self.returns = UnexplainedReturns.new(self.odometry, self.ranges, self.tracker)
+   self.sweep = Sweep.new(description)
+   self.returns = UnexplainedReturns.new(self.odometry, self.ranges, self.tracker, self.sweep)
 end
 
 function Machine:move_with(robot, description)
    self.magnets = Magnets.new(robot, self.ranges)
    self.lift = Lift.new(robot, description, self.odometry, self.process, self.magnets)
-   self.clearance = Clearance.new(robot, description, self.process, self.ranges, self.magnets)
+   self.clearance = Clearance.new(robot, description, self.process, self.ranges, self.magnets,
+                                  self.sweep)
    self.path = PathFollower.new(robot, description, self.odometry, self.process, self.ranges,
                                 self.clearance)
    self.search = Search.new(self.odometry, self.process, self.tracker, self.magnets, self.lift,

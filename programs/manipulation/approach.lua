@@ -34,7 +34,7 @@ local LONGEST_LOOK = 4         -- s
 local OFF, ASKEW = 0.005, 0.12 -- m and rad off the line, beyond which it tries again
 local OVER_FOOT = 0.095        -- height of the lift over a block's foot to see it beside the way
 local BESIDE = 0.01            -- m, from the block's line, of a place beside it
-local ASIDE_ANGLE = 0.17       -- rad, within which such a block is surely in the picture
+local ASIDE_ANGLE = 0.19       -- rad, from the pivot, within which such a block is surely in the picture
 local ASIDE_RIM = 0.03         -- m/s
 local COLUMN_AHEAD = 0.020     -- m, before the effector
 local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it, at least
@@ -157,7 +157,7 @@ end
 -- is.
 function Approach:look_aside(block)
    local ahead, left = geometry.into(self.odometry.pose, block.x, block.y)
-   local angle = math.atan(left, ahead)
+   local angle = math.atan(left, ahead - self.odometry.ahead)
    local turn = angle - geometry.clamp(angle, -ASIDE_ANGLE, ASIDE_ANGLE)
    if turn ~= 0 then self.path:turn_by(turn, ASIDE_RIM) end
    local seen = self:look_at(block, LAST_SIGHTINGS)
@@ -171,13 +171,13 @@ function Approach:go_to_stand_off(run)
    local function meets() return clearance:meets() end
    -- out of reach of the block before turning
    if odometry:distance_to(run.block) < NEAREST_TURN then self.path:back_off(0.12) end
-   local x, y = geometry.out_of(run.line, -(STAND_OFF + FARTHER * (run.attempt - 1)), 0)
+   local x, y = odometry:pivot_on(run.line, -(STAND_OFF + FARTHER * (run.attempt - 1)))
    for _ = 1, 3 do
       self.path:go_to(x, y, nil, meets)
       if not meets() then break end
       self.process:wait(PATIENCE * math.random())
    end
-   return not meets() or (x - odometry.pose.x) ^ 2 + (y - odometry.pose.y) ^ 2 <= THERE ^ 2
+   return not meets() or geometry.apart(odometry:pivot(), { x = x, y = y }) <= THERE
 end
 
 -- States ---------------------------------------------------------------------------------------
@@ -194,8 +194,8 @@ function states.travel(self, run)
    if first and along > -NEAREST_TURN and math.abs(aside) < ON_LINE and math.abs(angle) < FACES_IT then
       -- it faces it already, and a turn sweeps more than going back
       self.path:follow_back(run.line, -STAND_OFF, 0.1)
-      along, aside = self.odometry:on_line(run.line)
    end
+   along, aside = self.odometry:turned_onto(run.line)
    if first and along <= -NEAREST_TURN and math.abs(aside) <= ON_LINE then return 'arrived' end
    return self:go_to_stand_off(run) and 'arrived' or 'obstructed'
 end

@@ -107,9 +107,10 @@ function SiteWork:distance_for(look)
    return self.machine.camera:place_when_down() + look.distance + SIDE / 2
 end
 
--- Whether the robot is too far off a row's line to come up along it.
+-- Whether the robot is too far off a row's line to come up along it, once it has turned.
 function SiteWork:is_off(line, away)
-   local along, aside, angle = self.odometry:on_line(line)
+   local _, _, angle = self.odometry:on_line(line)
+   local along, aside = self.odometry:turned_onto(line)
    return math.abs(aside) > ASIDE or along > -away + 0.01 or along < -away - TOO_FAR or
           math.abs(angle) > ASKEW
 end
@@ -117,11 +118,11 @@ end
 -- To where a row's line is come up along. Whether it is reached.
 function SiteWork:go_before(line, away)
    self.lift:to(math.max(self.lift:height(), TURN_HEIGHT))
-   local x, y = geometry.out_of(line, -away - 0.03, 0)
+   local x, y = self.odometry:pivot_on(line, -away - 0.03)
    -- where there is room to turn before the cache
    local cache = self.map.cache
    if cache and apart(cache, { x = x, y = y }) < Navigation.BEFORE_CACHE then
-      x, y = geometry.out_of(line, -away, 0)
+      x, y = self.odometry:pivot_on(line, -away)
    end
    return self.navigation:to(x, y)
 end

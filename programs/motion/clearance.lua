@@ -11,7 +11,7 @@ local SIDE = geometry.SIDE
 local STOP = 0.045             -- m, before the chassis
 local AT_EFFECTOR = 0.05       -- m, before the effector
 local BEHIND = 0.07            -- m, behind the chassis, which the body sticks out by 0.03, to stop from 0.1 m/s
-local SWEPT = 0.09             -- m, beside the chassis, that the effector sweeps when it turns
+local SPARE = 0.03             -- m, about what a turn sweeps: an arm over what a ray sees
 local FACING = 0.18            -- m, before the effector, where another's may come towards it
 local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
 local EFFECTOR = 0.095         -- m, the effector before the chassis, and some more
@@ -20,20 +20,24 @@ local FREE = 1                 -- m, more than any rangefinder sees
 local SEES_FAR = 0.1           -- m, of rangefinders that see another robot before its arm touches
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
 
--- ahead, behind, beside: names of the chassis' rangefinders that look there, beside with those behind;
--- front: where the foremost of them are, m ahead.
+-- ahead, behind: names of the chassis' rangefinders that look there; beside: those that look elsewhere than
+-- ahead, with how far each has to see so that a turn is free; front: where the foremost of them are, m ahead.
 local Clearance = {}
 Clearance.__index = Clearance
 
 -- `magnets` tells whether a block is carried, which hides what is before the chassis.
-function Clearance.new(robot, description, process, ranges, magnets)
+function Clearance.new(robot, description, process, ranges, magnets, sweep)
    local self = setmetatable({
       robot = robot, process = process, ranges = ranges, magnets = magnets,
       short_sighted = ranges:reach() < SEES_FAR, front = 0, ahead = {}, behind = {}, beside = {},
    }, Clearance)
    for _, ray in ipairs(ranges:chassis_rays()) do
-      table.insert(ray.to.x > STEEP and self.ahead or self.beside, ray.name)
-      if ray.to.x > STEEP then self.front = math.max(self.front, description.rangefinders[ray.name].x) end
+      if ray.to.x > STEEP then
+         table.insert(self.ahead, ray.name)
+         self.front = math.max(self.front, description.rangefinders[ray.name].x)
+      else
+         self.beside[ray.name] = sweep:room_along(ray.from, ray.to) + SPARE
+      end
       if ray.to.x < -STEEP then table.insert(self.behind, ray.name) end
    end
    return self
@@ -70,10 +74,22 @@ function Clearance:meets(left)
           self.ranges:nearest { 'front' } < math.min(FACING, left or 0)
 end
 
+-- How far ahead the effector has room, m.
+function Clearance:room_ahead()
+   local room = math.min(self:before_chassis() - EFFECTOR, self.ranges:nearest { 'front' } - AT_EFFECTOR)
+   return math.max(0, room)
+end
+
 -- Waits a while for those to go whom the effector would sweep in a turn on the spot.
 function Clearance:await_room()
    if self.short_sighted then return end
-   local function room() return self.ranges:nearest(self.beside) > SWEPT end
+   local function room()
+      for name, needed in pairs(self.beside) do
+         local range = self.ranges:range(name)
+         if range and range < needed then return false end
+      end
+      return true
+   end
    if not room() then self.process:wait_until(room, PATIENCE * math.random()) end
 end
 

@@ -13,6 +13,7 @@ local FAR = 0.9                -- m, from the structure's middle, that a search 
 local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
 local NEAR_LOOK = 0.23         -- m, likewise at least: what is nearer than 0.18 m is below the picture
 local OFF = 0.02               -- m, from a place, where it is reached
+local ASIDE = 0.15             -- m, out of another's way
 local TRIES = 6                -- to drive straight to a place
 local ARCS, ARC = 8, math.pi / 4  -- of a way round the structure
 local VIEWS, VIEW_TURN = 12, math.pi / 6  -- of a place, to be chosen from
@@ -40,13 +41,13 @@ end
 
 -- How near the straight way to x, y comes to the structure's middle.
 function Navigation:way_past(x, y)
-   local pose, known = self.odometry.pose, self.map.known
-   local dx, dy = x - pose.x, y - pose.y
+   local from, known = self.odometry:pivot(), self.map.known
+   local dx, dy = x - from.x, y - from.y
    local square = dx * dx + dy * dy
    local t = 0
-   if square > 0 then t = ((known.x - pose.x) * dx + (known.y - pose.y) * dy) / square end
+   if square > 0 then t = ((known.x - from.x) * dx + (known.y - from.y) * dy) / square end
    t = clamp(t, 0, 1)
-   return apart({ x = pose.x + t * dx, y = pose.y + t * dy }, known)
+   return apart({ x = from.x + t * dx, y = from.y + t * dy }, known)
 end
 
 -- Back, and aside.
@@ -61,14 +62,15 @@ function Navigation:give_way()
       turn = clamp(geometry.wrap(out + turn - pose.yaw), -1.5, 1.5)
    end
    self.path:turn_by(turn)
-   self.path:follow(self.odometry:line_ahead(), 0.15, 0.1, function() return self.clearance:meets() end)
+   local way = math.min(ASIDE, self.clearance:room_ahead())
+   self.path:follow(self.odometry:line_ahead(), way, 0.1, function() return self.clearance:meets(0) end)
 end
 
 -- Straight to a place. Where something stands in the way: waits for it to go, then gives way.
 function Navigation:straight_to(x, y)
    if not self.magnets.carrying then self.lift:to(DRIVE_LOW) end
    local place = { x = x, y = y }
-   local function left() return apart(self.odometry.pose, place) end
+   local function left() return apart(self.odometry:pivot(), place) end
    local function meets() return self.clearance:meets(left()) end
    for _ = 1, TRIES do
       self.path:go_to(x, y, nil, meets)
@@ -80,14 +82,15 @@ end
 
 -- In arcs round the structure, until the rest of the way is clear of it.
 function Navigation:round_structure(x, y)
-   local map, pose = self.map, self.odometry.pose
+   local map = self.map
    local radius = map.known.reach + Navigation.CLEAR_OF
    local function angle_of(px, py) return math.atan(py - map.known.y, px - map.known.x) end
    local goal = angle_of(x, y)
    for _ = 1, ARCS do
-      local at = angle_of(pose.x, pose.y)
+      local pivot = self.odometry:pivot()
+      local at = angle_of(pivot.x, pivot.y)
       local left = geometry.wrap(goal - at)
-      local away = apart(pose, map.known)
+      local away = apart(pivot, map.known)
       if math.abs(left) < ARC or
          (away > radius - 0.03 and self:way_past(x, y) >= map.known.reach + TOO_NEAR) then break end
       self:straight_to(self:on_ring(at + clamp(left, -ARC, ARC), radius))
@@ -104,10 +107,10 @@ end
 
 -- To a place beside the cache, if that stands in the way.
 function Navigation:past_cache(x, y)
-   local cache, pose = self.map.cache, self.odometry.pose
+   local cache, from = self.map.cache, self.odometry:pivot()
    if not cache then return end
-   local line = { x = pose.x, y = pose.y, yaw = math.atan(y - pose.y, x - pose.x) }
-   local far = apart(pose, { x = x, y = y })
+   local line = { x = from.x, y = from.y, yaw = math.atan(y - from.y, x - from.x) }
+   local far = apart(from, { x = x, y = y })
    local along, left = geometry.into(line, cache.x, cache.y)
    if along < 0.05 or along > far - 0.05 or math.abs(left) > PAST_CACHE then return end
    local aside = left < 0 and left + PAST_CACHE or left - PAST_CACHE
@@ -131,11 +134,12 @@ end
 -- Where to look at a place from, FAR_LOOK away: on the way there, or else round the place until it is
 -- clear of the structure, which may lie on the way.
 function Navigation:view_of(place)
-   local pose, known = self.odometry.pose, self.map.known
-   local first = math.atan(pose.y - place.y, pose.x - place.x)
+   local from, known = self.odometry:pivot(), self.map.known
+   local first = math.atan(from.y - place.y, from.x - place.x)
    for i = 0, VIEWS do
       local angle = first + (i % 2 == 0 and 1 or -1) * ((i + 1) // 2) * VIEW_TURN
-      local view = { x = place.x + FAR_LOOK * math.cos(angle), y = place.y + FAR_LOOK * math.sin(angle) }
+      local away = FAR_LOOK - self.odometry.ahead
+      local view = { x = place.x + away * math.cos(angle), y = place.y + away * math.sin(angle) }
       if i == VIEWS or not known or place == known or
          apart(known, view) > known.reach + TOO_NEAR then return view end
    end
@@ -143,15 +147,18 @@ end
 
 -- Looks at a place in memory from a little away. Whether `found()` says something, soon.
 function Navigation:look_again(place, found, time)
-   local pose = self.odometry.pose
-   local away = apart(place, pose)
+   local odometry = self.odometry
+   -- of the middle, once the robot faces it
+   local function distance() return apart(place, odometry:pivot()) + odometry.ahead end
+   local away = distance()
    if away > FAR_LOOK + 0.02 then
       local view = self:view_of(place)
       self:to(view.x, view.y)
       away = FAR_LOOK
    end
+   local pivot = odometry:pivot()
    self.lift:look_to(self.camera, math.max(away, NEAR_LOOK))
-   self.path:turn_to(math.atan(place.y - pose.y, place.x - pose.x))
+   self.path:turn_to(math.atan(place.y - pivot.y, place.x - pivot.x))
    if away < NEAR_LOOK - 0.02 then self.path:back_off(NEAR_LOOK - away) end
    return self.process:wait_until(found, time or LOOK_TIME)
 end

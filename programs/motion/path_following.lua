@@ -1,5 +1,6 @@
 -- SPDX-License-Identifier: MIT
--- Drives: along lines {x, y, yaw} of the odometry frame, to places, and on the spot.
+-- Drives: along lines {x, y, yaw} of the odometry frame, to places, and on the spot. Lines are followed by
+-- the robot's middle; a place is reached by its pivot, which stays there when the robot turns.
 
 local geometry = require 'common.geometry'
 local profile = require 'motion.profile'
@@ -68,12 +69,14 @@ function PathFollower:turn_by(angle, rim)
 end
 
 -- One step along a line, towards its point `to`: critically damped over the way,
--- e'' = -2 e'/L - e/L², where L is `straight`.
+-- e'' = -2 e'/L - e/L², where L is `straight` and e the distance of the pivot from the line, which changes
+-- by the heading alone.
 function PathFollower:steer(along, aside, angle, to, speed, straight)
    local left, now = to - along, (self.odometry.left + self.odometry.right) / 2
    local v = self:speed_for(left, now, speed)
    local back = left < 0 and -1 or 1
-   local bend = -back * aside / straight ^ 2 - 2 * angle / straight
+   local off = aside + self.odometry.ahead * math.sin(angle)
+   local bend = -back * off / straight ^ 2 - 2 * angle / straight
    self:drive(v, math.abs(v) * geometry.clamp(bend, -15, 15))
 end
 
@@ -106,15 +109,16 @@ function PathFollower:go_by(way, speed, each)
    return self:follow(self.odometry:line_ahead(), way, speed or self.cruise, each)
 end
 
--- To a place of the odometry frame: turns to it, and drives; `each` as with follow.
+-- With the pivot to a place of the odometry frame: turns to it, and drives; `each` as with follow.
 function PathFollower:go_to(x, y, speed, each)
-   local pose = self.odometry.pose
-   local dx, dy = x - pose.x, y - pose.y
+   local odometry = self.odometry
+   local pivot = odometry:pivot()
+   local dx, dy = x - pivot.x, y - pivot.y
    if dx * dx + dy * dy < 1e-4 then return true end
    local yaw = math.atan(dy, dx)
-   if math.abs(geometry.wrap(yaw - pose.yaw)) > 0.3 then self.clearance:await_room() end
+   if math.abs(geometry.wrap(yaw - odometry.pose.yaw)) > 0.3 then self.clearance:await_room() end
    self:turn_to(yaw)
-   return self:follow({ x = x, y = y, yaw = yaw }, 0, speed or self.cruise, each)
+   return self:follow({ x = x, y = y, yaw = yaw }, -odometry.ahead, speed or self.cruise, each)
 end
 
 -- As with follow, but ends where something stands behind.

@@ -71,7 +71,8 @@ function Search:find(wanted, legs, go)
          left = run // 2
       end
       left = left - 1
-      local x, y = pose.x + LEG * math.cos(heading), pose.y + LEG * math.sin(heading)
+      local from = self.odometry:pivot()
+      local x, y = from.x + LEG * math.cos(heading), from.y + LEG * math.sin(heading)
       if go then
          go(x, y)
       else

@@ -1,17 +1,20 @@
 -- SPDX-License-Identifier: MIT
 -- The robot's pose, estimated from its wheel encoders, in the frame in which it stood at first.
+--
+-- Its wheels move the pivot, the point about which it turns on the spot, straight ahead (robot.description
+-- says where that is); the robot's middle, whose pose this is, goes round it.
 
 local geometry = require 'common.geometry'
 local profile = require 'motion.profile'
 
--- pose: {x, y, yaw}; time and period: of this step, s; left, right: speeds of the rims, m/s;
+-- pose: {x, y, yaw}; ahead: of the pivot, before the middle, m; time and period: of this step, s; left, right: speeds of the rims, m/s;
 -- travelled: m, forwards and back.
 local Odometry = {}
 Odometry.__index = Odometry
 
 function Odometry.new(robot, description)
    return setmetatable({
-      robot = robot, description = description,
+      robot = robot, description = description, ahead = description.drive.pivot,
       pose = { x = 0, y = 0, yaw = 0 },
       time = robot.system.time or 0, period = 0.2,
       left = 0, right = 0, travelled = 0,
@@ -39,12 +42,18 @@ function Odometry:integrate(left, right, time)
    local a = profile.distance(self.left, left, time, acceleration)
    local b = profile.distance(self.right, right, time, acceleration)
    local ahead, turn = (a + b) / 2, (b - a) / self.description.drive.track
-   local pose, middle = self.pose, self.pose.yaw + turn / 2
-   pose.x = pose.x + ahead * math.cos(middle)
-   pose.y = pose.y + ahead * math.sin(middle)
+   local pose, pivot, way = self.pose, self:pivot(), self.pose.yaw + turn / 2
    pose.yaw = geometry.wrap(pose.yaw + turn)
+   pose.x = pivot.x + ahead * math.cos(way) - self.ahead * math.cos(pose.yaw)
+   pose.y = pivot.y + ahead * math.sin(way) - self.ahead * math.sin(pose.yaw)
    self.travelled = self.travelled + math.abs(ahead)
    return ahead, turn
+end
+
+-- The point that stays where it is when the robot turns on the spot.
+function Odometry:pivot()
+   local x, y = geometry.out_of(self.pose, self.ahead, 0)
+   return { x = x, y = y }
 end
 
 -- Place along and beside a line {x, y, yaw}, and the angle to it: the cross-track error and the
@@ -52,6 +61,18 @@ end
 function Odometry:on_line(line)
    local along, aside = geometry.into(line, self.pose.x, self.pose.y)
    return along, aside, geometry.wrap(self.pose.yaw - line.yaw)
+end
+
+-- Likewise where it will be once it has turned to face along the line.
+function Odometry:turned_onto(line)
+   local pivot = self:pivot()
+   local along, aside = geometry.into(line, pivot.x, pivot.y)
+   return along - self.ahead, aside
+end
+
+-- Where the pivot is when the robot's middle is so far along a line that it faces.
+function Odometry:pivot_on(line, along)
+   return geometry.out_of(line, along + self.ahead, 0)
 end
 
 function Odometry:distance_to(place)

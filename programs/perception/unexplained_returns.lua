@@ -10,17 +10,16 @@ local geometry = require 'common.geometry'
 local GRID = 0.02              -- m, between two points that are kept apart
 local KEPT = 10                -- s
 local SEES = 0.15              -- m, as far as a rangefinder surely sees through
-local TURNING = 0.145          -- m, from the robot's middle to its effector's corners, and some more
-local HALF_EFFECTOR = 0.25     -- rad, of the effector about the robot's middle
+local SPARE = 0.012            -- m, about what a turn sweeps
 local OF_BLOCK = 0.050         -- m, from a block's middle to points on it
 
 local UnexplainedReturns = {}
 UnexplainedReturns.__index = UnexplainedReturns
 UnexplainedReturns.LOOK_RIM = 0.03  -- m/s, in a turn to look: a rangefinder measures every 10 degrees
 
-function UnexplainedReturns.new(odometry, ranges, tracker)
+function UnexplainedReturns.new(odometry, ranges, tracker, sweep)
    return setmetatable({
-      odometry = odometry, ranges = ranges, tracker = tracker,
+      odometry = odometry, ranges = ranges, tracker = tracker, sweep = sweep,
       points = {},                   -- by place on the grid: {x, y, time}
       rays = ranges:chassis_rays(),
    }, UnexplainedReturns)
@@ -70,12 +69,9 @@ end
 
 -- Whether a turn on the spot by `angle` (left when positive) would hit something.
 function UnexplainedReturns:sweeps(angle)
-   local sign = angle < 0 and -1 or 1
    for _, point in pairs(self.points) do
       local x, y = geometry.into(self.odometry.pose, point.x, point.y)
-      local ahead = sign * math.atan(y, x)
-      if x * x + y * y < TURNING ^ 2 and ahead > HALF_EFFECTOR and
-         ahead < math.abs(angle) + HALF_EFFECTOR then return true end
+      if self.sweep:touches(x, y, angle, SPARE) then return true end
    end
    return false
 end

@@ -62,6 +62,38 @@ TEST_CASE("a straight metre and a full turn at cruising speed are within 2 % of 
   CHECK(std::hypot(turn.ahead, turn.aside) < 0.005);
 }
 
+// Half a turn moves the middle by twice the pivot's place, some 60 mm with either robot.
+TEST_CASE("in a turn on the spot the middle goes round the pivot, as odometry says") {
+  for (const std::string file : {"bebot.yaml", "builderbot.yaml"}) {
+    for (const double turn : {90.0, 180.0, 290.0}) {
+      Trial trial(fmt::format(
+          "stigc_scene: 1\nrobots:\n"
+          "  - {{file: {}, program: drive_probe.lua, params: {{turn: {}, speed: 0.06}}}}\n",
+          file, turn));
+      REQUIRE(trial.until(60, "done"));
+      const Drift off = drift(trial);
+      CAPTURE(file);
+      CAPTURE(turn);
+      MESSAGE(fmt::format("{} turned by {}: {:.2f} mm off where it went, the middle by {:.1f} mm",
+                          file, turn, std::hypot(off.ahead, off.aside) * 1e3,
+                          std::hypot(trial.robot().p.x, trial.robot().p.y) * 1e3));
+      CHECK(std::hypot(off.ahead, off.aside) < 0.002);
+      CHECK(std::hypot(trial.robot().p.x, trial.robot().p.y) > 0.03);
+    }
+  }
+}
+
+// As a robot that changes sides does it, with turns either way.
+TEST_CASE("turns and ways between them add up") {
+  Trial trial(probe("ahead: 0.3, turn: 135, times: 5"));
+  REQUIRE(trial.until(120, "done"));
+  const Drift off = drift(trial);
+  const double apart = std::hypot(off.ahead, off.aside);
+  MESSAGE(fmt::format("1.5 m and 5 turns of 135 degrees: {:.2f} mm, {:.2f} degrees", apart * 1e3,
+                      off.turned / kDegree));
+  CHECK(apart < 0.02 * 1.5);
+}
+
 TEST_CASE("twice round a square: odometry drifts by little") {
   Trial trial(probe("ahead: 0.5, turn: 90, times: 8"));
   REQUIRE(trial.until(120, "done"));

@@ -5,7 +5,8 @@
 -- luacheck: read globals argos
 
 local robot, math = argos.robot, argos.math
-argos.describe { magnets = {}, drive = {}, camera = {}, rangefinders = { left = {}, right = {} } }
+argos.describe { magnets = {}, drive = {}, camera = {}, body = {},
+                 rangefinders = { left = {}, right = {} } }
 
 local function near(what, is, wanted, within)
    if math.abs(is - wanted) > (within or 1e-6) then

@@ -37,8 +37,9 @@ local function description_of(finders)
    end
    rangefinders.left.x, rangefinders.right.x = 0.0585, 0.0585
    return {
-      name = 'fake', drive = { track = 0.070, speed = 0.32, acceleration = 1 },
-      lift = { top = 0.137, tolerance = 0.001 }, effector = { front = 0.130 },
+      name = 'fake', drive = { track = 0.070, pivot = 0.030, speed = 0.32, acceleration = 1 },
+      lift = { top = 0.137, tolerance = 0.001 }, effector = { front = 0.130, half_width = 0.030 },
+      body = { front = 0.045, back = 0.075, half_width = 0.044 },
       magnets = { ahead = 0.094, neutral = 165 },
       camera = { anchor = { x = 0.056, y = 0, z = 0.080 }, focal = 900 }, rangefinders = rangefinders,
    }
@@ -90,7 +91,7 @@ function FakeRobot.new(blocks)
    return self
 end
 
--- The rims' ramp, and the way that it makes.
+-- The rims' ramp, and the way that it makes: the pivot goes ahead, and the middle round it.
 function FakeRobot:drive()
    local encoders, drive = self.robot.differential_drive.encoders, self.robot.description.drive
    local before, most = { encoders.left, -encoders.right }, drive.acceleration * PERIOD
@@ -100,10 +101,11 @@ function FakeRobot:drive()
       way[i] = profile.distance(before[i], after[i], PERIOD, drive.acceleration)
    end
    local turn, ahead = (way[2] - way[1]) / drive.track, (way[1] + way[2]) / 2
-   local middle = self.pose.yaw + turn / 2
-   self.pose.x = self.pose.x + ahead * math.cos(middle)
-   self.pose.y = self.pose.y + ahead * math.sin(middle)
+   local x, y = geometry.out_of(self.pose, drive.pivot, 0)
+   local heading = self.pose.yaw + turn / 2
    self.pose.yaw = geometry.wrap(self.pose.yaw + turn)
+   self.pose.x, self.pose.y = x + ahead * math.cos(heading), y + ahead * math.sin(heading)
+   self.pose.x, self.pose.y = geometry.out_of(self.pose, -drive.pivot, 0)
    encoders.left, encoders.right = after[1], -after[2]
 end
 

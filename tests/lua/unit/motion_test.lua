@@ -4,6 +4,7 @@
 local FakeRobot = require 'fake_robot'
 local Machine = require 'machine'
 local Navigation = require 'motion.navigation'
+local Sweep = require 'motion.sweep'
 local geometry = require 'common.geometry'
 local machine_with = require 'machine_with'
 local unit = require 'unit'
@@ -23,9 +24,74 @@ case('a turn ends at its heading, a drive on its line', function()
    near('as it is', fake.pose.x, machine.odometry.pose.x, 1e-6)
    run(function() return machine.path:go_by(-0.2) end)
    near('back', machine.odometry:on_line(line), -0.2, 2e-3)
-   run(function() return machine.path:go_to(0, 0) end)
-   near('x', fake.pose.x, 0, 1e-3)
-   near('y', fake.pose.y, 0, 1e-3)
+end)
+
+case('a turn on the spot leaves the pivot where it is, and a place is reached by it', function()
+   local machine, fake, run = machine_with()
+   local pivot = fake.robot.description.drive.pivot
+   run(function() return machine.path:turn_to(math.pi / 2) end)
+   near('x, turned', fake.pose.x, pivot, 1e-5)
+   near('y, turned', fake.pose.y, -pivot, 1e-5)
+   run(function() return machine.path:turn_to(-math.pi / 2) end)
+   near('x, turned back', fake.pose.x, pivot, 1e-5)
+   near('y, turned back', fake.pose.y, pivot, 1e-5)
+   run(function() return machine.path:go_to(0.3, 0.4) end)
+   run(function() return machine.path:turn_to(2) end)
+   local x, y = geometry.out_of(fake.pose, pivot, 0)
+   near('x, there', x, 0.3, 1e-3)
+   near('y, there', y, 0.4, 1e-3)
+   near('odometry of x', machine.odometry.pose.x, fake.pose.x, 1e-9)
+   near('odometry of y', machine.odometry.pose.y, fake.pose.y, 1e-9)
+end)
+
+case('from where it is told to turn it stands on the line, once it has turned', function()
+   local machine, fake, run = machine_with()
+   local line = { x = 0.5, y = 0.3, yaw = 2.5 }
+   run(function() return machine.path:go_to(machine.odometry:pivot_on(line, -0.2)) end)
+   local along, aside = machine.odometry:turned_onto(line)
+   near('along, to be', along, -0.2, 1e-3)
+   near('aside, to be', aside, 0, 1e-3)
+   run(function() return machine.path:turn_to(line.yaw) end)
+   along, aside = geometry.into(line, fake.pose.x, fake.pose.y)
+   near('along', along, -0.2, 1e-3)
+   near('aside', aside, 0, 1e-3)
+end)
+
+-- Against a robot turned in small steps: what lies under it then and not at first.
+case('what a turn sweeps is what comes by', function()
+   local description = FakeRobot.new().robot.description
+   local sweep, pivot = Sweep.new(description), description.drive.pivot
+   local effector, body = description.effector, description.body
+   local function is_under(x, y)
+      return x >= pivot and x <= effector.front and math.abs(y) <= effector.half_width or
+             x >= -body.back and x <= body.front and math.abs(y) <= body.half_width
+   end
+   local function comes_by(x, y, angle)
+      for step = 0, 300 do
+         local dx, dy = geometry.into({ x = pivot, y = 0, yaw = angle * step / 300 }, x, y)
+         if is_under(pivot + dx, dy) then return true end
+      end
+      return false
+   end
+   local touched, free = 0, 0
+   for i = 1, 600 do
+      local x, y = 0.28 * ((i * 0.6180) % 1 - 0.4), 0.28 * ((i * 0.7548) % 1 - 0.5)
+      local angle = 6 * ((i * 0.5698) % 1 - 0.5)
+      if is_under(x, y) then
+         same('under it', sweep:touches(x, y, angle, 0.01), false)
+      elseif comes_by(x, y, angle) then
+         touched = touched + 1
+         same('touched', sweep:touches(x, y, angle, 1e-4), true)
+      elseif not comes_by(x, y, angle + (angle < 0 and -0.03 or 0.03)) then
+         free = free + 1
+         same('free', sweep:touches(x, y, angle, 0), false)
+      end
+   end
+   assert(touched > 60 and free > 200, touched .. ' ' .. free)
+   near('farthest', sweep.reach, math.sqrt(0.105 ^ 2 + 0.044 ^ 2), 1e-9)
+   same('beyond it', sweep:touches(pivot, sweep.reach + 0.001, 3, 0), false)
+   near('ahead', sweep:room_along({ x = pivot, y = 0 }, { x = 0, y = 1 }), sweep.reach, 1e-9)
+   near('aside', sweep:room_along({ x = 0, y = 1 }, { x = 1, y = 0 }), 0)
 end)
 
 case('a line that is lost ends the drive', function()
@@ -101,8 +167,11 @@ case('a search in vain goes on along a spiral', function()
       end)
    end), nil)
    same('legs', #places, 3)
-   near('first leg', geometry.apart({ x = places[1][1], y = places[1][2] }, { x = 0, y = 0 }), 0.33, 1e-6)
-   near('a quarter turn', places[2][1] * places[1][1] + places[2][2] * places[1][2], 0, 1e-2)
+   local pivot = { x = 0.030, y = 0 }
+   local function from_pivot(place) return { x = place[1] - pivot.x, y = place[2] - pivot.y } end
+   local first, second = from_pivot(places[1]), from_pivot(places[2])
+   near('first leg', geometry.apart(first, { x = 0, y = 0 }), 0.33, 1e-6)
+   near('a quarter turn', second.x * first.x + second.y * first.y, 0, 1e-2)
 end)
 
 case('the way to the far side leads round the structure', function()
@@ -113,7 +182,7 @@ case('the way to the far side leads round the structure', function()
    same('there', run(function() return navigation:to(1.2, 0.05) end, function()
       nearest = math.min(nearest, geometry.apart(fake.pose, map.known))
    end), true)
-   near('x', fake.pose.x, 1.2, 0.02)
+   near('x', machine.odometry:pivot().x, 1.2, 0.02)
    assert(nearest > 0.08 + 0.165 - 0.01, nearest)
 end)
 
@@ -125,7 +194,7 @@ case('a way past the cache leaves it aside', function()
    run(function() return navigation:to(0.8, 0) end, function()
       nearest = math.min(nearest, geometry.apart(fake.pose, cache))
    end)
-   near('x', fake.pose.x, 0.8, 0.02)
+   near('x', machine.odometry:pivot().x, 0.8, 0.02)
    assert(nearest > 0.15, nearest)
 end)
 

@@ -12,6 +12,7 @@ local LineOfSight = require 'perception.line_of_sight'
 local Odometry = require 'perception.odometry'
 local RangeSensors = require 'perception.range_sensors'
 local UnexplainedReturns = require 'perception.unexplained_returns'
+local Sweep = require 'motion.sweep'
 local unit = require 'unit'
 local case, near, same = unit.case, unit.near, unit.same
 
@@ -25,7 +26,7 @@ local function perceiver(blocks)
    local self = {
       fake = fake, robot = robot, odometry = odometry, camera = camera, tracker = tracker,
       ranges = ranges, sight = LineOfSight.new(odometry, camera, tracker),
-      returns = UnexplainedReturns.new(odometry, ranges, tracker),
+      returns = UnexplainedReturns.new(odometry, ranges, tracker, Sweep.new(description)),
    }
    function self.step(times)
       for _ = 1, times or 1 do
@@ -199,8 +200,10 @@ case('a return is unexplained where no block is known, and gone when it is seen 
    same('in a turn to the left', p.returns:sweeps(0.5), false)
    p.robot.rangefinders['3'].proximity = 0.03
    p.step()
-   same('with something to the left', p.returns:sweeps(1), true)
-   same('to the right', p.returns:sweeps(-1), false)
+   same('with something to the left', p.returns:sweeps(1.3), true)
+   same('not as far', p.returns:sweeps(0.7), false)
+   same('to the right', p.returns:sweeps(-0.5), false)
+   same('its back, farther', p.returns:sweeps(-1.3), true)
    p.robot.rangefinders['1'].proximity = 0.2
    p.step()
    same('gone', #p.returns:near(0.075, 0, 0.01, 0), 0)
