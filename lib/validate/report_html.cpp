@@ -133,6 +133,10 @@ void work(const ValidationReport& report, const std::vector<ProgressCurve>& curv
       "the electromagnets, for more than {:g} s in a row. {} attempts were aborted since another "
       "robot was in the way, {:.2f} for each brick placed.</p>\n",
       100 * all.idle_share(), kIdleAfter, all.busy, all.busy_per_brick());
+  page.add(
+      "<p>Efficiency {:.2f}: {:.0f} s of robots' time for what {:.0f} s are ideal for, by straight "
+      "ways and with nothing in the way.</p>\n",
+      all.efficiency(), all.taken, all.ideal);
   std::vector<std::vector<std::string>> rows;
   for (const WorkPhase& phase : phases_of(curves)) {
     rows.push_back({fmt::format("@{}", phase.name), fixed(phase.from, 0), fixed(phase.to, 0),

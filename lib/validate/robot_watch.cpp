@@ -8,6 +8,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "validate/ideal_time.h"
+
 namespace stig::validate {
 namespace {
 
@@ -32,6 +34,8 @@ RobotWatch::RobotWatch(const Simulation& run)
     robots_[i].record.name = run.scene().robots[i].name;
     robots_[i].place = run.crew()->robot_pose(run.world(), i).p;
   }
+  const std::vector<WatchedHand> began = hands();
+  for (std::size_t i = 0; i < robots_.size(); ++i) robots_[i].began = began[i];
 }
 
 const RobotModel& RobotWatch::model(std::size_t robot) const {
@@ -159,6 +163,7 @@ bool RobotWatch::all_out() const {
 std::vector<RobotRecord> RobotWatch::finish(const Watch& watch) {
   std::vector<RobotRecord> records;
   const double now = run_.world().time();
+  const std::vector<Haul> hauls = watch.hauls();
   for (std::size_t i = 0; i < robots_.size(); ++i) {
     // A rest that lasts to the end of the run ends there.
     end_rest(robots_[i]);
@@ -171,6 +176,7 @@ std::vector<RobotRecord> RobotWatch::finish(const Watch& watch) {
     record.left = run_.world().state(run_.crew()->root_body(i)).left;
     record.fallen = !record.left && matrix(record.X_WR.q).z.z < kUpright;
     record.holding = watch.holding(i);
+    record.ideal = ideal_time(hauls, i, robots_[i].began.p_W, work_speeds(model(i)));
     records.push_back(std::move(record));
   }
   return records;

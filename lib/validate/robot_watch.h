@@ -30,6 +30,7 @@ class RobotWatch {
     RobotRecord record;
     std::uint64_t tick = UINT64_MAX;  ///< of its controller, seen last
     Vec3 place;                       ///< where it stood when it last moved
+    WatchedHand began;                ///< where its hand was at first
     /// Since it did something last: s in each state that it showed.
     std::vector<std::pair<std::string, double>> rest;
   };

@@ -50,6 +50,7 @@ struct RobotRecord {
   std::string state;                      ///< the last
   double since = 0;                       ///< s
   std::map<std::string, double> shown;    ///< numbers, the newest of each name
+  double ideal = 0;                       ///< s, of its bricks: ideal_time.h
   double still = 0;                       ///< s with neither wheels nor lift in motion
   std::vector<TimeSpan> idle;             ///< when it did nothing, for more than kIdleAfter
   std::map<std::string, double> idle_in;  ///< s of that, by the state that it showed

@@ -84,16 +84,17 @@ void Watch::follow_haul(double time, const WatchedBlock& block, Known& known) {
   known.last_holder = known.holder;
   if (!known.haul) {
     known.haul = hauls_.size();
-    known.taken = block.X_WB.p;
     Haul haul;
     haul.robot = known.holder;
     haul.block = block.block;
     haul.from = time;
+    haul.taken = block.X_WB.p;
     hauls_.push_back(haul);
   }
   Haul& haul = hauls_[*known.haul];
   haul.to = time;
-  haul.way = length(block.X_WB.p - known.taken);
+  haul.put = block.X_WB.p;
+  haul.way = length(haul.put - haul.taken);
 }
 
 void Watch::drop_leavers(double time, const std::vector<WatchedBlock>& blocks) {

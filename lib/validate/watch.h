@@ -47,6 +47,7 @@ struct Haul {
   std::size_t robot = 0, block = 0;
   double from = 0, to = 0;     ///< s, under the end-effector
   double way = 0;              ///< m, from where it was taken to where it was let go
+  Vec3 taken, put;             ///< its middle, there and there
   bool ended = false;          ///< it holds it no more
   std::optional<Cell> placed;  ///< it became a brick then
 };
@@ -83,7 +84,6 @@ class Watch {
     std::size_t holder = kNoRobot, last_holder = kNoRobot;
     std::optional<std::size_t> haul;  ///< open, in hauls_
     std::optional<Cell> cell;         ///< a brick there
-    Vec3 taken;                       ///< where the haul began
   };
   void follow(double time, const WatchedBlock& block, const std::vector<WatchedHand>& hands);
   void follow_haul(double time, const WatchedBlock& block, Known& known);

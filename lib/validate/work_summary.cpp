@@ -71,8 +71,11 @@ WorkSummary summary_of(const BuildTarget& target, std::span<const Trial> trials)
     const ProgressCurve curve = curve_of(target, trial);
     out.placed += static_cast<std::size_t>(curve.steps.empty() ? 0 : curve.steps.back().second);
     if (curve.complete) times.push_back(curve.steps.empty() ? 0 : curve.steps.back().first);
+    out.taken +=
+        (curve.complete ? times.back() : trial.time) * static_cast<double>(trial.robots.size());
     for (const RobotRecord& robot : trial.robots) {
       out.time += trial.time;
+      out.ideal += robot.ideal;
       out.busy += robot.busy.size();
       out.idle += robot.idle_time();
       for (const auto& [state, seconds] : robot.spent) states[state].time += seconds;

@@ -25,10 +25,14 @@ struct WorkSummary {
   double finish = 0, deviation = 0;  ///< s, of the last brick of complete runs; of the sample
   double time = 0, idle = 0;         ///< s, of all robots
   std::vector<StateTime> states;     ///< the longest first
+  double ideal = 0;                  ///< s, of the robots for the bricks that stand: ideal_time.h
+  double taken = 0;                  ///< s, of the robots until the last brick; of runs that are
+                                     ///< not complete, until their end
   std::size_t placed = 0;            ///< right bricks at the end, the start left out
   std::size_t busy = 0;              ///< attempts aborted since another robot was in the way
 
   double idle_share() const { return time > 0 ? idle / time : 0; }
+  double efficiency() const { return taken > 0 ? ideal / taken : 0; }
   double busy_per_brick() const {
     return static_cast<double>(busy) / static_cast<double>(placed > 0 ? placed : 1);
   }

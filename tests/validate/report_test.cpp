@@ -52,7 +52,8 @@ struct MadeUpReport : Staircase {
     robot.idle_in = {{"approach", 8.5}, {"search", 2}};
     robot.busy = {25};
     out.robots = {robot};
-    out.hauls = {{0, 1, 2.0, 12.0, 0.5, true, Cell{0, 0, 1}}, {0, 2, 14.0, 20.0, 0.3, true, {}}};
+    out.hauls = {{0, 1, 2.0, 12.0, 0.5, {}, {}, true, Cell{0, 0, 1}},
+                 {0, 2, 14.0, 20.0, 0.3, {}, {}, true, {}}};
     out.lines = {{1.5, "robot 1", "1 < 2 & \"so\"", false}};
     out.pictures = {{12, std::string("\x89PNG\0\xff", 6)}};
     return out;

@@ -41,13 +41,21 @@ Json brick_json(const RuleSet& rules, const BrickCheck& brick) {
 }
 
 Json robot_json(const RobotRecord& robot) {
-  Json json{{"name", robot.name},          {"driven_m", robot.driven},
-            {"state", robot.state},        {"since", robot.since},
-            {"holding", robot.holding},    {"failed", robot.failed},
-            {"halted", robot.halted},      {"left", robot.left},
-            {"fallen", robot.fallen},      {"still_s", robot.still},
-            {"idle_s", robot.idle_time()}, {"wheels_J", robot.energy.wheels},
-            {"lift_J", robot.energy.lift}, {"current_s", robot.energy.current_time}};
+  Json json{{"name", robot.name},
+            {"driven_m", robot.driven},
+            {"state", robot.state},
+            {"since", robot.since},
+            {"holding", robot.holding},
+            {"failed", robot.failed},
+            {"halted", robot.halted},
+            {"left", robot.left},
+            {"fallen", robot.fallen},
+            {"ideal_s", robot.ideal},
+            {"still_s", robot.still},
+            {"idle_s", robot.idle_time()},
+            {"wheels_J", robot.energy.wheels},
+            {"lift_J", robot.energy.lift},
+            {"current_s", robot.energy.current_time}};
   // What its program shows of itself: it may be anything, or nothing.
   json["shown"] = robot.shown;
   json["states_s"] = robot.spent;
@@ -94,6 +102,7 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
             {"verdict", to_string(trial.judgement.verdict)},
             {"end", to_string(trial.end)},
             {"time", trial.time},
+            {"efficiency", summary_of(target, std::span(&trial, 1)).efficiency()},
             {"findings", findings_of(target, trial)}};
   json.update(judgement_json(*target.rules, trial.judgement));
   json["events"] = Json::array();
@@ -197,7 +206,8 @@ std::string one_run(const ValidationReport& report, const Trial& trial, bool col
   }
   out += line("blocks", count_text(trial.blocks));
   out += line("attempts", attempts_in_words(trial));
-  out += line("robots", work_in_words(summary_of(*report.target, std::span(&trial, 1))));
+  const WorkSummary work = summary_of(*report.target, std::span(&trial, 1));
+  out += line("robots", work_in_words(work)) + line("efficiency", efficiency_in_words(work));
   for (const RobotRecord& robot : trial.robots) out += robot_lines(robot);
   for (const auto& [name, value] : trial.measures) {
     out += line("measure", fmt::format("{} {:g}", printable(name), value));
@@ -268,7 +278,8 @@ std::string lines_of(const ValidationReport& report, bool color) {
   out += line("verdict", all_complete(report) ? green(verdict_text(report), color)
                                               : red(verdict_text(report), color));
   const WorkSummary all = summary_of(*report.target, report.trials);
-  out += line("time", time_in_words(all)) + line("robots", work_in_words(all)) + table(report);
+  out += line("time", time_in_words(all)) + line("robots", work_in_words(all)) +
+         line("efficiency", efficiency_in_words(all)) + table(report);
   out += lines_of(phases_of(curves_of(report))) + state_lines(all);
   for (const Trial& trial : report.trials) {
     for (const std::string& finding : findings_of(*report.target, trial)) {

@@ -18,6 +18,8 @@ Json to_json(const WorkSummary& all) {
             {"finish_s", all.complete > 0 ? Json(all.finish) : Json(nullptr)},
             {"finish_deviation_s", all.complete > 0 ? Json(all.deviation) : Json(nullptr)},
             {"robots_s", all.time},
+            {"ideal_s", all.ideal},
+            {"efficiency", all.efficiency()},
             {"idle_s", all.idle},
             {"idle_share", all.idle_share()},
             // The share of time at work, under the name that the literature has for it.
@@ -57,6 +59,12 @@ std::string work_in_words(const WorkSummary& all) {
       "at work {:.0f} % of their time, idle {:.0f} %; aborted {} times since another was in the "
       "way, {:.2f} for each brick placed",
       100 * (1 - all.idle_share()), 100 * all.idle_share(), all.busy, all.busy_per_brick());
+}
+
+std::string efficiency_in_words(const WorkSummary& all) {
+  const auto bricks = static_cast<double>(all.placed > 0 ? all.placed : 1);
+  return fmt::format("{:.2f}: {:.1f} s of a robot for each brick, where {:.1f} s are ideal",
+                     all.efficiency(), all.taken / bricks, all.ideal / bricks);
 }
 
 std::string lines_of(const std::vector<WorkPhase>& phases) {

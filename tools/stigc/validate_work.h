@@ -18,6 +18,8 @@ Json to_json(const std::vector<WorkPhase>& phases);
 /// Mean and deviation of the time that complete runs took.
 std::string time_in_words(const WorkSummary& all);
 std::string work_in_words(const WorkSummary& all);
+/// Ideal time by the time that was taken (validate/ideal_time.h).
+std::string efficiency_in_words(const WorkSummary& all);
 /// A table; nothing where there are none.
 std::string lines_of(const std::vector<WorkPhase>& phases);
 std::string state_lines(const WorkSummary& all);
