@@ -77,6 +77,18 @@ TEST_CASE("a sound file gives its values, and defaults for what it does not say"
   CHECK(view.form("absent").number("x", 7) == 7);
 }
 
+TEST_CASE("true or false is meant by other words for them, and by no more") {
+  const auto meant = [](const std::string& word) {
+    const Checked file("stigc_table: 1\nname: desk\nround: " + word + "\n");
+    const auto found = sorted_by_place(file.diagnostics);
+    REQUIRE(found.size() == 1);
+    return found.front()->suggestion;
+  };
+  for (const char* word : {"True", "yes", "ON"}) CHECK(meant(word) == "true");
+  for (const char* word : {"FALSE", "no", "Off"}) CHECK(meant(word) == "false");
+  for (const char* word : {"maybe", "1", "\"\"", "[]"}) CHECK(meant(word).empty());
+}
+
 TEST_CASE("every slip is told, and what is sound beside it is still read") {
   const Checked file(
       "stigc_table: 2\nmass: 0\ntops: 1.5\nround: yes\ncolor: red\nwords: 3\nmas: 1\n"
