@@ -69,20 +69,24 @@ TEST_CASE("replay shows a recorded run, any moment of it, and verifies it") {
 }
 
 TEST_CASE("a run taken up again ends as if it had never stopped: hash and trace, byte by byte") {
-  const Workplace place;
-  const Outcome whole = place.stigc({"simulate", "sets/fall.yaml", "--trace", "whole.stigp"});
-  REQUIRE(whole.exit_code == 0);
-  REQUIRE(place
-              .stigc({"simulate", "sets/fall.yaml", "--duration", "0.37", "--trace", "part.stigp",
-                      "--checkpoint", "c.stigk"})
-              .exit_code == 0);
-  const Outcome rest =
-      place.stigc({"simulate", "--resume", "c.stigk", "--trace", "part.stigp", "--duration", "1"});
-  CHECK(rest.exit_code == 0);
-  for (const char* label : {"hash", "moved", "contacts", "magnets", "end"}) {
-    CHECK(line_of(rest.out, label) == line_of(whole.out, label));
+  for (const std::string detail : {"", " --trace-detail"}) {
+    const Workplace place;
+    const Outcome whole = place.shell("stigc simulate sets/fall.yaml --trace whole.stigp" + detail);
+    REQUIRE(whole.exit_code == 0);
+    REQUIRE(place
+                .shell("stigc simulate sets/fall.yaml --duration 0.4 --trace part.stigp "
+                       "--checkpoint c.stigk" +
+                       detail)
+                .exit_code == 0);
+    // What is recorded is what the trace so far has.
+    const Outcome rest = place.stigc(
+        {"simulate", "--resume", "c.stigk", "--trace", "part.stigp", "--duration", "1"});
+    CHECK(rest.exit_code == 0);
+    for (const char* label : {"hash", "moved", "contacts", "magnets", "end"}) {
+      CHECK(line_of(rest.out, label) == line_of(whole.out, label));
+    }
+    CHECK(place.file("part.stigp") == place.file("whole.stigp"));
   }
-  CHECK(place.file("part.stigp") == place.file("whole.stigp"));
 }
 
 TEST_CASE("pictures of any moment, from a run and from its trace, are the same") {

@@ -36,6 +36,8 @@ std::string usage_problem(const SimulateOptions& o) {
   if (o.resume && o.seed) return "a checkpoint holds its seed: leave --seed out";
   if (o.at && !o.picture) return "--at is the moment of a picture: add -o FILE.png";
   if (o.camera && !o.picture) return "--camera says what a picture shows: add -o FILE.png";
+  if (o.detail && !o.trace) return "--trace-detail says what a trace has: add --trace FILE.stigp";
+  if (o.detail && o.resume) return "a resumed run goes on in its trace: leave --trace-detail out";
   if (o.picture && !o.picture->ends_with(".png")) {
     return fmt::format("'{}': pictures of scenes are .png", *o.picture);
   }
@@ -164,12 +166,13 @@ class OneRun {
 
   int begin_trace() {
     if (!options_.trace) return kOk;
-    const PoseTraceHeader header = trace_header(loaded_.scene, loaded_.placed);
+    PoseTraceHeader header = trace_header(loaded_.scene, loaded_.placed, options_.detail);
     std::optional<PoseTrace> earlier;
     if (options_.resume) {
       // The trace may be longer than the run up to the checkpoint, never shorter.
       earlier = earlier_trace(*options_.trace, header, run_.world().tick(), app_);
       if (!earlier) return kFailed;
+      header.channels = earlier->header.channels;
     }
     if (!trace_.open(*options_.trace)) {
       app_.complain(trace_.error());

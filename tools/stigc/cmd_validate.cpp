@@ -53,6 +53,10 @@ class Validation {
   Validation(const ValidateOptions& options, App& app) : options_(options), app_(app) {}
 
   int run() {
+    if (options_.detail && !options_.output) {
+      app_.complain("--trace-detail says what traces have: add -o DIR");
+      return kUsage;
+    }
     if (const int code = compile(); code != kOk) return code;
     if (const int code = load(); code != kOk) return code;
     if (const int code = options_.output ? prepare_folder() : kOk; code != kOk) return code;

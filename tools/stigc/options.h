@@ -123,6 +123,7 @@ struct SimulateOptions {
   std::optional<std::string> picture;  ///< .png
   std::optional<std::string> camera;   ///< ROBOT[:CAMERA], whose view the picture is
   std::optional<std::string> trace;
+  bool detail = false;  ///< of the trace: what robots sense, and magnets
   std::optional<std::string> checkpoint;
   std::optional<std::string> resume;
   int runs = 1;
@@ -157,6 +158,7 @@ struct ValidateOptions {
   int runs = 1;
   int threads = 0;                    ///< 0: all cores
   std::optional<std::string> output;  ///< folder
+  bool detail = false;                ///< of its traces, as above
   bool json = false;
 };
 

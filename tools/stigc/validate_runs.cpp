@@ -61,7 +61,9 @@ class Batch {
     if (options_.output) {
       slot.traced = true;
       slot.good = slot.trace.open(*options_.output + "/" + trace_name(seed));
-      if (slot.good) settings.trace = &slot.trace.begin(trace_header(scene_, *placed));
+      if (slot.good) {
+        settings.trace = &slot.trace.begin(trace_header(scene_, *placed, options_.detail));
+      }
     }
     TrialHooks hooks;
     hooks.stop = &stop_requested();

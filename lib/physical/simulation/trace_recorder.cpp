@@ -7,13 +7,15 @@
 
 #include "physical/dynamics/ticks.h"
 #include "physical/render/show_json.h"
+#include "physical/simulation/detail_json.h"
 #include "physical/simulation/run_state.h"
 
 namespace stig::physics {
 
 namespace {
 
-constexpr double kFrameSeconds = 0.02, kHashSeconds = 1;
+constexpr double kFrameSeconds = 0.02, kHashSeconds = 1, kMagnetSeconds = 0.1;
+constexpr const char *kSenses = "senses", *kMagnets = "magnets";
 enum : std::uint32_t { kLedChannel, kLogChannel, kShowChannel };
 
 /// Every frame has all bodies that may ever come, so that numbers in a trace are those of the
@@ -44,7 +46,7 @@ bool is_due(const RunState& run, double seconds) {
 
 }  // namespace
 
-PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
+PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed, bool detailed) {
   assert(placed.robots.size() == scene.robots.size());
   PoseTraceHeader header;
   header.title = scene.title;
@@ -68,6 +70,7 @@ PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed) {
     header.bodies.push_back(std::move(body));
   }
   header.channels = {"leds", "log", "show"};
+  if (detailed) header.channels.insert(header.channels.end(), {kSenses, kMagnets});
   header.files = scene.files;
   return header;
 }
@@ -86,6 +89,10 @@ void TraceRecorder::note(const RunState& run, const CrewLine& line) {
 }
 
 void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
+  // Before the step rather than after it, as a run that is taken up again writes the values of its
+  // first tick anew.
+  const auto magnets = writer_ != nullptr ? writer_->channel(kMagnets) : std::nullopt;
+  if (magnets && is_due(run, kMagnetSeconds)) write_magnets(run, *magnets);
   Crew* crew = run.agents.crew();
   if (crew == nullptr) return;
   // Asked for also when there is no writer, so that lists do not grow.
@@ -96,10 +103,15 @@ void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
                     static_cast<std::uint32_t>(crew->block_body(block)),
                     led_bytes(crew->leds(block))});
   }
+  const auto senses = writer_->channel(kSenses);
   for (const std::size_t robot : stepped) {
-    writer_->value({run.world.tick(), kShowChannel,
-                    static_cast<std::uint32_t>(crew->root_body(robot)),
-                    show_json(crew->commands(robot).user, inverse(crew->root_pose(robot)))});
+    const auto body = static_cast<std::uint32_t>(crew->root_body(robot));
+    const RobotCommands& commands = crew->commands(robot);
+    writer_->value({run.world.tick(), kShowChannel, body,
+                    show_json(commands.user, inverse(crew->root_pose(robot)))});
+    if (!senses) continue;
+    writer_->value({run.world.tick(), *senses, body,
+                    senses_json(crew->model(robot), crew->readings(robot), commands)});
   }
 }
 
@@ -116,6 +128,19 @@ void TraceRecorder::write_frame(const RunState& run) {
   if (framed_ == run.world.tick()) return;
   framed_ = run.world.tick();
   writer_->frame(frame_of(run.world, run.placed.bodies.size()));
+}
+
+// Those of a body asleep stay as they were written last; a body that has just fallen asleep was
+// awake a moment before.
+void TraceRecorder::write_magnets(const RunState& run, std::uint32_t channel) {
+  if (!run.scene->magnets) return;
+  for (std::uint32_t i = 0; i < run.world.size(); ++i) {
+    if (!run.placed.bodies[i].block || !run.world.state(BodyId{i}).awake) continue;
+    const BlockModel& model = run.scene->models[block_model(*run.scene, run.placed, i)];
+    if (!model.has_magnets()) continue;
+    const std::size_t count = model.magnet_places().size();
+    writer_->value({run.world.tick(), channel, i, magnets_json(run.world, BodyId{i}, count)});
+  }
 }
 
 void TraceRecorder::finish(const RunState& run, RunEnd end) {

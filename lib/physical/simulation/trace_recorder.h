@@ -11,8 +11,10 @@ namespace stig::physics {
 struct PlacedScene;
 struct Scene;
 
-/// What the header of a scene's trace says.
-PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed);
+/// What the header of a scene's trace says. A detailed trace has, besides, what robots sense, hear
+/// and send, and the directions of blocks' magnets (detail_json.h): channels of their own, which a
+/// run is recorded into because they are there.
+PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed, bool detailed = false);
 
 class TraceRecorder final : public RunPart {
  public:
@@ -31,6 +33,7 @@ class TraceRecorder final : public RunPart {
 
  private:
   void write_frame(const RunState& run);
+  void write_magnets(const RunState& run, std::uint32_t channel);
 
   PoseTraceWriter* writer_ = nullptr;
   std::uint64_t framed_ = UINT64_MAX;  ///< tick of the last frame written

@@ -109,6 +109,8 @@ class PoseTraceWriter {
   using Sink = std::function<void(std::string_view)>;
 
   PoseTraceWriter(const PoseTraceHeader& header, Sink sink);
+  /// The number of a channel of the header.
+  std::optional<std::uint32_t> channel(std::string_view name) const;
   void frame(const TraceFrame& frame);
   void event(const TraceEvent& event);
   void hash(const TraceHash& hash);
@@ -124,13 +126,14 @@ class PoseTraceWriter {
   void flush();
 
   Sink sink_;
+  std::vector<std::string> channels_;
   std::string chunk_;
   std::uint64_t written_ = 0, tick_ = 0, first_tick_ = 0;
   std::size_t frames_ = 0;
   std::vector<TraceState> last_;
   /// The newest of each channel and body.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::string> values_;
-  std::uint32_t log_ = UINT32_MAX;  ///< the channel whose values are happenings, not states
+  std::optional<std::uint32_t> log_;  ///< the channel whose values are happenings, not states
   std::string index_;
   std::uint64_t chunks_ = 0;
 };

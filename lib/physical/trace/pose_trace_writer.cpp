@@ -107,14 +107,17 @@ TraceState trace_state(const BodyState& state) {
 
 // The magic comes first, before anything can fail.
 PoseTraceWriter::PoseTraceWriter(const PoseTraceHeader& header, Sink sink)
-    : sink_(std::move(sink)) {
+    : sink_(std::move(sink)), channels_(header.channels) {
   sink_(kPoseTraceMagic);
   written_ = kPoseTraceMagic.size();
   put_section(kHeaderTag, header_bytes(header));
-  const auto log = std::find(header.channels.begin(), header.channels.end(), "log");
-  if (log != header.channels.end()) {
-    log_ = static_cast<std::uint32_t>(log - header.channels.begin());
-  }
+  log_ = channel("log");
+}
+
+std::optional<std::uint32_t> PoseTraceWriter::channel(std::string_view name) const {
+  const auto found = std::find(channels_.begin(), channels_.end(), name);
+  if (found == channels_.end()) return std::nullopt;
+  return static_cast<std::uint32_t>(found - channels_.begin());
 }
 
 // A section is a tag, the length of what follows, and a zstd frame: readers can pass over it.
