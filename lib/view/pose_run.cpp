@@ -9,6 +9,7 @@
 #include "base/hash.h"
 #include "base/text.h"
 #include "physical/trace/pose_frames.h"
+#include "view/pose_devices.h"
 #include "view/pose_track.h"
 
 namespace stig::view {
@@ -92,7 +93,8 @@ Json events_json(const PoseTrace& trace, PageColumns& columns) {
           {"others", columns.add(others)}};
 }
 
-/// What a channel said: ticks, bodies and texts, which stand in a list once each.
+/// What a channel said: ticks, bodies and texts, which stand in a list once each. States are said
+/// again at the beginning of each chunk of a trace, which is left out here; happenings are not.
 Json values_json(const PoseTrace& trace, const std::string& name, PageColumns& columns) {
   const auto& channels = trace.header.channels;
   const auto found = std::find(channels.begin(), channels.end(), name);
@@ -100,10 +102,14 @@ Json values_json(const PoseTrace& trace, const std::string& name, PageColumns& c
   Numbers ticks, bodies, texts;
   Json list = Json::array();
   std::map<std::string, std::int64_t> known;
+  std::map<std::uint32_t, std::int64_t> said;  // by each body, last
   for (const TraceValue& value : trace.values) {
     if (value.channel != channel) continue;
     const auto [place, fresh] = known.try_emplace(value.bytes, known.size());
     if (fresh) list.push_back(value.bytes);
+    std::int64_t& last = said.try_emplace(value.body, -1).first->second;
+    if (last == place->second && name != "log") continue;
+    last = place->second;
     ticks.push_back(static_cast<std::int64_t>(value.tick));
     bodies.push_back(value.body);
     texts.push_back(place->second);
@@ -140,7 +146,10 @@ void add_pose_run(const PoseTrace& trace, const std::string& name, PageContent& 
        {"events", events_json(trace, columns)},
        {"leds", values_json(trace, "leds", columns)},
        {"log", values_json(trace, "log", columns)},
-       {"show", values_json(trace, "show", columns)}});
+       {"show", values_json(trace, "show", columns)},
+       {"senses", values_json(trace, "senses", columns)},
+       {"magnets", values_json(trace, "magnets", columns)},
+       {"devices", devices_json(trace)}});
 }
 
 }  // namespace stig::view

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "lattice/uses.h"
-#include "physical/trace/uses.h"
+#include "physical/simulation/uses.h"
 
 namespace stig::view {
 using namespace lattice;

@@ -9,8 +9,8 @@ import type {Body} from './pose_run.js';
 export const kLedColours: readonly Rgb[] =
     [[120, 124, 130], [255, 120, 255], [255, 208, 27], [74, 255, 27], [74, 255, 255]];
 const kLedsOfAFace = 4;
-// In half edges of a block.
-const kTagHalf = 0.36, kInkHalf = 0.29, kLedPlace = 0.66, kLedHalf = 0.11;
+// In half edges of a block; tag and LEDs where blocks/stigmergic.yaml has them.
+const kTagHalf = 0.52, kInkHalf = 0.436, kLedPlace = 0.727, kLedHalf = 0.11;
 const kTagPaper: Rgb = [238, 240, 242], kTagInk: Rgb = [32, 36, 42];
 const kLift = 0.006;
 

@@ -3,8 +3,9 @@
 import {kColourings, kPalettes} from './colours.js';
 import type {KeyAction} from './keys.js';
 import type {Player} from './player.js';
+import type {Mark} from './pose_marks.js';
 import {kSpeeds} from './time_bar.js';
-import type {ViewState} from './view_state.js';
+import {toggled, type ViewState} from './view_state.js';
 import {kPresets, type Viewpoint} from './viewpoint.js';
 
 export interface Actions {
@@ -73,7 +74,24 @@ function nextRobot(follow: number | null, robots: number): number | null {
   return next < robots ? next : null;
 }
 
-function structureKeys({state, levels, runs, robots}: Actions): KeyAction[] {
+function robotKeys({state, robots}: Actions): KeyAction[] {
+  const mark = (which: Mark) => (): void => state.set({marks: toggled(state.now.marks, which)});
+  return [
+    {keys: ['v'], shown: 'v', does: 'follow a robot, the next, nobody',
+     run: () => state.set({follow: nextRobot(state.now.follow, robots())})},
+    {keys: ['r'], shown: 'r', does: 'tell all of the next robot',
+     run: () => state.set({robot: nextRobot(state.now.robot, robots()) ?? 0})},
+    {keys: ['y'], shown: 'y', does: 'look through a robot\'s camera, the next, nobody\'s',
+     run: () => state.set({eyes: nextRobot(state.now.eyes, robots()), side: false})},
+    {keys: ['u'], shown: 'u', does: 'what cameras reach and find', run: mark('frusta')},
+    {keys: ['h'], shown: 'h', does: 'rays of rangefinders', run: mark('ranges')},
+    {keys: ['j'], shown: 'j', does: 'ways driven', run: mark('ways')},
+    {keys: ['i'], shown: 'i', does: 'radio messages', run: mark('radio')},
+    {keys: ['m'], shown: 'm', does: 'where magnets point', run: mark('magnets')},
+  ];
+}
+
+function structureKeys({state, levels, runs}: Actions): KeyAction[] {
   const top = (by: number) => (): void => {
     const [low, high] = levels();
     state.set({high: Math.min(Math.max(Math.min(state.now.high, high) + by, low), high)});
@@ -89,8 +107,6 @@ function structureKeys({state, levels, runs, robots}: Actions): KeyAction[] {
      run: () => state.set({colouring: next(kColourings, state.now.colouring)})},
     {keys: ['p'], shown: 'p', does: 'palette',
      run: () => state.set({palette: next(kPalettes, state.now.palette)})},
-    {keys: ['v'], shown: 'v', does: 'follow a robot, the next, nobody',
-     run: () => state.set({follow: nextRobot(state.now.follow, robots())})},
     {keys: ['n'], shown: 'n', does: 'next run',
      run: () => state.set({run: (state.now.run + 1) % runs, side: false})},
     {keys: ['s'], shown: 's', does: 'runs side by side',
@@ -105,7 +121,7 @@ export function keyActions(actions: Actions): KeyAction[] {
   const whole = {keys: ['z'], shown: 'z', does: 'the whole window, or a part of the report',
                  run: () => state.set({whole: !state.now.whole})};
   return [
-    ...timeKeys(actions), ...cameraKeys(actions), ...structureKeys(actions),
+    ...timeKeys(actions), ...cameraKeys(actions), ...structureKeys(actions), ...robotKeys(actions),
     ...actions.embedded ? [whole] : [],
     {keys: ['t'], shown: 't', does: 'light or dark', run: () => actions.switchTheme()},
     {keys: ['k'], shown: 'k', does: 'a link to this view', run: () => actions.link()},

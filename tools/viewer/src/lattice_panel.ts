@@ -4,7 +4,7 @@ import {brickStory, factTable, ruleLines} from './brick_story.js';
 import {colourOfKind, colourOfRule, cssOf, kColourings, kPalettes} from './colours.js';
 import {checkbox, element, section, select, swatch} from './elements.js';
 import {standing, type LatticeRun} from './runs.js';
-import type {Choices, ViewState} from './view_state.js';
+import {toggled, type Choices, type ViewState} from './view_state.js';
 
 const kColouringText: Record<string, string> = {
   brick: 'by brick',
@@ -19,10 +19,6 @@ const kPaletteText: Record<string, string> = {
 };
 
 const kHint = 'Click a brick to learn who placed it, when and by which rule.';
-
-function toggled(list: readonly number[], one: number): number[] {
-  return list.includes(one) ? list.filter(x => x !== one) : [...list, one];
-}
 
 /** How many bricks of each colour stand, index 0 unused. */
 function counts(run: LatticeRun, time: number): number[] {

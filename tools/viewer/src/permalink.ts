@@ -2,6 +2,7 @@
 // Time, camera and what is shown, as the part of an address behind '#', so that a link leads to
 // the same view of the same file.
 import {kColourings, kPalettes} from './colours.js';
+import {kMarks} from './pose_marks.js';
 import type {Choices} from './view_state.js';
 
 function numbers(text: string | null): number[] {
@@ -23,6 +24,9 @@ export function hashOf(choices: Readonly<Choices>, camera: readonly number[]): s
   if (choices.apart > 0) out.set('apart', short(choices.apart));
   if (choices.colouring !== 'brick') out.set('by', choices.colouring);
   if (choices.palette !== 'file') out.set('palette', choices.palette);
+  if (choices.marks.length > 0) out.set('marks', choices.marks.join());
+  if (choices.robot > 0) out.set('robot', String(choices.robot + 1));
+  if (choices.eyes !== null) out.set('eyes', String(choices.eyes + 1));
   if (choices.hidden.length > 0) out.set('hidden', choices.hidden.join());
   return `#${out.toString().replaceAll('%2C', ',')}`;
 }
@@ -46,6 +50,12 @@ export function choicesOf(hash: string): {choices: Partial<Choices>; camera: num
   const palette = kPalettes.find(name => name === given.get('palette'));
   if (palette) choices.palette = palette;
   if (given.has('hidden')) choices.hidden = numbers(given.get('hidden'));
+  const marks = given.get('marks')?.split(',') ?? [];
+  if (marks.length > 0) choices.marks = kMarks.filter(mark => marks.includes(mark));
+  for (const key of ['robot', 'eyes'] as const) {
+    const value = numbers(given.get(key)).at(0);
+    if (value !== undefined && value >= 1) choices[key] = Math.round(value) - 1;
+  }
   const camera = numbers(given.get('camera'));
   return {choices, camera: camera.length === 6 ? camera : []};
 }

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What stands beside a physical run: the picked body, robots with what they show and say, events.
 import {factTable} from './brick_story.js';
-import {button, element, section} from './elements.js';
+import {cssOf} from './colours.js';
+import {button, checkbox, element, section, swatch} from './elements.js';
+import {kMarks, robotColour, type Mark} from './pose_marks.js';
 import {kEventKinds, lastBefore, saidAt, type PoseRun} from './pose_run.js';
+import {robotPane} from './robot_pane.js';
 import {standingRows, type ShownRows} from './shown_values.js';
-import type {Choices, ViewState} from './view_state.js';
+import {toggled, type Choices, type ViewState} from './view_state.js';
 
+const kConcern = ['time', 'picked', 'follow', 'robot', 'eyes', 'marks'] as const;
 const kTouched = 0;
 const kLinesShown = 60;  // of a log
 const kHint = 'Click a robot or a block to learn what it is and what it does.';
@@ -33,23 +37,75 @@ function rowsAt({times, rows}: ShownRows, time: number): [string, string][] {
   return rows[lastBefore(times, time, 0, times.length)];
 }
 
-function robots(run: PoseRun, state: ViewState): {part: HTMLElement; show: () => void} {
+interface Part {
+  part: HTMLElement;
+  show: () => void;
+}
+
+function robots(run: PoseRun, state: ViewState): Part {
   const rows = run.robots.map((robot, r) => {
+    const tell = button('pane', 'tell all of it (r)', () => state.set({robot: r}));
     const follow = button('follow', 'the camera goes with it (v)',
                           () => state.set({follow: state.now.follow === r ? null : r}));
+    const eyes = button('eyes', 'look through its camera (y)', () =>
+      state.set({eyes: state.now.eyes === r ? null : r, side: false}));
     const values = element('div', {class: 'values'});
-    const row = element('div', {class: 'robot'}, element('h3', {text: robot.name}), follow, values);
+    const square = swatch(cssOf(robotColour(r)));
+    const row = element('div', {class: 'robot'}, square, element('h3', {text: robot.name}), tell,
+                        follow, ...robot.devices?.cameras.length ? [eyes] : [], values);
     const said = run.show.get(robot.bodies[0]) ?? {times: [], texts: []};
-    return {row, follow, values, shown: standingRows(said)};
+    return {row, tell, follow, eyes, values, shown: standingRows(said)};
   });
   const show = (): void => {
-    const {time, follow} = state.now;
+    const {time} = state.now;
     rows.forEach((row, r) => {
-      row.follow.classList.toggle('chosen', follow === r);
+      row.tell.classList.toggle('chosen', state.now.robot === r);
+      row.follow.classList.toggle('chosen', state.now.follow === r);
+      row.eyes.classList.toggle('chosen', state.now.eyes === r);
       row.values.replaceChildren(factTable(rowsAt(row.shown, time)));
     });
   };
   return {part: section('robots', 'Robots', ...rows.map(({row}) => row)), show};
+}
+
+const kMarkText: Record<Mark, [string, string, boolean]> = {
+  frusta: ['what cameras reach and find', 'u', false],
+  ranges: ['rays of rangefinders', 'h', true],
+  ways: ['ways driven', 'j', false],
+  radio: ['radio messages', 'i', true],
+  magnets: ['where magnets point', 'm', true],
+};
+
+/** What is drawn about bodies; what a trace without details does not have says so. */
+function marks(run: PoseRun, state: ViewState): Part {
+  const rows = kMarks.map(mark => {
+    const [text, key, detail] = kMarkText[mark];
+    const missing = detail && run.senses.size === 0 && run.magnets.size === 0;
+    const {row, box} = checkbox(text, missing ? 'this trace has none: --trace-detail' : `(${key})`,
+                                () => state.set({marks: toggled(state.now.marks, mark)}));
+    row.classList.toggle('never', missing);
+    return {mark, row, box};
+  });
+  const show = (): void => rows.forEach(({mark, box}) =>
+    box.checked = state.now.marks.includes(mark));
+  return {part: section('marks', 'Drawn about them', ...rows.map(({row}) => row)), show};
+}
+
+/** All of one robot: made anew when it is another's. */
+function pane(run: PoseRun, state: ViewState): Part {
+  const part = element('div');
+  let told = -1, showPane: (time: number) => void = () => undefined;
+  const show = (): void => {
+    const robot = Math.min(state.now.robot, run.robots.length - 1);
+    if (robot !== told) {
+      const {pane: made, show: showMade} = robotPane(run, robot, state);
+      part.replaceChildren(made);
+      showPane = showMade;
+    }
+    told = robot;
+    showPane(state.now.time);
+  };
+  return {part, show};
 }
 
 /** Rows of a list that lead to their moments; those to come are dimmed. */
@@ -92,7 +148,11 @@ export function posePanel(run: PoseRun, state: ViewState):
                                                  : element('p', {class: 'hint', text: kHint}));
   };
   const list = [events(run, state)];
-  if (run.robots.length > 0) list.unshift(robots(run, state));
+  if (run.robots.length > 0) {
+    list.unshift(robots(run, state), marks(run, state), pane(run, state));
+  } else if (run.magnets.size > 0) {
+    list.unshift(marks(run, state));
+  }
   if (run.log.length > 0) list.push(log(run, state));
   const showAll = (): void => {
     tell();
@@ -102,7 +162,7 @@ export function posePanel(run: PoseRun, state: ViewState):
   const about = section('about', 'Run', factTable(run.facts));
   const parts = [story, ...list.map(({part}) => part), about];
   const update = (changed: ReadonlySet<keyof Choices>): void => {
-    if (changed.has('time') || changed.has('picked') || changed.has('follow')) showAll();
+    if (kConcern.some(key => changed.has(key))) showAll();
   };
   return {parts, update};
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A run in the physical world: bodies with their tracks, lights, what robots show and say.
+import {kNoDevices, type Devices, type RobotDevices} from './devices.js';
 import {column, integers, type ColumnPlace, type PackedData} from './packed_data.js';
 
 export interface Body {
@@ -36,6 +37,8 @@ export interface Robot {
   name: string;
   /** Its bodies; the first one is its root. */
   bodies: number[];
+  /** What it has, where that is known. */
+  devices: RobotDevices | null;
 }
 
 export interface PoseRun {
@@ -51,6 +54,10 @@ export interface PoseRun {
   events: PoseEvent[];
   leds: Map<number, Said>;
   show: Map<number, Said>;
+  /** What robots sense and send, and where magnets point; of traces recorded in detail. */
+  senses: Map<number, Said>;
+  magnets: Map<number, Said>;
+  devices: Devices;
   log: {time: number; body: number; text: string}[];
 }
 
@@ -75,6 +82,9 @@ export interface PoseJson {
   leds: ValuesJson;
   log: ValuesJson;
   show: ValuesJson;
+  senses: ValuesJson;
+  magnets: ValuesJson;
+  devices: Partial<Devices>;
 }
 
 /** Index of the last time that is not after a moment, within [low, high); low when all are. */
@@ -132,6 +142,20 @@ export class Tracks {
     };
   }
 
+  /** Where a body was at the moments that are kept of it, up to a time and at it. */
+  placesBy(body: number, time: number): [number, number, number][] {
+    const out: [number, number, number][] = [];
+    for (let key = this.first[body]; key < this.first[body + 1]; ++key) {
+      if (this.times[key] > time) break;
+      if (this.left[key] === 1) continue;
+      const [x, y, z] = [0, 1, 2].map(part => this.parts[part][key] * this.unit);
+      out.push([x, y, z]);
+    }
+    const now = this.at(body, time);
+    if (now) out.push(now.p);
+    return out;
+  }
+
   /** Lowest and highest places of a body while it is there; null: it never is. */
   reach(body: number): {low: number[]; high: number[]} | null {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
@@ -177,13 +201,14 @@ export function saidAt(said: Said | undefined, time: number): string | null {
 }
 
 /** Bodies called "robot 1/left wheel" make up "robot 1". */
-function robotsOf(bodies: readonly Body[]): Robot[] {
+function robotsOf(bodies: readonly Body[], devices: Devices): Robot[] {
   const out = new Map<string, Robot>();
   bodies.forEach(({name, block}, i) => {
     const slash = name.indexOf('/');
     if (block || slash < 0) return;
     const whole = name.slice(0, slash);
-    const robot = out.get(whole) ?? {name: whole, bodies: []};
+    const known = devices.robots.find(robot => robot.name === whole) ?? null;
+    const robot = out.get(whole) ?? {name: whole, bodies: [], devices: known};
     robot.bodies.push(i);
     out.set(whole, robot);
   });
@@ -200,14 +225,18 @@ function eventsOf(json: PoseJson, data: PackedData): PoseEvent[] {
 
 export function poseRun(json: PoseJson, data: PackedData): PoseRun {
   const {name, title, facts, step, bodies} = json;
+  const devices = {...kNoDevices, ...json.devices};
   return {
     kind: 'poses', name, title, facts, bodies,
     end: json.end * step,
-    robots: robotsOf(bodies),
+    robots: robotsOf(bodies, devices),
+    devices,
     tracks: new Tracks(json, data, json.place),
     events: eventsOf(json, data),
     leds: byBody(valuesOf(json.leds, step, data)),
     show: byBody(valuesOf(json.show, step, data)),
+    senses: byBody(valuesOf(json.senses, step, data)),
+    magnets: byBody(valuesOf(json.magnets, step, data)),
     log: valuesOf(json.log, step, data),
   };
 }

@@ -4,6 +4,7 @@ import * as three from 'three';
 import {BodyShapes} from './body_shapes.js';
 import type {Bounds} from './bricks.js';
 import {floorGrid} from './floor.js';
+import {PoseMarks} from './pose_marks.js';
 import {saidAt, type PoseRun} from './pose_run.js';
 import {arrowsOf} from './shown_values.js';
 import type {Choices} from './view_state.js';
@@ -36,9 +37,12 @@ export class PoseView {
   private readonly marker = new three.LineSegments(
       new three.EdgesGeometry(new three.BoxGeometry(2, 2, 2)),
       new three.LineBasicMaterial({color: 0xff00aa, depthTest: false}));
+  private readonly marks: PoseMarks;
   private drawnAt = NaN;
+  private marked = '';
 
   constructor(readonly run: PoseRun, private readonly number: number) {
+    this.marks = new PoseMarks(run);
     this.bounds = boundsOf(run);
     this.meshes = run.bodies.map(() => null);
     this.leds = run.bodies.map(body => String(body.led));
@@ -48,11 +52,14 @@ export class PoseView {
     const sun = new three.DirectionalLight(0xffffff, 1.7);
     sun.position.set(0.4, -0.7, 1);
     this.scene.add(new three.HemisphereLight(0xffffff, 0x8a8f98, 1.9), sun, this.floor, this.arrows,
-                   this.marker);
+                   this.marker, this.marks.object, this.marks.within);
   }
 
   update(choices: Readonly<Choices>, dark: boolean): void {
-    const {time} = choices;
+    const {time, marks} = choices;
+    const marked = `${time} ${marks.join()}`;
+    if (marked !== this.marked) this.marks.update(marks, time);
+    this.marked = marked;
     if (time !== this.drawnAt) {
       this.run.bodies.forEach((_, i) => this.place(i, time));
       this.pointArrows(time);

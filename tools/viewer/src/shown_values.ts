@@ -9,7 +9,8 @@ export interface ShownArrow {
   color: string;
 }
 
-function parsed(text: string | null): Record<string, unknown> {
+/** The object that a text is, or an empty one. */
+export function parsed(text: string | null): Record<string, unknown> {
   if (text === null) return {};
   try {
     const json: unknown = JSON.parse(text);

@@ -2,6 +2,7 @@
 // What the person who looks has chosen. Whoever shows or changes it asks this one place; listeners
 // are told after every change.
 import type {Colouring, Palette} from './colours.js';
+import type {Mark} from './pose_marks.js';
 
 export type Theme = 'auto' | 'light' | 'dark';
 
@@ -32,6 +33,12 @@ export interface Choices {
   lit: number | null;
   /** The robot that the camera goes with. */
   follow: number | null;
+  /** The robot through whose camera is looked. */
+  eyes: number | null;
+  /** The robot of which all is told. */
+  robot: number;
+  /** What is drawn about bodies. */
+  marks: readonly Mark[];
   /** The brick, or the body, that is told about. */
   picked: {run: number; brick: number} | null;
   orthographic: boolean;
@@ -39,6 +46,11 @@ export interface Choices {
   /** Over the whole window, of a player that is part of a report. */
   whole: boolean;
   help: boolean;
+}
+
+/** With one, or without it if it was there. */
+export function toggled<T>(list: readonly T[], one: T): T[] {
+  return list.includes(one) ? list.filter(x => x !== one) : [...list, one];
 }
 
 export class ViewState {
@@ -82,6 +94,9 @@ export const kFirstChoices: Choices = {
   hidden: [],
   lit: null,
   follow: null,
+  eyes: null,
+  robot: 0,
+  marks: [],
   picked: null,
   orthographic: false,
   theme: 'auto',

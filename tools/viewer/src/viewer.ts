@@ -9,6 +9,7 @@ import {LatticeView} from './lattice_view.js';
 import {posePanel} from './pose_panel.js';
 import {PoseView} from './pose_view.js';
 import {choicesOf, hashOf} from './permalink.js';
+import {RobotEyes} from './robot_eyes.js';
 import {Player, type Timeline} from './player.js';
 import {endOf, partingOf, type LatticeRun, type Page, type Run} from './runs.js';
 import {Stage} from './stage.js';
@@ -60,6 +61,9 @@ export class Viewer {
   private placed = false;
   /** Where the robot that is followed was in the frame before. */
   private followed: three.Vector3 | null = null;
+  private readonly eyes = new RobotEyes();
+  /** Is it a robot's camera that is looked through? */
+  private looking = false;
 
   /** `embedded`: as a part of a report, which leaves the rest of the page its keys and wheel. */
   constructor(readonly root: HTMLElement, readonly page: Page, readonly embedded = false) {
@@ -68,7 +72,8 @@ export class Viewer {
     this.state = new ViewState({...kFirstChoices, time: timeline.end, side});
     this.player = new Player(this.state, timeline);
     const host = element('div', {class: 'stage'}, this.labels);
-    this.stage = new Stage(host, () => this.viewpoint.camera);
+    host.append(this.eyes.picture);
+    this.stage = new Stage(host, () => this.camera);
     this.views = page.runs.map((run, i) => this.viewOf(run, i));
     const draw = (): void => this.stage.draw();
     this.viewpoint = new Viewpoint(this.stage.canvas, boundsOf(this.views), draw);
@@ -77,6 +82,10 @@ export class Viewer {
     this.connect();
     this.follow(location.hash);
     this.changed(new Set<keyof Choices>(['run', 'side', 'theme']));
+  }
+
+  get camera(): three.PerspectiveCamera | three.OrthographicCamera {
+    return this.looking ? this.eyes.camera : this.viewpoint.camera;
   }
 
   /** The run that differences of a run are told from: the first; of the first, the second. */
@@ -246,6 +255,17 @@ export class Viewer {
       if (side || i === run) view.update(this.state.now, this.isDark);
     });
     this.goWith();
+    this.lookThrough();
+  }
+
+  /** Takes a robot's camera for that of the picture, if that is wanted. */
+  private lookThrough(): void {
+    const {eyes, run, side, time} = this.state.now;
+    const shown = this.page.runs[run];
+    this.looking = eyes !== null && !side && shown.kind === 'poses' &&
+        this.eyes.look(shown, eyes, time, this.stage.aspect);
+    this.viewpoint.enabled = !this.looking;
+    this.eyes.picture.classList.toggle('on', this.looking);
   }
 
   /** Moves the camera as the robot that is followed has moved. */
@@ -264,7 +284,7 @@ export class Viewer {
     if (!found) return;
     const run = this.state.now.side ? found.pane : this.state.now.run;
     const caster = new three.Raycaster();
-    caster.setFromCamera(found.at, this.viewpoint.camera);
+    caster.setFromCamera(found.at, this.camera);
     const brick = this.views[run].pick(caster.ray);
     this.state.set({run, picked: brick < 0 ? null : {run, brick}});
   }

@@ -49,6 +49,11 @@ export class Viewpoint {
     this.place(numbers);
   }
 
+  /** Does it obey mouse and fingers? */
+  set enabled(wanted: boolean) {
+    this.controls.enabled = wanted;
+  }
+
   /** Does the wheel zoom? */
   set zooms(wanted: boolean) {
     this.controls.enableZoom = wanted;
