@@ -33,6 +33,8 @@ constexpr std::uint64_t kStepsOfPaint = 2'000'000'000;
 /// The same for a spine with rows that are swept, which leave the spine's colours alone to count.
 constexpr std::uint64_t kStepsOfSweptPaint = 4 * kStepsOfPaint;
 constexpr int kConflictsAtOnce = 1000;
+/// Of small targets, which take few.
+constexpr std::uint64_t kFirstByChance = 8;
 /// Candidates for one robot are taken when so many more did not do for several.
 constexpr std::size_t kPatience = 24;
 /// Those of fewer sides than robots likewise, or earlier: see Assembler::suffices.
@@ -63,6 +65,9 @@ class Assembler {
             std::make_shared<Visibility>(task.robot, window_levels(task.robot, bricks_.levels()))) {
     if (task.sides.empty()) widest_.sides.assign(kAllSides.begin(), kAllSides.end());
     if (task.start) start_ = bricks_.brick_at(*task.start);
+    const std::vector<Liking> rounds = round_likings(bricks_);
+    if (!small()) regular_ = regular_likings();
+    regular_.insert(regular_.begin(), rounds.begin(), rounds.end());
     if (!large()) return;
     std::stable_partition(regular_.begin(), regular_.end(),
                           [](const Liking& one) { return one.spine != Liking::Spine::none; });
@@ -149,11 +154,13 @@ class Assembler {
                                        [&](const Sides& some) { return worth_trying(some); });
   }
 
+  bool small() const { return bricks_.bricks() <= kMostWalkedFirst; }
   bool large() const { return bricks_.bricks() > kMostPlainBricks; }
 
   /// False when there is no order at all from these sides.
   bool try_one(const Builders& builders, std::uint64_t seed) {
-    if (large() && !suits(bricks_, liking(seed), builders.sides)) return true;
+    const bool only_some = large() || liking(seed).round;
+    if (only_some && !suits(bricks_, liking(seed), builders.sides)) return true;
     ++out_.counts.candidates;
     bool exhausted = false;
     const auto sequence = sequence_of(builders, seed, exhausted);
@@ -163,7 +170,8 @@ class Assembler {
     }
     // Walking needs a colour for each brick and all structures on the way, which large targets
     // exceed; there neighbours wait for each other throughout, so that less can occur.
-    const bool all_wait = bricks_.bricks() > kMostWalkedBricks;
+    // What goes round is closed by what neighbours know of each other.
+    const bool all_wait = bricks_.bricks() > kMostWalkedBricks || liking(seed).round;
     const Waiting waiting = all_wait || combine(seed, 6) % 2 == 0 ? Waiting::all : Waiting::needed;
     CandidateOrder candidate = make_candidate(bricks_, *sequence, builders, waiting);
     if (!is_new(candidate, builders.sides)) return true;
@@ -214,8 +222,10 @@ class Assembler {
   }
 
   Liking liking(std::uint64_t seed) const {
-    if (bricks_.bricks() <= kMostWalkedFirst) return liking_of(seed);
-    return seed < regular_.size() ? regular_[seed] : liking_of(seed - regular_.size());
+    const std::uint64_t by_chance = small() ? kFirstByChance : 0;
+    if (seed < by_chance) return liking_of(seed);
+    const std::uint64_t place = seed - by_chance;
+    return place < regular_.size() ? regular_[place] : liking_of(seed - regular_.size());
   }
 
   std::optional<Sequence> sequence_of(const Builders& builders, std::uint64_t seed,
@@ -309,7 +319,7 @@ class Assembler {
   TargetBricks bricks_;
   Builders widest_;
   std::optional<std::uint32_t> start_;
-  std::vector<Liking> regular_ = regular_likings();
+  std::vector<Liking> regular_;
   std::shared_ptr<Visibility> visibility_;
   std::set<std::vector<std::uint64_t>> known_;
   std::uint64_t found_after_ = 0;  ///< steps that the first plan took

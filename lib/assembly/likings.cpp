@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assembly/path.h"
 #include "assembly/span.h"
 #include "base/hash.h"
 #include "compiler/compile.h"
@@ -15,7 +16,9 @@ using Spine = Liking::Spine;
 
 /// Weights by which a row goes brick by brick, level by level there or, as steps, each level behind
 /// the one below.
-constexpr int kAlong = 100, kLevels = 1, kSteps = 150;
+constexpr int kAlongRow = 100, kLevels = 1, kSteps = 150;
+/// Places where a closed chain may begin, at most.
+constexpr std::size_t kMostRings = 16;
 
 /// How many bricks a target is wide along x, or y.
 int width_of(const TargetBricks& target, bool along_x) {
@@ -33,7 +36,7 @@ bool can_count(int across, int length) {
 Liking swept_liking(bool along_x, bool from_ends) {
   Liking out;
   out.spine = along_x ? Spine::along_x : Spine::along_y;
-  (along_x ? out.x : out.y) = kAlong;
+  (along_x ? out.x : out.y) = kAlongRow;
   // Towards both ends from the middle, so that each half counts by itself.
   (along_x ? out.middle_x : out.middle_y) = true;
   out.swept = true;
@@ -46,7 +49,50 @@ Liking swept_liking(bool along_x, bool from_ends) {
   return out;
 }
 
+/// The two columns beside this one where it is a bend about an empty corner, a cell of each, on
+/// the floor. At the corner of a plate there is a brick, and nothing to go round.
+std::vector<Cell> about_bend(const TargetBricks& target, Cell column) {
+  std::vector<Cell> out;
+  for (const Offset step : {Offset{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}}) {
+    if (target.brick_at(column + step) != TargetBricks::kNone) out.push_back(column + step);
+  }
+  const bool bends = out.size() == 2 && out[0].x != out[1].x && out[0].y != out[1].y;
+  if (!bends) return {};
+  const Cell corner = out[0] + (out[1] - column);
+  return target.brick_at(corner) == TargetBricks::kNone ? out : std::vector<Cell>{};
+}
+
+/// Does a path lead from one to the other, but for the one through that column?
+bool closes(const TargetBricks& target, const Liking::Round& round, Cell other) {
+  const std::vector<int> steps = steps_from(target, round.first, round.last);
+  return steps[target.brick_at(other)] < steps[target.brick_at(round.last)];
+}
+
 }  // namespace
+
+std::vector<Liking> round_likings(const TargetBricks& target) {
+  std::vector<Liking::Round> rounds;
+  for (std::size_t i = 0; i < target.bricks() && rounds.size() < kMostRings; ++i) {
+    const Cell last = target.cell(i);
+    if (last.z != target.floor_level()) continue;
+    const std::vector<Cell> beside = about_bend(target, last);
+    for (std::size_t k = 0; k < beside.size(); ++k) {
+      const Liking::Round round{beside[k], last};
+      if (closes(target, round, beside[1 - k])) rounds.push_back(round);
+    }
+  }
+  std::vector<Liking> out;
+  for (const int z : {kLevels, kSteps}) {
+    for (const Liking::Round& round : rounds) {
+      Liking one;
+      one.round = round;
+      one.z = z;
+      out.push_back(one);
+    }
+    if (target.levels() == 1) break;
+  }
+  return out;
+}
 
 std::vector<Liking> swept_likings(const TargetBricks& target) {
   std::vector<Liking> out;
@@ -77,7 +123,7 @@ std::vector<Liking> regular_likings() {
       // A spine only makes sense along the axis that the rows run.
       for (const Spine spine : {Spine::none, along_x ? Spine::along_x : Spine::along_y}) {
         Liking one;
-        (along_x ? one.x : one.y) = kAlong;
+        (along_x ? one.x : one.y) = kAlongRow;
         (along_x ? one.middle_x : one.middle_y) = middle;
         one.z = kLevels;
         one.spine = spine;
@@ -116,6 +162,7 @@ Liking liking_of(std::uint64_t seed) {
 
 bool suits(const TargetBricks& target, const Liking& liking,
            const std::vector<ApproachSide>& sides) {
+  if (liking.round) return sides.size() == kAllSides.size();
   const auto both = [&](bool along_x) {
     const auto has = [&](ApproachSide side) {
       return std::find(sides.begin(), sides.end(), side) != sides.end();

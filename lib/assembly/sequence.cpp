@@ -8,6 +8,7 @@
 #include <set>
 
 #include "assembly/last_brick.h"
+#include "assembly/path.h"
 #include "assembly/span.h"
 #include "base/hash.h"
 
@@ -17,6 +18,8 @@ namespace {
 
 /// Outweighs the other terms of a score, so that rows decide first.
 constexpr std::int64_t kSpine = 100'000;
+/// For each step along a path.
+constexpr std::int64_t kStep = 100;
 
 std::int32_t across_spine(const Liking& liking, Cell cell) {
   return liking.spine == Liking::Spine::along_x ? cell.y : cell.x;
@@ -28,6 +31,9 @@ std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& l
   const SpineRows spine =
       liking.spine == Liking::Spine::none ? SpineRows{} : spine_rows(target, liking);
   std::vector<std::int64_t> score(target.bricks());
+  const std::vector<int> steps = liking.round
+                                     ? steps_from(target, liking.round->first, liking.round->last)
+                                     : std::vector<int>(target.bricks());
   for (std::size_t i = 0; i < score.size(); ++i) {
     const Cell c = target.cell(i);
     const int row =
@@ -37,7 +43,7 @@ std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& l
     const int y = liking.middle_y && !swept ? deep.from_middle(c.y) : c.y;
     score[i] =
         std::int64_t{liking.x} * x + std::int64_t{liking.y} * y + std::int64_t{liking.z} * c.z;
-    score[i] += kSpine * row;
+    score[i] += kSpine * row + kStep * steps[i];
     if (liking.chance > 0) {
       score[i] += static_cast<std::int64_t>(combine(liking.seed, i) %
                                             static_cast<std::uint64_t>(liking.chance));

@@ -30,6 +30,12 @@ struct Liking {
   bool from_ends = false;
   /// Rows beside a spine grow from their low ends, wherever the spine begins.
   bool swept = false;
+  /// Work goes along paths: from the column of the one, a cell, and not through that of the other,
+  /// which is the last. A closed chain is so built in one arm, round to where it began.
+  struct Round {
+    Cell first, last;
+  };
+  std::optional<Round> round;
   int chance = 0;  ///< a number below this is added
   std::uint64_t seed = 0;
   bool in_chains = false;  ///< what is next to the last brick that went goes first
