@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// A camera's keys are those of OpenCV's model, so that a calibration can be copied from its output.
+// What is wrong with a camera is said here, where the file's lines are known: the view that a run
+// makes of it (sensing/camera_view.h) then cannot fail.
 #include "robots/device_camera.h"
 
 #include <fmt/format.h>
@@ -21,6 +24,7 @@ FormKey resolution() {
 
 /// Optical frame: z along `look`, y as much against `up` as can be.
 Quat looking(const FormView& view, const DeviceParts& parts) {
+  // Images have y downwards, so x of the frame points to the right of the picture.
   const Vec3 z = parts.direction(view, "look", {1, 0, 0});
   const Vec3 up = parts.direction(view, "up", {0, 0, 1});
   Vec3 x = cross(z, up);
@@ -44,6 +48,7 @@ void read_distortion(const FormView& view, const DeviceParts& parts, CameraIntri
     parts.out.add(Code::R107, parts.document.head(*view.find("distortion")),
                   fmt::format("'distortion' has {} entries, it takes 4, 5, 8 or 12", d.size()));
   }
+  // OpenCV has four lengths of this list; what is left out is zero.
   d.resize(12);
   double* const to[] = {&camera.k1,
                         &camera.k2,

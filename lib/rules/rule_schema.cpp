@@ -28,6 +28,8 @@ constexpr std::string_view kCell = "three whole numbers [x, y, z]";
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmissing-field-initializers"
 
+/// Keys that name what is built come first, then the world, then what acts in it, so that a file
+/// can be read from the top down.
 std::vector<FormKey> rule_set_keys() {
   static const FormKey kBrick{.name = "bricks", .kind = form, .form = &brick_form()};
   static const FormKey kStates{.name = "legend", .kind = own, .own = &kStatesKind};
@@ -201,6 +203,7 @@ std::vector<FormKey> count_keys() {
   };
 }
 
+/// One box for all runs; a command's --box takes its place.
 std::vector<FormKey> box_keys() {
   return {
       {.name = "size",
@@ -224,6 +227,7 @@ std::vector<FormKey> box_keys() {
   };
 }
 
+/// The rules themselves know nothing of robots: these are for whoever lets robots follow them.
 std::vector<FormKey> physical_keys() {
   return {
       {.name = "sides",
@@ -235,6 +239,7 @@ std::vector<FormKey> physical_keys() {
   };
 }
 
+/// What the author knows about the end; `stigc test` finds it out by proof or by running.
 std::vector<FormKey> expect_keys() {
   return {
       {.name = "bricks",

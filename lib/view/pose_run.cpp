@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+// A page has columns of whole numbers (page_data.h), so every list of the trace is turned into one
+// column for each member. Names of members are those that tools/viewer/src/pose_run.ts reads.
 #include "view/pose_run.h"
 
 #include <fmt/format.h>
@@ -76,6 +78,7 @@ Json tracks_json(const PoseTrace& trace, PageColumns& columns) {
   return out;
 }
 
+/// Without falling asleep and waking up, which are most of the events and nothing that is seen.
 Json events_json(const PoseTrace& trace, PageColumns& columns) {
   Numbers ticks, kinds, bodies, others;
   for (const TraceEvent& event : trace.events) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The options of the commands about robots and the physical world.
+// The options of the commands about robots and the physical world. Files of scenes, robots and
+// blocks have settings of their own; an option stands here when a run differs from the file.
 #include "command_options.h"
 #include "option_kinds.h"
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The options of the commands about rule sets and what swarms build with them.
+// The options of the commands about rule sets and what swarms build with them. Defaults in the
+// documentation are those of options.h, or are said to depend on something; a test compares the
+// help with a golden file.
 #include "command_options.h"
 #include "option_kinds.h"
 
@@ -10,6 +12,7 @@ constexpr const char* kWorldThatIsMeant =
     "the world that is meant, a size laid around the start, or none for unbounded space (default: "
     "the file's box, else none)";
 
+/// For verify and certify, which are about rules and know no robot: --sides leaves turns out.
 constexpr const char* kTurnsOfSides =
     "of symmetric rules, the turns alone that robots at these sides follow, as --sides=+x,-x; +x: "
     "as written";

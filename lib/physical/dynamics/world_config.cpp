@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: MIT
+// Checks come in an order in which each relies on those before: settings, bodies one by one, sizes
+// against each other, joints, and at last what overlaps. A world is made of a config without
+// problems alone, so the dynamics need not ask again.
 #include "physical/dynamics/world_config.h"
 
 #include <fmt/format.h>
@@ -15,17 +18,22 @@ namespace stig::physics {
 namespace {
 
 constexpr double kMostSpinStep = 0.001;  ///< s: facing spheres spin up and never settle above
+/// m: poses in files are rounded, and the solver pushes so much apart without a jump.
 constexpr double kMostOverlap = 1e-3;
 constexpr double kMostStartSpeed = 100;  ///< m/s
 
-/// Written so that NaN is refused too.
+/// No moment of a body is larger than the sum of the other two, as each is an integral of two
+/// squares out of the same three; a flat body has equality, hence the margin. Zeros stand for
+/// moments that follow from the shape. Written so that NaN is refused too.
 bool moments_possible(const Vec3& i) {
   const double most = std::max({i.x, i.y, i.z});
   return i == Vec3{} || (positive(i.x) && positive(i.y) && positive(i.z) &&
                          2 * most <= (i.x + i.y + i.z) * (1 + 1e-9));
 }
 
-/// Whether the moments of a solid of this shape are those about its frame's axes.
+/// Whether the moments of a solid of this shape are those about its frame's axes. Bodies have a
+/// diagonal inertia in the dynamics, so a hull that is askew in its frame has to be turned first
+/// (hull_body).
 bool is_principal(const Shape& shape) {
   if (shape.kind != ShapeKind::hull) return true;
   const Convex& hull = *shape.convex;
@@ -48,6 +56,7 @@ std::string problem_of(const BodyDef& def, const WorldConfig& config) {
            "moments of inertia";
   }
   if (!is_finite(def.X_WB.p) || !is_unit(def.X_WB.q)) return "has a pose that is none";
+  // A body that leaves the arena is taken out of the world: it would be gone at the first step.
   if (!inside_arena(def.X_WB.p, config.arena)) return "is outside of the arena";
   if (!(squared(def.velocity) <= kMostStartSpeed * kMostStartSpeed)) return "is too fast";
   if (!(squared(def.spin) <= 1e6)) return "spins too fast";
@@ -89,6 +98,8 @@ std::string problem_of(const Setting& setting) {
                      setting.above_low ? "above" : "at least", setting.low, setting.high);
 }
 
+/// Each by its own range, which its declaration has (world_settings.h); then what two of them have
+/// to do with each other.
 void check_settings(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   visit_settings(
       [&out](const Setting& setting, const auto& value) {
@@ -105,6 +116,8 @@ void check_settings(const WorldConfig& config, std::vector<ConfigProblem>& out) 
   need(config.bodies.size() <= kMostBodies, "there may be at most 20000 bodies");
 }
 
+/// The broad phase has one grid, with cells as large as the largest body: among far smaller ones
+/// every pair would be a candidate.
 void check_sizes(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   if (config.bodies.empty()) return;
   const auto by_size = [](const BodyDef& a, const BodyDef& b) {
@@ -117,6 +130,7 @@ void check_sizes(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   }
 }
 
+/// How far two shapes reach into each other, m; 0 where they do not.
 double deepest(const Touch& touch) {
   double least = 0;
   for (int i = 0; i < touch.count; ++i) {
@@ -125,6 +139,8 @@ double deepest(const Touch& touch) {
   return -least;
 }
 
+/// Bodies that are joined may reach into each other, and so may two that are fixed: nothing would
+/// push them apart. Every other pair would fly apart in the first step.
 void check_overlaps(const WorldConfig& config, std::vector<ConfigProblem>& out) {
   std::vector<std::uint32_t> numbers;
   std::vector<Bounds> bounds;
@@ -159,13 +175,16 @@ Vec3 inertia_of(const BodyDef& def) {
   const Vec3& h = def.shape.half;
   if (def.shape.kind == ShapeKind::sphere) return Vec3{1, 1, 1} * (0.4 * def.mass * h.x * h.x);
   if (def.shape.kind == ShapeKind::cylinder) {
+    // Solid, about its middle; z is along the axis.
     const double across = def.mass * (h.x * h.x / 4 + h.z * h.z / 3);
     return {across, across, def.mass * h.x * h.x / 2};
   }
   if (def.shape.kind == ShapeKind::hull) {
+    // Integrals of x², y² and z² over the hull, for a density of one.
     const Vec3& q = def.shape.convex->squares;
     return Vec3{q.y + q.z, q.x + q.z, q.x + q.y} * (def.mass / def.shape.convex->volume);
   }
+  // A box of half sides h has m/3 (h_y² + h_z²) about x, and so on.
   const double m = def.mass / 3;
   return {m * (h.y * h.y + h.z * h.z), m * (h.x * h.x + h.z * h.z), m * (h.x * h.x + h.y * h.y)};
 }
@@ -192,6 +211,7 @@ BodyDef block_body(const BlockModel& block, const Pose& X_WB) {
   def.mass = block.mass();
   def.inertia = Vec3{1, 1, 1} * block.inertia();
   def.X_WB = X_WB;
+  // The magnets' masses and moments are in the block's already: they are free to turn, not to move.
   for (const Vec3& place : block.magnet_places()) {
     def.magnets.push_back(
         {place, block.magnet_moment(), true, {0, 0, 1}, 0, block.magnet_inertia()});
@@ -216,6 +236,7 @@ bool inside_arena(const Vec3& p, double arena) {
 std::vector<ConfigProblem> find_problems_apart(const WorldConfig& config) {
   std::vector<ConfigProblem> out;
   check_settings(config, out);
+  // Bodies are held against the settings, which must be sound for that.
   if (!out.empty()) return out;
   for (std::size_t i = 0; i < config.bodies.size(); ++i) {
     std::string problem = problem_of(config.bodies[i], config);

@@ -40,6 +40,7 @@ SpawnKind kind_of(const FormView& node, SceneParts& parts) {
   return first == nullptr ? SpawnKind::single : first->kind;
 }
 
+/// Keys of another kind would be ignored, which nobody means.
 void check_use(const FormView& node, SpawnKind kind, SceneParts& parts) {
   for (const KindKey& key : kOwnKeys) {
     const YamlNode* value = node.find(key.key);
@@ -75,6 +76,7 @@ void read_poses(const YamlNode& node, BlockSpawn& spawn, SceneParts& parts) {
   }
 }
 
+/// What the entry's kind counts in: bricks up, along and across, or a file of poses.
 void read_structure(const FormView& node, BlockSpawn& spawn, SceneParts& parts) {
   const auto count = [&](std::string_view key) { return static_cast<int>(node.number(key, 1)); };
   switch (spawn.kind) {
