@@ -119,6 +119,26 @@ std::string problem_of(const Deposit& event, const RuleSet& rules, const Structu
   return structure.at(event.site) != kEmpty ? "is in a cell that has a brick" : "";
 }
 
+/// A structure as a run that is all start; `placed`: does its file say where it stands?
+Json structure_json(const LoadedStructure& loaded, const std::string& name, PageColumns& into) {
+  LatticeColumns columns;
+  const std::vector<PlacedBrick> bricks = loaded.structure.bricks();
+  for (const PlacedBrick& brick : bricks) columns.brick(brick.at, brick.brick);
+  return {{"kind", "lattice"},
+          {"name", printable(name)},
+          {"title", printable(name)},
+          {"lattice", to_string(loaded.structure.lattice())},
+          {"floor", false},
+          {"facts", Json::array({{"bricks", std::to_string(bricks.size())},
+                                 {"hash", to_hex(structure_hash(loaded.structure))}})},
+          {"bricks", kinds_json(loaded.bricks, columns.colour)},
+          {"rules", Json::array()},
+          {"source", ""},
+          {"start", bricks.size()},
+          {"placed", loaded.placed},
+          {"columns", columns.json(into)}};
+}
+
 }  // namespace
 
 // The start's bricks come first in the columns of bricks, `start` says how many; rule, agent and
@@ -151,21 +171,11 @@ std::optional<std::string> add_lattice_run(const Trace& trace, const RuleSet& ru
 }
 
 void add_structure(const LoadedStructure& loaded, const std::string& name, PageContent& page) {
-  LatticeColumns columns;
-  const std::vector<PlacedBrick> bricks = loaded.structure.bricks();
-  for (const PlacedBrick& brick : bricks) columns.brick(brick.at, brick.brick);
-  page.add({{"kind", "lattice"},
-            {"name", printable(name)},
-            {"title", printable(name)},
-            {"lattice", to_string(loaded.structure.lattice())},
-            {"floor", false},
-            {"facts", Json::array({{"bricks", std::to_string(bricks.size())},
-                                   {"hash", to_hex(structure_hash(loaded.structure))}})},
-            {"bricks", kinds_json(loaded.bricks, columns.colour)},
-            {"rules", Json::array()},
-            {"source", ""},
-            {"start", bricks.size()},
-            {"columns", columns.json(page.columns())}});
+  page.add(structure_json(loaded, name, page.columns()));
+}
+
+void set_target(const LoadedStructure& loaded, const std::string& name, PageContent& page) {
+  page.set_target(structure_json(loaded, name, page.columns()));
 }
 
 }  // namespace stig::view

@@ -20,4 +20,7 @@ std::optional<std::string> add_lattice_run(const Trace& trace, const RuleSet& ru
 /// Adds a structure, all of it there from the beginning.
 void add_structure(const LoadedStructure& loaded, const std::string& name, PageContent& page);
 
+/// Likewise as the structure that runs are held against.
+void set_target(const LoadedStructure& loaded, const std::string& name, PageContent& page);
+
 }  // namespace stig::view

@@ -29,14 +29,20 @@ std::optional<std::string_view> between(std::string_view text, std::string_view 
 }  // namespace
 
 PageContent::PageContent(std::string title)
-    : title_(std::move(title)), runs_(std::make_unique<Json>(Json::array())) {}
+    : title_(std::move(title)),
+      runs_(std::make_unique<Json>(Json::array())),
+      target_(std::make_unique<Json>()) {}
 
 PageContent::~PageContent() = default;
 
 void PageContent::add(Json run) { runs_->push_back(std::move(run)); }
 
+void PageContent::set_target(Json target) { *target_ = std::move(target); }
+
 std::string PageContent::data() const {
-  return page_data({{"version", kVersion}, {"title", title()}, {"runs", *runs_}}, columns_);
+  Json json{{"version", kVersion}, {"title", title()}, {"runs", *runs_}};
+  if (!target_->is_null()) json["target"] = *target_;
+  return page_data(json, columns_);
 }
 
 std::string PageContent::title() const {

@@ -24,6 +24,8 @@ class PageContent {
 
   PageColumns& columns() { return columns_; }
   void add(nlohmann::ordered_json run);
+  /// A structure that runs are held against, see lattice_run.h.
+  void set_target(nlohmann::ordered_json target);
   std::string title() const;
   /// Do all runs count time alike, as they must to be shown together?
   bool of_one_kind() const;
@@ -32,7 +34,7 @@ class PageContent {
 
  private:
   std::string title_;
-  std::unique_ptr<nlohmann::ordered_json> runs_;
+  std::unique_ptr<nlohmann::ordered_json> runs_, target_;
   PageColumns columns_;
 };
 

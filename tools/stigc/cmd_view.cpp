@@ -18,6 +18,7 @@ int run(const ViewOptions& options, App& app) {
   PageContent page(options.title.value_or(""));
   bool good = true;
   for (const std::string& file : files) good = add_file(file, options, app, page) && good;
+  good = add_target(options, app, page) && good;
   if (!good) return kFailed;
   if (!page.of_one_kind()) {
     app.complain("runs on the lattice and runs in the physical world take a page each");

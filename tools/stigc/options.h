@@ -190,6 +190,7 @@ struct DrawOptions {
 struct ViewOptions {
   std::vector<std::string> files;
   std::optional<Lattice> lattice;  ///< of structure files that do not say it
+  std::optional<std::string> target;  ///< a structure file
   std::optional<std::string> title;
   std::string output;  ///< .html
 };

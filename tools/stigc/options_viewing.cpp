@@ -15,7 +15,10 @@ void add_view(CLI::App& app, ViewOptions& o) {
       "  stigc verify rulesets/order-dependent.yaml --witness two  # exit status 1: refuted\n"
       "  stigc view two -o two-ends.html\n"
       "  stigc simulate scenes/drop.yaml --duration 1 --trace drop.stigp\n"
-      "  stigc view drop.stigp -o drop.html\n");
+      "  stigc view drop.stigp -o drop.html\n"
+      "  stigc explore rulesets/stepped-pyramid.yaml -o all.txt\n"
+      "  stigc explore rulesets/stepped-pyramid.yaml --deposits 6 --trace some.stigt\n"
+      "  stigc view some.stigt --target all.txt -o some.html\n");
   sub->add_option("FILE", o.files,
                   "a structure file (.vox .json .txt), a trace (.stigt .stigp), a folder of "
                   "validate, or the name that verify --witness was given; several are shown "
@@ -25,6 +28,8 @@ void add_view(CLI::App& app, ViewOptions& o) {
   sub->add_option("-o,--output", o.output, "the page, .html; nothing else is needed to open it")
       ->type_name("FILE")
       ->required();
+  path(sub, "--target", o.target,
+       "a structure file: what of it is missing stands as a ghost, where it fits best");
   path(sub, "--title", o.title, "what the page is called (default: the first file's title)")
       ->type_name("TEXT");
   lattice(sub, o.lattice);

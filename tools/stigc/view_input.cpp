@@ -88,4 +88,11 @@ bool add_file(const std::string& path, const ViewOptions& options, const App& ap
   return loaded.has_value();
 }
 
+bool add_target(const ViewOptions& options, const App& app, PageContent& page) {
+  if (!options.target) return true;
+  const auto loaded = read_structure(*options.target, options.lattice, app);
+  if (loaded) set_target(*loaded, file_name(*options.target), page);
+  return loaded.has_value();
+}
+
 }  // namespace stig::cli

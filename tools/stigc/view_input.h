@@ -19,4 +19,7 @@ std::vector<std::string> viewed_files(const std::vector<std::string>& names);
 bool add_file(const std::string& path, const ViewOptions& options, const App& app,
               PageContent& page);
 
+/// Adds the structure that runs are held against, if there is one; otherwise as above.
+bool add_target(const ViewOptions& options, const App& app, PageContent& page);
+
 }  // namespace stig::cli

@@ -99,8 +99,13 @@ export class BodyShapes {
     const marks = mesh.children.find(child => child instanceof three.Mesh);
     if (marks) marks.geometry = this.geometry(`${half} ${leds}`, () => faceMarks(half, leds));
     const led = kLedColours[Number(leds[0])] ?? kLedColours[0];
-    const tint = leds.startsWith('0') ? body.color : mixed(rgbOf(body.color), led);
+    const tint = leds.startsWith('0') || !body.block ? body.color : mixed(rgbOf(body.color), led);
     mesh.material = this.material(tint);
+  }
+
+  /** Without colour, until it is lit again. */
+  grey(mesh: three.Mesh): void {
+    mesh.material = this.material('#c9ccd1');
   }
 
   private geometry(key: string, make: () => three.BufferGeometry): three.BufferGeometry {
@@ -111,7 +116,7 @@ export class BodyShapes {
 
   private material(color: string): three.Material {
     const found = this.materials.get(color) ??
-        new three.MeshLambertMaterial({color, flatShading: true});
+        new three.MeshLambertMaterial({color, flatShading: true, side: three.DoubleSide});
     this.materials.set(color, found);
     return found;
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What each key does.
+import {kCuts} from './cut.js';
 import {kColourings, kPalettes} from './colours.js';
 import type {KeyAction} from './keys.js';
 import type {Player} from './player.js';
@@ -24,6 +25,7 @@ export interface Actions {
 const kTurn = Math.PI / 24;
 const kZoom = 1.15;
 const kManyEvents = 10;
+const kCutStep = 0.05;
 
 function next<T>(list: readonly T[], one: T, by = 1): T {
   return list[(list.indexOf(one) + by + list.length) % list.length];
@@ -96,9 +98,17 @@ function structureKeys({state, levels, runs}: Actions): KeyAction[] {
     const [low, high] = levels();
     state.set({high: Math.min(Math.max(Math.min(state.now.high, high) + by, low), high)});
   };
+  const cut = (by: number) => (): void =>
+    state.set({cutAt: Math.min(Math.max(state.now.cutAt + by, 0), 1)});
   return [
     {keys: ['['], shown: '[', does: 'one level less', run: top(-1)},
     {keys: [']'], shown: ']', does: 'one level more', run: top(1)},
+    {keys: ['q'], shown: 'q', does: 'cut from one side, the next, none',
+     run: () => state.set({cut: next(kCuts, state.now.cut)})},
+    {keys: ['{'], shown: '{', does: 'cut less off', run: cut(-kCutStep)},
+    {keys: ['}'], shown: '}', does: 'cut more off', run: cut(kCutStep)},
+    {keys: ['0'], shown: '0', does: 'what is missing of the target',
+     run: () => state.set({target: !state.now.target})},
     {keys: ['g'], shown: 'g', does: 'ghost of what is to come',
      run: () => state.set({ghost: !state.now.ghost})},
     {keys: ['b'], shown: 'b', does: 'bricks apart',
@@ -111,7 +121,7 @@ function structureKeys({state, levels, runs}: Actions): KeyAction[] {
      run: () => state.set({run: (state.now.run + 1) % runs, side: false})},
     {keys: ['s'], shown: 's', does: 'runs side by side',
      run: () => state.set({side: runs > 1 && !state.now.side})},
-    {keys: ['d'], shown: 'd', does: 'difference of two runs',
+    {keys: ['d'], shown: 'd', does: 'difference of two runs, or from the target',
      run: () => state.set({difference: !state.now.difference})},
   ];
 }

@@ -2,8 +2,10 @@
 // What stands beside a lattice run: legend, levels, colours, rules.
 import {brickStory, factTable, ruleLines} from './brick_story.js';
 import {colourOfKind, colourOfRule, cssOf, kColourings, kPalettes} from './colours.js';
+import {cutPanel} from './cut_panel.js';
 import {checkbox, element, section, select, swatch} from './elements.js';
 import {standing, type LatticeRun} from './runs.js';
+import {countOf} from './target.js';
 import {toggled, type Choices, type ViewState} from './view_state.js';
 
 const kColouringText: Record<string, string> = {
@@ -135,8 +137,27 @@ function rules(run: LatticeRun, state: ViewState): HTMLElement {
   return withUpdates(section('rules', 'Rules, and how often each fired', list), show);
 }
 
+/** What of a target is there. */
+function targetPart(run: LatticeRun, target: LatticeRun, state: ViewState): HTMLElement {
+  const {row, box} = checkbox('what is missing of it', '(0)', on => state.set({target: on}));
+  const rows = element('div');
+  const show = (): void => {
+    const {there, of, beyond} = countOf(run, target, state.now.time);
+    box.checked = state.now.target;
+    const facts: [string, string][] =
+        [['there', `${there} of ${of}`], ['not in it', String(beyond)]];
+    rows.replaceChildren(factTable(facts));
+  };
+  return withUpdates(section('target', `Target: ${target.name}`, rows, row), show);
+}
+
+function cut(state: ViewState): HTMLElement {
+  const {part, show} = cutPanel(state);
+  return withUpdates(part, show);
+}
+
 /** The panel of a run; `update` is to be called after every change. */
-export function latticePanel(run: LatticeRun, state: ViewState):
+export function latticePanel(run: LatticeRun, state: ViewState, target: LatticeRun | null):
     {parts: HTMLElement[]; update: (changed: ReadonlySet<keyof Choices>) => void} {
   const story = element('div', {class: 'picked'});
   const tell = (): void => {
@@ -145,7 +166,8 @@ export function latticePanel(run: LatticeRun, state: ViewState):
                                                  : element('p', {class: 'hint', text: kHint}));
   };
   tell();
-  const parts = [story, legend(run, state), levels(run, state), colours(state)];
+  const parts = [story, legend(run, state), levels(run, state), cut(state), colours(state)];
+  if (target) parts.splice(2, 0, targetPart(run, target, state));
   if (run.rules.length > 0) parts.push(rules(run, state));
   if (run.facts.length > 0) parts.push(section('about', 'Run', factTable(run.facts)));
   const update = (changed: ReadonlySet<keyof Choices>): void => {

@@ -4,21 +4,31 @@ import * as three from 'three';
 import type {Bounds} from './bricks.js';
 import {brickColours} from './colours.js';
 import {Faces} from './faces.js';
+import {keeper} from './cut.js';
 import {floorGrid} from './floor.js';
 import {pickBrick} from './pick.js';
 import {standing, type LatticeRun} from './runs.js';
+import {laidOn} from './target.js';
 import type {Choices} from './view_state.js';
 
-/** Which bricks another run does not have at the same time, or of another colour. */
-function missingIn(other: LatticeRun, run: LatticeRun, time: number): Uint8Array {
+/** Which bricks another run does not have at the same time, or of another colour if these count. */
+function missingIn(other: LatticeRun, run: LatticeRun, time: number, colours: boolean): Uint8Array {
   const {x, y, z} = run.bricks.cells;
   const there = standing(other, time);
   const out = new Uint8Array(run.bricks.count);
   for (let i = 0; i < out.length; ++i) {
     const twin = other.bricks.index.at(x[i], y[i], z[i]);
-    if (twin < 0 || twin >= there || other.colour[twin] !== run.colour[i]) out[i] = 1;
+    const same = !colours || other.colour[twin] === run.colour[i];
+    if (twin < 0 || twin >= there || !same) out[i] = 1;
   }
   return out;
+}
+
+function unionOf(a: Bounds, b: Bounds | undefined): Bounds {
+  if (!b) return a;
+  const each = (of: (x: number, y: number) => number, key: keyof Bounds): Bounds['low'] =>
+    [of(a[key][0], b[key][0]), of(a[key][1], b[key][1]), of(a[key][2], b[key][2])];
+  return {low: each(Math.min, 'low'), high: each(Math.max, 'high')};
 }
 
 export class LatticeView {
@@ -27,6 +37,9 @@ export class LatticeView {
   visible: Uint8Array;
   private readonly faces: Faces;
   private readonly ghost: Faces;
+  /** What runs are held against, laid upon this one, and what of it is missing. */
+  readonly target: LatticeRun | null;
+  private readonly missing: Faces | null;
   private readonly floor: three.LineSegments | null;
   private readonly marker = new three.LineSegments(
       new three.EdgesGeometry(new three.BoxGeometry(1.06, 1.06, 1.06)),
@@ -37,14 +50,17 @@ export class LatticeView {
 
   /** `other` is the run that differences are told from. */
   constructor(readonly run: LatticeRun, private readonly number: number,
-              private readonly other: LatticeRun | null) {
-    this.bounds = run.bricks.bounds;
+              private readonly other: LatticeRun | null, target: LatticeRun | null) {
+    this.target = target && laidOn(run, target);
+    this.missing = this.target && new Faces(this.target.bricks, 0.2);
+    this.bounds = unionOf(run.bricks.bounds, this.target?.bricks.bounds);
     this.faces = new Faces(run.bricks);
     this.ghost = new Faces(run.bricks, 0.16);
     this.visible = new Uint8Array(run.bricks.count);
-    this.floor = run.floor ? floorGrid(run.bricks.bounds) : null;
+    this.floor = run.floor ? floorGrid(this.bounds) : null;
     this.marker.renderOrder = 1;
     this.scene.add(this.faces.object, this.ghost.object, this.marker);
+    if (this.missing) this.scene.add(this.missing.object);
     if (this.floor) this.scene.add(this.floor);
   }
 
@@ -55,10 +71,12 @@ export class LatticeView {
   /** Does what has changed, and nothing else. */
   update(choices: Readonly<Choices>, dark: boolean): void {
     const {colouring, palette, low, high, apart, ghost, difference, hidden, lit} = choices;
+    const {cut, cutAt, target} = choices;
     const coloured = `${colouring} ${palette}`;
     const now = standing(this.run, choices.time);
     const shown =
-        [coloured, now, low, high, apart, ghost, difference, hidden.join(), lit].join(' ');
+        [coloured, now, low, high, apart, ghost, difference, hidden.join(), lit, cut,
+         cut === 'none' ? 0 : cutAt, target].join(' ');
     if (coloured !== this.colouredBy) this.rgb = brickColours(this.run, colouring, palette);
     if (shown !== this.shownBy) this.fill(choices, now);
     this.colouredBy = coloured;
@@ -72,6 +90,7 @@ export class LatticeView {
   turnTo(camera: three.Camera, apart: number): void {
     this.faces.turnTo(camera, apart);
     this.ghost.turnTo(camera, apart);
+    this.missing?.turnTo(camera, apart);
   }
 
   /** The brick that a ray meets, or -1. */
@@ -86,16 +105,35 @@ export class LatticeView {
     this.faces.fill({visible: this.visible, rgb: this.lit(choices), apart});
     const coming = wanted.map((yes, i) => choices.ghost && i >= now ? yes : 0);
     this.ghost.fill({visible: coming, rgb: this.rgb, apart});
+    this.fillMissing(choices, now);
+  }
+
+  private fillMissing(choices: Readonly<Choices>, now: number): void {
+    const {target, missing, run} = this;
+    if (!target || !missing) return;
+    const {x, y, z} = target.bricks.cells;
+    const keeps = keeper(choices.cut, choices.cutAt, this.bounds);
+    const visible = Uint8Array.from(x, (_, i) => {
+      const brick = run.bricks.index.at(x[i], y[i], z[i]);
+      const wanted = choices.target && (brick < 0 || brick >= now) && z[i] >= choices.low &&
+          z[i] <= choices.high && (keeps?.(target.bricks.centres, 3 * i) ?? true);
+      return wanted ? 1 : 0;
+    });
+    const rgb = brickColours(target, 'brick', choices.palette);
+    missing.fill({visible, rgb, apart: choices.apart});
   }
 
   /** Bricks that would be shown if they stood. */
-  private wanted({low, high, hidden}: Readonly<Choices>): Uint8Array {
+  private wanted({low, high, hidden, cut, cutAt}: Readonly<Choices>): Uint8Array {
     const {bricks, colour} = this.run;
     const out = new Uint8Array(bricks.count);
     const left = new Set(hidden);
+    const keeps = keeper(cut, cutAt, this.bounds);
     for (let i = 0; i < out.length; ++i) {
       const level = bricks.cells.z[i];
-      out[i] = level >= low && level <= high && !left.has(colour[i]) ? 1 : 0;
+      const shown = level >= low && level <= high && !left.has(colour[i]) &&
+          (keeps?.(bricks.centres, 3 * i) ?? true);
+      out[i] = shown ? 1 : 0;
     }
     return out;
   }
@@ -103,8 +141,10 @@ export class LatticeView {
   /** Colours, those that are not meant greyed. */
   private lit({lit, difference, time}: Readonly<Choices>): Uint8Array {
     const {run} = this;
-    if (lit === null && !(difference && this.other)) return this.rgb;
-    const other = difference && this.other ? missingIn(this.other, run, time) : null;
+    const against = this.other ?? this.target;
+    if (lit === null && !(difference && against)) return this.rgb;
+    const colours = this.other !== null;
+    const other = difference && against ? missingIn(against, run, time, colours) : null;
     const out = this.rgb.slice();
     for (let i = 0; i < run.bricks.count; ++i) {
       const meant = (lit === null || (i >= run.start && run.rule[i - run.start] === lit)) &&

@@ -2,6 +2,7 @@
 // Time, camera and what is shown, as the part of an address behind '#', so that a link leads to
 // the same view of the same file.
 import {kColourings, kPalettes} from './colours.js';
+import {kCuts} from './cut.js';
 import {kMarks} from './pose_marks.js';
 import type {Choices} from './view_state.js';
 
@@ -22,6 +23,11 @@ export function hashOf(choices: Readonly<Choices>, camera: readonly number[]): s
   if (Number.isFinite(choices.low)) out.set('low', String(choices.low));
   if (Number.isFinite(choices.high)) out.set('high', String(choices.high));
   if (choices.apart > 0) out.set('apart', short(choices.apart));
+  if (choices.cut !== 'none') {
+    out.set('cut', choices.cut);
+    out.set('cutat', short(choices.cutAt));
+  }
+  if (!choices.target) out.set('target', '0');
   if (choices.colouring !== 'brick') out.set('by', choices.colouring);
   if (choices.palette !== 'file') out.set('palette', choices.palette);
   if (choices.marks.length > 0) out.set('marks', choices.marks.join());
@@ -36,7 +42,7 @@ export function choicesOf(hash: string): {choices: Partial<Choices>; camera: num
   const given = new URLSearchParams(hash.replace(/^#/, ''));
   const choices: Partial<Choices> = {};
   for (const [key, name] of [['t', 'time'], ['low', 'low'], ['high', 'high'],
-                             ['apart', 'apart']] as const) {
+                             ['apart', 'apart'], ['cutat', 'cutAt']] as const) {
     const value = numbers(given.get(key)).at(0);
     if (value !== undefined) choices[name] = value;
   }
@@ -50,6 +56,9 @@ export function choicesOf(hash: string): {choices: Partial<Choices>; camera: num
   const palette = kPalettes.find(name => name === given.get('palette'));
   if (palette) choices.palette = palette;
   if (given.has('hidden')) choices.hidden = numbers(given.get('hidden'));
+  const cut = kCuts.find(name => name === given.get('cut'));
+  if (cut) choices.cut = cut;
+  if (given.get('target') === '0') choices.target = false;
   const marks = given.get('marks')?.split(',') ?? [];
   if (marks.length > 0) choices.marks = kMarks.filter(mark => marks.includes(mark));
   for (const key of ['robot', 'eyes'] as const) {

@@ -2,14 +2,17 @@
 // What stands beside a physical run: the picked body, robots with what they show and say, events.
 import {factTable} from './brick_story.js';
 import {cssOf} from './colours.js';
+import {cutPanel} from './cut_panel.js';
 import {button, checkbox, element, section, swatch} from './elements.js';
 import {kMarks, robotColour, type Mark} from './pose_marks.js';
 import {kEventKinds, lastBefore, saidAt, type PoseRun} from './pose_run.js';
+import type {PoseTarget} from './pose_target.js';
 import {robotPane} from './robot_pane.js';
 import {standingRows, type ShownRows} from './shown_values.js';
 import {toggled, type Choices, type ViewState} from './view_state.js';
 
-const kConcern = ['time', 'picked', 'follow', 'robot', 'eyes', 'marks'] as const;
+const kConcern =
+    ['time', 'picked', 'follow', 'robot', 'eyes', 'marks', 'cut', 'cutAt', 'target'] as const;
 const kTouched = 0;
 const kLinesShown = 60;  // of a log
 const kHint = 'Click a robot or a block to learn what it is and what it does.';
@@ -139,7 +142,20 @@ function log(run: PoseRun, state: ViewState): {part: HTMLElement; show: () => vo
   return {part: section('says', 'What programs said', lines), show};
 }
 
-export function posePanel(run: PoseRun, state: ViewState):
+/** What of a target is there. */
+function targetPart(missing: PoseTarget, state: ViewState): Part {
+  const {row, box} = checkbox('what is missing of it', '(0)', on => state.set({target: on}));
+  const {name, bricks} = missing.target;
+  const rows = element('div');
+  const show = (): void => {
+    box.checked = state.now.target;
+    const there = missing.count(state.now.time);
+    rows.replaceChildren(factTable([['there', `${there} of ${bricks.count}`]]));
+  };
+  return {part: section('target', `Target: ${name}`, rows, row), show};
+}
+
+export function posePanel(run: PoseRun, state: ViewState, missing: PoseTarget | null):
     {parts: HTMLElement[]; update: (changed: ReadonlySet<keyof Choices>) => void} {
   const story = element('div', {class: 'picked'});
   const tell = (): void => {
@@ -153,6 +169,8 @@ export function posePanel(run: PoseRun, state: ViewState):
   } else if (run.magnets.size > 0) {
     list.unshift(marks(run, state));
   }
+  list.push(cutPanel(state));
+  if (missing) list.unshift(targetPart(missing, state));
   if (run.log.length > 0) list.push(log(run, state));
   const showAll = (): void => {
     tell();

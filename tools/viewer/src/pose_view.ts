@@ -4,8 +4,11 @@ import * as three from 'three';
 import {BodyShapes} from './body_shapes.js';
 import type {Bounds} from './bricks.js';
 import {floorGrid} from './floor.js';
+import {alike, twinsOf} from './pose_difference.js';
 import {PoseMarks} from './pose_marks.js';
+import {PoseTarget} from './pose_target.js';
 import {saidAt, type PoseRun} from './pose_run.js';
+import type {LatticeRun} from './runs.js';
 import {arrowsOf} from './shown_values.js';
 import type {Choices} from './view_state.js';
 
@@ -38,10 +41,27 @@ export class PoseView {
       new three.EdgesGeometry(new three.BoxGeometry(2, 2, 2)),
       new three.LineBasicMaterial({color: 0xff00aa, depthTest: false}));
   private readonly marks: PoseMarks;
+  /** What of the target is missing. */
+  readonly missing: PoseTarget | null;
+  /** From where the other run has a body to where it is here. */
+  private readonly ways = new three.LineSegments(
+      new three.BufferGeometry(), new three.LineBasicMaterial({color: 0xff00aa, depthTest: false}));
+  private readonly twins: number[];
+  /** Bodies that are greyed. */
+  private readonly greyed = new Set<number>();
   private drawnAt = NaN;
   private marked = '';
+  private comparedAt = '';
 
-  constructor(readonly run: PoseRun, private readonly number: number) {
+  /** `other` is the run that differences are told from. */
+  constructor(readonly run: PoseRun, private readonly number: number,
+              private readonly other: PoseRun | null, target: LatticeRun | null) {
+    this.twins = other ? twinsOf(run, other) : [];
+    this.missing = target && new PoseTarget(run, target);
+    if (this.missing) this.scene.add(this.missing.object);
+    this.ways.frustumCulled = false;
+    this.ways.visible = false;
+    this.scene.add(this.ways);
     this.marks = new PoseMarks(run);
     this.bounds = boundsOf(run);
     this.meshes = run.bodies.map(() => null);
@@ -65,6 +85,8 @@ export class PoseView {
       this.pointArrows(time);
     }
     this.drawnAt = time;
+    this.missing?.update(choices);
+    this.compare(choices);
     this.mark(choices);
     (this.floor.material as three.LineBasicMaterial).color.set(dark ? 0x3d4755 : 0xc3cad3);
   }
@@ -105,7 +127,38 @@ export class PoseView {
     if (!body.block) return;
     const leds = saidAt(this.run.leds.get(i), time) ?? String(body.led);
     if (leds !== this.leds[i]) this.shapes.light(mesh, body, leds);
+    if (leds !== this.leds[i]) this.greyed.delete(i);
     this.leds[i] = leds;
+  }
+
+  /** Greys what is in the other run where it is here; ways lead from where else it is. */
+  private compare({difference, time}: Readonly<Choices>): void {
+    const {other, run} = this;
+    const at = `${difference} ${time}`;
+    if (!other || at === this.comparedAt) return;
+    this.comparedAt = at;
+    const points: number[] = [];
+    run.bodies.forEach((body, i) => {
+      const mesh = this.meshes[i], twin = this.twins[i];
+      const same = difference && alike(run, i, other, twin, time);
+      if (mesh && same !== this.greyed.has(i)) this.grey(i, mesh, same);
+      const there = difference && !same && twin >= 0 ? other.tracks.at(twin, time) : null;
+      if (mesh?.visible && there && body.block) points.push(...there.p, ...mesh.position.toArray());
+    });
+    this.ways.geometry.dispose();
+    this.ways.geometry = new three.BufferGeometry();
+    this.ways.geometry.setAttribute('position', new three.Float32BufferAttribute(points, 3));
+    this.ways.visible = points.length > 0;
+  }
+
+  private grey(i: number, mesh: three.Mesh, same: boolean): void {
+    if (same) {
+      this.greyed.add(i);
+      this.shapes.grey(mesh);
+    } else {
+      this.greyed.delete(i);
+      this.shapes.light(mesh, this.run.bodies[i], this.leds[i]);
+    }
   }
 
   /** What robots' programs point at. */

@@ -3,6 +3,7 @@
 import {Bricks} from './bricks.js';
 import type {Lattice} from './cells.js';
 import {column, integers, type ColumnPlace, type PackedData} from './packed_data.js';
+import {firstDifference} from './pose_difference.js';
 import {poseRun, type PoseJson, type PoseRun} from './pose_run.js';
 
 export interface BrickKind {
@@ -26,6 +27,8 @@ export interface LatticeRun {
   name: string;
   title: string;
   floor: boolean;
+  /** Does its file say where it stands? */
+  placed: boolean;
   /** How the run went, in words; empty for a structure. */
   facts: [string, string][];
   kinds: BrickKind[];
@@ -50,6 +53,8 @@ export type Run = LatticeRun | PoseRun;
 export interface Page {
   title: string;
   runs: Run[];
+  /** What runs are held against. */
+  target: LatticeRun | null;
 }
 
 interface LatticeJson {
@@ -63,6 +68,7 @@ interface LatticeJson {
   rules: RuleText[];
   source: string;
   start: number;
+  placed?: boolean;
   columns: Record<'x' | 'y' | 'z' | 'colour' | 'rule' | 'agent' | 'step', ColumnPlace>;
 }
 
@@ -70,6 +76,7 @@ interface PageJson {
   version: number;
   title: string;
   runs: (LatticeJson | PoseJson)[];
+  target?: LatticeJson;
 }
 
 function latticeRun(json: LatticeJson, data: PackedData): LatticeRun {
@@ -84,6 +91,7 @@ function latticeRun(json: LatticeJson, data: PackedData): LatticeRun {
     name: json.name,
     title: json.title,
     floor: json.floor,
+    placed: json.placed ?? true,
     facts: json.facts,
     kinds: json.bricks,
     rules: json.rules,
@@ -105,6 +113,7 @@ export function pageOf(data: PackedData): Page {
     title: json.title,
     runs: json.runs.map(run =>
       run.kind === 'poses' ? poseRun(run, data) : latticeRun(run, data)),
+    target: json.target ? latticeRun(json.target, data) : null,
   };
 }
 
@@ -119,7 +128,7 @@ export function endOf(run: Run): number {
 }
 
 /** How many placements two runs have in common before they part; undefined: they never do. */
-export function partingOf(a: LatticeRun, b: LatticeRun): number | undefined {
+function partingOf(a: LatticeRun, b: LatticeRun): number | undefined {
   const most = Math.min(endOf(a), endOf(b));
   for (let i = 0; i < most; ++i) {
     const [m, n] = [a.start + i, b.start + i];
@@ -129,4 +138,17 @@ export function partingOf(a: LatticeRun, b: LatticeRun): number | undefined {
     if (!same) return i;
   }
   return endOf(a) === endOf(b) ? undefined : most;
+}
+
+/** Where two runs part, in words, and the moment; null: they never do. */
+export function partingTextOf(a: Run, b: Run): {text: string; time: number} | null {
+  if (a.kind === 'lattice' && b.kind === 'lattice') {
+    const parting = partingOf(a, b);
+    if (parting === undefined) return null;
+    const text = ` parts after ${parting} ${parting === 1 ? 'brick' : 'bricks'}`;
+    return {text, time: parting + 1};
+  }
+  if (a.kind !== 'poses' || b.kind !== 'poses') return null;
+  const time = firstDifference(a, b);
+  return time === undefined ? null : {text: ` differs from ${time.toFixed(1)} s on`, time};
 }

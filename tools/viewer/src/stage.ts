@@ -7,6 +7,8 @@ import * as three from 'three';
 export interface Shown {
   scene: three.Scene;
   turnTo(camera: three.Camera): void;
+  /** Planes beyond which nothing is drawn. */
+  planes(): three.Plane[];
 }
 
 const kSlowFrame = 60;    // ms: beyond, resolution is given up while the picture moves
@@ -138,6 +140,7 @@ export class Stage {
     this.renderer.setScissor(left, low, wide, high);
     this.renderer.setScissorTest(true);
     pane.turnTo(this.camera());
+    this.renderer.clippingPlanes = pane.planes();
     this.renderer.render(pane.scene, this.camera());
   }
 

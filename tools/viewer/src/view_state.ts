@@ -2,6 +2,7 @@
 // What the person who looks has chosen. Whoever shows or changes it asks this one place; listeners
 // are told after every change.
 import type {Colouring, Palette} from './colours.js';
+import type {Cut} from './cut.js';
 import type {Mark} from './pose_marks.js';
 
 export type Theme = 'auto' | 'light' | 'dark';
@@ -21,9 +22,15 @@ export interface Choices {
   low: number;
   high: number;
   apart: number;
+  /** The plane that cuts, and how far it goes, 0 to 1. */
+  cut: Cut;
+  cutAt: number;
+  /** What is missing of the target, drawn transparent. */
+  target: boolean;
   /** What is still to come, drawn transparent. */
   ghost: boolean;
-  /** Only what the first run, or the second beside it, has not. */
+  /** Only what the first run, or the second beside it, or the target has not; of physical runs,
+      what is elsewhere. */
   difference: boolean;
   colouring: Colouring;
   palette: Palette;
@@ -87,6 +94,9 @@ export const kFirstChoices: Choices = {
   low: -Infinity,
   high: Infinity,
   apart: 0,
+  cut: 'none',
+  cutAt: 0.5,
+  target: true,
   ghost: false,
   difference: false,
   colouring: 'brick',

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The page: a stage with one or more runs, the panel beside it, time below.
 import * as three from 'three';
+import {planesOf} from './cut.js';
 import {button, element} from './elements.js';
 import {keySheet, listen} from './keys.js';
 import {keyActions, type Actions} from './key_actions.js';
@@ -11,7 +12,7 @@ import {PoseView} from './pose_view.js';
 import {choicesOf, hashOf} from './permalink.js';
 import {RobotEyes} from './robot_eyes.js';
 import {Player, type Timeline} from './player.js';
-import {endOf, partingOf, type LatticeRun, type Page, type Run} from './runs.js';
+import {endOf, partingTextOf, type Page, type Run} from './runs.js';
 import {Stage} from './stage.js';
 import {timeBar} from './time_bar.js';
 import {kFirstChoices, ViewState, type Choices} from './view_state.js';
@@ -89,14 +90,17 @@ export class Viewer {
   }
 
   /** The run that differences of a run are told from: the first; of the first, the second. */
-  private otherThan(number: number): LatticeRun | null {
-    const other = this.page.runs.at(number === 0 ? 1 : 0);
-    return other?.kind === 'lattice' ? other : null;
+  private otherThan(number: number): Run | null {
+    return this.page.runs.at(number === 0 ? 1 : 0) ?? null;
   }
 
   private viewOf(run: Run, number: number): View {
-    return run.kind === 'poses' ? new PoseView(run, number)
-                                : new LatticeView(run, number, this.otherThan(number));
+    const other = this.page.runs.length > 1 ? this.otherThan(number) : null;
+    const {target} = this.page;
+    if (run.kind === 'poses') {
+      return new PoseView(run, number, other?.kind === 'poses' ? other : null, target);
+    }
+    return new LatticeView(run, number, other?.kind === 'lattice' ? other : null, target);
   }
 
   private connect(): void {
@@ -170,9 +174,7 @@ export class Viewer {
     });
     if (page.runs.length > 1 && page.runs.length <= kMostPanes) {
       tabs.push(this.switchOf('side', 'side by side', 'all runs at once (s)'));
-      if (page.runs[0].kind === 'lattice') {
-        tabs.push(this.switchOf('difference', 'difference', 'only what another run has not (d)'));
-      }
+      tabs.push(this.switchOf('difference', 'difference', 'only what another run has not (d)'));
     }
     bar.append(element('nav', {}, ...tabs), element('span', {class: 'tools'},
         button('fit', 'fit the view (f)', () => this.viewpoint.fit()),
@@ -222,26 +224,32 @@ export class Viewer {
     this.stage.panes = shown.map(view => ({
       scene: view.scene,
       turnTo: (camera: three.Camera) => view.turnTo(camera, this.state.now.apart),
+      planes: () => this.planesOf(view),
     }));
     const [columns] = this.stage.grid;
     this.labels.style.gridTemplateColumns = `repeat(${columns}, 1fr)`;
     this.labels.replaceChildren(...side ? shown.map(view => this.label(view)) : []);
-    const chosen = this.page.runs[run];
-    const {parts, update} = chosen.kind === 'poses' ? posePanel(chosen, this.state)
-                                                    : latticePanel(chosen, this.state);
+    const view = this.views[run];
+    const {parts, update} = view instanceof PoseView
+        ? posePanel(view.run, this.state, view.missing)
+        : latticePanel(view.run, this.state, view.target);
     this.panelUpdate = update;
     this.panel.replaceChildren(...parts);
   }
 
-  private label(view: View): HTMLElement {
-    const {run} = view;
+  /** Bricks are left out whole, which shows the next ones; bodies are cut. */
+  private planesOf(view: View): three.Plane[] {
+    const {cut, cutAt} = this.state.now;
+    return view instanceof PoseView ? planesOf(cut, cutAt, view.bounds) : [];
+  }
+
+  private label({run}: View): HTMLElement {
     const out = element('div', {}, element('b', {text: run.name}));
-    const other = this.otherThan(this.views.indexOf(view));
-    const parting = other && run.kind === 'lattice' ? partingOf(run, other) : undefined;
-    if (parting === undefined) return out;
-    out.append(` parts after ${parting} ${parting === 1 ? 'brick' : 'bricks'}`,
-               button('go there', 'the first event that differs',
-                      () => this.player.goTo(parting + 1)));
+    const other = this.otherThan(this.page.runs.indexOf(run));
+    const parts = other && partingTextOf(run, other);
+    if (!parts) return out;
+    out.append(parts.text, button('go there', 'the first event that differs',
+                                  () => this.player.goTo(parts.time)));
     return out;
   }
 
