@@ -74,8 +74,8 @@ function Machine:handle_with(robot, description)
    self.gripper = Gripper.new(robot, description, self.ranges, self.process, self.magnets, self.lift)
    self.approach = Approach.new {
       description = description, odometry = self.odometry, process = self.process, ranges = self.ranges,
-      camera = self.camera, tracker = self.tracker, clearance = self.clearance, path = self.path,
-      magnets = self.magnets, lift = self.lift,
+      camera = self.camera, tracker = self.tracker, clearance = self.clearance, sweep = self.sweep,
+      path = self.path, magnets = self.magnets, lift = self.lift,
    }
    self.pickup = Pickup.new(self.process, self.tracker, self.path, self.approach, self.gripper, self.lift)
    self.placement = Placement.new {

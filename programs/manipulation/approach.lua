@@ -10,6 +10,7 @@
 -- lowest optional: heading, from which to come, of the four that face the block squarely the nearest, if none
 -- is said; lowest, the least height of the lift (it is higher where the block is seen only from there);
 -- short, by how much to stop before the target; stop(), asked on the last way, ends it before a column;
+-- apart, whether the block is none of the structure, and so to be come to from where there is room to turn;
 -- free(line, seen) and alone(line), whether the place is free, and nobody else at work there; begin(),
 -- called right before the last way.
 
@@ -19,7 +20,10 @@ local structures = require 'perception.structures'
 local SIDE = geometry.SIDE
 local ATTEMPTS = 4
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
+local NEARER = 0.02            -- m, by which it begins nearer where there is no room, down to NEAREST_TURN
+local SPARE = 0.015            -- m, about what a turn sweeps
 local FARTHER = 0.02           -- m, by which it begins farther off after each attempt
+local HALF_DIAGONAL = 0.039    -- m, of a block
 local NEAREST_TURN = 0.22      -- m, from a block, out of its reach for a robot that turns
 local FACES_IT, ON_LINE = 0.2, 0.02  -- rad, m, of a robot that faces the block already
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
@@ -62,7 +66,7 @@ Approach.ENDS = {
    docked = false, absent = 'it is not there', busy = 'busy', exhausted = 'no approach succeeded',
 }
 
--- parts: description, odometry, process, ranges, camera, tracker, clearance, path, magnets, lift.
+-- parts: description, odometry, process, ranges, camera, tracker, clearance, sweep, path, magnets, lift.
 function Approach.new(parts)
    local self = setmetatable({}, Approach)
    for name, part in pairs(parts) do self[name] = part end
@@ -111,11 +115,34 @@ function Approach:creep(way, off, each)
    if math.abs(way) > 0.0002 then self.path:go_by(way, CREEP_SPEED, each) end
 end
 
--- The heading, of the four that face a block squarely, that is nearest to the way there.
-function Approach:heading_to(block)
+-- How far from a block, on a line to it, its approach begins, m, and how much room there is about the robot that
+-- turns there, m, or more than it takes.
+function Approach:stand_off_on(line, run)
+   local farthest = STAND_OFF + FARTHER * (run.attempt - 1)
+   local needed, best, most = self.sweep.reach + SPARE, farthest, -math.huge
+   for nearer = 0, farthest - NEAREST_TURN, NEARER do
+      local room = not run.target.apart and needed or
+                   self.clearance.room(self.odometry:pivot_on(line, nearer - farthest))
+      if room > most then best, most = farthest - nearer, room end
+      if most >= needed then break end
+   end
+   return best, math.min(most, needed)
+end
+
+-- The heading, of the four that face a block squarely, that is nearest to the way there, of those that begin
+-- where there is room to turn.
+function Approach:heading_to(block, run)
    local pose = self.odometry.pose
    local there = math.atan(block.y - pose.y, block.x - pose.x)
-   return there + geometry.wrap_quarter(block.yaw - there)
+   local first = there + geometry.wrap_quarter(block.yaw - there)
+   local side = geometry.wrap(there - first) < 0 and -1 or 1
+   local best, most = first, -math.huge
+   for _, quarters in ipairs { 0, side, -side } do
+      local heading = first + quarters * math.pi / 2
+      local _, room = self:stand_off_on({ x = block.x, y = block.y, yaw = heading }, run)
+      if room > most + 1e-6 then best, most = heading, room end
+   end
+   return best
 end
 
 -- The line to a run's target, squarely to the block's face; it ends there.
@@ -170,8 +197,9 @@ function Approach:go_to_stand_off(run)
    local clearance, odometry = self.clearance, self.odometry
    local function meets() return clearance:meets() end
    -- out of reach of the block before turning
-   if odometry:distance_to(run.block) < NEAREST_TURN then self.path:back_off(0.12) end
-   local x, y = odometry:pivot_on(run.line, -(STAND_OFF + FARTHER * (run.attempt - 1)))
+   local more = self.sweep.reach + HALF_DIAGONAL + SPARE - geometry.apart(odometry:pivot(), run.block)
+   if more > 0 then self.path:back_off(more + FARTHER) end
+   local x, y = odometry:pivot_on(run.line, -self:stand_off_on(run.line, run))
    for _ = 1, 3 do
       self.path:go_to(x, y, nil, meets)
       if not meets() then break end
@@ -187,13 +215,13 @@ Approach.states = states
 
 function states.travel(self, run)
    self.process:enter('approach')
-   run.heading = run.target.heading or self:heading_to(run.block)
+   run.heading = run.target.heading or self:heading_to(run.block, run)
    run.line = self:line_to(run.block, run)
    local along, aside, angle = self.odometry:on_line(run.line)
    local first = run.attempt == 1
    if first and along > -NEAREST_TURN and math.abs(aside) < ON_LINE and math.abs(angle) < FACES_IT then
       -- it faces it already, and a turn sweeps more than going back
-      self.path:follow_back(run.line, -STAND_OFF, 0.1)
+      self.path:follow_back(run.line, -self:stand_off_on(run.line, run), 0.1)
    end
    along, aside = self.odometry:turned_onto(run.line)
    if first and along <= -NEAREST_TURN and math.abs(aside) <= ON_LINE then return 'arrived' end

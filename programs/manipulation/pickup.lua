@@ -18,7 +18,9 @@ end
 -- Drives up to a block of level 0 until it lies below the magnets: true and the block as it was last
 -- seen. `heading`, from which to come, is optional.
 function Pickup:approach_block(block, heading)
-   local near, seen = self.approach:to { block = block, heading = heading, lowest = self.lift.OVER_BLOCK }
+   local near, seen = self.approach:to {
+      block = block, heading = heading, lowest = self.lift.OVER_BLOCK, apart = true,
+   }
    if not near then return false, seen end
    -- what odometry and camera left over along the way, by touch
    self.process:enter('contact')

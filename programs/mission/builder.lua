@@ -51,6 +51,7 @@ function Builder.new(robot, chart, task)
    }, Builder)
    self.builder = self
    machine.placement.transport = task.transport
+   machine.clearance.room = function(x, y) return map:room_about(x, y) end
    if task.widest then machine.sight:reads_up_to(task.widest) end
    machine:start(function() self:follow_chart() end)
    return self

@@ -17,6 +17,7 @@ local FAR_LINKED = 2.3 * SIDE
 local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
 local TURNED = 0.35            -- rad, likewise
 
+-- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v}.
 -- known: {x, y, reach, yaw, origin}: middle and radius of the structure as last seen, the heading
 -- that faces it from params.side, and the middle of one cell; nil when it is not known.
 -- cache: {x, y}, where the last block came from; cache_way: its distance from the structure's
@@ -31,7 +32,7 @@ local SIDES = StructureMap.SIDES
 -- Knows nothing yet; of the task, `transport`, `sides` and `turns` count here.
 function StructureMap.new(robot, odometry, tracker, task)
    return setmetatable({
-      robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false,
+      robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false, bricks = {},
    }, StructureMap)
 end
 
@@ -94,7 +95,7 @@ function StructureMap:orientation(structure, middle)
 end
 
 function StructureMap:lose()
-   self.known, self.side, self.lost, self.cache = nil, nil, true, nil
+   self.known, self.side, self.lost, self.cache, self.bricks = nil, nil, true, nil, {}
 end
 
 -- Whether it is too far from where it was, or turned too much, for odometry's errors.
@@ -129,7 +130,31 @@ function StructureMap:remember(structure)
    local frame = { x = structure.frame.x, y = structure.frame.y, yaw = yaw }
    self.known = { x = middle.x, y = middle.y, yaw = wrap(yaw), reach = reach_of(structure, middle),
                   origin = self:origin_in(frame) }
+   local lattice = self:lattice()
+   for _, block in ipairs(structure.blocks) do
+      local along, left = geometry.into(lattice, block.x, block.y)
+      local u, v = geometry.round(along / SIDE), geometry.round(left / SIDE)
+      self.bricks[u .. ' ' .. v] = { u = u, v = v }
+   end
    return true
+end
+
+-- The frame of its cells, which robots keep as they go round it.
+function StructureMap:lattice()
+   return { x = self.known.origin.x, y = self.known.origin.y, yaw = self.known.yaw }
+end
+
+-- How far a place is from the nearest brick's edge, of all that were ever seen, m.
+function StructureMap:room_about(x, y)
+   local least = math.huge
+   if not self.known then return least end
+   local along, left = geometry.into(self:lattice(), x, y)
+   for _, brick in pairs(self.bricks) do
+      local du = math.max(0, math.abs(along - SIDE * brick.u) - geometry.HALF)
+      local dv = math.max(0, math.abs(left - SIDE * brick.v) - geometry.HALF)
+      least = math.min(least, math.sqrt(du * du + dv * dv))
+   end
+   return least
 end
 
 -- The heading of a robot on the side of this index.

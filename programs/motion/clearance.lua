@@ -11,6 +11,7 @@ local SIDE = geometry.SIDE
 local STOP = 0.045             -- m, before the chassis
 local AT_EFFECTOR = 0.05       -- m, before the effector
 local BEHIND = 0.07            -- m, behind the chassis, which the body sticks out by 0.03, to stop from 0.1 m/s
+local BEHIND_BODY = 0.025      -- m, behind the body, likewise from a brick that is remembered
 local SPARE = 0.03             -- m, about what a turn sweeps: an arm over what a ray sees
 local FACING = 0.18            -- m, before the effector, where another's may come towards it
 local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
@@ -20,6 +21,7 @@ local FREE = 1                 -- m, more than any rangefinder sees
 local SEES_FAR = 0.1           -- m, of rangefinders that see another robot before its arm touches
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
 
+-- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m.
 -- ahead, behind: names of the chassis' rangefinders that look there; beside: those that look elsewhere than
 -- ahead, with how far each has to see so that a turn is free; front: where the foremost of them are, m ahead.
 local Clearance = {}
@@ -28,7 +30,8 @@ Clearance.__index = Clearance
 -- `magnets` tells whether a block is carried, which hides what is before the chassis.
 function Clearance.new(robot, description, process, ranges, magnets, sweep)
    local self = setmetatable({
-      robot = robot, process = process, ranges = ranges, magnets = magnets,
+      robot = robot, process = process, ranges = ranges, magnets = magnets, body = description.body,
+      odometry = process.odometry, room = function() return math.huge end,
       short_sighted = ranges:reach() < SEES_FAR, front = 0, ahead = {}, behind = {}, beside = {},
    }, Clearance)
    for _, ray in ipairs(ranges:chassis_rays()) do
@@ -54,8 +57,13 @@ function Clearance:blocked(distance)
    return self:before_chassis() < (distance or STOP) or self.ranges:nearest { 'front' } < AT_EFFECTOR
 end
 
--- Whether something stands behind, which would be pushed.
+-- Whether something stands behind, which would be pushed: what the rangefinders see, or bricks that are
+-- remembered, higher ones too.
 function Clearance:backed()
+   for side = -1, 1 do
+      local x, y = geometry.out_of(self.odometry.pose, -self.body.back, side * self.body.half_width)
+      if self.room(x, y) < BEHIND_BODY then return true end
+   end
    return not self.short_sighted and self.ranges:nearest(self.behind) < BEHIND
 end
 

@@ -67,6 +67,29 @@ case('an approach ends over the block, squarely', function()
    near('squarely', geometry.wrap_quarter(fake.pose.yaw - 0.3), 0, 0.03)
 end)
 
+case('an approach begins where there is room to turn', function()
+   local machine = machine_with()
+   local approach, needed = machine.approach, machine.sweep.reach + 0.015
+   local block = { x = 0.5, y = 0.02, yaw = 0 }
+   local run = { target = { apart = true }, attempt = 1 }
+   local ahead = { x = 0.5, y = 0.02, yaw = 0 }
+   near('with nothing about', approach:stand_off_on(ahead, run), 0.30)
+   near('straight on', approach:heading_to(block, run), 0)
+   -- a wall on this side of the block, out of the way of the nearest place to turn alone
+   local pivot = machine.odometry.ahead
+   local wall = 0.5 - 0.26 + pivot - needed
+   machine.clearance.room = function(x) return x - wall end
+   near('nearer', approach:stand_off_on(ahead, run), 0.26, 1e-9)
+   near('still straight on', approach:heading_to(block, run), 0)
+   machine.clearance.room = function(x) return x - wall - 0.06 end
+   near('from the side', math.abs(approach:heading_to(block, run)), math.pi / 2)
+   -- a block of the structure is come to from where its site asks for
+   run.target.apart = nil
+   near('a brick', approach:heading_to(block, run), 0)
+   run.target.apart, machine.clearance.room = true, function() return 0.05 end
+   near('where there is room nowhere', approach:heading_to(block, run), 0)
+end)
+
 case('a block that is gone is forgotten', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 } }
    local block = run(function() return machine.search:find(dark) end)

@@ -86,6 +86,21 @@ case('a brick far from the structure is one that was lost, and a structure far a
    same('in transport', map:in_memory(true), nil)
 end)
 
+case('bricks are remembered where they were seen, until the structure is lost', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task)
+   same('nothing is known', map:room_about(-0.3, 0), math.huge)
+   map:remember(map:in_memory())
+   near('beside the second', map:room_about(-0.3 + SIDE, 0.1275), 0.1, 1e-9)
+   near('off a corner', map:room_about(-0.3 - 0.0575, -0.0675), 0.05, 1e-9)
+   near('on one', map:room_about(-0.29, 0), 0, 1e-9)
+   machine.tracker.tracks = { machine.tracker.tracks[1] }
+   map:remember(map:in_memory())
+   near('out of sight', map:room_about(-0.3 + SIDE, 0.1275), 0.1, 1e-9)
+   map:lose()
+   same('lost', map:room_about(-0.3, 0), math.huge)
+end)
+
 case('sides that a robot is bound to', function()
    local task = { sides = ALL, turns = false }
    same('all', SideAllocation.own({}, task), ALL)

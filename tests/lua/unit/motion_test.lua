@@ -138,6 +138,18 @@ case('what the rangefinders see is in the way', function()
    near('no room behind', fake.pose.x, 0, 1e-9)
 end)
 
+case('it backs into no remembered brick', function()
+   local machine, fake, run = machine_with()
+   local back = fake.robot.description.body.back
+   -- a wall aslant, 0.1 m behind the middle of the body's back
+   machine.clearance.room = function(x, y) return math.max(0, x + 0.1 * y + back + 0.1) end
+   run(function() return machine.path:back_off(0.2) end)
+   assert(fake.pose.x < -0.05 and fake.pose.x > -0.1, fake.pose.x)
+   local before = fake.pose.x
+   run(function() return machine.path:back_off(0.2) end)
+   near('nor any farther', fake.pose.x, before, 1e-9)
+end)
+
 case('a robot with others beside it waits before it turns, but not for ever', function()
    local machine, fake, run = machine_with()
    fake.robot.rangefinders['4'].proximity = 0.05
