@@ -103,14 +103,14 @@ function Column:highest()
    end
 end
 
--- Whether a brick stands in a cell, as was seen from here, or before: looks show what decisions ask for,
+-- Whether a brick stands in a cell, as was seen from here, or ever before: looks show what decisions ask for,
 -- and need not show all that is in the way.
 function Column:stands(du, dv, level)
    local seen = self:brick(du, dv, level)
    if seen then return self.map:is_brick(seen) or du == 0 and dv == 0 end
    local place = { z = SIDE * (level + 0.5) }
    place.x, place.y = self.map.place_of(self.row, du, dv)
-   return self.tracker:recall(function(known)
+   return self.map:had_brick(place.x, place.y, level) or self.tracker:recall(function(known)
       return self.map:is_brick(known) and geometry.near(known, place, geometry.HALF) ~= nil
    end) ~= nil
 end

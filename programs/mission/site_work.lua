@@ -16,6 +16,7 @@ local AT_SITE = 0.22           -- m, from a site, where others are in the way
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
+local EXPLORES = 3             -- rounds in vain after which it looks beyond the rows it knows, each time
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
@@ -26,7 +27,7 @@ local TOO_FAR = 0.20           -- m, likewise, from where it looks
 local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
--- tried: rows of this side that asked for nothing. rounds: how often all rows of this side were tried,
+-- tried: rows of this side that asked for nothing; explored: places beside its rows that were looked at. rounds: how often all rows of this side were tried,
 -- and nothing placed. patience: how often it tries them before it goes elsewhere: once, and twice as
 -- often each time. obstructed: how often somebody was in the way, or nothing to be done, since the last
 -- brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front, frame,
@@ -40,7 +41,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
-      tried = {}, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {},
+      tried = {}, explored = {}, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {},
    }, SiteWork)
 end
 
@@ -53,7 +54,7 @@ end
 
 -- From a side that the robot has come to, all rows may be tried.
 function SiteWork:begin_side()
-   self.tried = {}
+   self.tried, self.explored = {}, {}
 end
 
 -- The row, of those not tried yet, that juts out furthest; of several the one straight ahead, which
@@ -72,13 +73,30 @@ function SiteWork:choose_row()
          if not self.row or order < least then self.row, least = of, order end
       end
    end
+   self.row = self.row or self:flank_of(rows)
    return self.row and 'chosen' or 'none'
+end
+
+-- A place beside the outermost rows that are known, as if a row began there, or nil: others may have built
+-- where no look at a known row shows it. Whoever is alone has seen what it built.
+function SiteWork:flank_of(rows)
+   if self.task.delay == 0 or (self.rounds + 1) % EXPLORES ~= 0 then return nil end
+   local first, last, front, frame = math.huge, -math.huge, -math.huge, nil
+   for v, of in pairs(rows) do
+      first, last, front, frame = math.min(first, v), math.max(last, v), math.max(front, of.front), of.frame
+   end
+   for _, v in ipairs { last + 1, first - 1 } do
+      if not self.explored[v] then
+         self.explored[v] = true
+         return { v = v, front = front, frame = frame, juts = 0, flank = true }
+      end
+   end
 end
 
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
 -- while, since others' work may open a row.
 function SiteWork:stays()
-   self.tried, self.rounds = {}, self.rounds + 1
+   self.tried, self.explored, self.rounds = {}, {}, self.rounds + 1
    self.sides:withdraw()
    if #self.task.sides == 1 or self.sides:are_shared() and self.obstructed <= OBSTRUCTED and
       self.rounds < self.patience then
@@ -175,7 +193,7 @@ function SiteWork:look_from(column, look)
 end
 
 function SiteWork:look()
-   local machine = self.machine
+   local machine, chosen = self.machine, self.row
    local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
    for _, look in ipairs(self.task.looks) do
       if not self:look_from(column, look) then
@@ -195,6 +213,7 @@ function SiteWork:look()
    local wish, top_seen = column:decide()
    self.wish = wish
    if wish then return 'decided' end
+   if chosen.flank then return 'nothing' end
    self.tried[self.row.v] = true
    if self.row.juts > 0 then self.path:back_off(self.row.juts) end
    if top_seen then return 'nothing' end
@@ -272,12 +291,21 @@ function SiteWork:approach_site()
    return problem == 'the block was lost' and 'dropped' or 'lost'
 end
 
+-- The map has what the robot has put down, though no look may show it.
+function SiteWork:note_placed()
+   local wish, map = self.wish, self.map
+   if not map.known then return end
+   local x, y = map.place_of(self.row, wish.what == 'extend' and 1 or 0, wish.left or 0)
+   map:note_brick(x, y, wish.level or geometry.level_of(wish.top.z) + 1)
+end
+
 function SiteWork:attach()
    if not self.placement:attach(self.wish.what, self.wish.colour) then
       self.record:tally('aborted')
       return 'failed'
    end
    if self.row.juts > 0 then self.path:back_off(self.row.juts) end
+   self:note_placed()
    self.tried, self.wish, self.obstructed, self.rounds, self.patience = {}, nil, 0, 0, 1
    self.record:tally('placed')
    return 'placed'

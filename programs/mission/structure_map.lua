@@ -17,7 +17,7 @@ local FAR_LINKED = 2.3 * SIDE
 local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
 local TURNED = 0.35            -- rad, likewise
 
--- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v}.
+-- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels}.
 -- known: {x, y, reach, yaw, origin}: middle and radius of the structure as last seen, the heading
 -- that faces it from params.side, and the middle of one cell; nil when it is not known.
 -- cache: {x, y}, where the last block came from; cache_way: its distance from the structure's
@@ -130,13 +130,27 @@ function StructureMap:remember(structure)
    local frame = { x = structure.frame.x, y = structure.frame.y, yaw = yaw }
    self.known = { x = middle.x, y = middle.y, yaw = wrap(yaw), reach = reach_of(structure, middle),
                   origin = self:origin_in(frame) }
-   local lattice = self:lattice()
    for _, block in ipairs(structure.blocks) do
-      local along, left = geometry.into(lattice, block.x, block.y)
-      local u, v = geometry.round(along / SIDE), geometry.round(left / SIDE)
-      self.bricks[u .. ' ' .. v] = { u = u, v = v }
+      self:note_brick(block.x, block.y, geometry.level_of(block.z))
    end
    return true
+end
+
+-- The cell of a brick that stands there.
+function StructureMap:note_brick(x, y, level)
+   local along, left = geometry.into(self:lattice(), x, y)
+   local u, v = geometry.round(along / SIDE), geometry.round(left / SIDE)
+   local key = u .. ' ' .. v
+   self.bricks[key] = self.bricks[key] or { u = u, v = v, levels = {} }
+   self.bricks[key].levels[level] = true
+end
+
+-- Whether a brick was ever seen there.
+function StructureMap:had_brick(x, y, level)
+   if not self.known then return false end
+   local along, left = geometry.into(self:lattice(), x, y)
+   local brick = self.bricks[geometry.round(along / SIDE) .. ' ' .. geometry.round(left / SIDE)]
+   return brick ~= nil and brick.levels[level] == true
 end
 
 -- The frame of its cells, which robots keep as they go round it.

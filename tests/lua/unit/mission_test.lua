@@ -97,7 +97,12 @@ case('bricks are remembered where they were seen, until the structure is lost', 
    machine.tracker.tracks = { machine.tracker.tracks[1] }
    map:remember(map:in_memory())
    near('out of sight', map:room_about(-0.3 + SIDE, 0.1275), 0.1, 1e-9)
+   same('its level', map:had_brick(-0.3 + SIDE, 0, 0), true)
+   same('no other', map:had_brick(-0.3 + SIDE, 0, 1), false)
+   map:note_brick(-0.3 + SIDE, 0.01, 1)
+   same('one put on it', map:had_brick(-0.3 + SIDE, 0, 1), true)
    map:lose()
+   same('nor known any more', map:had_brick(-0.3 + SIDE, 0, 1), false)
    same('lost', map:room_about(-0.3, 0), math.huge)
 end)
 
@@ -263,6 +268,51 @@ case('a structure that is lost in a look is looked for, not built at', function(
    same('wants nothing', work.wish, nil)
    same('told', aborted, 1)
    same('then', run(function() map.in_memory = function() return nil end return work:choose_row() end), 'lost')
+end)
+
+case('what it has put down is remembered, and counts as a neighbour', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 3, asks = {} }
+   local map, machine = map_of({ { 0, 0, 0 }, { 0, 1, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local rows = map:rows()
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   work.row, work.wish = rows[1], { what = 'raise', top = { z = SIDE / 2 } }
+   work:note_placed()
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, rows[0])
+   same('to the left of the next', column:stands(0, 1, 1), true)
+   same('not to the right', column:stands(0, -1, 1), false)
+   same('aside', column:room_beside { what = 'raise', top = { z = SIDE / 2 } }, -1)
+   work.row, work.wish = rows[0], { what = 'extend', level = 0 }
+   work:note_placed()
+   same('in front', column:stands(1, 0, 0), true)
+end)
+
+-- Behind an arm that juts out nothing is seen from before it, and before the row beside it there is no room.
+case('a robot that finds nothing to do among others looks beyond the rows that it knows', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, delay = 30 }
+   local map, machine = map_of({ { 0, 0, 0 }, { 2, -1, 0 } }, { x = 0.5, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   work.magnets = { holds = function() return true end }
+   local rows = map:rows()
+   for v in pairs(rows) do work.tried[v] = true end
+   same('not at once', work:choose_row(), 'none')
+   work.rounds = 2
+   local seen = {}
+   for _ = 1, 2 do
+      same('beside', work:choose_row(), 'chosen')
+      same('none', rows[work.row.v], nil)
+      near('before all rows', work.row.front, math.max(rows[0].front, rows[-1].front))
+      seen[work.row.v] = true
+   end
+   same('to the left', seen[1], true)
+   same('to the right', seen[-2], true)
+   same('no more', work:choose_row(), 'none')
+   task.delay = 0
+   work.explored = {}
+   same('alone', work:choose_row(), 'none')
 end)
 
 case('each state of the chart is something that a part does', function()
