@@ -24,8 +24,12 @@ cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
   return CAIRO_STATUS_SUCCESS;
 }
 
-void set_colour(cairo_t* cairo, Rgb rgb) {
-  cairo_set_source_rgb(cairo, rgb.r / 255.0, rgb.g / 255.0, rgb.b / 255.0);
+void set_colour(cairo_t* cairo, Rgb rgb, double opacity = 1) {
+  if (opacity < 1) {
+    cairo_set_source_rgba(cairo, rgb.r / 255.0, rgb.g / 255.0, rgb.b / 255.0, opacity);
+  } else {
+    cairo_set_source_rgb(cairo, rgb.r / 255.0, rgb.g / 255.0, rgb.b / 255.0);
+  }
 }
 
 // Cairo numbers the parts of an .svg through all pages a program ever draws; here
@@ -69,13 +73,13 @@ struct Canvas::Page {
   cairo_surface_t* surface = nullptr;
   cairo_t* cairo = nullptr;
 
-  Page(PictureFormat kind, int width, int height) : format(kind) {
-    surface =
-        kind == PictureFormat::png
-            ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, kDensity * width, kDensity * height)
-            : cairo_svg_surface_create_for_stream(append, &bytes, width, height);
+  Page(PictureFormat kind, const PageSize& size) : format(kind) {
+    surface = kind == PictureFormat::png
+                  ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, size.width, size.height)
+                  : cairo_svg_surface_create_for_stream(append, &bytes, size.units_wide(),
+                                                        size.units_high());
     cairo = cairo_create(surface);
-    if (kind == PictureFormat::png) cairo_scale(cairo, kDensity, kDensity);
+    if (kind == PictureFormat::png) cairo_scale(cairo, size.density, size.density);
     cairo_set_line_join(cairo, CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
     set_colour(cairo, {255, 255, 255});
@@ -108,21 +112,24 @@ double text_width(const std::string& text, const TextLook& look) {
 }
 
 Canvas::Canvas(PictureFormat format, int width, int height)
-    : page_(std::make_unique<Page>(format, width, height)) {}
+    : Canvas(format, PageSize{kDensity * width, kDensity * height, kDensity}) {}
+
+Canvas::Canvas(PictureFormat format, const PageSize& size)
+    : page_(std::make_unique<Page>(format, size)) {}
 
 Canvas::~Canvas() = default;
 
 void Canvas::polygon(const PagePoint* corners, std::size_t count, Rgb fill, Rgb edge,
-                     double edge_width) {
+                     double edge_width, double opacity) {
   assert(page_->cairo != nullptr);
   cairo_t* cairo = page_->cairo;
   cairo_new_path(cairo);
   for (std::size_t i = 0; i < count; ++i) cairo_line_to(cairo, corners[i].x, corners[i].y);
   cairo_close_path(cairo);
-  set_colour(cairo, fill);
+  set_colour(cairo, fill, opacity);
   cairo_fill_preserve(cairo);
   if (edge_width > 0) {
-    set_colour(cairo, edge);
+    set_colour(cairo, edge, opacity);
     cairo_set_line_width(cairo, edge_width);
     cairo_stroke(cairo);
   }

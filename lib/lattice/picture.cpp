@@ -5,14 +5,12 @@
 // scaled and never cut.
 #include "lattice/picture.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <map>
 
 #include "lattice/canvas.h"
+#include "lattice/picture_marks.h"
 #include "lattice/picture_scene.h"
 #include "lattice/rgb.h"
 
@@ -26,38 +24,7 @@ constexpr double kMargin = 28;
 constexpr std::size_t kManyFaces = 20000;  // then it pays to find the covered ones
 constexpr double kGap = 24;                // between panels
 constexpr double kSmallestWidth = 304, kWidestLegend = 480;  // of what is in the margins
-constexpr TextLook kTitle{21, true, {0x1f, 0x29, 0x33}};
 constexpr TextLook kLabel{14, false, {0x1f, 0x29, 0x33}};
-constexpr TextLook kLegend{14, false, {0x1f, 0x29, 0x33}};
-constexpr TextLook kCaption{13, false, {0x5b, 0x64, 0x70}};
-constexpr double kLegendRow = 26, kSwatch = 9, kAxes = 84;
-
-struct LegendItem {
-  Colour colour = 0;
-  std::string text;
-  double width = 0;  // swatch and gap included
-};
-
-// Symbol, name and number of each colour that shows up. Counts are shown for a single
-// panel; for several they would be sums of no interest.
-std::vector<LegendItem> legend_items(const std::vector<PicturePanel>& panels,
-                                     const std::vector<Brick>& bricks) {
-  std::map<Colour, std::size_t> counts;
-  for (const PicturePanel& panel : panels) {
-    for (const PlacedBrick& brick : panel.structure->bricks()) ++counts[brick.brick];
-  }
-  std::vector<LegendItem> items;
-  for (const auto& [colour, count] : counts) {
-    std::string text = symbol_of(bricks, colour);
-    if (colour <= bricks.size()) {
-      const std::string& name = bricks[colour - 1U].name;
-      if (!name.empty() && name != text) text += "  " + name;
-    }
-    if (panels.size() == 1) text += fmt::format("  ×{}", count);
-    items.push_back({colour, text, 2 * kSwatch + 8 + text_width(text, kLegend) + 26});
-  }
-  return items;
-}
 
 // Where everything goes, in units of the canvas. All figures are computed once; drawing
 // only reads them.
@@ -94,31 +61,35 @@ void fit_panels(Layout& layout, std::size_t panels, PagePoint content, PagePoint
   layout.panel_height = content.y * layout.scale;
 }
 
-// Lays the legend in rows of the page's width; returns its height. Items flow like words of
-// a paragraph and are never split.
-double place_legend(Layout& layout, const std::vector<LegendItem>& items, double left) {
-  double x = left, y = 18;
-  for (const LegendItem& item : items) {
-    if (x > left && x + item.width - 26 > layout.width - kMargin) {
-      x = left;
-      y += kLegendRow;
-    }
-    layout.legend_places.push_back({x, y});
-    x += item.width;
+Colour most_colour(const std::vector<PicturePanel>& panels) {
+  Colour most = 0;
+  for (const PicturePanel& panel : panels) {
+    panel.structure->for_each([&](Cell, State state) { most = std::max<Colour>(most, state); });
   }
-  return items.empty() ? 0 : y + 8;
+  return most;
+}
+
+// Of all panels. Counts are shown for a single one; for several they would be sums of no interest.
+std::vector<LegendItem> legend_of(const std::vector<PicturePanel>& panels,
+                                  const std::vector<Brick>& bricks) {
+  ColourCounts counts;
+  for (const PicturePanel& panel : panels) count_colours(*panel.structure, counts);
+  return legend_items(counts, bricks, panels.size() == 1);
 }
 
 class Picture {
  public:
   Picture(const std::vector<PicturePanel>& panels, const std::vector<Brick>& bricks,
           const PictureOptions& options)
-      : panels_(panels), bricks_(bricks), options_(options) {
+      : panels_(panels),
+        bricks_(recoloured(bricks, options.palette, most_colour(panels))),
+        options_(options) {
     for (const PicturePanel& panel : panels_) {
-      scenes_.push_back(make_scene(turned(*panel.structure, options.turns), options.floor));
+      scenes_.push_back(make_scene(turned(*panel.structure, options.turns), options.floor,
+                                   usual_camera(panel.structure->lattice())));
     }
     if (options.same_frame) share_frame(scenes_);
-    if (options.legend) items_ = legend_items(panels, bricks);
+    if (options.legend) items_ = legend_of(panels, bricks_);
     lay_out();
   }
 
@@ -129,13 +100,15 @@ class Picture {
     Canvas canvas(options_.format, static_cast<int>(layout_.width),
                   static_cast<int>(layout_.height));
     if (!options_.title.empty()) {
-      write_fitting(canvas, options_.title, {kMargin, kMargin + 18}, kTitle);
+      write_fitting(canvas, options_.title, {kMargin, kMargin + 18}, kTitleLook, room());
     }
     for (std::size_t i = 0; i < scenes_.size(); ++i) draw_panel(canvas, i);
     if (options_.axes) draw_axes(canvas);
-    draw_legend(canvas);
+    paint_legend(canvas, scenes_.front().lattice, items_, layout_.legend_places, layout_.legend_top,
+                 bricks_);
     if (!options_.caption.empty()) {
-      write_fitting(canvas, options_.caption, {kMargin, layout_.caption_base}, kCaption);
+      write_fitting(canvas, options_.caption, {kMargin, layout_.caption_base}, kCaptionLook,
+                    room());
     }
     return canvas.finish();
   }
@@ -163,15 +136,16 @@ class Picture {
                {most - 2 * kMargin, std::max(most - layout_.drawing_top - below, 64.0)},
                options_.cell_pixels / Canvas::kDensity);
     const double drawing = layout_.columns * layout_.panel_width + kGap * (layout_.columns - 1);
-    const double words =
-        std::max({text_width(options_.title, kTitle), text_width(options_.caption, kCaption),
-                  std::min(legend_row, kWidestLegend), kSmallestWidth});
+    const double words = std::max({text_width(options_.title, kTitleLook),
+                                   text_width(options_.caption, kCaptionLook),
+                                   std::min(legend_row, kWidestLegend), kSmallestWidth});
     layout_.width =
         std::ceil(std::min(std::max(drawing, words) + 2 * kMargin, std::max(most, kSmallestWidth)));
     const double row = layout_.panel_height + layout_.label_height;
     layout_.legend_top = layout_.drawing_top + row * layout_.rows + kGap * (layout_.rows - 1) + 18;
     const double left = kMargin + (options_.axes ? kAxes : 0);
-    const double legend = place_legend(layout_, items_, left);
+    const double legend =
+        place_legend(items_, left, layout_.width - kMargin, layout_.legend_places);
     double bottom = layout_.legend_top + std::max(legend, options_.axes ? kAxes - 26 : 0);
     if (!options_.caption.empty()) {
       layout_.caption_base = bottom + 22;
@@ -180,14 +154,7 @@ class Picture {
     layout_.height = std::ceil(bottom + kMargin - 8);
   }
 
-  // Text that is too long for the page is written smaller. A smaller font keeps one line,
-  // which the layout has reserved.
-  void write_fitting(Canvas& canvas, const std::string& text, PagePoint at, TextLook look) const {
-    const double room = layout_.width - 2 * kMargin;
-    const double width = text_width(text, look);
-    if (width > room) look.size *= room / width;
-    canvas.text(text, at, look);
-  }
+  double room() const { return layout_.width - 2 * kMargin; }
 
   void draw_panel(Canvas& canvas, std::size_t i) {
     PictureScene& scene = scenes_[i];
@@ -216,42 +183,22 @@ class Picture {
                 look);
   }
 
+  // The axes turn with the structure, so that they name its directions and not the page's.
   void draw_axes(Canvas& canvas) const {
-    constexpr double kLength = 26;
     const Lattice lattice = scenes_.front().lattice;
-    const PagePoint centre{kMargin + 32, layout_.legend_top + 34};
-    // The axes turn with the structure, so that they name its directions and not the
-    // page's.
     const auto group = orientations(lattice, Symmetry::rotations, false);
     const auto count = static_cast<int>(group.size());
     const Orientation& turn =
         group[static_cast<std::size_t>((options_.turns % count + count) % count)];
-    const bool cubic = lattice == Lattice::cubic;
-    const std::array<std::pair<Offset, const char*>, 3> axes = {
-        {{{1, 0, 0}, cubic ? "x" : "q"}, {{0, 1, 0}, cubic ? "y" : "r"}, {{0, 0, 1}, "z"}}};
-    for (const auto& [axis, name] : axes) {
-      const PagePoint along = project(lattice, embed(lattice, Cell{} + turn.apply(axis)));
-      const auto at = [&](double length) {
-        return PagePoint{centre.x + length * along.x, centre.y + length * along.y};
-      };
-      canvas.line(centre, at(kLength), {0x8a, 0x93, 0x9f}, 1.5);
-      const PagePoint end = at(kLength + 9);
-      canvas.text(name, {end.x - text_width(name, kCaption) / 2, end.y + 4}, kCaption);
-    }
-  }
-
-  void draw_legend(Canvas& canvas) const {
-    for (std::size_t i = 0; i < items_.size(); ++i) {
-      const PagePoint at{layout_.legend_places[i].x,
-                         layout_.legend_places[i].y + layout_.legend_top};
-      paint_swatch(canvas, scenes_.front().lattice, {at.x + kSwatch, at.y - 5}, kSwatch,
-                   rgb_of(bricks_, items_[i].colour));
-      canvas.text(items_[i].text, {at.x + 2 * kSwatch + 8, at.y}, kLegend);
-    }
+    const auto along = [&](Offset axis) {
+      return project(lattice, embed(lattice, Cell{} + turn.apply(axis)));
+    };
+    paint_axes(canvas, lattice, {along({1, 0, 0}), along({0, 1, 0}), along({0, 0, 1})},
+               {kMargin + 32, layout_.legend_top + 34});
   }
 
   const std::vector<PicturePanel>& panels_;
-  const std::vector<Brick>& bricks_;
+  const std::vector<Brick> bricks_;
   const PictureOptions& options_;
   std::vector<PictureScene> scenes_;
   std::vector<LegendItem> items_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lattice/rgb.h"
 #include "lattice/structure.h"
 #include "lattice/uses.h"
 
@@ -18,7 +19,8 @@ struct PictureOptions {
   PictureFormat format = PictureFormat::png;
   std::string title;    ///< above; UTF-8, empty: none
   std::string caption;  ///< below
-  bool floor = false;   ///< draw the ground at z = 0 with shadows on it
+  Palette palette = Palette::file;
+  bool floor = false;  ///< draw the ground at z = 0 with shadows on it
   bool axes = true;
   bool legend = true;
   int turns = 0;            ///< of the structure before it is drawn (see view.h)

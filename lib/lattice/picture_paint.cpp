@@ -30,10 +30,10 @@ PagePoint placed(const PicturePlacement& place, PagePoint p) {
 }
 
 void paint(Canvas& canvas, const PicturePlacement& place, const Outline& outline, Rgb fill,
-           Rgb edge, double width) {
+           Rgb edge, double width, double opacity = 1) {
   std::array<PagePoint, 6> corners{};
   for (std::size_t i = 0; i < outline.count; ++i) corners[i] = placed(place, outline.at[i]);
-  canvas.polygon(corners.data(), outline.count, fill, edge, width);
+  canvas.polygon(corners.data(), outline.count, fill, edge, width, opacity);
 }
 
 // Cells between two lines of the ground: 1, 2, 5, 10, … so that lines stay apart. The factor
@@ -50,7 +50,7 @@ int line_step(double scale) {
 void paint_cubic_ground(Canvas& canvas, const PictureScene& scene, const PicturePlacement& place) {
   const auto corners = ground_corners(scene.box);
   const auto at = [&](std::int32_t x, std::int32_t y) {
-    return placed(place, on_page(scene.lattice, {x, y, 0}));
+    return placed(place, on_page(scene, {x, y, 0}));
   };
   const std::array<PagePoint, 4> outline = {
       at(corners[0].x, corners[0].y), at(corners[1].x, corners[1].y),
@@ -71,8 +71,7 @@ void paint_ground(Canvas& canvas, const PictureScene& scene, const PicturePlacem
   const double width = place.scale < 4 ? 0.4 : 0.8;
   const Rgb edge = place.scale < 4 ? kGround : kGroundLine;
   for (const Cell& tile : scene.tiles) {
-    paint(canvas, place, outline_of(scene.lattice, tile, bottom_face(scene.lattice)), kGround, edge,
-          width);
+    paint(canvas, place, outline_of(scene, tile, bottom_face(scene.lattice)), kGround, edge, width);
   }
 }
 
@@ -113,7 +112,7 @@ void paint_shadows(Canvas& canvas, const PictureScene& scene, const PicturePlace
         const Point p = position(scene.lattice, foot + base.corner[i]);
         for (const double height : {p.z, p.z + 1}) {
           const Point away = shadow_of(scene.lattice, spread * height);
-          corners.push_back(placed(place, project(scene.lattice, {p.x + away.x, p.y + away.y, 0})));
+          corners.push_back(placed(place, project(scene.camera, {p.x + away.x, p.y + away.y, 0})));
         }
       }
       const std::vector<PagePoint> hull = convex_hull(std::move(corners));
@@ -178,18 +177,24 @@ class CoverMap {
   std::vector<char> covered_;
 };
 
-/// Fixed shades for three sides give the impression of light without computing any.
-Rgb shaded(Rgb colour, Side side) {
-  switch (side) {
-    case Side::top:
-      return blend(colour, kWhite, 0.16);
-    case Side::left:
-      return blend(colour, kBlack, 0.08);
-    case Side::right:
-      return blend(colour, kBlack, 0.28);
-  }
-  return colour;
+/// Share of black in the sides of a cell, in the order of cell_faces. Fixed shades give the
+/// impression of light without computing any; they belong to the structure, so that its sides keep
+/// theirs while the viewer goes round it.
+double darkness(Lattice lattice, std::size_t face) {
+  constexpr std::array<double, 4> kCubic = {0.28, 0.16, 0.36, 0.08};
+  constexpr std::array<double, 6> kHexagonal = {0.28, 0.40, 0.36, 0.18, 0.04, 0.08};
+  constexpr double kBelow = 0.45;
+  const bool cubic = lattice == Lattice::cubic;
+  if (face >= bottom_face(lattice)) return kBelow;
+  return cubic ? kCubic.at(face) : kHexagonal.at(face);
 }
+
+Rgb shaded(Rgb colour, Lattice lattice, std::size_t face) {
+  if (face + 1 == bottom_face(lattice)) return blend(colour, kWhite, 0.16);  // the top
+  return blend(colour, kBlack, darkness(lattice, face));
+}
+
+constexpr double kGhost = 0.13;  ///< opacity
 
 // Edges are darker than their face where cells are large, and fade into it where
 // they are small; there they only close the seams between faces.
@@ -208,7 +213,11 @@ void drop_covered(PictureScene& scene, const PicturePlacement& place, double wid
   std::vector<ShownFace> kept;
   // From the nearest face to the farthest, against the order of painting.
   for (auto face = scene.faces.rbegin(); face != scene.faces.rend(); ++face) {
-    Outline outline = outline_of(scene.lattice, face->at, face->face);
+    if (face->ghost) {  // one sees through it
+      kept.push_back(*face);
+      continue;
+    }
+    Outline outline = outline_of(scene, face->at, face->face);
     for (std::size_t i = 0; i < outline.count; ++i) {
       outline.at[i] = placed(place, outline.at[i]);
     }
@@ -225,21 +234,22 @@ void paint_scene(Canvas& canvas, const PictureScene& scene, const PicturePlaceme
   }
   const EdgeLook look = edge_look(place.scale);
   for (const ShownFace& face : scene.faces) {
-    const Rgb fill = shaded(rgb_of(bricks, face.colour), face.side);
-    paint(canvas, place, outline_of(scene.lattice, face.at, face.face), fill,
-          blend(fill, kBlack, look.dark), look.width);
+    const Rgb fill = shaded(rgb_of(bricks, face.colour), scene.lattice, face.face);
+    paint(canvas, place, outline_of(scene, face.at, face.face), fill,
+          blend(fill, kBlack, look.dark), look.width, face.ghost ? kGhost : 1);
   }
 }
 
 /// The swatch is a small picture of one brick, painted by the same code as the structure.
 void paint_swatch(Canvas& canvas, Lattice lattice, PagePoint centre, double radius, Rgb colour) {
-  const Structure cell(lattice, {{{0, 0, 0}, 1}});
+  const PictureScene cell =
+      make_scene(Structure(lattice, {{{0, 0, 0}, 1}}), false, usual_camera(lattice));
   const PagePoint middle = project(lattice, {0, 0, 0.5});
   const double scale = 1.2 * radius;
   const PicturePlacement place{scale, {centre.x - scale * middle.x, centre.y - scale * middle.y}};
-  for (const ShownFace& face : shown_faces(cell)) {
-    const Rgb fill = shaded(colour, face.side);
-    paint(canvas, place, outline_of(lattice, face.at, face.face), fill, blend(fill, kBlack, 0.25),
+  for (const ShownFace& face : cell.faces) {
+    const Rgb fill = shaded(colour, lattice, face.face);
+    paint(canvas, place, outline_of(cell, face.at, face.face), fill, blend(fill, kBlack, 0.25),
           0.8);
   }
 }

@@ -51,16 +51,16 @@ void add_outline(PictureFrame& frame, const Outline& outline) {
 /// but the intended ones.
 void find_frame(PictureScene& scene) {
   for (const ShownFace& face : scene.faces) {
-    add_outline(scene.frame, outline_of(scene.lattice, face.at, face.face));
+    add_outline(scene.frame, outline_of(scene, face.at, face.face));
   }
-  if (scene.faces.empty()) add_outline(scene.frame, outline_of(scene.lattice, {}, 0));
+  if (scene.faces.empty()) add_outline(scene.frame, outline_of(scene, {}, 0));
   if (!scene.floor) return;
   for (const Cell& tile : scene.tiles) {
-    add_outline(scene.frame, outline_of(scene.lattice, tile, bottom_face(scene.lattice)));
+    add_outline(scene.frame, outline_of(scene, tile, bottom_face(scene.lattice)));
   }
   if (scene.lattice == Lattice::cubic) {
     for (const Corner& corner : ground_corners(scene.box)) {
-      scene.frame.add(on_page(scene.lattice, corner));
+      scene.frame.add(on_page(scene, corner));
     }
   }
 }
@@ -75,14 +75,14 @@ void extend(CellBounds& box, const CellBounds& other) {
 
 }  // namespace
 
-Outline outline_of(Lattice lattice, Cell cell, std::size_t face) {
-  assert(face < cell_faces(lattice).size());
-  const CellFace& shape = cell_faces(lattice)[face];
-  const Corner foot = foot_of(lattice, cell);
+Outline outline_of(const PictureScene& scene, Cell cell, std::size_t face) {
+  assert(face < cell_faces(scene.lattice).size());
+  const CellFace& shape = cell_faces(scene.lattice)[face];
+  const Corner foot = foot_of(scene.lattice, cell);
   Outline outline;
   outline.count = static_cast<std::size_t>(shape.corners);
   for (std::size_t i = 0; i < outline.count; ++i) {
-    outline.at[i] = on_page(lattice, foot + shape.corner[i]);
+    outline.at[i] = on_page(scene, foot + shape.corner[i]);
   }
   return outline;
 }
@@ -91,8 +91,8 @@ Outline outline_of(Lattice lattice, Cell cell, std::size_t face) {
 /// eight.
 std::size_t bottom_face(Lattice lattice) { return lattice == Lattice::cubic ? 5 : 7; }
 
-PagePoint on_page(Lattice lattice, Corner corner) {
-  return project(lattice, position(lattice, corner));
+PagePoint on_page(const PictureScene& scene, Corner corner) {
+  return project(scene.camera, position(scene.lattice, corner));
 }
 
 std::array<Corner, 4> ground_corners(const CellBounds& box) {
@@ -114,13 +114,16 @@ void PictureFrame::add(PagePoint p) {
   high = {std::max(high.x, p.x), std::max(high.y, p.y)};
 }
 
-PictureScene make_scene(const Structure& structure, bool floor) {
+PictureScene make_scene(const Structure& structure, bool floor, const LatticeCamera& camera,
+                        const Structure* to_come) {
   PictureScene scene;
   scene.lattice = structure.lattice();
-  scene.floor = floor;
-  scene.faces = shown_faces(structure);
+  scene.camera = camera;
+  // Seen edge-on or from below, the ground would be a line or hide what stands on it.
+  scene.floor = floor && camera.towards.z > 1e-9;
+  scene.faces = shown_faces(structure, camera, to_come);
   scene.box = structure.bounds().value_or(CellBounds{});
-  if (floor) {
+  if (scene.floor) {
     const std::vector<PlacedBrick> bricks = structure.bricks();
     if (bricks.size() <= kMostShadows) {
       for (const PlacedBrick& brick : bricks) scene.shadowing.push_back(brick.at);

@@ -22,6 +22,7 @@ struct PictureFrame {
 
 struct PictureScene {
   Lattice lattice = Lattice::cubic;
+  LatticeCamera camera{};
   bool floor = false;
   std::vector<ShownFace> faces;
   std::vector<Cell> shadowing;  ///< bricks that throw a shadow; none when too many
@@ -30,8 +31,9 @@ struct PictureScene {
   PictureFrame frame;
 };
 
-/// The structure must be turned already.
-PictureScene make_scene(const Structure& structure, bool floor);
+/// The ground is drawn for viewers above it alone. `to_come`: as with shown_faces.
+PictureScene make_scene(const Structure& structure, bool floor, const LatticeCamera& camera,
+                        const Structure* to_come = nullptr);
 
 /// Gives all scenes the box, and so the frame and ground, of all together.
 void share_frame(std::vector<PictureScene>& scenes);
@@ -41,10 +43,10 @@ struct Outline {
   std::array<PagePoint, 6> at{};
   std::size_t count = 0;
 };
-Outline outline_of(Lattice lattice, Cell cell, std::size_t face);
+Outline outline_of(const PictureScene& scene, Cell cell, std::size_t face);
 /// Index into cell_faces of the face that looks down.
 std::size_t bottom_face(Lattice lattice);
-PagePoint on_page(Lattice lattice, Corner corner);
+PagePoint on_page(const PictureScene& scene, Corner corner);
 /// Cubic ground: the box's floor with a margin, wider where shadows fall.
 std::array<Corner, 4> ground_corners(const CellBounds& box);
 

@@ -58,6 +58,40 @@ std::vector<Brick> numbered_bricks(int count) {
   return bricks;
 }
 
+Rgb rgb_in(Palette palette, Colour colour) {
+  constexpr std::array<Rgb, 8> kOkabeIto = {{{0x00, 0x72, 0xb2},
+                                             {0xe6, 0x9f, 0x00},
+                                             {0x00, 0x9e, 0x73},
+                                             {0xcc, 0x79, 0xa7},
+                                             {0xd5, 0x5e, 0x00},
+                                             {0x56, 0xb4, 0xe9},
+                                             {0xf0, 0xe4, 0x42},
+                                             {0x99, 0x99, 0x99}}};
+  constexpr std::array<Rgb, 7> kTolBright = {{{0x44, 0x77, 0xaa},
+                                              {0xee, 0x66, 0x77},
+                                              {0x22, 0x88, 0x33},
+                                              {0xcc, 0xbb, 0x44},
+                                              {0x66, 0xcc, 0xee},
+                                              {0xaa, 0x33, 0x77},
+                                              {0xbb, 0xbb, 0xbb}}};
+  assert(palette != Palette::file && colour >= 1);
+  const std::size_t index = colour - 1U;
+  return palette == Palette::okabe_ito ? kOkabeIto[index % kOkabeIto.size()]
+                                       : kTolBright[index % kTolBright.size()];
+}
+
+std::vector<Brick> recoloured(std::vector<Brick> bricks, Palette palette, Colour most) {
+  if (palette == Palette::file) return bricks;
+  for (std::size_t k = bricks.size() + 1; k <= most; ++k) {
+    // As symbol_of calls a colour that there is no brick for.
+    bricks.emplace_back().symbol = std::to_string(k);
+  }
+  for (std::size_t k = 0; k < bricks.size(); ++k) {
+    bricks[k].color = to_color(rgb_in(palette, static_cast<Colour>(k + 1)));
+  }
+  return bricks;
+}
+
 std::string symbol_of(const std::vector<Brick>& bricks, Colour colour) {
   if (colour >= 1 && colour <= bricks.size()) return bricks[colour - 1U].symbol;
   return std::to_string(colour);

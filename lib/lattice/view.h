@@ -2,10 +2,9 @@
 // A structure seen by a viewer far away: which faces show, in which order to paint
 // them, and where they fall on the page.
 //
-// The viewer stands 30° above the ground. Cubic: 52° from the x axis towards -y, not
+// The usual viewer stands 30° above the ground. Cubic: 52° from the x axis towards -y, not
 // the 45° of an isometric view, in which a step down towards the viewer cannot be told
-// from a level. Hexagonal: 30° from the q axis, before an edge of the prisms. Other
-// views turn the structure, not the viewer.
+// from a level. Hexagonal: 30° from the q axis, before an edge of the prisms.
 #pragma once
 
 #include <optional>
@@ -22,16 +21,28 @@ struct PagePoint {
   double x = 0, y = 0;
 };
 
-/// Orthographic projection of a point in cell widths.
-PagePoint project(Lattice lattice, Point point);
+/// Where the viewer is: unit vectors, square to each other, and how cells are ordered.
+struct LatticeCamera {
+  Point right, up;  ///< of the page
+  Point towards;    ///< the viewer
+  Point depth;      ///< the sum of these times the cell's coordinates grows towards the viewer
+};
 
-enum class Side : std::uint8_t { top, left, right };
+const LatticeCamera& usual_camera(Lattice lattice);
+/// `azimuth` is the viewer's from the x axis, counter-clockwise from above, `elevation` that above
+/// the ground, -π/2 to π/2; rad.
+LatticeCamera camera_at(Lattice lattice, double azimuth, double elevation);
+
+/// Orthographic projection of a point in cell widths.
+PagePoint project(const LatticeCamera& camera, Point point);
+/// As the usual viewer sees it.
+PagePoint project(Lattice lattice, Point point);
 
 struct ShownFace {
   Cell at;
   Colour colour = 0;
   std::uint8_t face = 0;  ///< index into cell_faces
-  Side side = Side::top;
+  bool ghost = false;     ///< of a brick that is still to come
 };
 
 /// Quarter turns (cubic) or sixth turns (hexagonal), counter-clockwise from above,
@@ -43,7 +54,12 @@ std::optional<int> turns_for_view(std::string_view corner, Lattice lattice);
 Structure turned(const Structure& structure, int turns);
 
 /// Faces towards the viewer that border on empty cells, from the farthest to the
-/// nearest: painted in this order, near ones cover far ones.
+/// nearest: painted in this order, near ones cover far ones. Bricks of `to_come` whose cells the
+/// structure has not filled are ghosts, of which those faces are shown that border on no brick of
+/// either; the structure's own faces show through them.
+std::vector<ShownFace> shown_faces(const Structure& structure, const LatticeCamera& camera,
+                                   const Structure* to_come = nullptr);
+/// As the usual viewer sees them.
 std::vector<ShownFace> shown_faces(const Structure& structure);
 
 }  // namespace stig::lattice

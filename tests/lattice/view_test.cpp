@@ -47,22 +47,21 @@ bool inside(const std::vector<PagePoint>& outline, PagePoint p) {
 }
 
 // The brick whose face is painted last over a place of the page.
-std::optional<Cell> painted(const Structure& s, PagePoint p) {
+std::optional<Cell> painted(const Structure& s, const LatticeCamera& camera, PagePoint p) {
   std::optional<Cell> last;
-  for (const ShownFace& shown : shown_faces(s)) {
+  for (const ShownFace& shown : shown_faces(s, camera)) {
     const CellFace& face = cell_faces(s.lattice())[shown.face];
     std::vector<PagePoint> outline;
     for (std::size_t i = 0; i < static_cast<std::size_t>(face.corners); ++i) {
       const Corner corner = foot_of(s.lattice(), shown.at) + face.corner[i];
-      outline.push_back(project(s.lattice(), position(s.lattice(), corner)));
+      outline.push_back(project(camera, position(s.lattice(), corner)));
     }
     if (inside(outline, p)) last = shown.at;
   }
   return last;
 }
 
-std::optional<Cell> seen(const Structure& s, Point through) {
-  const Point v = to_viewer(s.lattice());
+std::optional<Cell> seen(const Structure& s, Point v, Point through) {
   for (double t = 12; t > -12; t -= 0.01) {
     const auto brick = brick_at(s, {through.x + t * v.x, through.y + t * v.y, through.z + t * v.z});
     if (brick) return brick;
@@ -84,22 +83,60 @@ TEST_CASE("the viewer stands above, in front and to the right of x") {
   }
 }
 
+void check_painting(const Structure& s, const LatticeCamera& camera, Point v) {
+  const auto coordinate = [] { return *rc::gen::inRange(-1500, 1500) / 1000.0 + 0.00037; };
+  const Point through{coordinate(), coordinate(), coordinate()};
+  const auto by_walk = seen(s, v, through);
+  const auto by_paint = painted(s, camera, project(camera, through));
+  // The walk may step over a corner that it cuts by less than a step.
+  if (by_walk) RC_ASSERT(by_paint.has_value());
+  if (by_walk && by_paint && *by_walk != *by_paint) {
+    RC_ASSERT(seen(s, v, {through.x + 0.02, through.y, through.z}) == by_paint ||
+              seen(s, v, {through.x, through.y + 0.02, through.z}) == by_paint ||
+              seen(s, v, {through.x - 0.02, through.y, through.z}) == by_paint ||
+              seen(s, v, {through.x, through.y - 0.02, through.z}) == by_paint);
+  }
+}
+
 TEST_CASE("law: what is painted last is what the viewer sees") {
   CHECK(rc::check([] {
     const Structure s = any_structure(any_lattice(), 2, 1);
-    const auto coordinate = [] { return *rc::gen::inRange(-1500, 1500) / 1000.0 + 0.00037; };
-    const Point through{coordinate(), coordinate(), coordinate()};
-    const auto by_walk = seen(s, through);
-    const auto by_paint = painted(s, project(s.lattice(), through));
-    // The walk may step over a corner that it cuts by less than a step.
-    if (by_walk) RC_ASSERT(by_paint.has_value());
-    if (by_walk && by_paint && *by_walk != *by_paint) {
-      RC_ASSERT(seen(s, {through.x + 0.02, through.y, through.z}) == by_paint ||
-                seen(s, {through.x, through.y + 0.02, through.z}) == by_paint ||
-                seen(s, {through.x - 0.02, through.y, through.z}) == by_paint ||
-                seen(s, {through.x, through.y - 0.02, through.z}) == by_paint);
-    }
+    check_painting(s, usual_camera(s.lattice()), to_viewer(s.lattice()));
   }));
+}
+
+TEST_CASE("law: so it is from everywhere else") {
+  CHECK(rc::check([] {
+    const Structure s = any_structure(any_lattice(), 2, 1);
+    const double azimuth = *rc::gen::inRange(0, 6283) / 1000.0;
+    const double elevation = *rc::gen::inRange(100, 1500) / 1000.0;
+    const LatticeCamera camera = camera_at(s.lattice(), azimuth, elevation);
+    check_painting(s, camera, camera.towards);
+  }));
+}
+
+TEST_CASE("the usual cameras are those at 52 and 30 degrees") {
+  constexpr double kDegree = 0.017453292519943295;
+  for (const Lattice lattice : {Lattice::cubic, Lattice::hexagonal}) {
+    const LatticeCamera usual = usual_camera(lattice);
+    const LatticeCamera same =
+        camera_at(lattice, (lattice == Lattice::cubic ? -52 : -30) * kDegree, 30 * kDegree);
+    const Point p{0.3, -1.7, 2.1};
+    CHECK(project(usual, p).x == doctest::Approx(project(same, p).x));
+    CHECK(project(usual, p).y == doctest::Approx(project(same, p).y));
+    CHECK(shown_faces(structure_literal("1", lattice), same).size() == 3);
+  }
+}
+
+TEST_CASE("a ghost shows faces towards nothing alone, and hides none") {
+  const Structure whole = structure_literal("1 2 2");
+  const Structure now = structure_literal("1");
+  std::size_t ghosts = 0, real = 0;
+  for (const ShownFace& face : shown_faces(now, usual_camera(Lattice::cubic), &whole)) {
+    ++(face.ghost ? ghosts : real);
+  }
+  CHECK(real == 3);    // the side towards the ghosts is seen through them
+  CHECK(ghosts == 5);  // of two bricks in a row
 }
 
 TEST_CASE("faces between bricks are not shown") {
