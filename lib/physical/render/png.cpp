@@ -4,6 +4,7 @@
 // hinting, so that their bytes depend on the font's outlines alone.
 #include <cairo.h>
 
+#include <algorithm>
 #include <cassert>
 #include <memory>
 
@@ -13,7 +14,8 @@ namespace stig::physics {
 
 namespace {
 
-constexpr double kLetters = 22, kMargin = 20;  ///< pixels
+constexpr double kLetters = 22, kMargin = 20;  ///< pixels, of a picture of kUsualWidth
+constexpr double kUsualWidth = 1200, kSmallestLetters = 10;
 
 cairo_status_t append(void* to, const unsigned char* bytes, unsigned int size) {
   static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), size);
@@ -40,11 +42,13 @@ Surface surface_of(const Image& image) {
   return surface;
 }
 
-void write_caption(cairo_surface_t* surface, const std::string& caption, int height) {
+void write_caption(cairo_surface_t* surface, const std::string& caption, const Image& image) {
+  const double letters = std::max(kLetters * image.width / kUsualWidth, kSmallestLetters);
+  const double margin = kMargin * letters / kLetters;
   // An error of the context costs the caption; one of the surface shows when the PNG is written.
   cairo_t* cairo = cairo_create(surface);
   cairo_select_font_face(cairo, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
-  cairo_set_font_size(cairo, kLetters);
+  cairo_set_font_size(cairo, letters);
   cairo_font_options_t* options = cairo_font_options_create();
   // Hinting and the screen's order of colours would make the bytes depend on the machine.
   cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
@@ -53,7 +57,7 @@ void write_caption(cairo_surface_t* surface, const std::string& caption, int hei
   cairo_set_font_options(cairo, options);
   cairo_font_options_destroy(options);
   cairo_set_source_rgb(cairo, 0.12, 0.16, 0.2);
-  cairo_move_to(cairo, kMargin, height - kMargin);
+  cairo_move_to(cairo, margin, image.height - margin);
   cairo_show_text(cairo, caption.c_str());
   cairo_destroy(cairo);
 }
@@ -63,7 +67,7 @@ void write_caption(cairo_surface_t* surface, const std::string& caption, int hei
 std::string png_of(const Image& image, const std::string& caption) {
   assert(image.width > 0 && image.height > 0);
   const Surface surface = surface_of(image);
-  if (!caption.empty()) write_caption(surface.get(), caption, image.height);
+  if (!caption.empty()) write_caption(surface.get(), caption, image);
   std::string bytes;
   const cairo_status_t status = cairo_surface_write_to_png_stream(surface.get(), append, &bytes);
   // An empty text is "no picture": the caller reports that.

@@ -211,26 +211,22 @@ std::vector<const PictureBody*> main_bodies(const std::vector<PictureBody>& bodi
   return out;
 }
 
-std::vector<Vec3> outline(const std::vector<const PictureBody*>& bodies) {
-  std::vector<Vec3> points;
-  for (const PictureBody* body : bodies) {
-    const double r = body->shape.radius();
-    // Six points of the ball about each body, enough for a view that has a margin.
-    for (const Vec3& way :
-         {Vec3{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}) {
-      points.push_back(body->X_WB.p + way);
-    }
-  }
-  if (points.empty()) points = {{-0.2, -0.2, 0}, {0.2, 0.2, 0.1}};
-  return points;
+Extent extent_of(const std::vector<Vec3>& points) {
+  Extent extent;
+  for (const Vec3& p : points) extent.add(p);
+  return extent;
 }
 
 /// x right, y down, z ahead, for an eye that looks along z. The quaternion comes from the
 /// rotation's matrix, in the two cases that can occur (Shepperd 1978).
-Quat looking(const Vec3& ahead) {
-  const Vec3 right = normalised(cross(ahead, {0, 0, 1})), down = cross(ahead, right);
+Quat looking(const Vec3& ahead, double azimuth) {
+  // Straight down or up, the azimuth alone says what is to the right.
+  const bool level = std::hypot(ahead.x, ahead.y) > 1e-9;
+  const Vec3 right =
+      level ? normalised(cross(ahead, {0, 0, 1})) : Vec3{-std::sin(azimuth), std::cos(azimuth), 0};
+  const Vec3 down = cross(ahead, right);
   const Mat3 m{right, down, ahead};
-  // The trace is above -1 for every direction but straight down, which no picture looks.
+  if (!level) return quaternion_of(m);
   const double w = std::sqrt(std::max(1e-12, 1 + m.x.x + m.y.y + m.z.z)) / 2;
   if (w > 0.1) {
     return normalised(
@@ -241,7 +237,8 @@ Quat looking(const Vec3& ahead) {
       Quat{(m.y.z - m.z.y) / (4 * x), x, (m.x.y + m.y.x) / (4 * x), (m.z.x + m.x.z) / (4 * x)});
 }
 
-void draw_floor(Painter& painter, const Extent& extent, double step) {
+void draw_floor(Painter& painter, const PictureFloor& extent) {
+  const double step = extent.grid;
   const Vec3 middle = (extent.low + extent.high) * 0.5;
   // The floor goes on beyond what stands on it, in whole squares.
   const double reach =
@@ -261,13 +258,37 @@ void draw_floor(Painter& painter, const Extent& extent, double step) {
 
 }  // namespace
 
+std::vector<Vec3> points_about(const std::vector<PictureBody>& bodies) {
+  std::vector<Vec3> points;
+  for (const PictureBody* body : main_bodies(bodies)) {
+    const double r = body->shape.radius();
+    // Six points of the ball about each body, enough for a view that has a margin.
+    for (const Vec3& way :
+         {Vec3{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}}) {
+      points.push_back(body->X_WB.p + way);
+    }
+  }
+  if (points.empty()) points = {{-0.2, -0.2, 0}, {0.2, 0.2, 0.1}};
+  return points;
+}
+
+PictureFloor floor_under(const std::vector<Vec3>& points) {
+  const Extent extent = extent_of(points);
+  const Vec3 size = extent.high - extent.low;
+  return {extent.low, extent.high, grid_step(std::max({size.x, size.y, 0.2}))};
+}
+
 PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLook& look) {
+  return view_holding(points_about(bodies), look);
+}
+
+PictureView view_holding(const std::vector<Vec3>& points, const PictureLook& look) {
   assert(look.width > 0 && look.height > 0);
   const double c = std::cos(look.elevation);
   const Vec3 ahead{-c * std::cos(look.azimuth), -c * std::sin(look.azimuth),
                    -std::sin(look.elevation)};
   PictureView view;
-  view.X_WC.q = looking(ahead);
+  view.X_WC.q = looking(ahead, look.azimuth);
   CameraIntrinsics& camera = view.camera;
   camera.width = look.width;
   camera.height = look.height;
@@ -275,7 +296,6 @@ PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLoo
   camera.cx = (look.width - 1) / 2.0;
   camera.cy = (look.height - 1) / 2.0;
 
-  const std::vector<Vec3> points = outline(main_bodies(bodies));
   const Mat3 r = matrix(view.X_WC.q);
   Extent eye;
   for (const Vec3& p : points) eye.add(r.transposed(p));
@@ -293,25 +313,27 @@ PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLoo
   return view;
 }
 
-ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
-                         bool floor, const std::vector<PictureLine>& lines) {
+Image draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
+                  const std::optional<PictureFloor>& floor, const std::vector<PictureLine>& lines) {
   assert(view.camera.width > 0 && view.camera.height > 0);
   Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kBackdrop);
   Painter painter(raster, view);
-  Extent extent;
-  // The floor's grid is made for the bodies that the view is about.
-  for (const Vec3& p : outline(main_bodies(bodies))) extent.add(p);
-  const double step =
-      grid_step(std::max({extent.high.x - extent.low.x, extent.high.y - extent.low.y, 0.2}));
   if (floor) {
-    draw_floor(painter, extent, step);
+    draw_floor(painter, *floor);
     for (const PictureBody& body : bodies) draw_shadow(painter, body);
   }
   for (const PictureBody& body : bodies) draw_body(painter, body);
   for (const PictureLine& mark : lines) {
     painter.line(mark.from, mark.to, mark.width, mark.colour, mark.bias);
   }
-  return {raster.image(kSamples), step};
+  return raster.image(kSamples);
+}
+
+ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
+                         bool floor, const std::vector<PictureLine>& lines) {
+  const PictureFloor under = floor_under(points_about(bodies));
+  return {draw_bodies(bodies, view, floor ? std::optional(under) : std::nullopt, lines),
+          under.grid};
 }
 
 }  // namespace stig::physics

@@ -46,18 +46,36 @@ struct PictureLook {
   bool floor = true;
 };
 
-/// The view from a direction that holds all bodies; of those a long way off from the others
-/// (what has rolled away) no account is taken.
+/// Points about bodies, for the view and the floor; of those a long way off from the others (what
+/// has rolled away) no account is taken. Those of several moments together are what one view of
+/// all of them is about.
+std::vector<Vec3> points_about(const std::vector<PictureBody>& bodies);
+
+/// The view from a direction that holds all points.
+PictureView view_holding(const std::vector<Vec3>& points, const PictureLook& look);
+/// The view that holds all bodies now.
 PictureView fitted_view(const std::vector<PictureBody>& bodies, const PictureLook& look);
+
+/// How far the floor reaches, and its grid.
+struct PictureFloor {
+  Vec3 low, high;   ///< of what stands on it
+  double grid = 0;  ///< m between lines
+};
+PictureFloor floor_under(const std::vector<Vec3>& points);
 
 struct ScenePicture {
   Image image;
   double grid = 0;  ///< m between lines
 };
+Image draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
+                  const std::optional<PictureFloor>& floor,
+                  const std::vector<PictureLine>& lines = {});
+/// With the floor under the bodies as they stand, if there is one.
 ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
                          bool floor, const std::vector<PictureLine>& lines = {});
 
-/// A PNG file with a caption in its lower left corner; empty when there is no memory for it.
+/// A PNG file with a caption in its lower left corner, in letters that fit its width; empty when
+/// there is no memory for it.
 std::string png_of(const Image& image, const std::string& caption);
 
 }  // namespace stig::physics
