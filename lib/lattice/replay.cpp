@@ -19,6 +19,16 @@ std::string to_text(const Deposit& d, const RuleSet& rules) {
          ", agent " + std::to_string(d.agent) + ", step " + std::to_string(d.step);
 }
 
+/// What is wrong with an event in the structure as it stands, in words; empty: nothing.
+std::string problem_of(const Deposit& event, const RuleSet& rules, const Structure& structure) {
+  if (event.colour > rules.bricks.size()) return "places a brick that its rules do not have";
+  if (event.match.rule >= rules.rules.size()) return "is of a rule that there is not";
+  const bool far = std::max({std::abs(event.site.x), std::abs(event.site.y),
+                             std::abs(event.site.z)}) > kMaxCoordinate;
+  if (far) return "is too far away";
+  return structure.at(event.site) != kEmpty ? "is in a cell that has a brick" : "";
+}
+
 /// Compares a stream of events with the trace's, hashes included. Only the first difference
 /// is kept: everything after it follows from it.
 class Comparison {
@@ -163,6 +173,17 @@ ReplayReport check_given(const Trace& trace, const RuleSet& rules, const SwarmHo
 }
 
 }  // namespace
+
+std::optional<std::string> problem_of_events(const Trace& trace, const RuleSet& rules) {
+  Structure structure(rules.lattice, rules.start);
+  for (std::size_t i = 0; i < trace.events.size(); ++i) {
+    const std::string problem = problem_of(trace.events[i], rules, structure);
+    // Events are counted from 1 in messages.
+    if (!problem.empty()) return "event " + std::to_string(i + 1) + " " + problem;
+    structure.place(trace.events[i].site, trace.events[i].colour);
+  }
+  return std::nullopt;
+}
 
 ReplayReport replay(const Trace& trace, const RuleSet& rules, const SwarmHooks& hooks) {
   return trace.kind == "given" ? check_given(trace, rules, hooks) : rerun(trace, rules, hooks);

@@ -17,7 +17,7 @@
 namespace stig::lattice {
 namespace {
 
-constexpr std::string_view kMagic = "stigtrc1";
+constexpr std::string_view kMagic = kTraceMagic;
 constexpr std::size_t kMostTraceBytes = std::size_t{1} << 29;  ///< decompressed
 constexpr std::size_t kMostTraceEvents = std::size_t{1} << 25;
 enum Tag : std::uint8_t { kEvent = 1, kHash = 2, kEnd = 3 };

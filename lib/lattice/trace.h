@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/diagnostic.h"
@@ -26,6 +27,7 @@
 
 namespace stig::lattice {
 
+inline constexpr std::string_view kTraceMagic = "stigtrc1";
 inline constexpr std::uint64_t kTraceHashEvery = 1024;
 
 struct Trace {
@@ -59,6 +61,11 @@ class TraceWriter {
 /// Bytes of a trace file; anything malformed is a diagnostic.
 std::optional<Trace> read_trace(const std::string& path, const std::string& bytes,
                                 Diagnostics& diagnostics);
+
+/// What is wrong with the events of a trace as deposits of these rules, whatever made them: "event
+/// 3 is in a cell that has a brick"; nothing when each places a brick of the rules' in a free cell.
+/// A trace is not trusted: its events may be none of the rules that it names.
+std::optional<std::string> problem_of_events(const Trace& trace, const RuleSet& rules);
 
 /// What replay found.
 struct ReplayReport {

@@ -108,17 +108,6 @@ Json facts_json(const Trace& trace, const RuleSet& rules) {
   return out;
 }
 
-/// What is wrong with an event in the structure as it stands, in words; empty: nothing.
-// A trace is not trusted: its events may belong to other rules than those that it names.
-std::string problem_of(const Deposit& event, const RuleSet& rules, const Structure& structure) {
-  if (event.colour > rules.bricks.size()) return "places a brick that its rules do not have";
-  if (event.match.rule >= rules.rules.size()) return "is of a rule that there is not";
-  const bool far = std::max({std::abs(event.site.x), std::abs(event.site.y),
-                             std::abs(event.site.z)}) > kMaxCoordinate;
-  if (far) return "is too far away";
-  return structure.at(event.site) != kEmpty ? "is in a cell that has a brick" : "";
-}
-
 /// A structure as a run that is all start; `placed`: does its file say where it stands?
 Json structure_json(const LoadedStructure& loaded, const std::string& name, PageColumns& into) {
   LatticeColumns columns;
@@ -145,17 +134,10 @@ Json structure_json(const LoadedStructure& loaded, const std::string& name, Page
 // step are those of events alone.
 std::optional<std::string> add_lattice_run(const Trace& trace, const RuleSet& rules,
                                            const std::string& name, PageContent& page) {
+  if (const auto problem = problem_of_events(trace, rules)) return problem;
   LatticeColumns columns;
-  Structure structure(rules.lattice, rules.start);
   for (const PlacedBrick& brick : rules.start) columns.brick(brick.at, brick.brick);
-  for (std::size_t i = 0; i < trace.events.size(); ++i) {
-    // Events are counted from 1 in messages.
-    const Deposit& event = trace.events[i];
-    const std::string problem = problem_of(event, rules, structure);
-    if (!problem.empty()) return fmt::format("event {} {}", i + 1, problem);
-    structure.place(event.site, event.colour);
-    columns.event(event);
-  }
+  for (const Deposit& event : trace.events) columns.event(event);
   page.add({{"kind", "lattice"},
             {"name", printable(name)},
             {"title", printable(rules.title.empty() ? rules.name : rules.title)},
