@@ -24,6 +24,21 @@ constexpr std::uint32_t kMagic = 0x46546c67;  // "glTF"
 constexpr std::uint32_t kJsonChunk = 0x4e4f534a, kBinaryChunk = 0x004e4942;
 constexpr int kFloat = 5126, kUnsignedInt = 5125, kVertices = 34962, kIndices = 34963;
 constexpr int kLines = 1;
+constexpr int kNoTarget = 0;  // of numbers that are no vertices
+
+std::string bytes_of(const std::vector<float>& values) {
+  std::string out;
+  for (const float value : values) put(out, value);
+  return out;
+}
+template <std::size_t N>
+std::string bytes_of(const std::vector<std::array<float, N>>& values) {
+  std::string out;
+  for (const auto& value : values) {
+    for (const float part : value) put(out, part);
+  }
+  return out;
+}
 
 class Document {
  public:
@@ -57,6 +72,34 @@ class Document {
     }
     json_["nodes"].push_back(std::move(out));
     if (node.parent < 0) json_["scenes"][0]["nodes"].push_back(number);
+  }
+
+  void add(const std::vector<GlbMotion>& motions, const std::string& name) {
+    if (motions.empty()) return;
+    json animation = {{"name", name}, {"channels", json::array()}, {"samplers", json::array()}};
+    for (const GlbMotion& motion : motions) {
+      assert(!motion.times.empty() && std::is_sorted(motion.times.begin(), motion.times.end()));
+      json& times =
+          accessor(bytes_of(motion.times), kNoTarget, kFloat, motion.times.size(), "SCALAR");
+      // The format demands the bounds of times alone.
+      times["min"] = {motion.times.front()};
+      times["max"] = {motion.times.back()};
+      const std::size_t input = last();
+      const auto channel = [&](const auto& values, const char* shape, const char* path) {
+        if (values.empty()) return;
+        assert(values.size() == motion.times.size());
+        accessor(bytes_of(values), kNoTarget, kFloat, values.size(), shape);
+        animation["channels"].push_back({{"sampler", animation["samplers"].size()},
+                                         {"target", {{"node", motion.node}, {"path", path}}}});
+        animation["samplers"].push_back({{"input", input},
+                                         {"output", last()},
+                                         {"interpolation", motion.stepped ? "STEP" : "LINEAR"}});
+      };
+      channel(motion.translations, "VEC3", "translation");
+      channel(motion.rotations, "VEC4", "rotation");
+      channel(motion.scales, "VEC3", "scale");
+    }
+    json_["animations"] = json::array({std::move(animation)});
   }
 
   std::string finish() {
@@ -100,12 +143,11 @@ class Document {
 
   // All parts are of whole 4-byte numbers, so every view starts aligned. `target` tells
   // viewers whether a view holds vertices or indices.
-  json& accessor(const std::string& bytes, int target, int type, std::uint32_t count,
+  json& accessor(const std::string& bytes, int target, int type, std::size_t count,
                  const char* shape) {
-    json_["bufferViews"].push_back({{"buffer", 0},
-                                    {"byteOffset", binary_.size()},
-                                    {"byteLength", bytes.size()},
-                                    {"target", target}});
+    json view = {{"buffer", 0}, {"byteOffset", binary_.size()}, {"byteLength", bytes.size()}};
+    if (target != kNoTarget) view["target"] = target;
+    json_["bufferViews"].push_back(std::move(view));
     binary_ += bytes;
     json_["accessors"].push_back({{"bufferView", json_["bufferViews"].size() - 1},
                                   {"componentType", type},
@@ -158,9 +200,11 @@ void GlbPrimitive::add_line(std::uint32_t a, std::uint32_t b) {
   corners += 2;
 }
 
-std::string glb_file(const std::vector<GlbNode>& nodes) {
+std::string glb_file(const std::vector<GlbNode>& nodes, const std::vector<GlbMotion>& motions,
+                     const std::string& name) {
   Document document;
   for (std::size_t i = 0; i < nodes.size(); ++i) document.add(nodes, i);
+  document.add(motions, name);
   return document.finish();
 }
 

@@ -37,6 +37,18 @@ struct GlbNode {
   int parent = -1;  ///< an earlier node, or none
 };
 
-std::string glb_file(const std::vector<GlbNode>& nodes);
+/// How a node moves, as values at moments in between which is interpolated. A list is as long as
+/// `times`, or empty: then the node keeps what it has.
+struct GlbMotion {
+  std::size_t node = 0;
+  bool stepped = false;      ///< each value lasts until the next one
+  std::vector<float> times;  ///< s, rising
+  std::vector<std::array<float, 3>> translations, scales;
+  std::vector<std::array<float, 4>> rotations;  ///< unit quaternions x, y, z, w
+};
+
+/// With motions: one animation of that name.
+std::string glb_file(const std::vector<GlbNode>& nodes, const std::vector<GlbMotion>& motions = {},
+                     const std::string& name = "run");
 
 }  // namespace stig

@@ -2,11 +2,10 @@
 // Groups the polygons of a mesh by colour into the primitives of one glTF node. Polygons
 // are convex, so a fan from the first corner triangulates them. glTF wants y up and
 // right-handed axes: (x, y, z) becomes (x, z, -y), a rotation and no mirror.
-#include "base/glb.h"
-
 #include <cassert>
 #include <map>
 
+#include "lattice/glb_surface.h"
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 
@@ -37,16 +36,23 @@ std::map<Colour, GlbPrimitive> primitives_of(const Mesh& mesh, double scale) {
 
 }  // namespace
 
-std::string print_glb(const Mesh& mesh, const std::vector<Brick>& bricks, double scale) {
-  assert(scale > 0);
-  GlbNode node;
-  node.name = "structure";
+std::vector<GlbPrimitive> glb_surface(const Mesh& mesh, const std::vector<Brick>& bricks,
+                                      double scale) {
+  std::vector<GlbPrimitive> out;
   for (auto& [colour, primitive] : primitives_of(mesh, scale)) {
     const bool named = colour <= bricks.size() && !bricks[colour - 1U].name.empty();
     primitive.material = named ? bricks[colour - 1U].name : symbol_of(bricks, colour);
     primitive.rgb = rgb_of(bricks, colour);
-    node.primitives.push_back(std::move(primitive));
+    out.push_back(std::move(primitive));
   }
+  return out;
+}
+
+std::string print_glb(const Mesh& mesh, const std::vector<Brick>& bricks, double scale) {
+  assert(scale > 0);
+  GlbNode node;
+  node.name = "structure";
+  node.primitives = glb_surface(mesh, bricks, scale);
   // An empty structure is a file without nodes: glTF forbids a mesh without primitives.
   if (node.primitives.empty()) return glb_file({});
   return glb_file({node});
