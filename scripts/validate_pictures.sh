@@ -17,7 +17,7 @@ say "stigc validate rulesets/staircase.yaml --runs 25"
 "$stigc" validate rulesets/staircase.yaml --runs 25 -o "$folder" --quiet >/dev/null || true
 cp "$folder/progress.svg" docs/gallery/validate-progress.svg
 picture=docs/gallery/validate-staircase.png
-"$stigc" replay "$folder/run-1.stigp" -o "$picture" --quiet >/dev/null
+"$stigc" render "$folder/run-1.stigp" -o "$picture" --quiet >/dev/null
 pngquant --force --strip --speed 1 --output "$picture" 64 "$picture"
 
 say "stigc validate rulesets/stepped-pyramid.yaml --robots 4 --runs 5"
@@ -28,7 +28,7 @@ cp "$folder/four/progress.svg" docs/gallery/validate-pyramid.svg
 say "stigc validate tests/compiler/wall.yaml --robots 2"
 "$stigc" validate tests/compiler/wall.yaml --robots 2 -o "$folder/wall" --quiet >/dev/null || true
 picture=docs/gallery/validate-wall.png
-"$stigc" replay "$folder/wall/run-1.stigp" -o "$picture" --quiet >/dev/null
+"$stigc" render "$folder/wall/run-1.stigp" -o "$picture" --quiet >/dev/null
 pngquant --force --strip --speed 1 --output "$picture" 64 "$picture"
 
 # The second graph of the two: the chart.

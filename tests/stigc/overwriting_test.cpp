@@ -23,7 +23,8 @@ std::vector<Case> all_cases(const Workplace& place) {
   const std::string scene = "stigc_scene: 1\nduration: 0.01\n";
   REQUIRE(place
               .shell("stigc simulate sets/fall.yaml --duration 0.01 --trace t.stigp "
-                     "--checkpoint c.stigk; echo 'a a' > target.txt; cp -L sets/line.yaml .")
+                     "--checkpoint c.stigk; echo 'a a' > target.txt; cp -L sets/line.yaml .; "
+                     "stigc explore line.yaml -q --trace t.stigt")
               .exit_code == 0);
   place.write("staircase.yaml", rules);
   place.write("user.lua", "function step() end\n");
@@ -46,6 +47,9 @@ std::vector<Case> all_cases(const Workplace& place) {
       {".lua", "function step() end\n", "stigc simulate uses.yaml --trace $out"},
       {".png", place.file("c.stigk"), "stigc simulate --resume $in -o $out"},
       {".png", place.file("t.stigp"), "stigc replay $in -o $out"},
+      {".png", place.file("t.stigp"), "stigc render $in -o $out"},
+      {".glb", place.file("t.stigp"), "stigc render $in -o $out"},
+      {".svg", place.file("t.stigt"), "stigc render $in -o $out"},
       {".png", bebot, "stigc describe $in -o $out"},
       {".glb", bebot, "stigc describe $in -o $out"},
       {".any", rules, "stigc compile $in -o $out"},

@@ -13,6 +13,7 @@
 #include "base/file_io.h"
 #include "base/parallel.h"
 #include "commands.h"
+#include "encoder.h"
 #include "lattice/picture.h"
 #include "physical/dynamics/stock_step.h"
 #include "report.h"
@@ -95,6 +96,15 @@ Finding pictures() {
   return {Health::fail, "pictures", "cairo could not draw", "install libcairo2"};
 }
 
+/// What makes films of pictures; nothing else needs it.
+Finding video() {
+  const auto ffmpeg = find_ffmpeg();
+  return {Health::ok,
+          "video",
+          ffmpeg ? printable(*ffmpeg) : "no ffmpeg: films are written as their frames",
+          {}};
+}
+
 /// Legends are set in DejaVu Sans; with another font they look different.
 Finding fonts() {
   namespace fs = std::filesystem;
@@ -172,9 +182,17 @@ std::string coloured(Health health, bool color) {
 
 int run(const DoctorOptions& options, App& app) {
   // In the order in which things build upon each other.
-  const std::vector<Finding> findings = {
-      program(),  libraries(), physics(),          processor(),   memory(),
-      pictures(), fonts(),     temporary_folder(), terminal(app), rule_sets(options.files)};
+  const std::vector<Finding> findings = {program(),
+                                         libraries(),
+                                         physics(),
+                                         processor(),
+                                         memory(),
+                                         pictures(),
+                                         video(),
+                                         fonts(),
+                                         temporary_folder(),
+                                         terminal(app),
+                                         rule_sets(options.files)};
   Json json = Json::array();
   bool failed = false;
   for (const Finding& finding : findings) {

@@ -141,6 +141,7 @@ int run(const ExploreOptions& options, App& app) {
   std::vector<Output> outputs;
   const int planned = plan_outputs(options.outputs, options.trace, ensemble, app, outputs);
   if (planned != kOk) return planned;
+  for (Output& output : outputs) output.palette = options.palette;
   const std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
   const RuleTable table(*rules);

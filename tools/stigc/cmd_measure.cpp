@@ -60,7 +60,7 @@ int run(const DrawOptions& options, App& app) {
   for (const std::string& path : options.outputs) {
     std::string error;
     if (!write_structure(path, loaded->structure, loaded->bricks, stem(options.structure), false,
-                         error)) {
+                         error, options.palette)) {
       app.complain(error);
       return kRunFailed;
     }

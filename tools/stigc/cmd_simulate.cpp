@@ -136,6 +136,8 @@ class OneRun {
     if (!find_camera()) return kUsage;
     if (const int code = begin_trace(); code != kOk) return code;
     stop_on_signals();
+    // Otherwise a moment is looked for behind each step.
+    if (options_.at && *options_.at == 0 && !checkpoint) take_moment();
     Progress progress(app_);
     const RunEnd end = run_.until(duration(), hooks(progress));
     const double seconds = progress.seconds();

@@ -81,6 +81,7 @@ void build(CLI::App& app, Storage& s) {
   declare(app, s, add_validate);
   declare(app, s, add_build);
   declare(app, s, add_view);
+  declare(app, s, add_render);
   declare(app, s, add_completions);
   declare(app, s, add_doctor);
 }

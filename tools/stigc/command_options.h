@@ -31,6 +31,7 @@ void add_compile(CLI::App& app, CompileFileOptions& o);
 void add_validate(CLI::App& app, ValidateOptions& o);
 void add_build(CLI::App& app, BuildOptions& o);
 void add_view(CLI::App& app, ViewOptions& o);
+void add_render(CLI::App& app, RenderOptions& o);
 void add_completions(CLI::App& app, CompletionsOptions& o);
 void add_doctor(CLI::App& app, DoctorOptions& o);
 

@@ -29,6 +29,7 @@ int run(const CompileFileOptions& options, App& app);
 int run(const ValidateOptions& options, App& app);
 int run(const BuildOptions& options, App& app);
 int run(const ViewOptions& options, App& app);
+int run(const RenderOptions& options, App& app);
 
 /// `stigc --explain CODE`; the empty code lists all.
 int explain_code(const std::string& code, App& app);

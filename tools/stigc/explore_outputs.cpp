@@ -118,7 +118,8 @@ bool OutputWriter::write_one(const Output& output, const SwarmResult& result, st
   const std::string path = path_of_run(output.path, config_.run);
   if (output.kind == OutputKind::structure) {
     const std::string title = rules_.title.empty() ? rules_.name : rules_.title;
-    return write_structure(path, result.structure, rules_.bricks, title, rules_.floor, error);
+    return write_structure(path, result.structure, rules_.bricks, title, rules_.floor, error,
+                           output.palette);
   }
   FileError failure;
   const bool good =

@@ -19,6 +19,7 @@ enum class OutputKind : std::uint8_t { structure, deposits, trace };
 struct Output {
   OutputKind kind = OutputKind::structure;
   std::string path;
+  Palette palette = Palette::file;  ///< of a picture
 };
 
 /// Sorts paths into kinds by their endings (`trace` is one whatever its ending); returns

@@ -30,6 +30,9 @@ bool parse_decimal(std::string_view text, double& out) {
   return plain && error == std::errc{} && stop == end;
 }
 
+/// An upper bound, so that sums of times stay finite.
+constexpr double kTenYears = 3.2e8;  ///< s
+
 /// Three integers parted by commas.
 std::string parse_three(std::string_view text, std::int64_t low, std::int64_t high,
                         std::array<std::int32_t, 3>& out) {
@@ -69,11 +72,31 @@ std::string parse_seed(std::string_view text, std::uint64_t& out) {
 }
 
 std::string parse_seconds(std::string_view text, double& out) {
-  // An upper bound, so that sums of times stay finite.
-  constexpr double kTenYears = 3.2e8;
   if (!parse_decimal(text, out)) return fmt::format("'{}' is no number of seconds", text);
   if (!(out > 0)) return "more than 0 seconds are needed";
   if (out > kTenYears) return fmt::format("{} seconds are more than ten years", text);
+  return {};
+}
+
+std::string parse_moment(std::string_view text, double& out) {
+  if (!parse_decimal(text, out)) return fmt::format("'{}' is no moment", text);
+  return out > kTenYears ? fmt::format("{} is more than ten years", text) : "";
+}
+
+std::string parse_rate(std::string_view text, double& out) {
+  constexpr double kMost = 1e6;
+  if (!parse_decimal(text, out)) return fmt::format("'{}' is no number", text);
+  if (!(out > 0) || out > kMost) return fmt::format("{} is not above 0 and up to 1000000", text);
+  return {};
+}
+
+std::string parse_number(std::string_view text, double& out) {
+  constexpr double kMost = 1e9;
+  const bool negative = text.starts_with('-');
+  if (!parse_decimal(negative ? text.substr(1) : text, out) || out > kMost) {
+    return fmt::format("'{}' is no number", text);
+  }
+  if (negative) out = -out;
   return {};
 }
 

@@ -20,6 +20,12 @@ std::string parse_integer(std::string_view text, std::int64_t low, std::int64_t 
 std::string parse_seed(std::string_view text, std::uint64_t& out);
 /// Seconds, above 0 and up to ten years: "60", "0.5".
 std::string parse_seconds(std::string_view text, double& out);
+/// A moment, in seconds or in bricks placed: 0 and up to ten years, as "0" or "1.5".
+std::string parse_moment(std::string_view text, double& out);
+/// So many a second: above 0 and up to a million.
+std::string parse_rate(std::string_view text, double& out);
+/// "-0.5": digits with at most one point, and a sign; within ±10^9.
+std::string parse_number(std::string_view text, double& out);
 /// Multiples of what is done by default; more than 0.
 std::string parse_effort(std::string_view text, double& out);
 /// "X,Y,Z", coordinates within ±kMaxCoordinate.

@@ -84,4 +84,19 @@ void add_sides(CLI::App& sub, std::vector<std::string>& sides, const char* what)
       ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
 }
 
+CLI::Option* moment(CLI::App* app, const std::string& names, std::optional<double>& out,
+                    const std::string& doc) {
+  return parsed(app, names, "T", doc,
+                [&out](const std::string& text) { return parse_moment(text, out.emplace()); });
+}
+
+void palette(CLI::App* sub, Palette& out) {
+  choice(sub, "--palette", out,
+         {{"file", Palette::file},
+          {"okabe-ito", Palette::okabe_ito},
+          {"tol-bright", Palette::tol_bright}},
+         "colours of bricks in pictures: the file's (default), or others that can be told apart "
+         "with any kind of colour vision");
+}
+
 }  // namespace stig::cli

@@ -96,9 +96,14 @@ CLI::Option* files(CLI::App* app, std::vector<std::string>& out, const std::stri
 CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<double>& out,
                      const std::string& doc);
 
+/// A moment of a run: seconds, or bricks placed; 0 too.
+CLI::Option* moment(CLI::App* app, const std::string& names, std::optional<double>& out,
+                    const std::string& doc);
+
 /// --box, --origin and --periodic; `doc` is that of --box.
 void world(CLI::App* sub, WorldOptions& out, const std::string& doc);
 void lattice(CLI::App* sub, std::optional<Lattice>& out);
+void palette(CLI::App* sub, Palette& out);
 void add_sides(CLI::App& sub, std::vector<std::string>& sides, const char* what);
 
 }  // namespace stig::cli

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "lattice/rgb.h"
 #include "lattice/swarm.h"
 #include "synthesis/synthesise.h"
 #include "uses.h"
@@ -61,6 +62,7 @@ struct ExploreOptions {
   int threads = 0;  ///< 0: all cores
   bool json = false;
   std::vector<std::string> outputs;
+  Palette palette = Palette::file;  ///< of pictures
   std::optional<std::string> trace;
 };
 
@@ -182,8 +184,40 @@ struct MeasureOptions {
 
 struct DrawOptions {
   std::string structure;
-  std::optional<Lattice> lattice;  ///< of a file that does not say it
+  std::optional<Lattice> lattice;   ///< of a file that does not say it
+  Palette palette = Palette::file;  ///< of pictures
   std::vector<std::string> outputs;
+};
+
+/// A part of space along an axis, in cells of a lattice or in m.
+struct Slice {
+  int axis = 0;  ///< x, y, z; of the hexagonal lattice q, r, z
+  double low = -1e300, high = 1e300;
+};
+
+/// From where pictures are taken; neither: as is usual for what is shown.
+struct RenderView {
+  /// rad, of the camera about what is shown: from the x axis, and above the ground
+  std::optional<double> azimuth, elevation;
+  bool orbit = false;  ///< once round while the film lasts
+};
+
+/// Pictures of runs and structures, without a window.
+struct RenderOptions {
+  std::string file;
+  std::string output;              ///< .png .svg .mp4 .webm .gif .glb, or a folder
+  std::optional<Lattice> lattice;  ///< of structure files that do not say it
+  std::optional<double> time;      ///< of a picture: s, or bricks placed
+  std::optional<double> from, to;  ///< of a film, likewise
+  std::optional<double> fps;       ///< frames a second
+  std::optional<double> speed;     ///< s of the run, or bricks, a second of film
+  std::optional<int> width, height;
+  RenderView view;
+  std::vector<Slice> slices;
+  std::optional<std::string> camera;  ///< ROBOT[:CAMERA]
+  Palette palette = Palette::file;
+  bool ghost = false;
+  bool no_title = false, no_legend = false;
 };
 
 /// One page that shows runs and structures.
@@ -252,7 +286,7 @@ using CommandOptions =
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
-                 BuildOptions, ViewOptions>;
+                 BuildOptions, ViewOptions, RenderOptions>;
 
 struct CommandLine {
   GlobalOptions global;

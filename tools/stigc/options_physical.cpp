@@ -24,8 +24,8 @@ void add_replay(CLI::App& app, ReplayOptions& o) {
   sub->add_flag("--verify", o.verify,
                 "run the scene again and compare the hashes of its states; traces of explore "
                 "always are");
-  seconds(sub, "--at", o.at, "the moment to show, in simulated seconds (default: the end)");
-  path(sub, "-o,--output", o.picture, "draw that moment (.png)");
+  moment(sub, "--at", o.at, "the moment to show, in simulated seconds (default: the end)");
+  path(sub, "-o,--output", o.picture, "draw that moment (.png), as stigc render does");
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
@@ -45,7 +45,7 @@ void add_simulate(CLI::App& app, SimulateOptions& o) {
   sub->add_flag("--trace-detail", o.detail,
                 "record also what robots sense and send, and where magnets point");
   path(sub, "-o,--output", o.picture, "draw the end, or the moment --at (.png)");
-  seconds(sub, "--at", o.at, "the picture's moment, in simulated seconds");
+  moment(sub, "--at", o.at, "the picture's moment, in simulated seconds");
   sub->add_option("--camera", o.camera, "draw what this camera of a robot sees")
       ->type_name("ROBOT[:CAMERA]");
   path(sub, "--checkpoint", o.checkpoint, "write the state at the end, also when interrupted");

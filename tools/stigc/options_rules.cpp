@@ -85,6 +85,7 @@ void add_explore(CLI::App& app, ExploreOptions& o) {
            "write the structure, in the format of the ending: .vox .stl .ply .glb .png .svg .json "
            ".txt; .csv the log of deposits, or with --runs the table of runs; .stigt a trace. May "
            "be repeated; with --runs, {run} in a structure's name is the number of the run");
+  palette(sub, o.palette);
   path(sub, "--trace", o.trace, "write a trace of the run, for replay");
 }
 
@@ -208,6 +209,7 @@ void add_draw(CLI::App& app, DrawOptions& o) {
   repeated(sub, "-o,--output", o.outputs, "FILE",
            "file to write, in the format of its ending; may be repeated")
       ->required();
+  palette(sub, o.palette);
 }
 
 }  // namespace stig::cli

@@ -147,10 +147,11 @@ int write_output(const std::string& path, std::string_view bytes, const App& app
 
 bool write_structure(const std::string& path, const Structure& structure,
                      const std::vector<Brick>& bricks, const std::string& title, bool floor,
-                     std::string& error) {
+                     std::string& error, Palette palette) {
   StructureWriteOptions options;
   options.picture.title = printable(title);
   options.picture.floor = floor;
+  options.picture.palette = palette;
   return write_structure_file(path, structure, bricks, options, error);
 }
 

@@ -44,6 +44,6 @@ int write_output(const std::string& path, std::string_view bytes, const App& app
 /// Writes a structure with its picture titled; false with `error` set.
 bool write_structure(const std::string& path, const Structure& structure,
                      const std::vector<Brick>& bricks, const std::string& title, bool floor,
-                     std::string& error);
+                     std::string& error, Palette palette = Palette::file);
 
 }  // namespace stig::cli

@@ -6,14 +6,17 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
 #include "outputs.h"
 #include "physical/simulation/verify_trace.h"
+#include "pose_film.h"
 #include "progress.h"
 #include "report.h"
 #include "simulate_report.h"
+#include "view/trace_picture.h"
 
 namespace stig::cli {
 namespace {
@@ -167,12 +170,15 @@ int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
   return report.identical ? kOk : kFailed;
 }
 
-/// As its scene says, which the trace holds.
-bool has_floor(const PoseTrace& trace) {
-  Diagnostics ignored;
-  const auto loaded = load_scene(trace.header.files, trace.header.seed, ignored);
-  // A trace whose scene cannot be read gets a floor: most have one.
-  return !loaded || loaded->placed.config.floor;
+/// As stigc render draws it.
+int draw(const ReplayOptions& options, PoseTrace trace, double time, const App& app) {
+  RenderOptions picture;
+  picture.file = options.trace;
+  picture.output = *options.picture;
+  int code = kOk;
+  const auto film =
+      pose_film(with_size(picture), std::make_shared<const PoseTrace>(std::move(trace)), app, code);
+  return film ? write_output(*options.picture, film->picture(time, 0), app) : code;
 }
 
 }  // namespace
@@ -183,7 +189,7 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
     return kUsage;
   }
   Diagnostics diagnostics;
-  const auto trace = read_pose_trace(options.trace, std::move(bytes), diagnostics);
+  auto trace = read_pose_trace(options.trace, std::move(bytes), diagnostics);
   if (!trace) {
     app.report(diagnostics);
     return kFailed;
@@ -205,16 +211,7 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   } else {
     app.print(summary_lines(*trace) + (options.at ? frame_lines(*trace, frame) : ""));
   }
-  if (!options.picture) return kOk;
-  std::string error;
-  if (write_picture(*options.picture, picture_bodies(*trace, frame), picture_lines(*trace, frame),
-                    has_floor(*trace), trace->header.title,
-                    static_cast<double>(frame.tick) * trace->header.step, error)) {
-    app.say("wrote " + printable(*options.picture));
-    return kOk;
-  }
-  app.complain(error);
-  return kRunFailed;
+  return options.picture ? draw(options, std::move(*trace), at, app) : kOk;
 }
 
 }  // namespace stig::cli

@@ -95,59 +95,6 @@ Json vec_json(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 }  // namespace
 
-namespace {
-
-/// What bodies showed in a channel at a tick: the newest value of each that has one. Linear over
-/// all values of the trace: a picture is drawn once.
-std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std::uint64_t tick,
-                                                     std::string_view channel) {
-  std::map<std::uint32_t, const std::string*> out;
-  for (const TraceValue& value : trace.values) {
-    if (value.tick > tick || trace.header.channels[value.channel] != channel) continue;
-    // Values come in the order of ticks, so the last one stays.
-    out[value.body] = &value.bytes;
-  }
-  return out;
-}
-
-/// What most of a block's LEDs show.
-Led most_shown(std::string_view digits) {
-  std::array<int, 5> shown{};
-  for (const char digit : digits) {
-    // A trace may hold any bytes as a value.
-    if (digit >= '0' && digit <= '4') ++shown[static_cast<std::size_t>(digit - '0')];
-  }
-  return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
-}
-
-}  // namespace
-
-std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame) {
-  const auto leds = shown_at(trace, frame.tick, "leds");
-  std::vector<PictureBody> out;
-  for (std::uint32_t i = 0; i < frame.bodies.size(); ++i) {
-    if (frame.bodies[i].left) continue;
-    const TraceBody& body = trace.header.bodies[i];
-    const auto set = leds.find(i);
-    // A block shows what its program set, or what it had when the trace began.
-    const Led led = set == leds.end() ? body.led : most_shown(*set->second);
-    out.push_back(
-        {body.shape, frame.bodies[i].pose(), body.rgb, body.block, body.block ? led : Led::off});
-  }
-  return out;
-}
-
-std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame) {
-  std::vector<PictureLine> out;
-  for (const auto& [body, json] : shown_at(trace, frame.tick, "show")) {
-    // A body that is not in the frame has no lines there.
-    if (body >= frame.bodies.size()) continue;
-    const auto lines = show_lines(*json, frame.bodies[body].pose());
-    out.insert(out.end(), lines.begin(), lines.end());
-  }
-  return out;
-}
-
 StructureReading structure_of(const std::vector<PictureBody>& bodies) {
   std::vector<PlacedBlock> blocks;
   double side = 0;
@@ -366,16 +313,21 @@ std::string table_of(const std::vector<SimulationReport>& runs) {
   return out + measures_of(runs);
 }
 
+std::string picture_caption(const std::string& title, double time, double grid) {
+  // The middle dot parts what the picture is of from what it shows.
+  std::string caption = title.empty() ? "" : printable(title) + " · ";
+  caption += fmt::format("{:.2f} s", time);
+  if (grid > 0) caption += fmt::format(" · grid {:g} m", grid);
+  return caption;
+}
+
 bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies,
                    const std::vector<PictureLine>& lines, bool floor, const std::string& title,
                    double time, std::string& error) {
   PictureLook look;
   const ScenePicture picture = draw_bodies(bodies, fitted_view(bodies, look), floor, lines);
-  // The middle dot parts what the picture is of from what it shows.
-  std::string caption = title.empty() ? "" : printable(title) + " · ";
-  caption += fmt::format("{:.2f} s", time);
-  if (floor) caption += fmt::format(" · grid {:g} m", picture.grid);
   FileError failure;
+  const std::string caption = picture_caption(title, time, floor ? picture.grid : 0);
   const bool good = write_file(path, png_of(picture.image, caption), failure);
   error = failure.message;
   return good;

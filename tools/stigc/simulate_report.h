@@ -57,12 +57,11 @@ Json structure_json(const StructureReading& structure, const std::vector<std::st
 /// A table of runs, and what they have in common.
 std::string table_of(const std::vector<SimulationReport>& runs);
 
-/// What a picture or a reading takes of a moment of a trace; of a run:
-/// physical/simulation/run_picture.h.
-std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame);
-std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame);
+/// The lattices of the blocks among them.
 StructureReading structure_of(const std::vector<PictureBody>& bodies);
 
+/// What is written below a picture; a grid of 0 m: none.
+std::string picture_caption(const std::string& title, double time, double grid);
 /// Draws and writes; false with `error` set.
 bool write_picture(const std::string& path, const std::vector<PictureBody>& bodies,
                    const std::vector<PictureLine>& lines, bool floor, const std::string& title,

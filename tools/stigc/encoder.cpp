@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: MIT
+#include "encoder.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <cstring>
+#include <vector>
+
+#include "base/file_io.h"
+
+namespace stig::cli {
+namespace {
+
+constexpr int kFilmDescriptor = 3;  ///< of the program
+constexpr std::size_t kMostWords = 600;
+
+/// What ffmpeg is told. Without metadata, which would name its version; sides of yuv420p are even.
+std::vector<std::string> arguments_of(const std::string& ending, double fps) {
+  std::vector<std::string> out = {"ffmpeg", "-hide_banner", "-loglevel", "error", "-nostdin", "-y"};
+  const auto add = [&](std::initializer_list<const char*> more) {
+    out.insert(out.end(), more.begin(), more.end());
+  };
+  add({"-f", "image2pipe", "-framerate"});
+  out.push_back(fmt::format("{:.6f}", fps));
+  add({"-c:v", "png", "-i", "pipe:0", "-an", "-map_metadata", "-1", "-fflags", "+bitexact"});
+  add({"-flags:v", "+bitexact"});
+  const char* even = "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white";
+  if (ending == ".mp4") {
+    add({"-vf", even, "-c:v", "libx264", "-crf", "20", "-pix_fmt", "yuv420p"});
+    add({"-movflags", "+faststart", "-f", "mp4"});
+  } else if (ending == ".webm") {
+    add({"-vf", even, "-c:v", "libvpx-vp9", "-crf", "32", "-b:v", "0", "-cpu-used", "4"});
+    add({"-pix_fmt", "yuv420p", "-f", "webm"});
+  } else {
+    // Plain surfaces need no dithering, which would make files large.
+    add({"-filter_complex",
+         "[0:v]split[a][b];[a]palettegen=max_colors=128:stats_mode=full[p];"
+         "[b][p]paletteuse=dither=none:diff_mode=rectangle"});
+    add({"-loop", "0", "-f", "gif"});
+  }
+  out.push_back(fmt::format("/dev/fd/{}", kFilmDescriptor));
+  return out;
+}
+
+/// The program has the three files as its standard input and error, and as kFilmDescriptor. It is
+/// in a group of its own, so that Ctrl-C does not reach it before us.
+int spawn(const std::string& program, const std::vector<std::string>& arguments, int in, int film,
+          int words, pid_t& process) {
+  posix_spawn_file_actions_t files;
+  posix_spawnattr_t attributes;
+  posix_spawn_file_actions_init(&files);
+  posix_spawnattr_init(&attributes);
+  posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&files, words, STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&files, words, STDERR_FILENO);
+  posix_spawn_file_actions_adddup2(&files, film, kFilmDescriptor);
+  sigset_t usual;
+  sigemptyset(&usual);
+  for (const int signal : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM}) sigaddset(&usual, signal);
+  posix_spawnattr_setsigdefault(&attributes, &usual);
+  posix_spawnattr_setpgroup(&attributes, 0);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
+  std::vector<char*> argv;
+  for (const std::string& argument : arguments) {
+    argv.push_back(const_cast<char*>(argument.c_str()));
+  }
+  argv.push_back(nullptr);
+  const int error =
+      posix_spawn(&process, program.c_str(), &files, &attributes, argv.data(), environ);
+  posix_spawnattr_destroy(&attributes);
+  posix_spawn_file_actions_destroy(&files);
+  return error;
+}
+
+/// A file that has no name and goes with its descriptor; null with errno set.
+std::FILE* nameless_file() {
+  const char* named = std::getenv("TMPDIR");
+  std::string path = named != nullptr && *named != 0 ? named : "/tmp";
+  path += "/stigc-XXXXXX";
+  const int descriptor = mkostemp(path.data(), O_CLOEXEC);
+  if (descriptor < 0) return nullptr;
+  unlink(path.c_str());
+  return fdopen(descriptor, "w+b");
+}
+
+/// Copies beyond the descriptors that the program's own take, so that none is lost before it is
+/// used; closed when a program is started.
+int moved_up(int descriptor) { return fcntl(descriptor, F_DUPFD_CLOEXEC, 10); }
+
+}  // namespace
+
+std::optional<std::string> find_ffmpeg() {
+  const char* path = std::getenv("PATH");
+  std::string_view rest = path == nullptr ? "" : path;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(':'), rest.size());
+    const std::string folder(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    // An empty entry would be the working directory, from which nothing is run.
+    if (folder.empty() || folder[0] != '/') continue;
+    const std::string program = folder + "/ffmpeg";
+    if (access(program.c_str(), X_OK) == 0) return program;
+  }
+  return std::nullopt;
+}
+
+Encoder::~Encoder() {
+  if (pipe_ >= 0) close(pipe_);
+  if (process_ < 0) return;
+  kill(process_, SIGKILL);
+  waitpid(process_, nullptr, 0);
+}
+
+bool Encoder::start(const std::string& program, const std::string& ending, double fps,
+                    std::string& problem) {
+  film_.reset(nameless_file());
+  words_.reset(nameless_file());
+  std::array<int, 2> ends{-1, -1};
+  if (!film_ || !words_ || pipe2(ends.data(), O_CLOEXEC) != 0) {
+    problem = fmt::format("cannot make a temporary file: {}", strerror(errno));
+    return false;
+  }
+  pipe_ = moved_up(ends[1]);
+  close(ends[1]);
+  const std::array<int, 3> up = {moved_up(ends[0]), moved_up(fileno(film_.get())),
+                                 moved_up(fileno(words_.get()))};
+  close(ends[0]);
+  const int error = spawn(program, arguments_of(ending, fps), up[0], up[1], up[2], process_);
+  for (const int descriptor : up) close(descriptor);
+  if (error == 0) return true;
+  process_ = -1;
+  problem = fmt::format("cannot run '{}': {}", printable(program), strerror(error));
+  return false;
+}
+
+bool Encoder::add(std::string_view png, std::string& problem) {
+  if (write_all(pipe_, png)) return true;
+  // It has gone; what it said is the reason.
+  problem = "ffmpeg stopped: " + words();
+  return false;
+}
+
+bool Encoder::finish(const std::string& path, std::string& problem) {
+  close(pipe_);
+  pipe_ = -1;
+  int status = 0;
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  }
+  process_ = -1;
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+    problem = "ffmpeg failed: " + words();
+    return false;
+  }
+  GrowingFile file;
+  FileError error;
+  bool good = file.open(path, error);
+  std::rewind(film_.get());
+  std::string piece(std::size_t{1} << 20, '\0');
+  std::size_t all = 0;
+  while (good) {
+    const std::size_t size = std::fread(piece.data(), 1, piece.size(), film_.get());
+    if (size == 0) break;
+    all += size;
+    good = file.append({piece.data(), size}, error);
+  }
+  if (good && (all == 0 || std::ferror(film_.get()) != 0)) {
+    problem = "ffmpeg wrote nothing: " + words();
+    return false;
+  }
+  good = good && file.commit(error);
+  problem = error.message;
+  return good;
+}
+
+std::string Encoder::words() const {
+  std::string out(kMostWords, '\0');
+  std::rewind(words_.get());
+  out.resize(std::fread(out.data(), 1, out.size(), words_.get()));
+  while (!out.empty() && out.back() == '\n') out.pop_back();
+  return out.empty() ? "it does not say why" : printable(out);
+}
+
+}  // namespace stig::cli
