@@ -105,6 +105,29 @@ async function checkGlb(name, expected) {
   checkBox(new THREE.Box3().setFromObject(scene), upright(expected), `${name}.glb`);
 }
 
+// One brick every tenth of a second: half way through, half of them are there, and at the end the
+// whole structure stands.
+async function checkGrowth(name, expected) {
+  const {scene, animations} = await new GLTFLoader().parseAsync(bytes(`${name}-growth.glb`), '');
+  assert.equal(animations.length, 1);
+  const mixer = new THREE.AnimationMixer(scene);
+  const action = mixer.clipAction(animations[0]);
+  action.setLoop(THREE.LoopOnce);
+  action.clampWhenFinished = true;
+  action.play();
+  const present = () => scene.children.filter(node => node.scale.x === 1).length;
+  const half = Math.floor((expected.bricks - 1) / 2);
+  mixer.setTime(half / 10 + 0.05);
+  // What is walled in when it comes has no node.
+  const hidden = expected.bricks - scene.children.length;
+  assert.ok(present() <= half + 1 && present() >= half + 1 - hidden, `${name}: half grown`);
+  near([animations[0].duration], [(expected.bricks - 1) / 10], `${name}: duration`,
+       0.1 * hidden + 1e-4);
+  mixer.setTime(animations[0].duration);
+  assert.equal(present(), scene.children.length);
+  checkBox(new THREE.Box3().setFromObject(scene), upright(expected), `${name}-growth.glb`);
+}
+
 // Cells of a model in the whole: a model stands with the middle of its size, rounded
 // down, where its node puts it; three's y is up.
 function checkVox(name, expected) {
@@ -131,6 +154,7 @@ for (const [name, expected] of Object.entries(manifest)) {
   checkStl(name, expected);
   checkPly(name, expected);
   await checkGlb(name, expected);
+  await checkGrowth(name, expected);
   checkVox(name, expected);
   console.log(`three.js ${THREE.REVISION} reads ${name} as it was written`);
 }

@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/hash.h"
+#include "lattice/growth_glb.h"
 #include "lattice/mesh.h"
 #include "lattice/rgb.h"
 #include "lattice/structure_files.h"
@@ -100,6 +101,15 @@ json expectation(const Structure& s, const std::vector<Brick>& bricks) {
           {"merged_triangles", surface(s, Merging::faces).triangles()}};
 }
 
+/// One brick every tenth of a second, in the order of cells.
+std::string growth(const Structure& s, const std::vector<Brick>& bricks) {
+  std::vector<GrowthStep> steps;
+  for (const PlacedBrick& brick : s.bricks()) {
+    steps.push_back({static_cast<double>(steps.size()) / 10, {brick}});
+  }
+  return print_growth_glb(s.lattice(), steps, bricks);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -123,6 +133,7 @@ int main(int argc, char** argv) {
         return 1;
       }
     }
+    std::ofstream(folder / (name + "-growth.glb"), std::ios::binary) << growth(structure, bricks);
   }
   std::ofstream(folder / "manifest.json") << manifest.dump(1) << '\n';
   return 0;
