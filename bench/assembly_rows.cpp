@@ -26,7 +26,7 @@ BuildingRun run_from(const Json& json) {
 /// What the rows of one kind, or of all, add up to.
 struct Sum {
   int targets = 0, possible = 0, gave_up = 0, synthesised = 0, compiled = 0, any_number = 0;
-  int contradictions = 0;
+  int too_few_colours = 0, contradictions = 0;
   std::size_t bricks = 0;
   double seconds = 0;
   struct Built {
@@ -39,7 +39,9 @@ struct Sum {
 void add(const AssemblyRow& row, Sum& to) {
   ++to.targets;
   to.possible += row.counts_as_possible() ? 1 : 0;
-  to.gave_up += row.possible.has_value() || row.proved_impossible ? 0 : 1;
+  to.too_few_colours += row.too_few_colours && row.possible.value_or(true) ? 1 : 0;
+  const bool proved = row.proved_impossible || row.too_few_colours;
+  to.gave_up += row.possible.has_value() || proved ? 0 : 1;
   to.synthesised += row.synthesised ? 1 : 0;
   to.compiled += row.compiled ? 1 : 0;
   to.any_number += row.any_number ? 1 : 0;
@@ -68,10 +70,10 @@ std::string per_brick(const Sum::Built (&of_seeds)[2]) {
 
 std::string line_of(const std::string& name, const Sum& sum, bool built) {
   const double count = std::max(1, sum.targets);
-  std::string out =
-      fmt::format("{:<11} {:>7} {:>7.1f} {:>8} {:>7} {:>11} {:>8} {:>7} {:>7.2f}", name,
-                  sum.targets, static_cast<double>(sum.bricks) / count, sum.possible, sum.gave_up,
-                  sum.synthesised, sum.compiled, sum.any_number, sum.seconds / count);
+  std::string out = fmt::format(
+      "{:<11} {:>7} {:>7.1f} {:>7} {:>8} {:>7} {:>11} {:>8} {:>7} {:>7.2f}", name, sum.targets,
+      static_cast<double>(sum.bricks) / count, sum.too_few_colours, sum.possible, sum.gave_up,
+      sum.synthesised, sum.compiled, sum.any_number, sum.seconds / count);
   for (int robots = 0; built && robots < 2; ++robots) {
     const auto& of_seeds = sum.built[robots];
     out += fmt::format(
@@ -97,6 +99,7 @@ std::string to_json_line(const AssemblyRow& row) {
             {"bricks", row.bricks},
             {"possible", row.possible ? Json(*row.possible) : Json(nullptr)},
             {"proved_impossible", row.proved_impossible},
+            {"too_few_colours", row.too_few_colours},
             {"synthesised", row.synthesised},
             {"compiled", row.compiled},
             {"any_number", row.any_number},
@@ -119,6 +122,7 @@ std::optional<AssemblyRow> row_from_json(const std::string& line) {
   row.bricks = json.at("bricks");
   if (!json.at("possible").is_null()) row.possible = json.at("possible").get<bool>();
   row.proved_impossible = json.at("proved_impossible");
+  row.too_few_colours = json.at("too_few_colours");
   row.synthesised = json.at("synthesised");
   row.compiled = json.at("compiled");
   row.any_number = json.at("any_number");
@@ -149,9 +153,9 @@ std::string progress_line(const AssemblyRow& row) {
 std::string table_of(const std::vector<AssemblyRow>& rows, const std::vector<std::string>& kinds,
                      bool built) {
   std::string out =
-      fmt::format("{:<11} {:>7} {:>7} {:>8} {:>7} {:>11} {:>8} {:>7} {:>7}{}\n", "kind", "targets",
-                  "bricks", "possible", "unknown", "synthesised", "compiled", "any no.", "s",
-                  built ? "    by one  s/brick    by two  s/brick" : "");
+      fmt::format("{:<11} {:>7} {:>7} {:>7} {:>8} {:>7} {:>11} {:>8} {:>7} {:>7}{}\n", "kind",
+                  "targets", "bricks", "colours", "possible", "unknown", "synthesised", "compiled",
+                  "any no.", "s", built ? "    by one  s/brick    by two  s/brick" : "");
   Sum all;
   for (const std::string& kind : kinds) {
     Sum sum;

@@ -28,7 +28,8 @@ struct AssemblyRow {
   std::uint64_t seed = 0;
   std::size_t bricks = 0;
   std::optional<bool> possible;    ///< by the oracle; none: it gave up
-  bool proved_impossible = false;  ///< by the planner
+  bool proved_impossible = false;  ///< by the planner, for every order
+  bool too_few_colours = false;    ///< proved by the planner, for every order and all rules
   bool synthesised = false;        ///< a rule set was printed
   bool compiled = false;           ///< the printed rule set was read and compiled again
   bool any_number = false;         ///< of robots may work at once
@@ -40,7 +41,9 @@ struct AssemblyRow {
   std::vector<BuildingRun> runs;
 
   /// What the oracle does not refute counts as possible, unless the planner proves that it is not.
-  bool counts_as_possible() const { return !proved_impossible && possible.value_or(true); }
+  bool counts_as_possible() const {
+    return !proved_impossible && !too_few_colours && possible.value_or(true);
+  }
   /// One of the two is wrong.
   bool contradicts() const {
     return compiled ? possible == false : proved_impossible && possible == true;

@@ -118,7 +118,8 @@ AssemblyRow try_target(const std::string& kind, std::uint64_t seed, const std::s
   row.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - before).count();
   row.bricks = task.target.cells.size();
   // The oracle knows every brick; that colours do not do says nothing about it.
-  row.proved_impossible = made.obstacle && made.obstacle->kind != AssemblyObstacle::Kind::runs;
+  row.too_few_colours = made.obstacle && takes_more_colours(*made.obstacle);
+  row.proved_impossible = made.obstacle && !row.too_few_colours;
   row.possible = possible(task.target);
   row.tried = in_words(made.counts);
   row.built = !stigc.empty();

@@ -5,8 +5,10 @@
 //   bench_assembly [--build STIGC] [-o FOLDER] [--jobs N] [SEEDS [FIRST_SEED [KIND…]]]
 //
 // For each kind (all of tests/assembly/targets.h) SEEDS targets (10) are drawn, the first from
-// FIRST_SEED (1). "possible" is what an oracle that knows everything could have built by some order
-// of work, "unknown" what it gave up on. "synthesised" is what rules were printed for, "compiled"
+// FIRST_SEED (1). "colours" are those that some order of work would build, but no rules do: the
+// planner proved that a block's colours are too few, whatever the order. "possible" is what an
+// oracle that knows everything could have built by some order of work, less those, "unknown" what
+// it gave up on. "synthesised" is what rules were printed for, "compiled"
 // what was compiled again from the printed file, with no option. With --build and a stigc, `stigc
 // validate` then builds it as physics has it, with each of two seeds: by one robot, and by two
 // where there are rules for two (others count as not built). "95+94/98" reads: of 98 compiled

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <set>
 
+#include "assembly/any_rules.h"
 #include "assembly/colours.h"
 #include "assembly/likings.h"
 #include "assembly/local_cases.h"
@@ -35,6 +36,8 @@ constexpr std::uint64_t kStepsOfSweptPaint = 4 * kStepsOfPaint;
 constexpr int kConflictsAtOnce = 1000;
 /// Of small targets, which take few.
 constexpr std::uint64_t kFirstByChance = 8;
+/// After so many candidates from each set of sides it is asked whether there are rules at all.
+constexpr std::uint64_t kAskedAfter = 8;
 /// Candidates for one robot are taken when so many more did not do for several.
 constexpr std::size_t kPatience = 24;
 /// Those of fewer sides than robots likewise, or earlier: see Assembler::suffices.
@@ -87,6 +90,8 @@ class Assembler {
     // Every seed goes round all sets of sides before the next, so that no set uses up the effort
     // alone.
     for (std::uint64_t seed = 0; !sides.empty(); ++seed) {
+      if (seed == kAskedAfter && !out_.plan) out_.obstacle = find_no_rules();
+      if (out_.obstacle) return result();
       for (std::size_t i = 0; i < sides.size();) {
         if (allowance_.passed() || out_.counts.candidates >= kMostCandidates) return result();
         if (!worth_trying(sides[i])) {
@@ -152,6 +157,23 @@ class Assembler {
         out_.plan->any_number && effort_.spent() > 2 * found_after_ + kStepsAfterwards;
     return long_enough || std::none_of(sides.begin(), sides.end(),
                                        [&](const Sides& some) { return worth_trying(some); });
+  }
+
+  /// That no rules do, from whatever start and whatever the colours; nothing where there may be
+  /// some.
+  std::optional<AssemblyObstacle> find_no_rules() {
+    AssemblyObstacle out;
+    out.kind = AssemblyObstacle::Kind::rules;
+    out.colours = task_.most_colours;
+    for (std::uint32_t i = 0; i < bricks_.bricks(); ++i) {
+      if (start_ ? i != *start_ : bricks_.cell(i).z != bricks_.floor_level()) continue;
+      const RuleQuestion question{bricks_, widest_, visibility_, task_.most_colours};
+      const RuleAnswer answer = any_rules(question, i, allowance_);
+      if (answer.rules != Answered::no) return std::nullopt;
+      ++out.starts;
+      out.structures = std::max(out.structures, answer.structures);
+    }
+    return out;
   }
 
   bool small() const { return bricks_.bricks() <= kMostWalkedFirst; }

@@ -15,12 +15,22 @@ struct AssemblyObstacle {
     apart,      ///< bricks that share no face with the rest, and so are next to no column of it
     remainder,  ///< bricks of which none can be put last (remainder.h)
     runs,       ///< runs of bricks that so few colours do not tell apart (run.h)
+    rules,      ///< so few colours leave no rules at all that robots could follow (any_rules.h)
   } kind = Kind::exhausted;
   BrickSet part{0};     ///< apart: those that hang together with the first brick, or the start
   Remainder remainder;  ///< remainder: what is left
   std::vector<FreeRun> runs;
-  int colours = 0;  ///< runs: how many there are
+  int colours = 0;  ///< runs, rules: how many there are
+  /// rules: how many bricks may be the start, and from one, at most, how many structures were
+  /// looked at.
+  std::size_t starts = 0, structures = 0;
 };
+
+/// Are colours what is missing? With more of them it may be possible.
+inline bool takes_more_colours(const AssemblyObstacle& obstacle) {
+  return obstacle.kind == AssemblyObstacle::Kind::runs ||
+         obstacle.kind == AssemblyObstacle::Kind::rules;
+}
 
 /// What can be said without a search. `colours`: how many there may be.
 std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const Builders& builders,

@@ -179,6 +179,7 @@ TEST_CASE("synth for a robot prints rules that compile, or what keeps the robot 
   place.write("mound.txt", ". . .\n. 1 .\n. . .\n---\n1 1 1\n1 1 1\n1 1 1\n");
   place.write("apart.txt", "1 . 1 1\n");
   place.write("one.txt", "1\n");
+  place.write("plate.txt", "1 1 1 1\n1 1 1 1\n1 1 1 1\n1 1 1 1\n");
   hold(place, "synth-robot",
        "stigc synth wall.txt --robot bebot.yaml --robots 2 -o wall.yaml --certificate wall.cert && "
        "stigc certify wall.yaml wall.cert && stigc compile -W error wall.yaml");
@@ -188,12 +189,14 @@ TEST_CASE("synth for a robot prints rules that compile, or what keeps the robot 
        "stigc synth wall.txt --robot bebot.yaml --json | grep -v seconds");
   hold(place, "synth-robot-impossible",
        "stigc synth mound.txt --robot bebot.yaml; stigc synth apart.txt --robot bebot.yaml; "
-       "stigc synth mound.txt --robot bebot.yaml --sides=+x --json | grep -v seconds");
+       "stigc synth mound.txt --robot bebot.yaml --sides=+x --json | grep -v seconds; "
+       "stigc synth wall.txt --robot bebot.yaml --colours 1; "
+       "stigc synth wall.txt --robot bebot.yaml --colours 1 --json | grep -v seconds");
   hold(place, "synth-robot-usage",
        "stigc synth wall.txt --sides=+x; stigc synth wall.txt --robot bebot.yaml --symmetry "
        "rotations; stigc synth wall.txt --robot bebot.yaml --colours 5; stigc synth wall.txt "
        "--robot bebot.yaml --start 0,0,1; stigc synth one.txt --robot bebot.yaml; stigc synth "
-       "wall.txt --robot none.yaml; stigc synth wall.txt --robot bebot.yaml --colours 1 "
+       "wall.txt --robot none.yaml; stigc synth plate.txt --robot bebot.yaml --colours 1 "
        "--effort 1 --sides=+x");
 }
 

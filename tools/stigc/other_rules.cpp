@@ -43,6 +43,9 @@ std::string why_not(const Target& target, const AssemblyObstacle& obstacle) {
       return fmt::format("of {}, {} stand alone in a row, more than {} tell apart", all,
                          obstacle.runs.front().size(),
                          counted(static_cast<std::size_t>(obstacle.colours), "colour"));
+    case AssemblyObstacle::Kind::rules:
+      return fmt::format("{} are too few, whatever the rules and the decisions",
+                         counted(static_cast<std::size_t>(obstacle.colours), "colour"));
     case AssemblyObstacle::Kind::exhausted:
       break;
   }

@@ -169,6 +169,16 @@ std::string run_lines(const Target& target, const AssemblyObstacle& obstacle) {
   return out;
 }
 
+std::string no_rules_line(const AssemblyObstacle& obstacle) {
+  return fmt::format(
+      "with {} there are no rules that robots could follow, whatever the colours, the rules and "
+      "what "
+      "robots decide: refuted from each of {}, over {} on the way at most, by proofs that were "
+      "checked\n",
+      counted(static_cast<std::size_t>(obstacle.colours), "colour"),
+      counted(obstacle.starts, "start"), counted(obstacle.structures, "structure"));
+}
+
 std::string_view word_of(AssemblyObstacle::Kind kind) {
   switch (kind) {
     case AssemblyObstacle::Kind::apart:
@@ -177,6 +187,8 @@ std::string_view word_of(AssemblyObstacle::Kind kind) {
       return "remainder";
     case AssemblyObstacle::Kind::runs:
       return "runs";
+    case AssemblyObstacle::Kind::rules:
+      return "no-rules";
     case AssemblyObstacle::Kind::exhausted:
       break;
   }
@@ -189,6 +201,11 @@ Json obstacle_json(const Target& target, const AssemblyObstacle& obstacle) {
     Json cells = Json::array();
     for (const Cell cell : run) cells.push_back(to_json(cell));
     out["runs"].push_back(std::move(cells));
+  }
+  if (obstacle.kind == AssemblyObstacle::Kind::rules) {
+    out["colours"] = obstacle.colours;
+    out["starts"] = obstacle.starts;
+    out["structures"] = obstacle.structures;
   }
   if (obstacle.kind != AssemblyObstacle::Kind::remainder) return out;
   out["remainder"] = Json::array();
@@ -280,6 +297,8 @@ std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacl
       return impossible + remainder_lines(target, obstacle.remainder);
     case AssemblyObstacle::Kind::runs:
       return impossible + run_lines(target, obstacle);
+    case AssemblyObstacle::Kind::rules:
+      return impossible + no_rules_line(obstacle);
     case AssemblyObstacle::Kind::exhausted:
       break;
   }
