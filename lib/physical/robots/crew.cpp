@@ -125,9 +125,12 @@ void Crew::control(World& world, std::uint64_t tick) {
   const bool blocks_due = !blocks_.empty() && tick % block_period_ == 0;
   if (due.empty() && !blocks_due) return;
   if (signals_.carry(config_, world)) {
-    // Robots without a working program do not collect messages for ever.
+    // Who has no working program does not collect messages for ever.
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       if (robots_[i].failed || !config_.robots[i].controller) signals_.forget_heard(i);
+    }
+    for (std::size_t i = 0; i < blocks_.size(); ++i) {
+      if (blocks_[i].failed || !config_.blocks[i].controller) signals_.limit_heard_by_block(i);
     }
   }
   if (!due.empty()) {

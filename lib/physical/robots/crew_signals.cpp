@@ -136,6 +136,12 @@ void CrewSignals::forget_heard(std::size_t robot) {
   for (auto& messages : robots_[robot].inbox) messages.clear();
 }
 
+void CrewSignals::limit_heard_by_block(std::size_t block) {
+  for (auto& messages : blocks_[block].mail.inbox) {
+    if (messages.size() > kMostUnread) messages.resize(kMostUnread);
+  }
+}
+
 void CrewSignals::send(std::size_t robot, const std::vector<std::vector<Message>>& messages) {
   assert(robot < robots_.size());
   Mailbox& mail = robots_[robot];

@@ -20,6 +20,10 @@ struct Mailbox {
   static void members(auto& each, auto& mail) { each.list(mail.inbox), each.list(mail.outbox); }
 };
 
+/// Messages that a radio of a block keeps which no program reads. They are part of the state that
+/// checkpoints and hashes have, and so not dropped altogether.
+inline constexpr std::size_t kMostUnread = 100;
+
 struct BlockSignals {
   std::array<Led, kBlockLeds> leds{};
   Mailbox mail;
@@ -47,6 +51,8 @@ class CrewSignals {
   std::vector<std::vector<Message>> take_heard_by_block(std::size_t block);
   /// Drops what has reached a robot on which nobody listens.
   void forget_heard(std::size_t robot);
+  /// Keeps the first kMostUnread messages of each radio of a block on which nobody listens.
+  void limit_heard_by_block(std::size_t block);
   void send(std::size_t robot, const std::vector<std::vector<Message>>& messages);
   /// LEDs and messages.
   void apply(std::size_t block, const BlockCommands& commands);

@@ -63,6 +63,37 @@ std::array<std::vector<std::string>, 2> talk(std::uint64_t first, std::uint64_t 
 
 constexpr std::uint64_t kNever = 1000;
 
+/// Says as much as a program may, in every step.
+struct Chatterbox final : BlockController {
+  ControllerStatus init(BlockCommands&) override { return {}; }
+  ControllerStatus step(const BlockReadings& /*readings*/, BlockCommands& commands) override {
+    for (auto& sends : commands.sends) sends.assign(64, "a message");
+    return {};
+  }
+};
+struct Broken final : BlockController {
+  ControllerStatus init(BlockCommands&) override { return {false, "broken"}; }
+  ControllerStatus step(const BlockReadings& /*readings*/, BlockCommands&) override { return {}; }
+};
+
+/// Bytes of the state of two blocks, of which one talks and the other has this program, after so
+/// many control steps.
+std::size_t state_beside_chatter(std::unique_ptr<BlockController> listener, int steps) {
+  WorldConfig config = pair_scene(paper_block(), 0.005, 1);
+  for (BodyDef& body : config.bodies) body.magnets.clear();
+  CrewConfig crew;
+  crew.models = {paper_block()};
+  crew.blocks.push_back({"a", BodyId{0}, 0, Led::off, std::make_unique<Chatterbox>()});
+  crew.blocks.push_back({"b", BodyId{1}, 0, Led::off, std::move(listener)});
+  Crew team(std::move(crew), config);
+  World world(config);
+  for (int i = 0; i < steps * 40; ++i) {
+    team.before_step(world);
+    REQUIRE(world.step().ok);
+  }
+  return team.state().size();
+}
+
 }  // namespace
 
 TEST_CASE("what a block sends reaches the face opposite, in the next step, once") {
@@ -73,6 +104,21 @@ TEST_CASE("what a block sends reaches the face opposite, in the next step, once"
   const auto both = talk(1, 3);
   CHECK(both[1] == std::vector<std::string>{"2 2 A"});
   CHECK(both[0] == std::vector<std::string>{"4 0 B"});
+}
+
+TEST_CASE("a block without a working program keeps a hundred messages of a radio") {
+  const std::size_t message = std::string("a message").size() + 1;
+  for (const bool there : {false, true}) {
+    CAPTURE(there);
+    const auto bytes = [there](int steps) {
+      return state_beside_chatter(there ? std::make_unique<Broken>() : nullptr, steps);
+    };
+    // One face hears 64 in each step after the first. Ticks and lengths take a byte more or less.
+    const std::size_t grown = bytes(3) - bytes(2);
+    CHECK(grown > 35 * message);
+    CHECK(grown < 37 * message);
+    CHECK(bytes(8) - bytes(3) < message);
+  }
 }
 
 TEST_CASE("half duplex: who sends does not hear") {
