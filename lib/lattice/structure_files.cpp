@@ -7,8 +7,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <string_view>
+#include <utility>
 
 #include "base/file_io.h"
 #include "lattice/mesh_files.h"
@@ -21,8 +22,6 @@ namespace stig::lattice {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> kWritten = {"txt", "json", "vox", "stl",
-                                                      "ply", "glb",  "png", "svg"};
 constexpr std::int64_t kMostTextCells = std::int64_t{1} << 28;
 constexpr std::size_t kMostGlbPolygons = 25'000'000;  // 4 GB is the format's limit
 
@@ -49,55 +48,117 @@ std::optional<LoadedStructure> on_lattice(std::optional<LoadedStructure> loaded,
   return std::nullopt;
 }
 
+struct ToPrint {
+  const Structure& structure;
+  const std::vector<Brick>& bricks;
+  const StructureWriteOptions& options;
+};
+
 /// A drawing takes a character for each cell of the bounding box, empty ones too; two far
 /// bricks can make it huge.
-bool print_text(const Structure& structure, const std::vector<Brick>& bricks, std::string& bytes,
-                std::string& error) {
+std::string print_text(const ToPrint& what, std::string& error) {
+  const Structure& structure = what.structure;
   const Offset size = structure.empty() ? Offset{1, 1, 1} : structure.bounds()->size();
   const std::int64_t slice = std::int64_t{size.x} * size.y;
   if (slice > kMostTextCells || slice * size.z > kMostTextCells) {
     error = "the box around the structure is too large to be drawn as text; use .json or .vox";
-    return false;
+    return {};
   }
-  bytes = print_text_file(structure, bricks);
-  return true;
+  return print_text_file(structure, what.bricks);
 }
 
 /// An empty result of draw_structure has two causes; the format tells which.
-bool print_picture(const Structure& structure, const std::vector<Brick>& bricks,
-                   const PictureOptions& options, std::string& bytes, std::string& error) {
-  bytes = draw_structure(structure, bricks, options);
-  if (!bytes.empty()) return true;
+template <PictureFormat format>
+std::string print_picture(const ToPrint& what, std::string& error) {
+  PictureOptions options = what.options.picture;
+  options.format = format;
+  std::string bytes = draw_structure(what.structure, what.bricks, options);
+  if (!bytes.empty()) return bytes;
   error =
-      options.format == PictureFormat::svg
+      format == PictureFormat::svg
           ? fmt::format("more than {} faces show, too many for an .svg; use .png", kMostSvgFaces)
           : "there is not enough memory for the picture";
-  return false;
+  return {};
 }
 
-/// Surfaces for slicers are unmerged, those for viewers merged (see Merging).
-bool print_kind(const std::string& ending, const Structure& structure,
-                const std::vector<Brick>& bricks, const StructureWriteOptions& options,
-                std::string& bytes, std::string& error) {
-  if (ending == "txt") return print_text(structure, bricks, bytes, error);
-  if (ending == "png" || ending == "svg") {
-    PictureOptions picture = options.picture;
-    picture.format = ending == "png" ? PictureFormat::png : PictureFormat::svg;
-    return print_picture(structure, bricks, picture, bytes, error);
+std::string print_json(const ToPrint& what, std::string& /*error*/) {
+  return print_structure_json(what.structure, what.bricks);
+}
+std::string print_voxels(const ToPrint& what, std::string& /*error*/) {
+  return print_vox(what.structure, what.bricks);
+}
+
+// Surfaces for slicers are unmerged, those for viewers merged (see Merging).
+std::string print_for_slicers(const ToPrint& what, std::string& /*error*/) {
+  return print_stl(surface(what.structure, Merging::none), what.options.scale);
+}
+std::string print_polygons(const ToPrint& what, std::string& /*error*/) {
+  return print_ply(surface(what.structure, Merging::faces), what.bricks, what.options.scale);
+}
+std::string print_for_viewers(const ToPrint& what, std::string& error) {
+  const Mesh mesh = surface(what.structure, Merging::faces);
+  if (mesh.polygons.size() <= kMostGlbPolygons) {
+    return print_glb(mesh, what.bricks, what.options.scale);
   }
-  if (ending == "json") bytes = print_structure_json(structure, bricks);
-  if (ending == "vox") bytes = print_vox(structure, bricks);
-  if (ending == "stl") bytes = print_stl(surface(structure, Merging::none), options.scale);
-  if (ending == "ply") bytes = print_ply(surface(structure, Merging::faces), bricks, options.scale);
-  if (ending == "glb") {
-    const Mesh mesh = surface(structure, Merging::faces);
-    if (mesh.polygons.size() > kMostGlbPolygons) {
-      error = "the surface is too large for .glb; use .ply";
-      return false;
-    }
-    bytes = print_glb(mesh, bricks, options.scale);
+  error = "the surface is too large for .glb; use .ply";
+  return {};
+}
+
+struct ToRead {
+  const std::string& path;
+  std::string bytes;
+  const StructureReadOptions& options;
+};
+
+std::optional<LoadedStructure> read_text(ToRead what, Diagnostics& diagnostics) {
+  const auto source = std::make_shared<SourceFile>(what.path, std::move(what.bytes));
+  return read_text_file(source, what.options.lattice, what.options.bricks, diagnostics);
+}
+std::optional<LoadedStructure> read_json(ToRead what, Diagnostics& diagnostics) {
+  const auto source = std::make_shared<SourceFile>(what.path, std::move(what.bytes));
+  return on_lattice(read_structure_json(source, diagnostics), what.options.lattice, source,
+                    diagnostics);
+}
+std::optional<LoadedStructure> read_voxels(ToRead what, Diagnostics& diagnostics) {
+  return read_vox(what.path, what.bytes, diagnostics,
+                  what.options.lattice.value_or(Lattice::cubic));
+}
+
+/// The one list of formats, in the order in which messages name them.
+struct Format {
+  std::string_view ending;
+  /// The file's bytes, or none with `error` set.
+  std::string (*print)(const ToPrint& what, std::string& error);
+  std::optional<LoadedStructure> (*read)(ToRead what, Diagnostics& diagnostics);
+};
+constexpr Format kFormats[] = {
+    {"txt", print_text, read_text},
+    {"json", print_json, read_json},
+    {"vox", print_voxels, read_voxels},
+    {"stl", print_for_slicers, nullptr},
+    {"ply", print_polygons, nullptr},
+    {"glb", print_for_viewers, nullptr},
+    {"png", print_picture<PictureFormat::png>, nullptr},
+    {"svg", print_picture<PictureFormat::svg>, nullptr},
+};
+
+/// That of the path's ending, or nullptr.
+const Format* format_of(std::string_view path) {
+  const std::string ending = ending_of(path);
+  const auto found = std::find_if(std::begin(kFormats), std::end(kFormats),
+                                  [&](const Format& format) { return format.ending == ending; });
+  return found == std::end(kFormats) ? nullptr : found;
+}
+
+/// ".txt, .json and .vox"
+std::string read_endings() {
+  std::vector<std::string> all;
+  for (const Format& format : kFormats) {
+    if (format.read != nullptr) all.push_back(fmt::format(".{}", format.ending));
   }
-  return true;
+  const std::string last = all.back();
+  all.pop_back();
+  return fmt::format("{} and {}", fmt::join(all, ", "), last);
 }
 
 }  // namespace
@@ -105,10 +166,10 @@ bool print_kind(const std::string& ending, const Structure& structure,
 std::optional<LoadedStructure> read_structure_file(const std::string& path,
                                                    const StructureReadOptions& options,
                                                    Diagnostics& diagnostics) {
-  const std::string ending = ending_of(path);
-  if (ending != "txt" && ending != "json" && ending != "vox") {
+  const Format* format = format_of(path);
+  if (format == nullptr || format->read == nullptr) {
     diagnostics.add(Code::F401, {std::make_shared<SourceFile>(path, ""), 0, 0},
-                    "structures are read from .txt, .json and .vox files");
+                    fmt::format("structures are read from {} files", read_endings()));
     return std::nullopt;
   }
   // The size is bounded before reading: a limit on bricks alone would come too late.
@@ -118,21 +179,15 @@ std::optional<LoadedStructure> read_structure_file(const std::string& path,
     diagnostics.add(Code::R001, {std::make_shared<SourceFile>(path, ""), 0, 0}, error.message);
     return std::nullopt;
   }
-  if (ending == "vox") {
-    return read_vox(path, *bytes, diagnostics, options.lattice.value_or(Lattice::cubic));
-  }
-  const auto source = std::make_shared<SourceFile>(path, std::move(*bytes));
-  if (ending == "txt") {
-    return read_text_file(source, options.lattice, options.bricks, diagnostics);
-  }
-  return on_lattice(read_structure_json(source, diagnostics), options.lattice, source, diagnostics);
+  return format->read({path, std::move(*bytes), options}, diagnostics);
 }
 
 bool can_write_structure(const std::string& path, std::string& error) {
-  const std::string ending = ending_of(path);
-  if (std::find(kWritten.begin(), kWritten.end(), ending) != kWritten.end()) return true;
+  if (format_of(path) != nullptr) return true;
+  std::vector<std::string_view> endings;
+  for (const Format& format : kFormats) endings.push_back(format.ending);
   error = fmt::format("cannot write '{}': the ending must be one of .{}", path,
-                      fmt::join(kWritten, " ."));
+                      fmt::join(endings, " ."));
   return false;
 }
 
@@ -141,8 +196,8 @@ bool write_structure_file(const std::string& path, const Structure& structure,
                           const std::vector<Brick>& bricks, const StructureWriteOptions& options,
                           std::string& error) {
   if (!can_write_structure(path, error)) return false;
-  std::string bytes;
-  if (!print_kind(ending_of(path), structure, bricks, options, bytes, error)) {
+  const std::string bytes = format_of(path)->print({structure, bricks, options}, error);
+  if (bytes.empty()) {
     error = fmt::format("cannot write '{}': {}", path, error);
     return false;
   }
