@@ -4,6 +4,8 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <sstream>
+#include <string>
 #include <string_view>
 
 #include "base/file_io.h"
@@ -18,13 +20,34 @@ std::string project_file(const std::string& path) {
   return *text;
 }
 
+namespace {
+
+/// The first line in which two texts that differ do so: its number, and what it is in either.
+std::string first_difference(const std::string& is, const std::string& would_be) {
+  std::istringstream left(is), right(would_be);
+  std::string a, b;
+  for (std::size_t line = 1;; ++line) {
+    const bool more_a = static_cast<bool>(std::getline(left, a));
+    const bool more_b = static_cast<bool>(std::getline(right, b));
+    if (more_a == more_b && a == b && more_a) continue;
+    return "line " + std::to_string(line) + "\n  is        " + (more_a ? a : "not there") +
+           "\n  would be  " + (more_b ? b : "not there");
+  }
+}
+
+}  // namespace
+
 void check_golden(const std::string& path, const std::string& text) {
   const char* update = std::getenv("STIG_UPDATE_GOLDEN");
   if (update != nullptr && std::string_view(update) == "1") {
     FileError error;
     REQUIRE_MESSAGE(write_file(STIG_SOURCE_DIR "/" + path, text, error), error.message);
   }
-  CHECK_MESSAGE(project_file(path) == text, path, " differs; it would be:\n", text);
+  const std::string file = project_file(path);
+  // Not the texts themselves, of which doctest would print hundreds of lines.
+  const bool same = file == text;
+  CHECK_MESSAGE(same, path, " differs, first in ", same ? "" : first_difference(file, text),
+                "\nSTIG_UPDATE_GOLDEN=1 writes it anew: look at what has changed");
 }
 
 }  // namespace stig
