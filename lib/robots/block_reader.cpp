@@ -10,6 +10,7 @@
 #include "base/yaml.h"
 #include "robots/block.h"
 #include "robots/form_keys.h"
+#include "robots/robot_forms.h"
 
 namespace stig::robots {
 
@@ -69,6 +70,8 @@ const Form& radio_keys() {
   return kKeys;
 }
 
+}  // namespace
+
 const Form& block_form() {
   static const Form kForm{
       "block file",
@@ -85,6 +88,8 @@ const Form& block_form() {
        words("program", FormKind::name, "Lua file that it runs in scenes with robots.")}};
   return kForm;
 }
+
+namespace {
 
 BlockModel read_model(const FormView& root) {
   BlockModel out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The keys of robot files; docs/robots.md explains them one by one. Those of devices are with
-// their kinds.
+// The keys of robot and block files; docs/robots.md explains them one by one. Those of devices are
+// with their kinds.
 #pragma once
 
 #include "base/form.h"
@@ -8,7 +8,8 @@
 
 namespace stig::robots {
 
-/// The whole file.
+// Of whole files.
 const Form& robot_form();
+const Form& block_form();
 
 }  // namespace stig::robots
