@@ -2,10 +2,12 @@
 // The examples of every --help run as they stand, one after the other, from any folder.
 #include <doctest/doctest.h>
 
+#include <cctype>
 #include <filesystem>
 #include <sstream>
 
 #include "program.h"
+#include "support/golden.h"
 #include "support/uses.h"
 
 namespace stig {
@@ -61,6 +63,65 @@ TEST_CASE("the examples of every help run as they stand in an empty folder") {
       CAPTURE(example);
       const Outcome outcome = place.shell("export HOME=\"$PWD\"; " + example);
       CHECK_MESSAGE(outcome.exit_code == promised(example), outcome.err);
+    }
+  }
+}
+
+/// A command's own options but --help, each with all of its names: "-o", "--output".
+std::vector<std::vector<std::string>> options_of(const std::string& help) {
+  std::vector<std::vector<std::string>> out;
+  if (help.find("\nOptions:\n") == std::string::npos) return out;
+  for (const std::string& line : lines_under("Options:", help)) {
+    // What goes on with the option above is indented further.
+    if (line[2] != '-') continue;
+    std::vector<std::string>& names = out.emplace_back();
+    std::istringstream words(line);
+    for (std::string word; words >> word && word[0] == '-';) {
+      const bool more = word.back() == ',';
+      names.push_back(word.substr(0, word.size() - (more ? 1 : 0)));
+      if (!more) break;
+    }
+    if (names.back() == "--help") out.pop_back();
+  }
+  return out;
+}
+
+/// Whether the text has one of an option's names, whole.
+bool names_option(const std::string& text, const std::vector<std::string>& names) {
+  const auto part = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '-'; };
+  for (const std::string& name : names) {
+    for (auto at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
+      const std::size_t end = at + name.size();
+      if ((at == 0 || !part(text[at - 1])) && (end == text.size() || !part(text[end]))) return true;
+    }
+  }
+  return false;
+}
+
+/// All files of a folder with this ending, one after the other.
+std::string texts_of(const std::string& folder, const std::string& ending) {
+  std::string out;
+  for (const auto& entry : std::filesystem::directory_iterator(STIG_SOURCE_DIR "/" + folder)) {
+    if (entry.path().extension() != ending) continue;
+    out += project_file(folder + "/" + entry.path().filename().string());
+  }
+  return out;
+}
+
+TEST_CASE("every option of a command stands in the documentation, and is tried") {
+  const std::string pages = texts_of("docs", ".md") + project_file("README.md");
+  const std::string tests = texts_of("tests/stigc", ".cpp");
+  const Workplace place;
+  for (const std::string& command : commands()) {
+    if (command.empty()) continue;
+    CAPTURE(command);
+    const std::string help = place.stigc({command, "--help"}).out;
+    // The examples are run above.
+    const std::string tried = tests + help.substr(help.find("\nExamples:\n"));
+    for (const std::vector<std::string>& names : options_of(help)) {
+      CAPTURE(names.back());
+      CHECK(names_option(pages, names));
+      CHECK(names_option(tried, names));
     }
   }
 }
