@@ -108,6 +108,16 @@ std::string texts_of(const std::string& folder, const std::string& ending) {
   return out;
 }
 
+TEST_CASE("every command has a row in the table of the README") {
+  const std::string page = project_file("README.md");
+  for (const std::string& command : commands()) {
+    if (command.empty()) continue;
+    CAPTURE(command);
+    CHECK((page.find("`" + command + " ") != std::string::npos ||
+           page.find("`" + command + "`") != std::string::npos));
+  }
+}
+
 TEST_CASE("every option of a command stands in the documentation, and is tried") {
   const std::string pages = texts_of("docs", ".md") + project_file("README.md");
   const std::string tests = texts_of("tests/stigc", ".cpp");
