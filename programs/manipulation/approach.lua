@@ -11,6 +11,7 @@
 -- is said; lowest, the least height of the lift (it is higher where the block is seen only from there);
 -- short, by how much to stop before the target; stop(), asked on the last way, ends it before a column;
 -- apart, whether the block is none of the structure, and so to be come to from where there is room to turn;
+-- clear, whether no brick stands ahead of the place, so that what comes before the effector is another robot;
 -- free(line, seen) and alone(line), whether the place is free, and nobody else at work there; begin(),
 -- called right before the last way.
 
@@ -41,6 +42,7 @@ local BESIDE = 0.01            -- m, from the block's line, of a place beside it
 local ASIDE_ANGLE = 0.19       -- rad, from the pivot, within which such a block is surely in the picture
 local ASIDE_RIM = 0.03         -- m/s
 local COLUMN_AHEAD = 0.020     -- m, before the effector
+local NEXT_CELL = 0.040        -- m, likewise, nearer than a column two cells on
 local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it, at least
 local HELD_OFF = 0.010         -- of a carried block's face from a column's, which would draw it off
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
@@ -104,6 +106,12 @@ end
 function Approach:column_ahead()
    local ahead = self.ranges:range('front')
    return ahead ~= nil and ahead < COLUMN_AHEAD
+end
+
+-- Whether something is so near ahead that it would stand in the next cell.
+function Approach:next_cell_filled()
+   local ahead = self.ranges:range('front')
+   return ahead ~= nil and ahead < NEXT_CELL
 end
 
 -- Straight on, slowly, as far as that leaves the effector before what is ahead of it, and the block's
@@ -269,7 +277,13 @@ function states.dock(self, run)
    local line, stop = self:aim(run), run.target.stop
    if run.target.begin then run.target.begin() end
    local to = -self.description.magnets.ahead + (run.target.short or 0)
-   self.path:follow(line, to, SLOW, stop, LAST_STRAIGHT)
+   local met = false
+   local function ends()
+      met = met or run.target.clear and self:next_cell_filled()
+      return met or stop and stop()
+   end
+   self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)
+   if met then return 'obstructed' end
    if not stop or not stop() then return 'there' end
    -- the column draws the block, which is held until it has been let down
    self.magnets:hold_fast(true)

@@ -106,14 +106,15 @@ function Placement:target(block, where, level, back, options)
          return self:is_free(line.x, line.y, level) and
                 (not raise or self.odometry.time - top.top_time < SEEN_NOW)
       end,
-      alone = options.alone, begin = self:before_docking(raise, options),
+      alone = options.alone, clear = options.clear, begin = self:before_docking(raise, options),
    }
 end
 
 -- Brings the carried block before its place next to `block`. True, or false and why not. options:
 -- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
--- way in, whether nobody else is at work there; colour, which it will have.
+-- way in, whether nobody else is at work there; clear, whether no brick stands behind the place; colour, which
+-- it will have.
 function Placement:approach_site(block, where, options)
    options = options or {}
    if not self.magnets:holds() then return false, 'the block was lost' end

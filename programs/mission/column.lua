@@ -8,7 +8,8 @@ local SIDE = geometry.SIDE
 local OFTEN = 3                -- sightings that count
 
 -- Cells that are empty where a brick would be seen: those that decisions ask for, and the column's own,
--- since its top is the brick below the first empty one. The top's own tag need not be in any picture.
+-- since its top is the brick below the first empty one. The top's own tag need not be in any picture. Behind a
+-- site on top there is a brick, or what comes before the effector is another robot.
 local function watched_cells(task)
    local out, known = {}, {}
    local function add(du, dv, level)
@@ -17,7 +18,10 @@ local function watched_cells(task)
       known[key] = true
    end
    for _, ask in ipairs(task.asks) do add(table.unpack(ask)) end
-   for level = 1, task.levels - 1 do add(0, 0, level) end
+   for level = 1, task.levels - 1 do
+      add(0, 0, level)
+      add(-1, 0, level)
+   end
    return out
 end
 
@@ -143,6 +147,7 @@ function Column:decide()
    wish.top = self:highest()
    wish.feet = self:down_from(wish.level or 0)
    wish.aside = self:room_beside(wish)
+   wish.clear = wish.what == 'raise' and self:cell(-1, 0, geometry.level_of(wish.top.z) + 1) == 'empty'
    return wish, top ~= nil
 end
 

@@ -278,7 +278,7 @@ function SiteWork:approach_site()
    local target = wish.what == 'raise' and wish.top or self:foot_of(wish)
    local near, problem = self.placement:approach_site(target, wish.what, {
       heading = self.row.frame.yaw, level = wish.level, left = wish.left and wish.left * SIDE,
-      aside = wish.aside, colour = wish.colour,
+      aside = wish.aside, colour = wish.colour, clear = wish.clear and self.task.delay > 0,
       alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
    })
    if near then return 'near' end

@@ -170,6 +170,32 @@ case('on top, beside a neighbour, a block has its colour before it comes near', 
    same('on its way again', fake.held.colour, 4)
 end)
 
+case('where no brick stands behind a place, what comes up there is another robot', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
+   local block = run(function() return machine.search:find(dark) end)
+   run(function() return machine.pickup:pick_up(block) end)
+   local base = run(function() return machine.search:find(lit) end)
+   local nearest
+   local function bring(clear)
+      local heading = math.pi / 2
+      nearest = math.huge
+      fake.robot.rangefinders.front.proximity = 0.2
+      return run(function()
+         return machine.placement:approach_site(base, 'raise', { colour = 2, heading = heading, clear = clear })
+      end, function()
+         if machine.process.state ~= 'reach' then return end
+         nearest = math.min(nearest, 0.35 - fake.pose.y)
+         if nearest < 0.16 then fake.robot.rangefinders.front.proximity = 0.03 end
+      end)
+   end
+   local there, why = bring(true)
+   same('not there', there, false)
+   same('somebody', why, 'busy')
+   assert(nearest > 0.12, nearest)
+   same('a column in the next cell but one', bring(false), true)
+   near('over its place', nearest, 0.094, 2e-3)
+end)
+
 case('in front of another a block goes down before its face, and then in', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
    local block = run(function() return machine.search:find(dark) end)
