@@ -3,29 +3,31 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [PART…]
+#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--against R] [PART…]
 #
-# Parts: bench laws validate robots five assembly fuzz sanitizers; without one, all but robots and
-# assembly, which take hours. Each fuzz target runs for N seconds (600), J of them at a time (as many
-# as there are cores). S is the seed of the laws' random cases, of the fuzzers and of drawn targets
-# (the time); the report begins with it, for repeating.
+# Parts: against bench laws validate robots five assembly fuzz sanitizers; without one, all but robots
+# and assembly, which take hours. `against` sets the speed against that of revision R (e10fcc8). Each
+# fuzz target runs for N seconds (600), J of them at a time (as many as there are cores). S is the
+# seed of the laws' random cases, of the fuzzers and of drawn targets (the time); the report begins
+# with it, for repeating.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) parts=()
+fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) against=e10fcc8 parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
-    bench | laws | validate | robots | five | assembly | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,11s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    --against) against=${2:?--against needs a revision}; shift ;;
+    against | bench | laws | validate | robots | five | assembly | fuzz | sanitizers) parts+=("$1") ;;
+    -h | --help) sed -n '3,12s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
 done
 [[ $seed =~ ^[1-9][0-9]{0,8}$|^[1-3][0-9]{9}$ ]] ||
   die "--seed takes a number from 1 to 3999999999, not '$seed'"
-[[ ${#parts[@]} -gt 0 ]] || parts=(bench laws validate five fuzz sanitizers)
+[[ ${#parts[@]} -gt 0 ]] || parts=(against bench laws validate five fuzz sanitizers)
 
 failures=0
 mkdir -p out
@@ -47,6 +49,12 @@ fenced() {
   "$@" || status=$?
   printf '```\n'
   return "$status"
+}
+
+against_part() {
+  printf '\n## Speed against %s\n\n' "$against"
+  scripts/install.sh build bench >&2
+  scripts/speed_against.py "$against" || failures=$((failures + 1))
 }
 
 bench_part() {
@@ -118,13 +126,13 @@ validate_row() {
   say "stigc validate $*" >&2
   # 1 says that not every run was complete, which the row shows; anything else is a failure.
   build/dev/stigc validate "$@" --quiet >"$log" 2>&1 || [[ $? -eq 1 ]] || failures=$((failures + 1))
-  printf '| %s | %s | %s | %s |\n' "$name" "$(sed -n 's/^  verdict *//p' "$log")" \
-    "$(sed -n 's/^  time *//p' "$log")" \
+  printf '| %s | %s | %s | %s | %s |\n' "$name" "$(sed -n 's/^  verdict *//p' "$log")" \
+    "$(sed -n 's/^  time *//p' "$log")" "$(sed -n 's/^  efficiency *//p' "$log")" \
     "$(sed -n 's/^  \(wrong\|seed [0-9][0-9]*\)  *//p' "$log" | head -n 3 | paste -sd ';')"
 }
 
 validate_part() {
-  printf '\n## Structures built by robots\n\n| | verdict | time | what went wrong first |\n|---|---|---|---|\n'
+  printf '\n## Structures built by robots\n\n| | verdict | time | efficiency | what went wrong first |\n|---|---|---|---|---|\n'
   scripts/install.sh build >&2
   configure_and_build dev >&2
   validate_row staircase rulesets/staircase.yaml --runs 25
