@@ -51,9 +51,18 @@ inline constexpr int kBlockColours = 4;
 /// Structures of more bricks are looked at column by column first.
 inline constexpr std::size_t kMostWalkedFirst = 24;
 
-/// A picture that goes with a refusal or a warning.
+/// A cell that a refusal is about, and what there is to say of it.
+struct RefusalMark {
+  enum class Kind : std::uint8_t { wanted, in_the_way } kind = Kind::wanted;
+  Cell at;
+  std::string text;
+};
+
+/// A picture that goes with a refusal or a warning: as text, and as bricks with marks.
 struct RefusalDrawing {
   std::string title, drawing;
+  std::vector<PlacedBrick> bricks{};
+  std::vector<RefusalMark> marks{};
 };
 
 struct CompiledRules {

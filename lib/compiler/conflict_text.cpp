@@ -35,9 +35,20 @@ SourceRange range_of(const RuleSet& rules, const CompiledRules& compiled) {
 
 /// Drawings are collected and printed after the diagnostic.
 void draw(const RuleSet& rules, CompiledRules& compiled, std::string title, std::uint32_t state) {
+  const TargetStates& target = *compiled.target;
+  const Conflict& conflict = compiled.concurrency.conflicts.front();
+  const std::vector<PlacedBrick> bricks = target.structure(compiled.policy.states[state]).bricks();
+  std::vector<RefusalMark> marks;
+  for (const auto& work : {conflict.placed, conflict.other}) {
+    if (!work || compiled.policy.states[state].has(work->brick)) continue;
+    marks.push_back(
+        {RefusalMark::Kind::wanted, target.cell(work->brick), work_text(target, *work)});
+  }
+  if (conflict.column) {
+    marks.push_back({RefusalMark::Kind::in_the_way, *conflict.column, "a robot stands before it"});
+  }
   compiled.drawings.push_back(
-      {std::move(title),
-       draw_structure(rules, compiled.target->structure(compiled.policy.states[state]).bricks())});
+      {std::move(title), draw_structure(rules, bricks), bricks, std::move(marks)});
 }
 
 void add_drawings(const RuleSet& rules, CompiledRules& compiled) {

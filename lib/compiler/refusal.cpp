@@ -35,6 +35,21 @@ bool unheld(Obstruction obstruction) {
   return obstruction == Obstruction::unsupported || obstruction == Obstruction::overhang;
 }
 
+/// The brick that keeps a robot of this side from a site; nothing where it is none that does.
+std::optional<RefusalMark> mark_of(const ReachResult& result, ApproachSide side) {
+  const bool stands = result.obstruction == Obstruction::body_blocked ||
+                      result.obstruction == Obstruction::effector_blocked ||
+                      result.obstruction == Obstruction::covered;
+  if (!stands) return std::nullopt;
+  return RefusalMark{RefusalMark::Kind::in_the_way, result.where,
+                     fmt::format("from {}: {}", to_string(side), explain(result))};
+}
+
+/// The site of a brick that is wanted, with the rule that wants it.
+RefusalMark wanted_mark(Cell at, const std::string& text) {
+  return {RefusalMark::Kind::wanted, at, text};
+}
+
 class Explainer {
  public:
   Explainer(const RuleSet& rules, const Abilities& robot, CompiledRules& compiled, Diagnostics& out)
@@ -63,8 +78,9 @@ class Explainer {
   std::string draw(const BrickSet& state) const {
     return draw_structure(rules_, target_.structure(state).bricks());
   }
-  void show(std::string title, const BrickSet& state) {
-    compiled_.drawings.push_back({std::move(title), draw(state)});
+  void show(std::string title, const BrickSet& state, std::vector<RefusalMark> marks = {}) {
+    compiled_.drawings.push_back(
+        {std::move(title), draw(state), target_.structure(state).bricks(), std::move(marks)});
   }
   const Rule& rule_of(const BrickSet& state, std::uint32_t brick) const {
     return rules_.rules[target_.rule_for(state, brick).value_or(0)];
@@ -97,6 +113,7 @@ class Explainer {
   struct Blocked {
     bool unsupported = true;
     std::vector<std::string> notes;
+    std::vector<RefusalMark> marks;
   };
   /// Sides are listed with a reason each, so that it is seen which of them comes closest.
   Blocked blocked(std::uint32_t brick) const {
@@ -109,7 +126,10 @@ class Explainer {
           "from {}: {}", to_string(side),
           alone ? "it is not on, before or beside any column that the robot can drive up to"
                 : compiler::explain(result)));
+      if (const auto mark = mark_of(result, side)) out.marks.push_back(*mark);
     }
+    out.marks.push_back(
+        wanted_mark(target_.cell(brick), "wanted here: " + rule_of(stuck(), brick).name));
     return out;
   }
 
@@ -127,7 +147,7 @@ class Explainer {
     const Blocked why = blocked(brick);
     add_never(rule_of(stuck(), brick), target_.cell(brick),
               why.unsupported ? Code::P709 : Code::P710, why.notes, out_);
-    show("the structure at that moment", stuck());
+    show("the structure at that moment", stuck(), why.marks);
   }
 
   void report_deadlock() {
@@ -137,12 +157,15 @@ class Explainer {
         out_.add(Code::P711, rule.range,
                  fmt::format("the structure cannot be completed: {} of {} and no way on",
                              stuck().count(), counted(target_.bricks(), "brick")));
+    std::vector<RefusalMark> marks;
     for (const std::uint32_t brick : open) {
-      for (const std::string& note : blocked(brick).notes) {
+      const Blocked why = blocked(brick);
+      for (const std::string& note : why.notes) {
         diagnostic.note(fmt::format("the brick at {} {}", cell_text(target_.cell(brick)), note));
       }
+      marks.insert(marks.end(), why.marks.begin(), why.marks.end());
     }
-    show("stuck", stuck());
+    show("stuck", stuck(), std::move(marks));
     if (const Withdrawal* cause = dead_end()) report_dead_end(*cause, diagnostic);
   }
 
@@ -167,7 +190,8 @@ class Explainer {
         "is "
         "seen, and the brick at {} would leave no way on",
         to_string(there.side), column(there), cell_text(site_of(there, cause.placement))));
-    show(fmt::format("there, seen from {}", to_string(there.side)), policy_.states[there.state]);
+    show(fmt::format("there, seen from {}", to_string(there.side)), policy_.states[there.state],
+         {wanted_mark(site_of(there, cause.placement), "it would leave no way on")});
   }
 
   /// It could be completed, but not by what a robot sees. Withdrawals at the stuck
@@ -243,8 +267,10 @@ class Explainer {
           "`physical: {sides: [+x]}` in the file, or --sides +x, says that robots work "
           "from that side alone; `symmetry: rotations` makes the rules hold on all");
     }
-    show(fmt::format("seen from {}", to_string(here.side)), policy_.states[here.state]);
-    show(fmt::format("seen from {}", to_string(there.side)), policy_.states[there.state]);
+    show(fmt::format("seen from {}", to_string(here.side)), policy_.states[here.state],
+         {wanted_mark(site, "right here: " + rule.name)});
+    show(fmt::format("seen from {}", to_string(there.side)), policy_.states[there.state],
+         {wanted_mark(site_of(there, cause.placement), "wrong here, and it looks the same")});
   }
 
   Cell site_of(const Situation& at, const Placement& placement) const {
@@ -301,18 +327,21 @@ bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules&
   const BrickSet start = target.start();
   for (std::size_t i = target.start_bricks(); i < target.bricks(); ++i) {
     std::vector<std::string> notes;
+    std::vector<RefusalMark> marks;
     for (const ApproachSide side : compiled.sides) {
       const ReachResult result = reach(target, start, target.cell(i), side, robot);
       if (result.obstruction == Obstruction::none || unheld(result.obstruction)) break;
       notes.push_back(fmt::format("from {}: {}", to_string(side), explain(result)));
+      if (const auto mark = mark_of(result, side)) marks.push_back(*mark);
     }
     if (notes.size() < compiled.sides.size()) continue;
     const std::size_t placed = i - target.start_bricks();
-    add_never(rules.rules[compiled.proof.run[placed].match.rule], target.cell(i), Code::P710, notes,
-              diagnostics);
+    const Rule& rule = rules.rules[compiled.proof.run[placed].match.rule];
+    add_never(rule, target.cell(i), Code::P710, notes, diagnostics);
+    marks.push_back(wanted_mark(target.cell(i), "wanted here: " + rule.name));
     compiled.policy.out_of_reach = true;
-    compiled.drawings.push_back(
-        {"the start", draw_structure(rules, target.structure(start).bricks())});
+    const std::vector<PlacedBrick> bricks = target.structure(start).bricks();
+    compiled.drawings.push_back({"the start", draw_structure(rules, bricks), bricks, marks});
     return true;
   }
   return false;

@@ -156,6 +156,24 @@ void add_structure(const LoadedStructure& loaded, const std::string& name, PageC
   page.add(structure_json(loaded, name, page.columns()));
 }
 
+void add_marked_structure(const RuleSet& rules, const std::vector<PlacedBrick>& bricks,
+                          const std::string& name, const std::vector<SceneMark>& marks,
+                          const std::vector<std::string>& why, PageContent& page) {
+  const LoadedStructure loaded{Structure(rules.lattice, bricks), rules.bricks};
+  Json json = structure_json(loaded, name, page.columns());
+  json["title"] = printable(rules.title.empty() ? rules.name : rules.title);
+  json["floor"] = rules.floor;
+  json["marks"] = Json::array();
+  for (const SceneMark& mark : marks) {
+    json["marks"].push_back({{"at", {mark.at.x, mark.at.y, mark.at.z}},
+                             {"way", mark.in_the_way},
+                             {"text", printable(mark.text)}});
+  }
+  json["why"] = Json::array();
+  for (const std::string& line : why) json["why"].push_back(printable(line));
+  page.add(std::move(json));
+}
+
 void set_target(const LoadedStructure& loaded, const std::string& name, PageContent& page) {
   page.set_target(structure_json(loaded, name, page.columns()));
 }

@@ -13,6 +13,7 @@
 #include "compiler/compile.h"
 #include "other_rules.h"
 #include "outputs.h"
+#include "refusal_page.h"
 #include "robot_input.h"
 #include "robots/robot_description.h"
 #include "rules/worked_from.h"
@@ -154,6 +155,9 @@ std::string argos_problem(const CompileFileOptions& options) {
 
 std::string usage_problem(const CompileFileOptions& options) {
   if (std::string problem = argos_problem(options); !problem.empty()) return problem;
+  if (options.page && !options.page->ends_with(".html")) {
+    return fmt::format("'{}': a page is .html", *options.page);
+  }
   if (is_standard_output(options.report) &&
       (!options.output || is_standard_output(options.output))) {
     return "standard output takes the program or the table: say where the other goes";
@@ -171,7 +175,22 @@ std::vector<std::string> output_names(const CompileFileOptions& options) {
   }
   if (const auto map = line_map_of(options)) names.push_back(*map);
   if (options.report && !is_standard_output(options.report)) names.push_back(*options.report);
+  if (options.page) names.push_back(*options.page);
   return names;
+}
+
+// Without a budget the work is bounded by steps, so that the result does not depend on the
+// machine.
+CompileOptions settings_of(const CompileFileOptions& options, const RuleSet& rules,
+                           const App& app) {
+  CompileOptions settings;
+  for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
+  settings.robots = robots_for(options, rules, app);
+  settings.verify.seconds = options.budget.value_or(kNoTimeLimit);
+  settings.verify.stop = &stop_requested();
+  settings.limits.states = options.states;
+  settings.limits.stop = &stop_requested();
+  return settings;
 }
 
 }  // namespace
@@ -189,16 +208,8 @@ int run(const CompileFileOptions& options, App& app) {
       options.robot, app, target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot);
   if (!robot) return kFailed;
   if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
-  CompileOptions settings;
-  for (const std::string& side : options.sides) settings.sides.push_back(*parse_side(side));
-  settings.robots = robots_for(options, *rules, app);
+  const CompileOptions settings = settings_of(options, *rules, app);
   stop_on_signals();
-  // Without a budget the work is bounded by steps, so that the result does not depend on the
-  // machine.
-  settings.verify.seconds = options.budget.value_or(kNoTimeLimit);
-  settings.verify.stop = &stop_requested();
-  settings.limits.states = options.states;
-  settings.limits.stop = &stop_requested();
   Diagnostics diagnostics;
   const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
   note_other_rules(*rules, compiled, *robot, options.robot, diagnostics);
@@ -209,6 +220,10 @@ int run(const CompileFileOptions& options, App& app) {
     return kRunFailed;
   }
   show_drawings(compiled, app);
+  if (options.page && !diagnostics.all().empty()) {
+    const int code = write_refusal_page(*options.page, *rules, compiled, diagnostics, app);
+    if (code != kOk) return code;
+  }
   if (!compiled.decision) return compiled.proof.interrupted ? kRunFailed : kFailed;
   // Warnings count as errors where the user wants that.
   if (app.invalid(diagnostics)) return kFailed;

@@ -144,6 +144,7 @@ struct CompileFileOptions {
       target;  ///< otherwise by the output's name: .lua, .argos, or a table
   std::optional<std::string> output;
   std::optional<std::string> report;  ///< the table, whatever the target
+  std::optional<std::string> page;    ///< .html, of a refusal or a warning
   std::optional<double> budget;       ///< s, of the proof
   std::uint64_t states = 100'000;
 };

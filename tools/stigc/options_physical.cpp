@@ -90,6 +90,8 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
        "write it to a file; .lua.map beside it says which lines are rules; for ARGoS "
        "NAME[.argos], beside which NAME_robot.lua and NAME_block.lua are written");
   path(sub, "--report", o.report, "write the table to a file as well");
+  path(sub, "--why", o.page,
+       "where rules are refused, write a page that shows the brick in the way (.html)");
   seconds(sub, "--budget", o.budget,
           "seconds for the proof of the rule set (default: as much work as verify does)");
   integer(sub, "--states", o.states, 1, std::int64_t{1} << 24,

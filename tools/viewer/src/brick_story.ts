@@ -4,21 +4,36 @@ import {sliceRows} from './cells.js';
 import {element, section} from './elements.js';
 import type {LatticeRun} from './runs.js';
 
-/** The symbol at a cell when `brick` was placed. */
-function symbolAt(run: LatticeRun, x: number, y: number, z: number, brick: number): string {
+/** The symbol at a cell when so many bricks stood. */
+function symbolAt(run: LatticeRun, x: number, y: number, z: number, standing: number): string {
   if (run.floor && z < 0) return '=';
   const there = run.bricks.index.at(x, y, z);
-  if (there < 0 || there >= Math.max(brick, run.start)) return '.';
+  if (there < 0 || there >= Math.max(standing, run.start)) return '.';
   return run.kinds[run.colour[there] - 1].symbol;
 }
 
-/** Slices above, on and below the level, as rule files draw them. */
-export function neighbourhoodText(run: LatticeRun, brick: number): string {
+/** All that stands about a brick's cell when so many stand, as one word for comparisons. */
+export function symbolsAbout(run: LatticeRun, brick: number, standing: number): string {
+  const {x, y, z, lattice} = run.bricks.cells;
+  const out: string[] = [];
+  for (const dz of [1, 0, -1]) {
+    for (const at of sliceRows(lattice).flat()) {
+      if (!at || dz === 0 && at[0] === 0 && at[1] === 0) continue;
+      out.push(symbolAt(run, x[brick] + at[0], y[brick] + at[1], z[brick] + dz, standing));
+    }
+  }
+  return out.join(' ');
+}
+
+/** Slices above, on and below the level, as rule files draw them: when it was placed, or when so
+    many bricks stood. */
+export function neighbourhoodText(run: LatticeRun, brick: number, standing = brick): string {
   const {x, y, z, lattice} = run.bricks.cells;
   const wide = Math.max(1, ...run.kinds.map(kind => kind.symbol.length));
   const cell = (dx: number, dy: number, dz: number): string => {
     const site = dx === 0 && dy === 0 && dz === 0;
-    return site ? '*' : symbolAt(run, x[brick] + dx, y[brick] + dy, z[brick] + dz, brick);
+    return site ? '*' : symbolAt(run, x[brick] + dx, y[brick] + dy, z[brick] + dz,
+                                     standing);
   };
   const rows = sliceRows(lattice).map(row => [1, 0, -1].map(dz => {
     const shown = row.filter(at => at !== null).map(([dx, dy]) => cell(dx, dy, dz).padEnd(wide));
@@ -57,7 +72,7 @@ export function ruleLines(run: LatticeRun, rule: number): string {
   return run.source.slice(first - 1, last).join('\n');
 }
 
-export function brickStory(run: LatticeRun, brick: number): HTMLElement {
+export function brickStory(run: LatticeRun, brick: number, ...more: Node[]): HTMLElement {
   const parts: Node[] = [factTable(facts(run, brick))];
   const event = brick - run.start;
   if (event >= 0) {
@@ -69,5 +84,5 @@ export function brickStory(run: LatticeRun, brick: number): HTMLElement {
         element('h3', {text: `The rule, lines ${first} to ${last} of the rule set`}),
         element('pre', {class: 'lines', text: ruleLines(run, rule)}));
   }
-  return section('story', 'Brick', ...parts);
+  return section('story', 'Brick', ...parts, ...more);
 }

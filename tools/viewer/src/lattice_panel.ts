@@ -5,6 +5,8 @@ import {colourOfKind, colourOfRule, cssOf, kColourings, kPalettes} from './colou
 import {cutPanel} from './cut_panel.js';
 import {checkbox, element, section, select, swatch} from './elements.js';
 import {standing, type LatticeRun} from './runs.js';
+import {localStates} from './local_states.js';
+import {refusalPart} from './scene_marks.js';
 import {countOf} from './target.js';
 import {toggled, type Choices, type ViewState} from './view_state.js';
 
@@ -162,11 +164,15 @@ export function latticePanel(run: LatticeRun, state: ViewState, target: LatticeR
   const story = element('div', {class: 'picked'});
   const tell = (): void => {
     const {picked, run: number} = state.now;
-    story.replaceChildren(picked?.run === number ? brickStory(run, picked.brick)
-                                                 : element('p', {class: 'hint', text: kHint}));
+    const told = picked?.run === number
+        ? brickStory(run, picked.brick, ...localStates(run, picked.brick, state))
+        : element('p', {class: 'hint', text: kHint});
+    story.replaceChildren(told);
   };
   tell();
   const parts = [story, legend(run, state), levels(run, state), cut(state), colours(state)];
+  const refusal = refusalPart(run);
+  if (refusal) parts.unshift(refusal);
   if (target) parts.splice(2, 0, targetPart(run, target, state));
   if (run.rules.length > 0) parts.push(rules(run, state));
   if (run.facts.length > 0) parts.push(section('about', 'Run', factTable(run.facts)));

@@ -8,6 +8,7 @@ import {keeper} from './cut.js';
 import {floorGrid} from './floor.js';
 import {pickBrick} from './pick.js';
 import {standing, type LatticeRun} from './runs.js';
+import {markObjects, withMarks} from './scene_marks.js';
 import {laidOn} from './target.js';
 import type {Choices} from './view_state.js';
 
@@ -53,13 +54,14 @@ export class LatticeView {
               private readonly other: LatticeRun | null, target: LatticeRun | null) {
     this.target = target && laidOn(run, target);
     this.missing = this.target && new Faces(this.target.bricks, 0.2);
-    this.bounds = unionOf(run.bricks.bounds, this.target?.bricks.bounds);
+    this.bounds = withMarks(run, unionOf(run.bricks.bounds, this.target?.bricks.bounds));
     this.faces = new Faces(run.bricks);
     this.ghost = new Faces(run.bricks, 0.16);
     this.visible = new Uint8Array(run.bricks.count);
     this.floor = run.floor ? floorGrid(this.bounds) : null;
     this.marker.renderOrder = 1;
     this.scene.add(this.faces.object, this.ghost.object, this.marker);
+    this.scene.add(markObjects(run));
     if (this.missing) this.scene.add(this.missing.object);
     if (this.floor) this.scene.add(this.floor);
   }

@@ -4,6 +4,7 @@ import {Bricks} from './bricks.js';
 import type {Lattice} from './cells.js';
 import {column, integers, type ColumnPlace, type PackedData} from './packed_data.js';
 import {firstDifference} from './pose_difference.js';
+import type {SceneMark} from './scene_marks.js';
 import {poseRun, type PoseJson, type PoseRun} from './pose_run.js';
 
 export interface BrickKind {
@@ -27,6 +28,9 @@ export interface LatticeRun {
   name: string;
   title: string;
   floor: boolean;
+  /** Of a refusal: what is marked, and why, in lines. */
+  marks: SceneMark[];
+  why: string[];
   /** Does its file say where it stands? */
   placed: boolean;
   /** How the run went, in words; empty for a structure. */
@@ -69,6 +73,8 @@ interface LatticeJson {
   source: string;
   start: number;
   placed?: boolean;
+  marks?: SceneMark[];
+  why?: string[];
   columns: Record<'x' | 'y' | 'z' | 'colour' | 'rule' | 'agent' | 'step', ColumnPlace>;
 }
 
@@ -92,6 +98,8 @@ function latticeRun(json: LatticeJson, data: PackedData): LatticeRun {
     title: json.title,
     floor: json.floor,
     placed: json.placed ?? true,
+    marks: json.marks ?? [],
+    why: json.why ?? [],
     facts: json.facts,
     kinds: json.bricks,
     rules: json.rules,
