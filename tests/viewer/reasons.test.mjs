@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Why rules are refused, and what a site showed.
+// Why rules are refused, what a site showed, and structures that take long to draw.
 import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -36,6 +36,18 @@ before(async () => {
   stigc(['compile', 'middle.yaml', '--why', 'why.html', '-q'], 1);
   stigc(['explore', 'rulesets/staircase.yaml', '--trace', 'stairs.stigt']);
   stigc(['view', 'stairs.stigt', '-o', 'stairs.html']);
+  // Every other cell: a hundred thousand faces, and more than half as many again.
+  const cells = [];
+  for (let x = 0; x < 38; ++x) {
+    for (let y = 0; y < 38; ++y) {
+      for (let z = (x + y) % 2; z < 38; z += 2) cells.push([x, y, z, 1]);
+    }
+  }
+  fs.writeFileSync(path.join(folder, 'many.json'), JSON.stringify({
+    stigc_structure: 1, lattice: 'cubic', bricks: [{symbol: 'a', name: 'a', color: '#336699'}],
+    cells,
+  }));
+  stigc(['view', 'many.json', '-o', 'many.html']);
   await startBrowser();
 });
 after(stopBrowser);
@@ -75,5 +87,27 @@ test('a brick has the states of its site, each of which leads to its moment', as
   const time = Number(/from brick (\d+) on/.exec(await last.innerText())[1]);
   await last.click();
   assert.equal((await choices(page)).time, time);
+  await close();
+});
+
+test('what takes long to draw is drawn in coarse cells while it turns', async () => {
+  const {page, close} = await open('many.html');
+  await still(page);
+  const shown = () => page.evaluate(() => {
+    const [{faces, coarse}] = window.stigView.views;
+    return [faces.object.visible, coarse.object.visible, coarse.count];
+  });
+  const turning = await page.evaluate(async () => {
+    const {stage, viewpoint, views: [{faces, coarse}]} = window.stigView;
+    const before = stage.frames;
+    viewpoint.turn(0.1, 0, 1);
+    while (stage.frames === before) await new Promise(resolve => setTimeout(resolve, 1));
+    return [faces.object.visible, coarse.object.visible];
+  });
+  assert.deepEqual(turning, [false, true]);
+  await still(page);
+  const [fine, coarse, faces] = await shown();
+  assert.deepEqual([fine, coarse], [true, false], 'all of it once it is still');
+  assert.ok(faces < 10_000, `${faces} coarse faces`);
   await close();
 });

@@ -26,7 +26,7 @@ void main() {
   if (cap) vAcross = vec2(corner == CORNERS - 1 ? 0.5 : 0.0);
   else vAcross = vec2(corner == 1 || corner == 2, corner >= 2);
   vColour = colour.rgb;
-  gl_Position = projectionMatrix * viewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;
 
 // Edges are one pixel wide at least, and fade where faces are hardly larger than that.

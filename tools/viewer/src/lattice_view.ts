@@ -2,6 +2,7 @@
 // A lattice run as something to be drawn.
 import * as three from 'three';
 import type {Bounds} from './bricks.js';
+import {CoarseFaces, coarseness} from './coarse.js';
 import {brickColours} from './colours.js';
 import {Faces} from './faces.js';
 import {keeper} from './cut.js';
@@ -45,7 +46,10 @@ export class LatticeView {
   private readonly marker = new three.LineSegments(
       new three.EdgesGeometry(new three.BoxGeometry(1.06, 1.06, 1.06)),
       new three.LineBasicMaterial({color: 0xff00aa, depthTest: false}));
+  private readonly coarse = new CoarseFaces();
   private rgb: Uint8Array = new Uint8Array(0);
+  /** Colours as they are drawn. */
+  private drawn: Uint8Array = new Uint8Array(0);
   private shownBy = '';
   private colouredBy = '';
 
@@ -61,7 +65,7 @@ export class LatticeView {
     this.floor = run.floor ? floorGrid(this.bounds) : null;
     this.marker.renderOrder = 1;
     this.scene.add(this.faces.object, this.ghost.object, this.marker);
-    this.scene.add(markObjects(run));
+    this.scene.add(markObjects(run), this.coarse.object);
     if (this.missing) this.scene.add(this.missing.object);
     if (this.floor) this.scene.add(this.floor);
   }
@@ -89,7 +93,14 @@ export class LatticeView {
     }
   }
 
-  turnTo(camera: three.Camera, apart: number): void {
+  turnTo(camera: three.Camera, apart: number, coarse: boolean): void {
+    const wide = coarse && apart === 0 ? coarseness(this.run.bricks.count, this.faces.count) : 1;
+    this.faces.object.visible = this.ghost.object.visible = wide === 1;
+    this.coarse.object.visible = false;
+    if (wide > 1) {
+      this.coarse.show(`${this.shownBy} ${wide}`, wide, this.run.bricks, this.visible, this.drawn);
+      return;
+    }
     this.faces.turnTo(camera, apart);
     this.ghost.turnTo(camera, apart);
     this.missing?.turnTo(camera, apart);
@@ -104,7 +115,8 @@ export class LatticeView {
     const {apart} = choices;
     const wanted = this.wanted(choices);
     this.visible = wanted.map((yes, i) => i < now ? yes : 0);
-    this.faces.fill({visible: this.visible, rgb: this.lit(choices), apart});
+    this.drawn = this.lit(choices);
+    this.faces.fill({visible: this.visible, rgb: this.drawn, apart});
     const coming = wanted.map((yes, i) => choices.ghost && i >= now ? yes : 0);
     this.ghost.fill({visible: coming, rgb: this.rgb, apart});
     this.fillMissing(choices, now);

@@ -6,13 +6,16 @@ import * as three from 'three';
 /** What a pane shows. */
 export interface Shown {
   scene: three.Scene;
-  turnTo(camera: three.Camera): void;
+  /** Before it is drawn; `coarse`: it moves, and all of it takes long. */
+  turnTo(camera: three.Camera, coarse: boolean): void;
   /** Planes beyond which nothing is drawn. */
   planes(): three.Plane[];
 }
 
 const kSlowFrame = 60;    // ms: beyond, resolution is given up while the picture moves
 const kStillAfter = 200;  // ms
+const kLongFrame = 250;   // ms: beyond, the first frame of a turn is coarse too
+const kForgets = 0.85;    // with each whole frame, of how long those before have taken
 const kLeastDetail = 0.4;
 const kBackground = {light: 0xf4f6f8, dark: 0x171c23};
 
@@ -44,9 +47,13 @@ export class Stage {
   panes: Shown[] = [];
   /** Before each frame. */
   onFrame: () => void = () => undefined;
+  private readonly software = drawnBySoftware();
   private readonly renderer: three.WebGLRenderer;
   private asked = false;
+  private turns = false;  // the frame that is asked for is one of a camera that moves
   private detail = 1;
+  private coarse = false;
+  private wholeTime = 0;  // ms: of the last frame that was not coarse
   private askedAt = 0;
   private freeAt = 0;     // ms: when the last frame was done with
   private frameTime = 0;  // ms
@@ -55,7 +62,7 @@ export class Stage {
 
   constructor(private readonly host: HTMLElement, private readonly camera: () => three.Camera) {
     this.renderer = new three.WebGLRenderer({
-      antialias: !drawnBySoftware(),
+      antialias: !this.software,
       preserveDrawingBuffer: true,
       powerPreference: 'high-performance',
     });
@@ -82,8 +89,9 @@ export class Stage {
     return gridOf(Math.max(1, this.panes.length), width / height);
   }
 
-  /** Asks for a frame. */
-  draw(): void {
+  /** Asks for a frame; `turns`: since the camera moves. */
+  draw(turns = false): void {
+    this.turns ||= turns;
     if (this.asked) return;
     this.asked = true;
     this.askedAt = performance.now();
@@ -103,6 +111,7 @@ export class Stage {
   private frame(): void {
     this.asked = false;
     const begun = performance.now();
+    this.noteWait(begun - this.askedAt);
     this.chooseDetail();
     this.onFrame();
     this.shapeCanvas();
@@ -115,8 +124,10 @@ export class Stage {
     setTimeout(() => {
       this.freeAt = performance.now();
       this.frameTime = this.freeAt - begun;
+      if (!this.coarse) this.wholeTime = Math.max(this.frameTime, this.wholeTime * kForgets);
       clearTimeout(this.still);
-      if (this.detail < 1) this.still = setTimeout(() => this.draw(), kStillAfter + 50);
+      if (this.detail === 1 && !this.coarse) return;
+      this.still = setTimeout(() => this.draw(), kStillAfter + 50);
     });
   }
 
@@ -139,15 +150,32 @@ export class Stage {
     this.renderer.setViewport(left, low, wide, high);
     this.renderer.setScissor(left, low, wide, high);
     this.renderer.setScissorTest(true);
-    pane.turnTo(this.camera());
+    pane.turnTo(this.camera(), this.coarse);
     this.renderer.clippingPlanes = pane.planes();
     this.renderer.render(pane.scene, this.camera());
   }
 
+  /** A frame that is slow to be drawn may hold up the one after it in place of its own function. */
+  private noteWait(waited: number): void {
+    if (this.askedAt - this.freeAt > kStillAfter) return;
+    this.frameTime = Math.max(this.frameTime, waited);
+    if (!this.coarse) this.wholeTime = Math.max(this.wholeTime, waited);
+  }
+
   /** Coarser while frames are slow and follow each other; fine again once all is still. */
   private chooseDetail(): void {
-    const moving = this.askedAt - this.freeAt < kStillAfter;
-    if (!moving) this.detail = 1;
-    else if (this.frameTime > kSlowFrame) this.detail = Math.max(kLeastDetail, this.detail * 0.7);
+    const moving = this.askedAt - this.freeAt < kStillAfter ||
+        this.turns && (this.software || this.wholeTime > kLongFrame);
+    if (moving && this.turns && this.software) this.coarse = true;
+    this.turns = false;
+    const slow = this.frameTime > kSlowFrame;
+    if (!moving) {
+      this.detail = 1;
+      this.coarse = false;
+    } else if (!this.coarse) {
+      this.coarse = slow;
+    } else if (slow) {
+      this.detail = Math.max(kLeastDetail, this.detail * 0.7);
+    }
   }
 }

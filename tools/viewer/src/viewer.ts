@@ -76,7 +76,7 @@ export class Viewer {
     host.append(this.eyes.picture);
     this.stage = new Stage(host, () => this.camera);
     this.views = page.runs.map((run, i) => this.viewOf(run, i));
-    const draw = (): void => this.stage.draw();
+    const draw = (): void => this.stage.draw(true);
     this.viewpoint = new Viewpoint(this.stage.canvas, boundsOf(this.views), draw);
     root.replaceChildren(this.topBar(), element('main', {}, host, this.panel));
     if (timeline.end > 0) root.append(timeBar(this.state, this.player));
@@ -223,7 +223,8 @@ export class Viewer {
     const shown = side ? this.views.slice(0, kMostPanes) : [this.views[run]];
     this.stage.panes = shown.map(view => ({
       scene: view.scene,
-      turnTo: (camera: three.Camera) => view.turnTo(camera, this.state.now.apart),
+      turnTo: (camera: three.Camera, coarse: boolean) =>
+        view.turnTo(camera, this.state.now.apart, coarse),
       planes: () => this.planesOf(view),
     }));
     const [columns] = this.stage.grid;
