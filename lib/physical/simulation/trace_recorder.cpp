@@ -131,11 +131,13 @@ void TraceRecorder::write_frame(const RunState& run) {
 }
 
 // Those of a body asleep stay as they were written last; a body that has just fallen asleep was
-// awake a moment before.
+// awake a moment before. Fixed bodies are never awake, and their magnets turn all the same.
 void TraceRecorder::write_magnets(const RunState& run, std::uint32_t channel) {
   if (!run.scene->magnets) return;
   for (std::uint32_t i = 0; i < run.world.size(); ++i) {
-    if (!run.placed.bodies[i].block || !run.world.state(BodyId{i}).awake) continue;
+    const auto& defined = run.placed.config.bodies;
+    const bool turns = run.world.state(BodyId{i}).awake || (i < defined.size() && defined[i].fixed);
+    if (!run.placed.bodies[i].block || !(turns || run.world.tick() == 0)) continue;
     const BlockModel& model = run.scene->models[block_model(*run.scene, run.placed, i)];
     if (!model.has_magnets()) continue;
     const std::size_t count = model.magnet_places().size();
