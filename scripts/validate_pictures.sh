@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# Draws the pictures of docs/validate.md, reproduction.md, compiler.md and staircase.md. Run it when
-# controllers or the pictures have changed.
+# Draws the pictures of docs/validate.md, reproduction.md, compiler.md, staircase.md and the robots'
+# film of pictures.md. Run it when controllers or the pictures have changed.
 #
 #   scripts/validate_pictures.sh
 #
@@ -24,6 +24,11 @@ say "stigc validate rulesets/stepped-pyramid.yaml --robots 4 --runs 5"
 "$stigc" validate rulesets/stepped-pyramid.yaml --robots 4 --runs 5 -o "$folder/four" --quiet \
   >/dev/null || true
 cp "$folder/four/progress.svg" docs/gallery/validate-pyramid.svg
+# Without ffmpeg, the film stays as it is.
+if command -v ffmpeg >/dev/null; then
+  "$stigc" render "$folder/four/run-1.stigp" -o docs/gallery/pyramid-robots.gif --size 480x320 \
+    --fps 6 --quiet
+fi
 
 say "stigc validate tests/compiler/wall.yaml --robots 2"
 "$stigc" validate tests/compiler/wall.yaml --robots 2 -o "$folder/wall" --quiet >/dev/null || true
