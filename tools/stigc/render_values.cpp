@@ -13,7 +13,7 @@ namespace stig::cli {
 namespace {
 
 constexpr double kRightAngle = std::numbers::pi / 2;
-constexpr std::int64_t kFewestPixels = 64, kMostPixels = 8192;  ///< a side
+constexpr std::int64_t kFewestPixels = 64, kMostPixels = 4096;  ///< a side
 
 }  // namespace
 
