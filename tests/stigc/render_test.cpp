@@ -217,6 +217,21 @@ TEST_CASE("slices and palettes change pictures, sizes do what they say") {
   CHECK(place.file("a.png") != place.file("b.png"));
 }
 
+TEST_CASE("LEDs are lit in the palette's colours, those that are off stay grey") {
+  const Workplace place;
+  place.write("lit.yaml", "stigc_scene: 1\nduration: 0.01\nblocks: [{column: 2, color: Q2}]\n");
+  place.write("dark.yaml", "stigc_scene: 1\nduration: 0.01\nblocks: [{column: 2}]\n");
+  for (const std::string name : {"lit", "dark"}) {
+    const Outcome outcome = place.shell("stigc simulate " + name + ".yaml -q --trace " + name +
+                                        ".stigp && stigc render " + name + ".stigp -q -o " + name +
+                                        ".png && stigc render " + name + ".stigp -q -o " + name +
+                                        "-tol.png --palette tol-bright");
+    REQUIRE_MESSAGE(outcome.exit_code == 0, outcome.err);
+  }
+  CHECK(place.file("lit.png") != place.file("lit-tol.png"));
+  CHECK(place.file("dark.png") == place.file("dark-tol.png"));
+}
+
 TEST_CASE("options that make no sense together are refused before any work") {
   const Workplace place;
   make_runs(place);
@@ -224,7 +239,7 @@ TEST_CASE("options that make no sense together are refused before any work") {
        {"line.stigt -o a.bmp", "line.stigt -o a.png --from 1", "line.stigt -o a.gif --time 1",
         "line.stigt -o a.gif --from 2 --to 1", "line.stigt -o a.glb --ghost",
         "line.stigt -o a.png --camera r", "fall.stigp -o a.svg", "sheet.txt -o a.gif",
-        "fall.stigp -o a.png --palette okabe-ito", "fall.stigp -o a.png --camera r --view top",
+        "fall.stigp -o a.glb --palette okabe-ito", "fall.stigp -o a.png --camera r --view top",
         "line.stigt -o a.png --view side", "line.stigt -o a.png --view 0,0,0",
         "line.stigt -o a.png --size 10x10", "line.stigt -o a.png --slice w=1..2",
         "line.stigt -o a.png --slice z=2..1", "line.stigt -o a.png --slice z=..",

@@ -53,9 +53,10 @@ std::string usage_problem(const RenderOptions& o, const std::string& ending) {
                       o.no_title || o.no_legend;
     if (seen) return "a .glb has no camera, size, words or ghosts: whoever opens it chooses";
   }
-  if (o.camera && (o.width || o.view.azimuth || o.view.orbit || o.ghost || !o.slices.empty())) {
+  if (o.camera && (o.width || o.view.azimuth || o.view.orbit || o.ghost || !o.slices.empty() ||
+                   o.palette != Palette::file)) {
     return "--camera shows what a robot sees, as large as it does: leave out --size, --view, "
-           "--ghost and --slice";
+           "--ghost, --slice and --palette";
   }
   return {};
 }
@@ -64,9 +65,9 @@ std::string usage_problem(const RenderOptions& o, const std::string& ending) {
 std::string kind_problem(const RenderOptions& o, const std::string& ending, const Film& film) {
   const bool physical = film.time == FilmTime::seconds;
   if (physical && ending == ".svg") return "physical runs are drawn as .png";
-  if (physical && o.palette != Palette::file) return "--palette is of bricks on the lattice";
-  if (physical && ending == ".glb" && !o.slices.empty()) {
-    return "--slice is of pictures, and of lattice runs";
+  const bool chosen = !o.slices.empty() || o.palette != Palette::file;
+  if (physical && ending == ".glb" && chosen) {
+    return "--slice and --palette are of pictures, and of lattice runs";
   }
   if (!physical && o.camera) return "--camera is of physical runs";
   const bool film_wanted = !is_picture(ending) && ending != ".glb";

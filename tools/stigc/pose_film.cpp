@@ -94,6 +94,10 @@ class PosePictures {
   std::vector<PictureBody> bodies_at(const TraceFrame& frame) const {
     std::vector<PictureBody> out = picture_bodies(*trace_, frame);
     std::erase_if(out, [&](const auto& body) { return !is_shown(options_.slices, body.X_WB.p); });
+    for (PictureBody& body : out) {
+      if (options_.palette == Palette::file || body.led == Led::off) continue;
+      body.glow = rgb_in(options_.palette, static_cast<Colour>(body.led));
+    }
     return out;
   }
 

@@ -112,8 +112,10 @@ std::vector<Vec3> square(const Vec3& middle, const Vec3& u, const Vec3& v, doubl
           middle + (u - v) * half};
 }
 
+Rgb glow_of(const PictureBody& body) { return body.glow.value_or(rgb_of(body.led)); }
+
 void draw_block_face(Painter& painter, const std::vector<Vec3>& corners, const Vec3& normal,
-                     Led led) {
+                     const PictureBody& body) {
   const Vec3 middle = (corners[0] + corners[2]) * 0.5;
   const double side = length(corners[1] - corners[0]);
   // From far away tags and LEDs would be less than a pixel: noise.
@@ -124,7 +126,7 @@ void draw_block_face(Painter& painter, const std::vector<Vec3>& corners, const V
   painter.polygon(square(above, u, v, side * kTagHalf), lit(kTagPaper, normal));
   painter.polygon(square(above + normal * (side * 0.002), u, v, side * kTagHalf * 0.8),
                   lit(kTagInk, normal));
-  const Rgb glow = led == Led::off ? lit({120, 124, 130}, normal) : rgb_of(led);
+  const Rgb glow = body.led == Led::off ? lit({120, 124, 130}, normal) : glow_of(body);
   for (const Vec3& way : {u, -u, v, -v}) {
     painter.polygon(square(above + way * (side * kLedPlace), u, v, side * kLedHalf), glow);
   }
@@ -138,13 +140,13 @@ void draw_body(Painter& painter, const PictureBody& body) {
   const Mat3 r = matrix(body.X_WB.q);
   // Bodies of blocks take the light of their LEDs, so that colours can be told from afar.
   const Rgb colour =
-      body.block && body.led != Led::off ? blend(body.colour, rgb_of(body.led), 0.6) : body.colour;
+      body.block && body.led != Led::off ? blend(body.colour, glow_of(body), 0.6) : body.colour;
   for (const SolidFace& face : faces_of(body)) {
     const std::vector<Vec3> corners = in_world(body.X_WB, face.corners);
     const Vec3 normal = r * face.normal;
     if (!painter.faces_eye(corners[0], normal)) continue;
     painter.polygon(corners, lit(colour, normal));
-    if (body.block && corners.size() == 4) draw_block_face(painter, corners, normal, body.led);
+    if (body.block && corners.size() == 4) draw_block_face(painter, corners, normal, body);
     for (std::size_t i = 0; face.edged && i < corners.size(); ++i) {
       painter.line(corners[i], corners[(i + 1) % corners.size()], 1.1,
                    blend(lit(colour, normal), kEdge, 0.75), 4e-4);

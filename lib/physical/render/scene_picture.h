@@ -23,6 +23,7 @@ struct PictureBody {
   bool block = false;  ///< tags and LEDs on its faces
   Led led = Led::off;
   std::vector<SolidFace> faces = {};  ///< drawn in place of the shape's, if there are any
+  std::optional<Rgb> glow = {};       ///< of LEDs that are lit; otherwise as rgb_of has it
 };
 
 /// A straight mark: `width` in pixels, drawn as if nearer by the share `bias`.
