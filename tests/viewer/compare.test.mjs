@@ -131,3 +131,13 @@ test('physical runs are told apart body by body', async () => {
   assert.equal(await same.page.evaluate(() => window.stigView.views[0].greyed.size), 0);
   await same.close();
 });
+
+test('a long title does not make a narrow page wider', async () => {
+  const {page, close} = await open('some.html', {width: 390, height: 780});
+  await still(page);
+  assert.match(await page.locator('h1').innerText(), /staircase on four sides/);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
+  const tools = await page.locator('.tools').boundingBox();
+  assert.ok(tools.x >= 0 && tools.x + tools.width <= 390);
+  await close();
+});
