@@ -10,7 +10,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 program_for_pictures
-most_bytes=100000 # of a picture: the gallery is part of every clone
+most_bytes=120000 # of a picture: the gallery is part of every clone
 most_film_bytes=1000000
 last_arguments=() # of the picture before
 page=docs/gallery.md
