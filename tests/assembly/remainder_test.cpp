@@ -78,7 +78,8 @@ TEST_CASE("whatever bricks go first, that there is no order is said of the same 
     Builders some = from_everywhere();
     some.sides.resize(*rc::gen::inRange<std::size_t>(1, 5));
     const auto order_from = [&](const Builders& builders, std::optional<bool>& found) {
-      Liking liking{*rc::gen::inRange(-2, 3), *rc::gen::inRange(-2, 3), *rc::gen::inRange(-2, 3)};
+      Liking liking;
+      for (int* weight : {&liking.x, &liking.y, &liking.z}) *weight = *rc::gen::inRange(-2, 3);
       liking.chance = *rc::gen::inRange(0, 4);
       liking.seed = *rc::gen::arbitrary<std::uint64_t>();
       liking.in_chains = *rc::gen::arbitrary<bool>();

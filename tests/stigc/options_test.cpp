@@ -41,6 +41,27 @@ TEST_CASE("simulate draws what a robot's camera sees, if there is such") {
   CHECK(place.file("eye.png").starts_with("\x89PNG"));
 }
 
+TEST_CASE("compile writes a page about a refusal where it is told to, and none of rules that do") {
+  const Workplace place;
+  place.write("middle.yaml",
+              "stigc: 1\nname: middle\nlattice: cubic\nbricks:\n"
+              "  1: {color: \"#8d99ae\", led: Q1}\n  2: {color: \"#ef476f\", led: Q2}\n"
+              "start: [{at: [0, 0, 0], brick: 1}, {at: [2, 0, 0], brick: 1}]\n"
+              "rules:\n  - name: between\n    place: 2\n    when: |\n"
+              "      ? ? ?   ? ? ?   ? ? ?\n      ? ? ?   1 * 1   ? ? ?\n"
+              "      ? ? ?   ? ? ?   ? ? ?\n");
+  CHECK(place.stigc({"compile", "middle.yaml", "--why", "why.txt"}).exit_code == 2);
+  const Outcome refused = place.stigc({"compile", "middle.yaml", "--why", "why.html"});
+  CHECK(refused.exit_code != 0);
+  // A build without node has no template, and says so.
+  if (place.has("why.html")) {
+    CHECK(refused.exit_code == 1);
+    CHECK(place.file("why.html").find("</html>") != std::string::npos);
+  }
+  place.stigc({"compile", STIG_SOURCE_DIR "/rulesets/staircase.yaml", "--why", "none.html"});
+  CHECK_FALSE(place.has("none.html"));
+}
+
 TEST_CASE("view calls its page as it is told to") {
   const Workplace place;
   place.write("line.txt", "1 1 1\n");
