@@ -34,7 +34,7 @@ constexpr std::uint64_t kStepsOfPaint = 2'000'000'000;
 /// The same for a spine with rows that are swept, which leave the spine's colours alone to count.
 constexpr std::uint64_t kStepsOfSweptPaint = 4 * kStepsOfPaint;
 constexpr int kConflictsAtOnce = 1000;
-/// Of small targets, which take few.
+/// Small targets take so many candidates by chance before any that go round.
 constexpr std::uint64_t kFirstByChance = 8;
 /// After so many candidates from each set of sides it is asked whether there are rules at all.
 constexpr std::uint64_t kAskedAfter = 8;

@@ -13,7 +13,7 @@ namespace stig::lattice {
 
 namespace {
 
-/// Of the bricks of a step, when they and all that came before are there.
+/// The faces that the bricks of a step show when they and all that came before are there.
 Mesh new_faces(const Structure& after, const std::vector<PlacedBrick>& bricks) {
   Mesh mesh{after.lattice(), {}};
   const auto& faces = cell_faces(after.lattice());

@@ -69,7 +69,8 @@ Colour most_colour(const std::vector<PicturePanel>& panels) {
   return most;
 }
 
-// Of all panels. Counts are shown for a single one; for several they would be sums of no interest.
+// One legend for all panels. Counts are shown for a single one; for several they would be sums of
+// no interest.
 std::vector<LegendItem> legend_of(const std::vector<PicturePanel>& panels,
                                   const std::vector<Brick>& bricks) {
   ColourCounts counts;

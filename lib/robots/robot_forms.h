@@ -8,7 +8,7 @@
 
 namespace stig::robots {
 
-// Of whole files.
+// The forms of whole files.
 const Form& robot_form();
 const Form& block_form();
 

@@ -20,15 +20,15 @@ namespace stig::cli {
 
 enum class FilmTime : std::uint8_t { seconds, bricks, none };
 
-/// Of a film's frames, from first to last.
+/// When a film's frames are, from first to last.
 struct FilmTimes {
   double from = 0, to = 0;  ///< of the run
   double fps = 25, speed = 1;
   std::size_t frames = 1;
 
-  /// Of the run, at a frame.
+  /// The run's time at a frame, s.
   double at(std::size_t frame) const;
-  /// Of the film, s.
+  /// The film's time at a frame, s.
   double seconds(std::size_t frame) const { return static_cast<double>(frame) / fps; }
 };
 

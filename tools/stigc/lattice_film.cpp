@@ -25,7 +25,7 @@ struct Growth {
   std::vector<Brick> kinds;
   std::string title;
   bool floor = false;
-  /// Of each event, how many bricks are shown behind it: a slice may leave some out.
+  /// For each event, how many bricks are shown behind it: a slice may leave some out.
   std::vector<std::size_t> shown;
 };
 

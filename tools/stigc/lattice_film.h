@@ -9,10 +9,10 @@
 
 namespace stig::cli {
 
-/// Of a trace on the lattice; problems are reported.
+/// The film of a trace on the lattice; problems are reported.
 std::optional<Film> lattice_film(const RenderOptions& options, const std::string& bytes,
                                  const App& app);
-/// Of a structure file.
+/// The single picture of a structure file.
 std::optional<Film> structure_film(const RenderOptions& options, const App& app);
 
 }  // namespace stig::cli

@@ -101,7 +101,7 @@ class PosePictures {
     return out;
   }
 
-  // Of moments all over the run, and of its end.
+  // Places at moments all over the run, and at its end.
   std::vector<Vec3> points_of_run() const {
     const std::uint64_t every = std::max<std::uint64_t>(1, trace_->frames / kFramedMoments);
     std::vector<Vec3> points;

@@ -11,7 +11,7 @@
 
 namespace stig::cli {
 
-/// Of a trace of simulate; problems are reported, with an exit code that is not kOk.
+/// The film of a trace of simulate; problems are reported, with an exit code that is not kOk.
 std::optional<Film> pose_film(const RenderOptions& options,
                               const std::shared_ptr<const PoseTrace>& trace, const App& app,
                               int& code);

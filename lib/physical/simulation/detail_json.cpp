@@ -37,7 +37,7 @@ Json camera_json(const CameraReading& camera) {
   return out;
 }
 
-/// Of each radio, each message.
+/// Writes every message of every radio, with the radio's number.
 void put_messages(Json& out, const char* name, const std::vector<std::vector<Message>>& radios) {
   for (std::size_t i = 0; i < radios.size(); ++i) {
     for (const Message& message : radios[i]) out[name].push_back({i, message});
