@@ -24,8 +24,7 @@ TEST_CASE("the description is what the robot's file says") {
   CHECK(told(robot, "d.lift.top, d.lift.tolerance") == "0.137\t0.001");
   CHECK(told(robot, "d.drive.pivot") == "0.03175");
   CHECK(told(robot, "d.effector.front, d.effector.half_width") == "0.129755\t0.033");
-  CHECK(told(robot, "d.body.front, d.body.back, d.body.half_width") ==
-        "0.0475\t0.073845\t0.04375");
+  CHECK(told(robot, "d.body.front, d.body.back, d.body.half_width") == "0.0475\t0.073845\t0.04375");
   CHECK(told(robot, "d.magnets.ahead, d.magnets.neutral") == "0.093755\t165");
   CHECK(told(robot, "d.camera.anchor.x, d.camera.anchor.z, d.camera.focal") ==
         "0.055755\t0.079\t883.961");

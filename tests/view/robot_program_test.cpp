@@ -30,9 +30,10 @@ constexpr const char* kProgram =
 
 TEST_CASE("a controller's chart and decisions are found in its text") {
   const auto program = program_json(kProgram);
-  CHECK(program["chart"].dump() ==
-        R"([{"state":"search block","does":"search_block","to":[["found","approach block"],["none","search block"]]},)"
-        R"({"state":"approach block","does":"approach_block","to":[["lost","search block"]]}])");
+  CHECK(
+      program["chart"].dump() ==
+      R"([{"state":"search block","does":"search_block","to":[["found","approach block"],["none","search block"]]},)"
+      R"({"state":"approach block","does":"approach_block","to":[["lost","search block"]]}])");
   CHECK(program["decides"]["line"] == 2);
   const std::string text = program["decides"]["text"];
   CHECK(text.starts_with("local function decide(column)\n   if"));

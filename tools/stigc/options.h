@@ -224,7 +224,7 @@ struct RenderOptions {
 /// One page that shows runs and structures.
 struct ViewOptions {
   std::vector<std::string> files;
-  std::optional<Lattice> lattice;  ///< of structure files that do not say it
+  std::optional<Lattice> lattice;     ///< of structure files that do not say it
   std::optional<std::string> target;  ///< a structure file
   std::optional<std::string> title;
   std::string output;  ///< .html
