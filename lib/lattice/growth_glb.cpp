@@ -18,16 +18,9 @@ Mesh new_faces(const Structure& after, const std::vector<PlacedBrick>& bricks) {
   Mesh mesh{after.lattice(), {}};
   const auto& faces = cell_faces(after.lattice());
   for (const PlacedBrick& brick : bricks) {
-    const Corner foot = foot_of(after.lattice(), brick.at);
     for (std::size_t i = 0; i < faces.size(); ++i) {
       if (after.at(brick.at + faces[i].towards) != kEmpty) continue;
-      Polygon& polygon = mesh.polygons.emplace_back();
-      polygon.colour = brick.brick;
-      polygon.face = static_cast<std::uint8_t>(i);
-      polygon.corners = static_cast<std::uint8_t>(faces[i].corners);
-      for (std::size_t k = 0; k < polygon.corners; ++k) {
-        polygon.corner[k] = foot + faces[i].corner[k];
-      }
+      mesh.polygons.push_back(face_polygon(after.lattice(), i, brick));
     }
   }
   return mesh;

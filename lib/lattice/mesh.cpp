@@ -152,10 +152,7 @@ std::vector<Rectangle> stacked(const std::vector<Rectangle>& runs) {
 Polygon grown(Lattice lattice, std::size_t face, const Rectangle& rectangle) {
   assert(face < cell_faces(lattice).size());
   const CellFace& shape = cell_faces(lattice)[face];
-  Polygon polygon{rectangle.first.colour,
-                  static_cast<std::uint8_t>(face),
-                  static_cast<std::uint8_t>(shape.corners),
-                  {}};
+  Polygon polygon = face_polygon(lattice, face, {rectangle.first.at, rectangle.first.colour});
   const Corner foot = foot_of(lattice, rectangle.first.at);
   for (std::size_t i = 0; i < polygon.corners; ++i) {
     std::array<std::int32_t, 3> at = {shape.corner[i].x, shape.corner[i].y, shape.corner[i].z - 1};
@@ -194,6 +191,16 @@ Corner foot_of(Lattice lattice, Cell cell) {
 Point position(Lattice lattice, Corner corner) {
   const double y = lattice == Lattice::cubic ? corner.y / 2.0 : corner.y / (2 * kSqrt3);
   return {corner.x / 2.0, y, corner.z / 2.0};
+}
+
+Polygon face_polygon(Lattice lattice, std::size_t face, const PlacedBrick& brick) {
+  assert(face < cell_faces(lattice).size());
+  const CellFace& shape = cell_faces(lattice)[face];
+  Polygon polygon{
+      brick.brick, static_cast<std::uint8_t>(face), static_cast<std::uint8_t>(shape.corners), {}};
+  const Corner foot = foot_of(lattice, brick.at);
+  for (std::size_t i = 0; i < polygon.corners; ++i) polygon.corner[i] = foot + shape.corner[i];
+  return polygon;
 }
 
 std::size_t Mesh::triangles() const {

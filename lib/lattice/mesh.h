@@ -49,6 +49,9 @@ struct Polygon {
   std::array<Corner, 6> corner{};
 };
 
+/// One face of one brick; `face` is an index into cell_faces.
+Polygon face_polygon(Lattice lattice, std::size_t face, const PlacedBrick& brick);
+
 struct Mesh {
   Lattice lattice = Lattice::cubic;
   std::vector<Polygon> polygons;

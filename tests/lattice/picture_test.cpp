@@ -1,65 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "lattice/picture.h"
 
-#include <cairo.h>
 #include <doctest/doctest.h>
-
-#include <cstring>
 
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
+#include "png_image.h"
 #include "support/uses.h"
 
 namespace stig {
 namespace {
-
-struct Image {
-  int width = 0, height = 0;
-  std::vector<Rgb> pixels;
-
-  struct Spot {
-    int count = 0;
-    double x = 0, y = 0;  // middle
-  };
-  Spot find(Rgb colour) const {
-    Spot spot;
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-      if (pixels[i] != colour) continue;
-      ++spot.count;
-      spot.x += static_cast<double>(i % static_cast<std::size_t>(width));
-      spot.y += static_cast<double>(i / static_cast<std::size_t>(width));
-    }
-    spot.x /= spot.count;
-    spot.y /= spot.count;
-    return spot;
-  }
-};
-
-Image decode(const std::string& png) {
-  struct Source {
-    const char* at;
-    std::size_t left;
-  } source{png.data(), png.size()};
-  const auto read = [](void* from, unsigned char* to, unsigned int size) {
-    auto& in = *static_cast<Source*>(from);
-    if (size > in.left) return CAIRO_STATUS_READ_ERROR;
-    std::memcpy(to, in.at, size);
-    in.at += size;
-    in.left -= size;
-    return CAIRO_STATUS_SUCCESS;
-  };
-  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(read, &source);
-  REQUIRE(cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS);
-  Image image{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  const unsigned char* data = cairo_image_surface_get_data(surface);
-  for (int y = 0; y < image.height; ++y) {
-    const unsigned char* row = data + y * cairo_image_surface_get_stride(surface);
-    for (int x = 0; x < image.width; ++x, row += 4)
-      image.pixels.push_back({row[2], row[1], row[0]});
-  }
-  cairo_surface_destroy(surface);
-  return image;
-}
 
 PictureOptions bare() {
   PictureOptions options;
@@ -80,7 +30,7 @@ const std::vector<Brick>& bricks() {
 constexpr Rgb kTop{0xd1, 0x29, 0x29}, kLeft{0xb8, 0, 0}, kRight{0x90, 0, 0};
 
 TEST_CASE("a brick shows a light top, a left and a dark right side") {
-  const Image image = decode(draw_structure(structure_literal("1"), bricks(), bare()));
+  const PngImage image = png_image(draw_structure(structure_literal("1"), bricks(), bare()));
   const auto top = image.find(kTop), left = image.find(kLeft), right = image.find(kRight);
   CHECK(top.count > 1000);
   CHECK(left.count > 1000);
@@ -95,8 +45,8 @@ TEST_CASE("a brick in front covers the one behind") {
   Structure s;
   s.place({0, 0, 0}, 1);
   s.place({3, -4, 4}, 2);  // on the line of sight, nearly
-  const Image image = decode(draw_structure(s, bricks(), bare()));
-  const Image behind = decode(draw_structure(structure_literal("1"), bricks(), bare()));
+  const PngImage image = png_image(draw_structure(s, bricks(), bare()));
+  const PngImage behind = png_image(draw_structure(structure_literal("1"), bricks(), bare()));
   CHECK(image.find(Rgb{0, 0, 0xb8}).count > 1000);
   CHECK(image.find(kTop).count < behind.find(kTop).count / 2);
 }
@@ -121,7 +71,7 @@ TEST_CASE("pictures stay within their size") {
   PictureOptions options;
   options.title = std::string(300, 'W');
   options.floor = true;
-  const Image image = decode(draw_structure(s, bricks(), options));
+  const PngImage image = png_image(draw_structure(s, bricks(), options));
   CHECK(image.width <= options.most_pixels);
   CHECK(image.height <= options.most_pixels);
   CHECK(image.find(kTop).count + image.find(kLeft).count > 0);
@@ -136,7 +86,7 @@ TEST_CASE("loose bricks by the thousand: the covered ones are not missed") {
       }
     }
   }
-  const Image image = decode(draw_structure(s, bricks(), bare()));
+  const PngImage image = png_image(draw_structure(s, bricks(), bare()));
   int inside = 0, white = 0;
   for (int y = image.height * 2 / 5; y < image.height * 3 / 5; ++y) {
     for (int x = image.width * 2 / 5; x < image.width * 3 / 5; ++x, ++inside) {
@@ -149,8 +99,8 @@ TEST_CASE("loose bricks by the thousand: the covered ones are not missed") {
 
 TEST_CASE("several structures are drawn side by side on one scale") {
   const Structure one = structure_literal("1"), two = structure_literal("2 2");
-  const Image image =
-      decode(draw_structures({{&one, "first"}, {&two, "second"}}, bricks(), bare()));
+  const PngImage image =
+      png_image(draw_structures({{&one, "first"}, {&two, "second"}}, bricks(), bare()));
   const auto red = image.find(kLeft), blue = image.find(Rgb{0, 0, 0xb8});
   CHECK(red.x < blue.x);
   CHECK(blue.count > 1.7 * red.count);
@@ -159,10 +109,10 @@ TEST_CASE("several structures are drawn side by side on one scale") {
 TEST_CASE("empty structures, hexagonal ones and odd views can be drawn") {
   PictureOptions options;
   options.floor = true;
-  CHECK(decode(draw_structure(Structure(), {}, options)).width > 0);
+  CHECK(png_image(draw_structure(Structure(), {}, options)).width > 0);
   options.turns = 5;
   const Structure prism = structure_literal("1 2\n2 1", Lattice::hexagonal);
-  CHECK(decode(draw_structure(prism, bricks(), options)).find(kTop).count > 1000);
+  CHECK(png_image(draw_structure(prism, bricks(), options)).find(kTop).count > 1000);
 }
 
 TEST_CASE("an .svg of too many faces is refused") {

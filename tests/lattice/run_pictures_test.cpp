@@ -2,59 +2,21 @@
 // All pictures of a run have one frame.
 #include "lattice/run_pictures.h"
 
-#include <cairo.h>
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
+#include "png_image.h"
 #include "support/any_structure.h"
 #include "support/golden.h"
 #include "support/uses.h"
 
 namespace stig {
 namespace {
-
-struct Pixels {
-  int width = 0, height = 0;
-  std::vector<Rgb> all;
-
-  const Rgb& at(int x, int y) const { return all.at(static_cast<std::size_t>(y * width + x)); }
-  std::vector<bool> where(Rgb colour) const {
-    std::vector<bool> out;
-    for (const Rgb& pixel : all) out.push_back(pixel == colour);
-    return out;
-  }
-};
-
-Pixels pixels_of(const std::string& png) {
-  struct Source {
-    const char* at;
-    std::size_t left;
-  } source{png.data(), png.size()};
-  const auto read = [](void* from, unsigned char* to, unsigned int size) {
-    auto& in = *static_cast<Source*>(from);
-    if (size > in.left) return CAIRO_STATUS_READ_ERROR;
-    std::memcpy(to, in.at, size);
-    in.at += size;
-    in.left -= size;
-    return CAIRO_STATUS_SUCCESS;
-  };
-  cairo_surface_t* surface = cairo_image_surface_create_from_png_stream(read, &source);
-  RC_ASSERT(cairo_surface_status(surface) == CAIRO_STATUS_SUCCESS);
-  Pixels out{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
-  const unsigned char* data = cairo_image_surface_get_data(surface);
-  for (int y = 0; y < out.height; ++y) {
-    const unsigned char* row = data + y * cairo_image_surface_get_stride(surface);
-    for (int x = 0; x < out.width; ++x, row += 4) out.all.push_back({row[2], row[1], row[0]});
-  }
-  cairo_surface_destroy(surface);
-  return out;
-}
 
 RunPictureOptions small() {
   RunPictureOptions options;
@@ -88,8 +50,8 @@ TEST_CASE("law: every picture of a run has the size of all, and its bricks stay 
     const RunPictures pictures(Structure(lattice, bricks), red_and_blue(), options);
     const auto count = *rc::gen::inRange<std::size_t>(1, bricks.size() + 1);
     bricks.resize(count);
-    const Pixels alone = pixels_of(pictures.draw(Structure(lattice, {bricks.front()}), ""));
-    const Pixels more = pixels_of(pictures.draw(Structure(lattice, bricks), ""));
+    const PngImage alone = png_image(pictures.draw(Structure(lattice, {bricks.front()}), ""));
+    const PngImage more = png_image(pictures.draw(Structure(lattice, bricks), ""));
     RC_ASSERT(alone.width == 300 && alone.height == 200);
     RC_ASSERT(more.width == 300 && more.height == 200);
     // What is red with others about it is red without them.
@@ -106,7 +68,7 @@ TEST_CASE("going round, the middle stays and nothing leaves the page") {
   options.orbit = true;
   const RunPictures pictures(tower, red_and_blue(), options);
   for (int i = 0; i < 24; ++i) {
-    const Pixels page = pixels_of(pictures.draw(tower, "", 2 * std::numbers::pi * i / 24));
+    const PngImage page = png_image(pictures.draw(tower, "", 2 * std::numbers::pi * i / 24));
     CAPTURE(i);
     CHECK(page.width == 300);
     bool clean = true;
