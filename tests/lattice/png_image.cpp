@@ -25,12 +25,6 @@ const Rgb& PngImage::at(int x, int y) const {
   return pixels.at(static_cast<std::size_t>(y * width + x));
 }
 
-std::vector<bool> PngImage::where(Rgb colour) const {
-  std::vector<bool> out;
-  for (const Rgb& pixel : pixels) out.push_back(pixel == colour);
-  return out;
-}
-
 PngImage png_image(const std::string& png) {
   struct Source {
     const char* at;

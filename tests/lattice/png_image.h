@@ -20,7 +20,6 @@ struct PngImage {
   };
   Spot find(Rgb colour) const;
   const Rgb& at(int x, int y) const;
-  std::vector<bool> where(Rgb colour) const;
 };
 
 /// Throws, which fails a test, where it is no PNG.
