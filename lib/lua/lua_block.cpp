@@ -96,6 +96,7 @@ void open_block(lua_State* state, BlockSide& side) {
   put(state, "time", 0.0);
   side.system = keep_table(state);
   put(state, "system");
+  if (is_of_2019(state)) put_radios_2019(state, side.radios);
   lua_pop(state, 1);
 }
 
@@ -105,6 +106,7 @@ void put_readings(lua_State* state, const BlockSide& side, const BlockReadings& 
   lua_pop(state, 1);
   const std::size_t count = std::min(side.radios.size(), readings.radios.size());
   for (std::size_t i = 0; i < count; ++i) put_received(state, side.radios[i], readings.radios[i]);
+  if (is_of_2019(state)) put_received_2019(state, side.radios);
 }
 
 }  // namespace stig::lua

@@ -47,6 +47,11 @@ int open_all(lua_State* state) {
   open_coroutines(state);
   open_require(state);
   open_vectors(state);
+  if (LuaBox::of(state).program().interface == InterfaceLevel::of_2019) {
+    open_package(state);
+    open_debug(state);
+    open_io(state);
+  }
   return 0;
 }
 

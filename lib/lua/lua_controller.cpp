@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <lua.hpp>
+#include <utility>
 
 #include "lua/lua_box.h"
 #include "lua/lua_callbacks.h"
@@ -122,6 +123,7 @@ struct Host {
 
 struct LuaController::State : Host<RobotSide, RobotReadings, RobotCommands> {
   using Host::Host;
+  bool stepped = false;
 };
 struct LuaBlockController::State : Host<BlockSide, BlockReadings, BlockCommands> {
   using Host::Host;
@@ -139,6 +141,10 @@ ControllerStatus LuaController::init(RobotCommands& commands) {
 }
 ControllerStatus LuaController::step(const RobotReadings& readings, RobotCommands& commands) {
   assert(state_->begun);
+  // ARGoS of 2019 senses between init and the first step, so that programs count on what a camera
+  // sees that init has switched on. Here that takes a tick.
+  const bool first = !std::exchange(state_->stepped, true);
+  if (first && state_->box.program().interface == InterfaceLevel::of_2019) return state_->status;
   // detect_led looks at the camera's LEDs of this step, which are handed to Lua only through it.
   state_->side.readings = &readings;
   auto status = state_->run(step_any<RobotCall>, &readings, commands);

@@ -185,6 +185,11 @@ void push_kept(lua_State* state, int reference) {
 void push_robot(lua_State* state) {
   lua_pushglobaltable(state);
   set_functions(state, {{"print", print}, {"log", log}, {"logerr", log_error}});
+  if (is_of_2019(state)) {
+    lua_getfield(state, -1, "io");
+    set_functions(state, {{"write", log}});
+    lua_pop(state, 1);
+  }
   lua_newtable(state);
   lua_pushvalue(state, -1);
   lua_setfield(state, -3, "robot");

@@ -66,6 +66,13 @@ void open_block(lua_State* state, BlockSide& side);
 void put_readings(lua_State* state, const RobotSide& side, const RobotReadings& readings);
 void put_readings(lua_State* state, const BlockSide& side, const BlockReadings& readings);
 
+// What programs of 2019 find besides, with `robot` on top:
+bool is_of_2019(lua_State* state);
+void open_robot_2019(lua_State* state, const RobotSide& side);
+/// robot.radios, which are the same tables as simple_radios, with what came as rx_data.
+void put_radios_2019(lua_State* state, const std::vector<int>& radios);
+void put_received_2019(lua_State* state, const std::vector<int>& radios);
+
 // What both are made of:
 
 /// Puts the value on top into the table under it.

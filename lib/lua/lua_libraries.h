@@ -23,6 +23,10 @@ void open_math(lua_State* state);        ///< math
 void open_coroutines(lua_State* state);  ///< coroutine
 void open_require(lua_State* state);     ///< require
 void open_vectors(lua_State* state);     ///< vector2, vector3, quaternion
+// Of the interface of 2019:
+void open_package(lua_State* state);  ///< package.path, .cpath, .loaded
+void open_debug(lua_State* state);    ///< debug.getinfo, .traceback; .sethook does nothing
+void open_io(lua_State* state);  ///< io.open, which finds no file; io.read, which reads nothing
 
 using LuaFunction = int (*)(lua_State*);
 struct LuaEntry {

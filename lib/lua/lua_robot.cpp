@@ -110,6 +110,10 @@ void open_robot(lua_State* state, RobotSide& side) {
   side.system = keep_table(state);
   put(state, "system");
   put_description(state, side.model);
+  if (is_of_2019(state)) {
+    open_robot_2019(state, side);
+    if (!side.model.radios.empty()) put_radios_2019(state, side.tables<RadioKind>());
+  }
   lua_pop(state, 1);
 }
 
@@ -119,6 +123,7 @@ void put_readings(lua_State* state, const RobotSide& side, const RobotReadings& 
   put(state, "temperature", readings.temperature);
   lua_pop(state, 1);
   DeviceKinds::each([&](auto kind) { LuaDevice<decltype(kind)>::update(state, side, readings); });
+  if (is_of_2019(state)) put_received_2019(state, side.tables<RadioKind>());
 }
 
 }  // namespace stig::lua

@@ -123,7 +123,7 @@ int push_thing(lua_State* state, ScriptThing thing, const char* function) {
   return 0;
 }
 
-int push(lua_State* state) {
+int push_block(lua_State* state) {
   const ScriptThing thing = named(state, world_of(state), "world.push");
   return push_thing(state, thing, "world.push");
 }
@@ -219,7 +219,7 @@ int open_and_run(lua_State* state) {
                         {"robots", robots},
                         {"robot", robot},
                         {"place", place},
-                        {"push", push},
+                        {"push", push_block},
                         {"halt", halt},
                         {"set_color", set_color},
                         {"push_block", block_push},

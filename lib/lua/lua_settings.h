@@ -30,13 +30,21 @@ struct LuaLimits {
 /// As for robots, but small: there are thousands of blocks.
 LuaLimits block_limits();
 
+/// The generation of the robot's interface that a program was written for. That of 2019 has all of
+/// 2021's and what docs/controllers.md lists besides.
+enum class InterfaceLevel : std::uint8_t { of_2021, of_2019 };
+
 struct LuaProgram {
   std::string path;  ///< as messages say it; `require` looks beside it
   std::string text;
-  /// What `require` finds, by name, without looking for files: a scene's programs bring theirs.
+  /// What `require` finds without looking for files: a scene's programs bring theirs. By name, or,
+  /// for programs of 2019, by the path of the file: see module_path.
   std::vector<std::pair<std::string, std::string>> modules{};
   bool whole = false;  ///< `require` knows `modules` and no files
+  InterfaceLevel interface = InterfaceLevel::of_2021;
 };
+/// The path of the file that a module of the program comes from, by its entry in `modules`.
+std::string module_path(const LuaProgram& program, const std::string& module);
 /// Names that a text's `require 'name'` asks for, as far as they are written out; each once.
 std::vector<std::string> required_names(std::string_view text);
 /// Whether `require` takes the name: letters, digits, _ and -, and a dot after each folder.

@@ -252,9 +252,10 @@ void open_type(lua_State* state, LuaFunction constructor, const LuaEntry (&metho
   luaL_newmetatable(state, Meta<T>::kName);
   lua_pushvalue(state, -1);
   lua_rawsetp(state, LUA_REGISTRYINDEX, &kKey<T>);
-  lua_createtable(state, 0, static_cast<int>(n) + 1);
+  lua_createtable(state, 0, static_cast<int>(n) + 2);
   set_functions(state, methods);
-  set_functions(state, {{"normalize", normalise<T>}});
+  // In ARGoS the metatable is its own __index, so programs call v:__tostring().
+  set_functions(state, {{"normalize", normalise<T>}, {"__tostring", to_text<T>}});
   lua_pushcclosure(state, get<T>, 1);
   lua_setfield(state, -2, "__index");
   set_functions(

@@ -99,6 +99,9 @@ class Changer {
         return;
       case FormKind::anything:
         return put(node, name, "{another: 1}");
+      case FormKind::own:
+        for (const std::string& word : words_) put(node, name, word);
+        return;
       default:
         FAIL("no changes are known for ", name);
     }

@@ -101,6 +101,7 @@ struct Scene {
   std::vector<RobotModel> robot_models;
   std::vector<RobotSpawn> robots;
   std::vector<CacheSpawn> caches;
+  InterfaceLevel interface = InterfaceLevel::of_2021;  ///< that its programs were written for
   std::vector<LuaProgram> programs;
   std::vector<SourceRange> program_keys;        ///< of each, what names it first
   std::vector<std::size_t> block_programs;      ///< in `programs`, one for each of `models`

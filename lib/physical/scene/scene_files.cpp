@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "base/text.h"
 #include "physical/scene/scene_parts.h"
@@ -45,11 +46,60 @@ std::size_t NamedFiles::program_of(const YamlNode& node, const std::string& name
   }
   const SourceRef source = load(node, name);
   if (!source) return RobotSpawn::kNoProgram;
-  LuaProgram program{name, source->text(), {}, true};
-  add_modules(program, program.text);
+  LuaProgram program{name, source->text(), {}, true, scene_.interface};
+  written_.emplace_back();
+  if (scene_.interface == InterfaceLevel::of_2019) {
+    written_.back().add_text(program.text);
+    add_searched(program, written_.back());
+  } else {
+    add_modules(program, program.text);
+  }
   scene_.programs.push_back(std::move(program));
   scene_.program_keys.push_back(document_.head(node));
   return scene_.programs.size() - 1;
+}
+
+void NamedFiles::add_params(std::size_t program, const RobotSpawn& spawn) {
+  if (program == RobotSpawn::kNoProgram || scene_.interface != InterfaceLevel::of_2019) return;
+  for (const auto& [name, value] : spawn.params) {
+    if (const auto* text = std::get_if<std::string>(&value)) written_[program].add_name(*text);
+  }
+  add_searched(scene_.programs[program], written_[program]);
+}
+
+/// The text of a module's file, which comes with the scene; nothing where there is no such file.
+std::optional<std::string> NamedFiles::module_text(const std::string& path) {
+  FileError error;
+  // Not `load`: a file that is missing here is no error.
+  auto text = load_(path, kMostLuaSource, error);
+  if (!text) return std::nullopt;
+  const bool kept = std::any_of(scene_.files.begin(), scene_.files.end(),
+                                [&](const SceneFile& file) { return file.name == path; });
+  if (!kept) scene_.files.push_back({path, *text});
+  return text;
+}
+
+/// Every file that a name written somewhere may stand for, until no file brings new names. All that
+/// exist are taken, not the first alone: which comes first may change while the program runs.
+void NamedFiles::add_searched(LuaProgram& program, WrittenModules& written) {
+  std::set<std::string> tried;
+  for (bool more = true; more;) {
+    more = false;
+    const std::vector<std::string> names = written.names;
+    const std::string templates = written.templates;
+    for (const std::string& name : names) {
+      for (const std::string& path : module_candidates(name, templates, program.path)) {
+        const bool known = std::any_of(program.modules.begin(), program.modules.end(),
+                                       [&](const auto& module) { return module.first == path; });
+        if (known || program.modules.size() == kMostModules || !tried.insert(path).second) continue;
+        const auto text = module_text(path);
+        if (!text) continue;
+        program.modules.emplace_back(path, *text);
+        written.add_text(*text);
+        more = true;
+      }
+    }
+  }
 }
 
 /// What a program requires comes with the scene, so that traces can run it again. A file that
@@ -60,15 +110,8 @@ void NamedFiles::add_modules(LuaProgram& program, const std::string& text) {
     const bool known = std::any_of(program.modules.begin(), program.modules.end(),
                                    [&](const auto& module) { return module.first == name; });
     if (known || program.modules.size() == kMostModules) continue;
-    const std::string path =
-        program.path.substr(0, program.path.rfind('/') + 1) + module_file(name);
-    FileError error;
-    // Not `load`: a file that is missing here is no error.
-    const auto module = load_(path, kMostLuaSource, error);
+    const auto module = module_text(module_path(program, name));
     if (!module) continue;
-    const bool kept = std::any_of(scene_.files.begin(), scene_.files.end(),
-                                  [&](const SceneFile& file) { return file.name == path; });
-    if (!kept) scene_.files.push_back({path, *module});
     program.modules.emplace_back(name, *module);
     add_modules(program, *module);
   }

@@ -4,6 +4,7 @@
 // than a machine has, and so that units mistaken (mm for m) are noticed.
 #include "physical/scene/scene_keys.h"
 
+#include "base/node_checks.h"
 #include "physical/dynamics/world_settings.h"
 #include "physical/scene/scene.h"
 
@@ -229,6 +230,12 @@ const Form& noise_keys() {
   return kKeys;
 }
 
+/// A year, which YAML has for a number.
+bool check_interface(NodeChecks& checks, const YamlNode& node, const FormKey& key) {
+  return checks.check_choice(node, key.name, {"2019", "2021"});
+}
+constexpr ValueKind kInterface{.check = check_interface, .schema = R"({"enum": [2019, 2021]})"};
+
 /// What stands in the scene, and what is done with it.
 std::vector<FormKey> content_keys() {
   return {
@@ -253,6 +260,10 @@ std::vector<FormKey> content_keys() {
       {.name = "block_program",
        .kind = text,
        .doc = "Lua file that every block runs: stigmergic.lua is the paper's."},
+      {.name = "interface",
+       .kind = own,
+       .doc = "Year of the interface that programs were written for (default: 2021).",
+       .own = &kInterface},
       {.name = "script",
        .kind = text,
        .doc = "Lua file of the experiment: on_start, on_step, on_end."},

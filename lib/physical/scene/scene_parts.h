@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/form.h"
+#include "lua/module_search.h"
 #include "physical/scene/scene.h"
 #include "physical/scene/uses.h"
 
@@ -27,15 +28,20 @@ class NamedFiles {
   std::optional<std::size_t> robot_model_of(const YamlNode& key);
   /// Among Scene::programs; RobotSpawn::kNoProgram after an error.
   std::size_t program_of(const YamlNode& node, const std::string& name);
+  /// Brings the modules that a robot's parameters name, of programs of 2019.
+  void add_params(std::size_t program, const RobotSpawn& spawn);
 
  private:
   void add_modules(LuaProgram& program, const std::string& text);
+  void add_searched(LuaProgram& program, WrittenModules& written);
+  std::optional<std::string> module_text(const std::string& path);
 
   const YamlDocument& document_;
   const SceneLoader& load_;
   Diagnostics& out_;
   Scene& scene_;
   std::vector<std::pair<std::string, std::optional<std::size_t>>> models_, robot_models_;
+  std::vector<WrittenModules> written_;  ///< of each of Scene::programs
 };
 
 struct SceneParts {

@@ -19,11 +19,6 @@ namespace {
 
 constexpr std::size_t kMostTries = 200;  ///< of robots' programs, each of a call's instructions
 
-/// The path of a module beside the program.
-std::string module_path(const LuaProgram& program, const std::string& name) {
-  return program.path.substr(0, program.path.rfind('/') + 1) + module_file(name);
-}
-
 /// The program's own file, or that of a module, by what messages call it; null: another.
 SourceRef file_of(const LuaProgram& program, const std::string& name) {
   // Messages shorten long paths to their last part.

@@ -53,6 +53,7 @@ Scene read_parts(const YamlDocument& document, const BadNodes& bad, const SceneL
   scene.duration = root.number("duration", scene.duration);
   scene.stop_asleep = root.form("stop").flag("asleep");
   scene.stop_failed = root.form("stop").flag("failed");
+  if (root.text("interface") == "2019") scene.interface = InterfaceLevel::of_2019;
   read_settings(root, parts);
   read_blocks(root, parts);
   read_robots(root, parts);

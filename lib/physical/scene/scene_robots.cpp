@@ -70,7 +70,10 @@ void read_robot_entry(const FormView& node, const YamlNode* common, SceneParts& 
   if (!path.empty()) {
     spawn.program = parts.files.program_of(program == nullptr ? node.node() : *program, path);
   }
-  if (const YamlNode* params = node.find("params")) read_params(*params, spawn, parts);
+  if (const YamlNode* params = node.find("params")) {
+    read_params(*params, spawn, parts);
+    parts.files.add_params(spawn.program, spawn);
+  }
   add_robots(node, spawn, parts);
 }
 

@@ -80,12 +80,12 @@ template <>
 struct MembersOf<Scene> {
   static auto of(const Scene& o) {
     const auto& [source, title, seed, duration, stop_asleep, stop_failed, settings, magnets,
-                 materials, models, blocks, robot_models, robots, caches, programs, program_keys,
-                 block_programs, script, stock, stock_model, lights, camera_noise, range_noise,
-                 files] = o;
+                 materials, models, blocks, robot_models, robots, caches, interface, programs,
+                 program_keys, block_programs, script, stock, stock_model, lights, camera_noise,
+                 range_noise, files] = o;
     return std::tie(title, seed, duration, stop_asleep, stop_failed, settings, magnets, materials,
-                    models, blocks, robot_models, robots, caches, programs, block_programs, script,
-                    stock, stock_model, lights, camera_noise, range_noise);
+                    models, blocks, robot_models, robots, caches, interface, programs,
+                    block_programs, script, stock, stock_model, lights, camera_noise, range_noise);
   }
 };
 
@@ -127,6 +127,7 @@ caches:
   - {at: [0.1, 0.2, 0.3], radius: 0.3, yaw: 10, jitter: 0.01, turn_jitter: 2, file: block.yaml, stock: 5}
 robot_program: program.lua
 block_program: program.lua
+interface: 2019
 script: program.lua
 stock: 6
 lights: true
@@ -166,8 +167,8 @@ std::string on_lines(const std::vector<std::string>& texts) {
 }  // namespace
 
 TEST_CASE("every key of a scene's file is read, and is on the page of simulations") {
-  const std::vector<std::string> words{"other-block.yaml", "other-robot.yaml", "other.csv",
-                                       "other.lua", "wheel"};
+  const std::vector<std::string> words{
+      "other-block.yaml", "other-robot.yaml", "other.csv", "other.lua", "wheel", "2021"};
   CHECK(on_lines(unread_keys({kScene}, scene_keys(), words, shown_scene)) == "");
   FileError error;
   const auto page = read_file(STIG_SOURCE_DIR "/docs/simulate.md", 1 << 20, error);
