@@ -3,9 +3,3 @@ std = 'lua54'
 max_line_length = false
 read_globals = { 'log', 'logerr', 'vector2', 'vector3', 'quaternion' }
 globals = { 'robot', 'init', 'step', 'reset', 'destroy', 'on_start', 'on_step', 'on_end' }
-
--- In the manner of its time, with modules in globals and callbacks that are defined though empty.
-files["**/library_2019/**/*.lua"] = {
-   globals = {"Say", "api", "package"},
-   read_globals = {"debug"},
-}

@@ -1,4 +1,5 @@
 -- SPDX-License-Identifier: MIT
+-- luacheck: globals Say api package debug
 -- What a step knows of the world, from places as they were told in 2019.
 local api = { speed = tonumber(robot.params.default_speed or 0.01), effector = vector3(0.098, 0, 0.055) }
 local half = vector3(0, 0, -0.0275)

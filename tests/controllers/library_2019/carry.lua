@@ -1,4 +1,5 @@
 -- SPDX-License-Identifier: MIT
+-- luacheck: globals Say api package debug
 -- A program in the manner of the BuilderBot's library of 2019: modules found by package.path, one of
 -- them by a parameter, messages by the file that they come from, nodes of behaviour.
 package.path = package.path .. ';Tools/?.lua'

@@ -1,4 +1,5 @@
 -- SPDX-License-Identifier: MIT
+-- luacheck: globals Say api package debug
 -- Drives blindly onto a block that is straight ahead, takes it and sets its colour by radio.
 local sequence, timer = require('sequence'), require('timer')
 Say.name('pick up')

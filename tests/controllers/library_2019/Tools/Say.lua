@@ -1,4 +1,5 @@
 -- SPDX-License-Identifier: MIT
+-- luacheck: globals Say api package debug
 -- Messages that are switched on and off by the file that they come from.
 local Say = { named = {}, on = {} }
 setmetatable(Say, {
