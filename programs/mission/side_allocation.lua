@@ -99,14 +99,10 @@ function SideAllocation:next_side()
    return all[(here - 1 + self.way_round) % #all + 1]
 end
 
--- The side is the robot's from now on, and its cache is expected to be as far away as the last one.
+-- The side is the robot's from now on, and so is its cache.
 function SideAllocation:take(side)
    local map = self.map
-   map.side = side
-   if map.cache_way then
-      local x, y = self:place_on(map:heading_of(side), map.cache_way)
-      map.cache = { x = x, y = y }
-   end
+   map.side, map.cache = side, map:cache_of(side) or map.cache
 end
 
 -- To the next side. Where somebody works there, back to where it was, and the other way round the next

@@ -18,11 +18,12 @@ local STRAYED = 0.40           -- m, by which the structure is farther off than 
 local TURNED = 0.35            -- rad, likewise
 
 -- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels}.
--- known: {x, y, reach, yaw, origin}: middle and radius of the structure as last seen, the heading
--- that faces it from params.side, and the middle of one cell; nil when it is not known.
--- cache: {x, y}, where the last block came from; cache_way: its distance from the structure's
--- middle. side: index of the side that the robot works from. bearing: of the cache from the structure's
--- middle, against known.yaw; kept when lost. lost: it was known once.
+-- known: {x, y, reach, yaw, origin}: middle and radius of all these bricks, also those out of sight, the
+-- heading that faces the structure from params.side, and the middle of one cell; nil when it is not known.
+-- first: {u, v}, the structure's middle as first seen, in cells: what grows moves `known`, but no cache.
+-- cache: {x, y}, where the last block came from; cache_way: its distance from `first`; caches: by side, where
+-- blocks were found there, in the lattice's frame. side: index of the side that the robot works from.
+-- bearing: of the cache from `first`, against known.yaw; kept when lost. lost: it was known once.
 local StructureMap = {}
 StructureMap.__index = StructureMap
 StructureMap.SIDES = { ['+x'] = 0, ['+y'] = 1, ['-x'] = 2, ['-y'] = 3 }
@@ -32,7 +33,7 @@ local SIDES = StructureMap.SIDES
 -- Knows nothing yet; of the task, `transport`, `sides` and `turns` count here.
 function StructureMap.new(robot, odometry, tracker, task)
    return setmetatable({
-      robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false, bricks = {},
+      robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false, bricks = {}, caches = {},
    }, StructureMap)
 end
 
@@ -55,8 +56,9 @@ function StructureMap:in_memory(anywhere)
    local best, least
    local function is_brick(block) return self:is_brick(block) end
    for _, structure in ipairs(structures.of(self.tracker:blocks(), is_brick, FAR_LINKED)) do
-      local away = apart(home, middle_of(structure))
-      local far = self.known and not anywhere and away > STRAYED
+      local middle = middle_of(structure)
+      local away = apart(home, middle)
+      local far = self.known and not anywhere and self:room_about(middle.x, middle.y) > STRAYED
       if not far and (not best or #structure.blocks > #best.blocks or
                       #structure.blocks == #best.blocks and away < least) then
          best, least = structure, away
@@ -96,20 +98,34 @@ end
 
 function StructureMap:lose()
    self.known, self.side, self.lost, self.cache, self.bricks = nil, nil, true, nil, {}
+   self.first, self.caches = nil, {}
 end
 
 -- Whether it is too far from where it was, or turned too much, for odometry's errors.
 function StructureMap:has_strayed(structure, middle)
    local before = self.known
    return before and not self.task.turns and
-          (apart(before, middle) > STRAYED or
+          (self:room_about(middle.x, middle.y) > STRAYED or
            math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > TURNED)
 end
 
-local function reach_of(structure, middle)
+-- Middle and reach of all bricks that were ever seen. Of those in sight alone the robot would keep a way off
+-- that leads over the others.
+function StructureMap:measure_bricks()
+   local low, high = { u = math.huge, v = math.huge }, { u = -math.huge, v = -math.huge }
+   for _, brick in pairs(self.bricks) do
+      for axis in pairs(low) do
+         low[axis], high[axis] = math.min(low[axis], brick[axis]), math.max(high[axis], brick[axis])
+      end
+   end
+   local middle = { u = (low.u + high.u) / 2, v = (low.v + high.v) / 2 }
    local reach = 0
-   for _, known in ipairs(structure.blocks) do reach = math.max(reach, apart(known, middle)) end
-   return reach + SIDE / 2
+   for _, brick in pairs(self.bricks) do
+      reach = math.max(reach, math.sqrt((brick.u - middle.u) ^ 2 + (brick.v - middle.v) ^ 2))
+   end
+   self.first = self.first or middle
+   self.known.x, self.known.y = geometry.out_of(self:lattice(), SIDE * middle.u, SIDE * middle.v)
+   self.known.reach = SIDE * (reach + 0.5)
 end
 
 -- The middle of one cell, which stays the same for as long as the robot is less than half a cell
@@ -128,11 +144,11 @@ function StructureMap:remember(structure)
    local yaw = self:orientation(structure, middle)
    if not yaw then return false end
    local frame = { x = structure.frame.x, y = structure.frame.y, yaw = yaw }
-   self.known = { x = middle.x, y = middle.y, yaw = wrap(yaw), reach = reach_of(structure, middle),
-                  origin = self:origin_in(frame) }
+   self.known = { yaw = wrap(yaw), origin = self:origin_in(frame) }
    for _, block in ipairs(structure.blocks) do
       self:note_brick(block.x, block.y, geometry.level_of(block.z))
    end
+   self:measure_bricks()
    return true
 end
 
@@ -171,6 +187,28 @@ function StructureMap:room_about(x, y)
    return least
 end
 
+-- The middle of the structure as it was first seen.
+function StructureMap:beginning()
+   local x, y = geometry.out_of(self:lattice(), SIDE * self.first.u, SIDE * self.first.v)
+   return { x = x, y = y }
+end
+
+-- Where blocks come from on the side of this index: where they were found, or as far off as at another side;
+-- nil where none is known.
+function StructureMap:cache_of(index)
+   local own = self.caches[index]
+   if not own and not self.cache_way then return nil end
+   local x, y
+   if own then
+      x, y = geometry.out_of(self:lattice(), own.along, own.left)
+   else
+      local from = self:beginning()
+      from.yaw = self:heading_of(index)
+      x, y = geometry.out_of(from, -self.cache_way, 0)
+   end
+   return { x = x, y = y }
+end
+
 -- The heading of a robot on the side of this index.
 function StructureMap:heading_of(index)
    local first = self.task.turns and 0 or SIDES[self.robot.params.side or self.task.sides[1]]
@@ -184,9 +222,9 @@ function StructureMap:side_name()
    end
 end
 
--- The side among those allowed that the robot is nearest to.
-function StructureMap:nearest_side()
-   local there = angle_to(self.odometry.pose, self.known)
+-- The side among those allowed that a place is nearest to.
+function StructureMap:nearest_side(place)
+   local there = angle_to(place, self.known)
    local best, least
    for _, name in ipairs(self.task.sides) do
       local off = math.abs(wrap(self:heading_of(SIDES[name]) - there))
@@ -244,11 +282,14 @@ end
 function StructureMap:settle()
    self.lost = false
    if self.cache then
-      self.bearing = wrap(angle_to(self.known, self.cache) - self.known.yaw)
-      self.cache_way = apart(self.known, self.cache)
+      local from = self:beginning()
+      self.bearing = wrap(angle_to(from, self.cache) - self.known.yaw)
+      self.cache_way = apart(from, self.cache)
+      local along, left = geometry.into(self:lattice(), self.cache.x, self.cache.y)
+      self.caches[self:nearest_side(self.cache)] = { along = along, left = left }
    end
    if self.side then return false end
-   self.side = self:nearest_side()
+   self.side = self:nearest_side(self.odometry.pose)
    return true
 end
 

@@ -15,6 +15,7 @@ local function main()
    local sides = SideAllocation.new(machine, map, Navigation.new(machine, map), task)
    machine.process:wait(0.4)
    map.known = { x = 0.3, y = 0, reach = 0.03, yaw = 0, origin = { x = 0.3, y = 0 } }
+   map.first = { u = 0, v = 0 }
    map.side, map.cache, map.cache_way = StructureMap.SIDES['+x'], { x = -0.2, y = 0 }, 0.5
    local changed = sides:change()
    machine.process:wait(1)

@@ -97,6 +97,8 @@ case('bricks are remembered where they were seen, until the structure is lost', 
    machine.tracker.tracks = { machine.tracker.tracks[1] }
    map:remember(map:in_memory())
    near('out of sight', map:room_about(-0.3 + SIDE, 0.1275), 0.1, 1e-9)
+   near('the middle of both', map.known.x, -0.3 + SIDE / 2, 1e-9)
+   near('as far as both reach', map.known.reach, SIDE, 1e-9)
    same('its level', map:had_brick(-0.3 + SIDE, 0, 0), true)
    same('no other', map:had_brick(-0.3 + SIDE, 0, 1), false)
    map:note_brick(-0.3 + SIDE, 0.01, 1)
@@ -104,6 +106,31 @@ case('bricks are remembered where they were seen, until the structure is lost', 
    map:lose()
    same('nor known any more', map:had_brick(-0.3 + SIDE, 0, 1), false)
    same('lost', map:room_about(-0.3, 0), math.huge)
+end)
+
+case('a cache is where blocks were found, or as far from the beginning as another, whatever has grown', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task, { side = '+x' })
+   local function knows_cache(x, y)
+      map.cache = { x = x, y = y }
+      map:remember(map:in_memory())
+      map:settle()
+   end
+   same('none yet', map:cache_of(0), nil)
+   knows_cache(0.2, 0)
+   local sides = SideAllocation.new(machine, map, nil, task)
+   -- an arm has grown towards the robot
+   for i = 1, 2 do map:note_brick(-0.3 + i * SIDE, 0, 0) end
+   map:remember(map:in_memory())
+   near('the middle has moved', map.known.x, -0.3 + SIDE, 1e-9)
+   sides:take(StructureMap.SIDES['+y'])
+   near('beside the beginning', map.cache.x, -0.3, 1e-9)
+   near('as far off', math.abs(map.cache.y), 0.5, 1e-9)
+   knows_cache(-0.28, map.cache.y)
+   sides:take(StructureMap.SIDES['+x'])
+   near('the first again', map.cache.x, 0.2, 1e-9)
+   sides:take(StructureMap.SIDES['+y'])
+   near('where the second was found', map.cache.x, -0.28, 1e-9)
 end)
 
 case('sides that a robot is bound to', function()
