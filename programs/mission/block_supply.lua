@@ -10,6 +10,7 @@ local FIRST_LOOK = 2.5         -- s, for one at blocks not seen before
 local FRESH = 1                -- s, in which a block in sight was seen
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
+local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
 local LINKED = 1.25 * geometry.SIDE
 local LOOKS = 3                -- at the cache, with waits between
 
@@ -78,9 +79,9 @@ function BlockSupply:search_block()
    local function is_unused(known) return self:is_unused(known) end
    self.block = self:look_at_caches()
    if self.block then return 'found' end
-   -- elsewhere it would be in others' way
+   -- elsewhere it would be in others' way; as long as it knows no cache, that may be some way ahead
    if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
-      self.block = not map.cache and search:look_about(is_unused) or nil
+      self.block = not map.cache and search:find(is_unused, LEGS_AHEAD, self:wander()) or nil
       if not self.block then self.process:wait(5 + 10 * math.random()) end
       return self.block and 'found' or 'none'
    end

@@ -342,6 +342,22 @@ case('a robot that finds nothing to do among others looks beyond the rows that i
    same('alone', work:choose_row(), 'none')
 end)
 
+case('a robot that is bound to a side finds a cache that it does not see from where it begins', function()
+   for _, params in ipairs { { side = '+x', sides = '+x' }, { side = '+x' } } do
+      local fake = FakeRobot.new { { x = 0.62, y = 0.02 } }
+      fake.robot.params = params
+      local supply = Builder.new(fake.robot, CHART, { sides = { '+x', '-x' }, transport = 4, delay = 30 }).supply
+      local machine, found = supply.machine, nil
+      machine:start(function() found = supply:search_block() end)
+      for _ = 1, 1000 do
+         if not machine:step() then break end
+         fake:step()
+      end
+      same('found', found, 'found')
+      near('there', supply.block and supply.block.x, 0.62, 0.01)
+   end
+end)
+
 case('each state of the chart is something that a part does', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 })
    for does, part in pairs(Builder.BEHAVIOURS) do
