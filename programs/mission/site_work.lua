@@ -5,11 +5,11 @@
 local geometry = require 'common.geometry'
 local Column = require 'mission.column'
 local Navigation = require 'motion.navigation'
-local UnexplainedReturns = require 'perception.unexplained_returns'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
 local PEEK_FROM, PEEK = 0.17, 0.8  -- m from a site, rad to each side
+local PEEK_RIM = 0.05          -- m/s, of that turn: a robot stands across several measurements
 local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
 local PEEK_TIME = 0.6          -- s
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
@@ -240,8 +240,8 @@ function SiteWork:sees_others_work(line)
    local busy = self.process:wait_until(held, PEEK_TIME)
    for _, angle in ipairs { -PEEK, PEEK, 0 } do
       local turn = geometry.wrap(line.yaw + angle - self.odometry.pose.yaw)
-      if not busy and not returns:sweeps(turn) then
-         self.path:turn_to(line.yaw + angle, UnexplainedReturns.LOOK_RIM)
+      if not busy and not returns:sweeps(turn, self.lift:height()) then
+         self.path:turn_to(line.yaw + angle, PEEK_RIM)
       end
       busy = busy or held()
    end

@@ -67,11 +67,23 @@ function UnexplainedReturns:near(x, y, within, since)
    return out
 end
 
--- Whether a turn on the spot by `angle` (left when positive) would hit something.
-function UnexplainedReturns:sweeps(angle)
+-- Whether a point is on a known column that ends below a height.
+function UnexplainedReturns:is_below(point, height)
+   local top
+   for _, known in ipairs(self.tracker.tracks) do
+      if (known.x - point.x) ^ 2 + (known.y - point.y) ^ 2 < OF_BLOCK ^ 2 then
+         top = math.max(top or 0, known.z + geometry.HALF)
+      end
+   end
+   return top ~= nil and top < height
+end
+
+-- Whether a turn on the spot by `angle` (left when positive) would hit something; `over`: the height of what the
+-- effector carries, which passes over lower columns.
+function UnexplainedReturns:sweeps(angle, over)
    for _, point in pairs(self.points) do
       local x, y = geometry.into(self.odometry.pose, point.x, point.y)
-      if self.sweep:touches(x, y, angle, SPARE) then return true end
+      if self.sweep:touches(x, y, angle, SPARE) and not (over and self:is_below(point, over)) then return true end
    end
    return false
 end

@@ -204,6 +204,13 @@ case('a return is unexplained where no block is known, and gone when it is seen 
    same('not as far', p.returns:sweeps(0.7), false)
    same('to the right', p.returns:sweeps(-0.5), false)
    same('its back, farther', p.returns:sweeps(-1.3), true)
+   p.tracker.tracks = { { x = 0.03, y = 0.09, z = 0.0275 } }
+   same('a block is in the way', p.returns:sweeps(1.3), true)
+   same('but not of what is carried over it', p.returns:sweeps(1.3, 0.07), false)
+   table.insert(p.tracker.tracks, { x = 0.03, y = 0.09, z = 0.0825 })
+   same('nor over one on it', p.returns:sweeps(1.3, 0.07), true)
+   p.tracker.tracks = {}
+   same('nor over what is no block', p.returns:sweeps(1.3, 0.07), true)
    p.robot.rangefinders['1'].proximity = 0.2
    p.step()
    same('gone', #p.returns:near(0.075, 0, 0.01, 0), 0)
