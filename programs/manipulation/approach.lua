@@ -21,6 +21,7 @@ local structures = require 'perception.structures'
 local SIDE = geometry.SIDE
 local ATTEMPTS = 4
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
+local LOOSE_STAND_OFF = 0.24   -- m, likewise from one that is loose: at 0.30 robots of adjoining sides meet at a corner
 local NEARER = 0.02            -- m, by which it begins nearer where there is no room, down to NEAREST_TURN
 local SPARE = 0.015            -- m, about what a turn sweeps
 local FARTHER = 0.02           -- m, by which it begins farther off after each attempt
@@ -126,9 +127,10 @@ end
 -- How far from a block, on a line to it, its approach begins, m, and how much room there is about the robot that
 -- turns there, m, or more than it takes.
 function Approach:stand_off_on(line, run)
-   local farthest = STAND_OFF + FARTHER * (run.attempt - 1)
+   local begin = run.target.apart and LOOSE_STAND_OFF or STAND_OFF
+   local farthest = begin + FARTHER * (run.attempt - 1)
    local needed, best, most = self.sweep.reach + SPARE, farthest, -math.huge
-   for nearer = 0, farthest - NEAREST_TURN, NEARER do
+   for nearer = 0, farthest - NEAREST_TURN + 1e-9, NEARER do
       local room = not run.target.apart and needed or
                    self.clearance.room(self.odometry:pivot_on(line, nearer - farthest))
       if room > most then best, most = farthest - nearer, room end

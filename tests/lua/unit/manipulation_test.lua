@@ -73,19 +73,20 @@ case('an approach begins where there is room to turn', function()
    local block = { x = 0.5, y = 0.02, yaw = 0 }
    local run = { target = { apart = true }, attempt = 1 }
    local ahead = { x = 0.5, y = 0.02, yaw = 0 }
-   near('with nothing about', approach:stand_off_on(ahead, run), 0.30)
+   near('with nothing about', approach:stand_off_on(ahead, run), 0.24, 1e-9)
    near('straight on', approach:heading_to(block, run), 0)
    -- a wall on this side of the block, out of the way of the nearest place to turn alone
    local pivot = machine.odometry.ahead
-   local wall = 0.5 - 0.26 + pivot - needed
+   local wall = 0.5 - 0.22 + pivot - needed
    machine.clearance.room = function(x) return x - wall end
-   near('nearer', approach:stand_off_on(ahead, run), 0.26, 1e-9)
+   near('nearer', approach:stand_off_on(ahead, run), 0.22, 1e-9)
    near('still straight on', approach:heading_to(block, run), 0)
    machine.clearance.room = function(x) return x - wall - 0.06 end
    near('from the side', math.abs(approach:heading_to(block, run)), math.pi / 2)
    -- a block of the structure is come to from where its site asks for
    run.target.apart = nil
    near('a brick', approach:heading_to(block, run), 0)
+   near('from farther off', approach:stand_off_on(ahead, run), 0.30, 1e-9)
    run.target.apart, machine.clearance.room = true, function() return 0.05 end
    near('where there is room nowhere', approach:heading_to(block, run), 0)
 end)
