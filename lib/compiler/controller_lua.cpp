@@ -138,6 +138,8 @@ class Printer {
                     led_number(rules_, p.colour));
     if (kind_of(p) != PlacementKind::raise) text += fmt::format(", level = {}", p.at.z);
     if (p.at.dv != 0) text += fmt::format(", left = {}", p.at.dv);
+    // Its number by which the robot tells those who watch what it has decided.
+    text += fmt::format(", branch = {}", ++branches_);
     // A leaf may stand for several rules; each is named, and both its comment and its
     // return are mapped.
     const std::vector<std::uint32_t> names = rules_of(compiled_, one);
@@ -162,6 +164,7 @@ class Printer {
   const CompiledRules& compiled_;
   ControllerText out_;
   std::size_t lines_ = 0;
+  int branches_ = 0;
 };
 
 void print_chart(Printer& out, const Chart& chart) {

@@ -67,6 +67,7 @@ function Builder:follow_chart()
    local chart, state = self.chart, self.chart.first
    while true do
       self.process:enter(state)
+      self.record:tell('chart', state)
       local does = chart[state].does
       local part = self[Builder.BEHAVIOURS[does]]
       local event = part[does](part)

@@ -27,7 +27,7 @@ end
 
 -- bricks and empty by "u v level", cells as rows are counted, since the row's front may be found to be another
 -- in the midst of a look: the block there; how often it would have been seen. watched: {du, dv, level} of cells
--- that are counted as empty where no brick is seen.
+-- that are counted as empty where no brick is seen. told: what the last decision was told, in words.
 local Column = {}
 Column.__index = Column
 
@@ -135,13 +135,25 @@ function Column:down_from(highest)
    return out
 end
 
+-- A cell, as a decision asks for it, noted once for those who watch.
+function Column:answer(du, dv, level)
+   local is = self:cell(du, dv, level)
+   local text = string.format('%d, %d, %d: %s', du, dv, level, is or 'not seen')
+   for _, known in ipairs(self.told) do
+      if known == text then return is end
+   end
+   table.insert(self.told, text)
+   return is
+end
+
 -- What the rules want here, for the task's decision: {what, colour, level, left, rule} with top, feet
 -- (what the place is next to) and aside, or nil. The second result says whether the column's top was seen.
 function Column:decide()
    local top = self:top()
+   self.told = { top and string.format('top Q%d, level %d', top.colour, top.level) or 'top not seen' }
    local wish = self.task.decide {
       top_colour = top and top.colour, top_level = top and top.level, side = self.map:side_name(),
-      cell = function(du, dv, level) return self:cell(du, dv, level) end,
+      cell = function(du, dv, level) return self:answer(du, dv, level) end,
    }
    if not wish then return nil, top ~= nil end
    wish.top = self:highest()

@@ -1,6 +1,7 @@
 -- SPDX-License-Identifier: MIT
 -- What a robot that builds counts, and shows to those who watch: bricks placed, attempts aborted, and
--- those of them for which another robot was in the way (busy).
+-- those of them for which another robot was in the way (busy). They also see the chart's state (chart), and of
+-- each decision the branch that was taken (branch) and what it was told (told).
 
 local Record = {}
 Record.__index = Record
@@ -13,6 +14,11 @@ end
 
 function Record:show(name)
    if self.robot.show then self.robot.show.number(name, self[name]) end
+end
+
+-- A word for those who watch alone.
+function Record:tell(name, text)
+   if self.robot.show then self.robot.show.text(name, text) end
 end
 
 function Record:tally(name)

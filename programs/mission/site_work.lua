@@ -211,6 +211,8 @@ function SiteWork:look()
       return 'unseen'
    end
    local wish, top_seen = column:decide()
+   self.record:tell('branch', tostring(wish and wish.branch or 'none'))
+   self.record:tell('told', table.concat(column.told, '; '))
    self.wish = wish
    if wish then return 'decided' end
    if chosen.flank then return 'nothing' end

@@ -59,18 +59,21 @@ test('the pane has the chart with the state, and the way into it', async () => {
   await close();
 });
 
-test('the pane has the decisions, with the branch of the brick that comes next', async () => {
+test('the pane has the decisions, with the branch that the robot took', async () => {
   const {page, close} = await open('out.html');
   await set(page, {time: 1});
   assert.equal(await page.locator('.decides .taken').count(), 0);
-  // The first is put upon the brick of the start, from which the robot has looked up by then.
-  const decided = await setsOut(page);
-  assert.ok(decided < await firstShown(page, '"placed":1'));
-  await set(page, {time: decided - 0.1});
+  assert.match(await page.locator('.pane').innerText(), /nothing decided so far/);
+  // The first is put upon the brick of the start; the program says so before it sets out.
+  const decided = await firstShown(page, '"branch"');
+  assert.ok(decided <= await setsOut(page) && decided < await firstShown(page, '"placed":1'));
+  await set(page, {time: decided - 0.01});
   assert.equal(await page.locator('.decides .taken').count(), 0);
   await set(page, {time: decided + 0.01});
   const taken = await page.locator('.decides .taken').allInnerTexts();
-  assert.deepEqual(taken.map(line => line.trim()), ["return { what = 'raise', colour = 3 }"]);
+  assert.deepEqual(taken.map(line => line.trim()),
+                   ["return { what = 'raise', colour = 3, branch = 3 }"]);
+  assert.match(await page.locator('.pane').innerText(), /branch 3; told: top Q3, level 0/);
   await close();
 });
 

@@ -170,6 +170,7 @@ case('what a column shows', function()
    same('both', #column:down_from(1), 2)
    same('nobody beside', wish.aside, 0)
    same('seen', seen, true)
+   same('told', table.concat(column.told, '; '), 'top Q2, level 1')
    -- one to the left of the site: a little off to the right
    column.bricks['1 1 0'] = { colour = 1 }
    same('aside', select(1, column:decide()).aside, -1)
@@ -180,6 +181,23 @@ case('what a column shows', function()
    same('both sides', select(1, column:decide()).aside, 0)
    column.bricks = { ['0 0 0'] = column.bricks['0 0 0'], ['0 0 1'] = column.bricks['0 0 1'] }
    same('the other side', select(1, column:decide()).aside, 1)
+end)
+
+case('what a decision asks for is noted once each, with the answer', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 2, asks = {} }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local _, row = next(map:rows())
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, row)
+   for _ = 1, 3 do column:count_empty(column:key(1, 0, 0)) end
+   local answers = {}
+   task.decide = function(seen)
+      for _, dv in ipairs({ 0, 1, 0 }) do table.insert(answers, seen.cell(1, dv, 0) or 'nil') end
+   end
+   same('nothing', column:decide(), nil)
+   same('answers', table.concat(answers, ' '), 'empty nil empty')
+   same('told', table.concat(column.told, '; '), 'top not seen; 1, 0, 0: empty; 1, 1, 0: not seen')
 end)
 
 -- As the front of a row that was known too coarsely before it.
@@ -378,14 +396,16 @@ end)
 
 case('a column of two with one in front is built', function()
    local function decide(column)
-      if column.top_level == 0 and column.top_colour == 3 then return { what = 'raise', colour = 2 } end
-      if column.top_level == 1 then return { what = 'extend', colour = 1, level = 0 } end
+      if column.top_level == 0 and column.top_colour == 3 then return { what = 'raise', colour = 2, branch = 1 } end
+      if column.top_level == 1 then return { what = 'extend', colour = 1, level = 0, branch = 2 } end
    end
    local task = {
       decide = decide, asks = {}, sides = { '+x' }, turns = false, levels = 2, transport = 4, delay = 0,
       looks = { { distance = 0.200, lift = 0.0822 }, { distance = 0.140, lift = 0.1360 } },
    }
    local fake = FakeRobot.new { { x = -0.20, y = 0, colour = 3 }, { x = 0.35, y = 0.02, yaw = 0.4 } }
+   local shown = { chart = {}, branch = {}, told = {}, state = {} }
+   fake.robot.show = { number = function() end, text = function(name, text) table.insert(shown[name], text) end }
    local builder = Builder.new(fake.robot, CHART, task)
    for _ = 1, 5000 do
       builder:step()
@@ -396,6 +416,10 @@ case('a column of two with one in front is built', function()
    end
    same('placed', builder.record.placed, 2)
    same('aborted', builder.record.aborted, 0)
+   same('branches', table.concat(shown.branch, ' '), '1 2')
+   same('told', table.concat(shown.told, ' '), 'top Q3, level 0 top Q2, level 1')
+   same('first in the chart', shown.chart[1], CHART.first)
+   same('last in the chart', shown.chart[#shown.chart], 'attach')
    local second, third = fake.blocks[2], fake.blocks[3]
    same('level', second.level, 1)
    same('colour', second.colour, 2)

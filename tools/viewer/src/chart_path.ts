@@ -1,20 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Where a robot is in its chart. A program shows one state a control step, the finest: within a
-// behaviour others of its parts are shown in place of the chart's. What these belong to is known of
-// the library's behaviours (programs/mission).
-import type {ChartState} from './devices.js';
+// Where a robot is in its chart, as its program tells it: its state in the chart, and, within a
+// behaviour, what that is at.
 import type {ShownRows} from './shown_values.js';
-
-/** What behaviours show besides the state of the chart. */
-const kWithin: Record<string, readonly string[]> = {
-  search_block: ['search'],
-  approach_block: ['approach', 'reach', 'back off', 'contact'],
-  pick_up: ['pull'],
-  search_structure: ['search'],
-  find_cache: ['search'],
-  approach_site: ['approach', 'reach', 'back off'],
-  attach: ['slide in', 'release', 'reverse'],
-};
 
 export interface ChartStep {
   time: number;
@@ -25,35 +12,17 @@ export interface ChartStep {
   shown: string;
 }
 
-/** The way to the nearest state in which something is shown: states after `from`. */
-function wayTo(chart: readonly ChartState[], from: string, shown: string): string[] {
-  const fits = ({state, does}: ChartState): boolean =>
-    state === shown || (kWithin[does] ?? []).includes(shown);
-  const ways: string[][] = [[from]], seen = new Set<string>();
-  // The list grows while it is gone through.
-  for (const way of ways) {
-    const last = way.at(-1);
-    const here = chart.find(({state}) => state === last);
-    if (!here || seen.has(here.state)) continue;
-    seen.add(here.state);
-    if (fits(here)) return way.slice(1);
-    for (const [, next] of here.to) ways.push([...way, next]);
-  }
-  return [];
-}
-
-/** All that a program showed, as steps through its chart; empty without one. */
-export function chartPath(chart: readonly ChartState[], {times, rows}: ShownRows): ChartStep[] {
+/** All that a program showed, as steps through its chart; empty of one that tells of none. */
+export function chartPath({times, rows}: ShownRows): ChartStep[] {
   const out: ChartStep[] = [];
-  if (chart.length === 0) return out;
-  let now = chart[0].state, before: string | null = null;
   rows.forEach((row, i) => {
-    const shown = row.find(([name]) => name === 'state')?.[1];
-    if (shown === undefined || shown === out.at(-1)?.shown) return;
-    const known = chart.some(({state}) => state === shown);
-    const way = known ? [shown].filter(state => state !== now) : wayTo(chart, now, shown);
-    for (const state of way) [before, now] = [now, state];
-    out.push({time: times[i], state: now, before, shown});
+    const state = row.find(([name]) => name === 'chart')?.[1];
+    if (state === undefined) return;
+    const shown = row.find(([name]) => name === 'state')?.[1] ?? state;
+    const last = out.at(-1);
+    if (last?.state === state && last.shown === shown) return;
+    const before = last?.state === state ? last.before : last?.state ?? null;
+    out.push({time: times[i], state, before, shown});
   });
   return out;
 }

@@ -4,7 +4,7 @@
 import {factTable} from './brick_story.js';
 import {showSeen} from './camera_picture.js';
 import {chartPath, stepAt, type ChartStep} from './chart_path.js';
-import {branchOf, decidedBy, placementsOf} from './decision.js';
+import {decidedBy, decisionsOf, lineOf, type Decision} from './decision.js';
 import type {ChartState, Program} from './devices.js';
 import {element} from './elements.js';
 import {drawing, plot} from './plot.js';
@@ -14,6 +14,7 @@ import {standingRows} from './shown_values.js';
 import type {ViewState} from './view_state.js';
 
 const kLinesShown = 30;  // of a log
+const kUntold = 'Its program tells of none, as those compiled by earlier versions.';
 const kUnrecorded = 'This trace has none: it takes stigc simulate or validate --trace-detail.';
 
 /** A part of the pane: what it looks like, and what it does as time passes. */
@@ -47,20 +48,18 @@ function chartPart(chart: readonly ChartState[], path: readonly ChartStep[]): Pa
 }
 
 /** The decisions, and the branch that was taken last. */
-function decisionPart(run: PoseRun, robot: number, {decides}: Program, series: readonly Series[],
-                      path: readonly ChartStep[]): Part {
+function decisionPart({decides}: Program, decisions: readonly Decision[]): Part {
   const lines = decides.text.split('\n').map(text => element('span', {class: 'line', text}));
-  const placements = placementsOf(run, robot, series);
   const about = element('p', {class: 'hint'});
+  const none = decisions.length > 0 ? 'nothing decided so far' : kUntold;
   const show = (time: number): void => {
-    const done = decidedBy(placements, path, time);
-    const taken = done ? branchOf(decides.text, done) : [];
-    lines.forEach((line, i) => line.classList.toggle('taken', taken.includes(i)));
-    about.textContent = done
-        ? `decided: Q${done.colour} at level ${done.level}, put down by ${done.time.toFixed(1)} s`
-        : 'nothing put down so far';
+    const now = decidedBy(decisions, time);
+    const taken = now ? lineOf(decides.text, now.branch) : -1;
+    lines.forEach((line, i) => line.classList.toggle('taken', i === taken));
+    const what = taken < 0 ? 'nothing to do here' : `branch ${now?.branch}`;
+    about.textContent = now ? `at ${now.time.toFixed(1)} s: ${what}; told: ${now.told}` : none;
   };
-  return {parts: [element('h3', {text: 'Decision: as the next brick put down tells it'}), about,
+  return {parts: [element('h3', {text: 'Decision: the branch taken last'}), about,
                   element('pre', {class: 'decides'}, ...lines)], show};
 }
 
@@ -126,10 +125,9 @@ export function robotPane(run: PoseRun, robot: number, state: ViewState):
   const shown = standingRows(run.show.get(bodies[0]) ?? {times: [], texts: []});
   const program = run.devices.programs.find((_, i) => i === devices?.program);
   const list: Part[] = [];
-  const path = chartPath(program?.chart ?? [], shown);
-  if (program && program.chart.length > 0) list.push(chartPart(program.chart, path));
+  if (program && program.chart.length > 0) list.push(chartPart(program.chart, chartPath(shown)));
   if (program && program.decides.text !== '') {
-    list.push(decisionPart(run, robot, program, series, path));
+    list.push(decisionPart(program, decisionsOf(run.show.get(bodies[0]))));
   }
   if (run.senses.has(bodies[0])) {
     list.push(cameraPart(run, robot), radioPart(run, robot));
