@@ -152,6 +152,8 @@ void add_pose_run(const PoseTrace& trace, const std::string& name, PageContent& 
        {"show", values_json(trace, "show", columns)},
        {"senses", values_json(trace, "senses", columns)},
        {"magnets", values_json(trace, "magnets", columns)},
+       {"contacts", values_json(trace, "contacts", columns)},
+       {"pulls", values_json(trace, "pulls", columns)},
        {"devices", devices_json(trace)}});
 }
 

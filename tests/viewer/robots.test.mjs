@@ -77,6 +77,31 @@ test('the pane has the decisions, with the branch that the robot took', async ()
   await close();
 });
 
+test('forces are drawn to a scale that the legend tells', async () => {
+  const {page, close} = await open('out.html');
+  await set(page, {time: 1});
+  assert.ok(await page.locator('.forces').isHidden());
+  await page.keyboard.press('7');
+  await still(page);
+  assert.match(await page.locator('.forces').innerText(), /of contacts; 10 cm are [0-9.]+ N\s+of magnets/);
+  // Contacts of the robot's wheels with the floor: upward, together its weight by the legend.
+  const {sum, arrows} = await page.evaluate(() => {
+    const {run, marks} = window.stigView.views[0];
+    const own = new Set(run.robots[0].bodies);
+    let up = 0;
+    for (const [body, {times, texts}] of run.contacts) {
+      const at = times.filter(time => time <= 1).length - 1;
+      for (const row of own.has(body) ? JSON.parse(texts[at]) : []) if (row[0] < 0) up += row[6] / 100;
+    }
+    return {sum: up, arrows: marks.within.geometry.getAttribute('position').count};
+  });
+  assert.ok(sum > 3 && sum < 30, `weight of a robot: ${sum} N`);
+  assert.ok(arrows >= 5 * 2 * 4, `a shaft and four lines of a head, four wheels: ${arrows}`);
+  await page.keyboard.press('7');
+  assert.ok(await page.locator('.forces').isHidden());
+  await close();
+});
+
 test('the pane has what the camera makes out, sensors over time, radio and log', async () => {
   const {page, close} = await open('out.html');
   await set(page, {time: await sees(page)});
@@ -177,7 +202,7 @@ test('a link leads to the same robot and the same marks', async () => {
 test('a trace without details shows what it has, and says what it has not', async () => {
   const {page, close} = await open('plain.html', {width: 390, height: 780, dark: true});
   assert.match(await page.locator('.pane').innerText(), /--trace-detail/);
-  assert.equal(await page.locator('.marks .never').count(), 3);
+  assert.equal(await page.locator('.marks .never').count(), 4);
   await page.keyboard.press('u');
   await until(page, () => window.stigView.views[0].marks.object.visible);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);

@@ -65,6 +65,13 @@ struct StepResult {
   BodyId body{};
 };
 
+/// What one body does to another where they touch.
+struct ContactForce {
+  BodyId a{}, b = kFloorId;
+  Vec3 force;  ///< on a, N, mean of a step; friction included. On b acts the opposite
+  Vec3 p_W;    ///< m: middle of the points, weighed by how hard they push
+};
+
 /// Bodies that come into a world that runs, with the joints among them: numbers in `joints`
 /// are places in `bodies`.
 struct Addition {
@@ -129,6 +136,11 @@ class World {
   /// The events of the last step, in a fixed order: wakings, contacts by body, snaps by
   /// body, sleepers, leavers.
   const std::vector<WorldEvent>& events() const;
+  /// Contacts that push, sorted by bodies: those of the last step, and those among sleepers as they
+  /// were when they fell asleep. With SolverKind::stock, which keeps none: nothing.
+  std::vector<ContactForce> contact_forces() const;
+  /// What magnets do to each body as all stand now, N, by number: costs a good part of a step.
+  std::vector<Vec3> magnet_forces() const;
   /// Kinetic (with that of integrated spheres), of gravity and of magnets, J. For tests and
   /// measures: costs a step.
   double energy() const;

@@ -118,6 +118,27 @@ void spin_magnets(WorldState& world, const std::vector<Vec3>& torques) {
   }
 }
 
+/// All magnets where their bodies are now, and all pairs within the cut-off, whoever is asleep.
+/// Copies, since asking must not change the state.
+struct StandingMagnets {
+  std::vector<Magnet> magnets;
+  std::vector<MagnetPair> pairs;
+};
+StandingMagnets standing_magnets(const WorldState& world) {
+  std::vector<MagnetOwner> owners = world.owners;
+  for (MagnetOwner& owner : owners) owner.awake = true;
+  StandingMagnets out{world.magnets, {}};
+  for (std::uint32_t k = 0; k < out.magnets.size(); ++k) {
+    Magnet& magnet = out.magnets[k];
+    const Body& body = world.bodies[magnet.owner];
+    magnet.p_W = body.p + body.r * world.magnet_places[k];
+    if (!magnet.free) magnet.direction = body.r * def_of(world, k).direction;
+    owners[magnet.owner].centre = body.p;
+  }
+  out.pairs = magnet_pairs(out.magnets, owners, world.magnet_radius, world.config.magnet_cutoff);
+  return out;
+}
+
 }  // namespace
 
 void add_magnet_forces(WorldState& world) {
@@ -164,25 +185,30 @@ void wake_magnet_partners(WorldState& world, std::uint32_t body) {
 }
 
 double magnet_energy(const WorldState& world) {
-  // Copies, since asking must not change the state.
-  std::vector<MagnetOwner> owners = world.owners;
-  for (MagnetOwner& owner : owners) owner.awake = true;
-  std::vector<Magnet> magnets = world.magnets;
+  const StandingMagnets now = standing_magnets(world);
   double energy = 0;
-  for (std::uint32_t k = 0; k < magnets.size(); ++k) {
-    Magnet& magnet = magnets[k];
-    const Body& body = world.bodies[magnet.owner];
-    magnet.p_W = body.p + body.r * world.magnet_places[k];
-    if (!magnet.free) magnet.direction = body.r * def_of(world, k).direction;
-    owners[magnet.owner].centre = body.p;
-    energy += def_of(world, k).inertia * squared(magnet.spin) / 2;
+  for (std::uint32_t k = 0; k < now.magnets.size(); ++k) {
+    energy += def_of(world, k).inertia * squared(now.magnets[k].spin) / 2;
   }
-  for (const MagnetPair& pair :
-       magnet_pairs(magnets, owners, world.magnet_radius, world.config.magnet_cutoff)) {
-    const Magnet &m0 = magnets[pair.i], &m1 = magnets[pair.j];
+  for (const MagnetPair& pair : now.pairs) {
+    const Magnet &m0 = now.magnets[pair.i], &m1 = now.magnets[pair.j];
     energy += dipole_energy(m0.direction * m0.moment, m1.direction * m1.moment, pair.r);
   }
   return energy;
+}
+
+std::vector<Vec3> magnet_forces(const WorldState& world) {
+  StandingMagnets now = standing_magnets(world);
+  std::vector<Vec3> out(world.bodies.size());
+  for (MagnetPair& pair : now.pairs) {
+    keep_apart(pair, world.config.magnet_contact);
+    const Magnet &m0 = now.magnets[pair.i], &m1 = now.magnets[pair.j];
+    const DipoleWrench wrench =
+        dipole_wrench(m0.direction * m0.moment, m1.direction * m1.moment, pair.r);
+    out[m0.owner] += wrench.force;
+    out[m1.owner] -= wrench.force;
+  }
+  return out;
 }
 
 }  // namespace stig::physics

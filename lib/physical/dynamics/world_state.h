@@ -130,6 +130,8 @@ void put_to_sleep(WorldState& world);
 
 /// The energy of the fields and of integrated spheres that spin, J.
 double magnet_energy(const WorldState& world);
+/// See World.
+std::vector<Vec3> magnet_forces(const WorldState& world);
 double friction_of(const WorldConfig& config, Material a, Material b);
 
 std::string write_checkpoint(const WorldState& world);

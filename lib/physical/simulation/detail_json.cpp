@@ -37,6 +37,15 @@ Json camera_json(const CameraReading& camera) {
   return out;
 }
 
+constexpr double kPlaces = 1e4;  ///< of a metre
+constexpr double kForces = 100;  ///< of a newton
+
+void put_whole(Json& out, const Vec3& v, double parts) {
+  for (const double part : {v.x, v.y, v.z}) {
+    out.push_back(static_cast<std::int64_t>(std::llround(part * parts)));
+  }
+}
+
 /// Writes every message of every radio, with the radio's number.
 void put_messages(Json& out, const char* name, const std::vector<std::vector<Message>>& radios) {
   for (std::size_t i = 0; i < radios.size(); ++i) {
@@ -75,6 +84,24 @@ std::string magnets_json(const World& world, BodyId body, std::size_t magnets) {
       out.push_back(static_cast<int>(std::lround(part * 100)));
     }
   }
+  return out.dump();
+}
+
+std::string contacts_json(std::span<const ContactForce> contacts) {
+  Json out = Json::array();
+  for (const ContactForce& one : contacts) {
+    Json row = Json::array();
+    row.push_back(one.b == kFloorId ? -1 : static_cast<std::int64_t>(one.b));
+    put_whole(row, one.p_W, kPlaces);
+    put_whole(row, one.force, kForces);
+    out.push_back(std::move(row));
+  }
+  return out.dump();
+}
+
+std::string force_json(const Vec3& force) {
+  Json out = Json::array();
+  put_whole(out, force, kForces);
   return out.dump();
 }
 

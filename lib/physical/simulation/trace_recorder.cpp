@@ -14,8 +14,9 @@ namespace stig::physics {
 
 namespace {
 
-constexpr double kFrameSeconds = 0.02, kHashSeconds = 1, kMagnetSeconds = 0.1;
-constexpr const char *kSenses = "senses", *kMagnets = "magnets";
+constexpr double kFrameSeconds = 0.02, kHashSeconds = 1, kDetailSeconds = 0.1;
+constexpr const char *kSenses = "senses", *kMagnets = "magnets", *kContacts = "contacts",
+                     *kPulls = "pulls";
 enum : std::uint32_t { kLedChannel, kLogChannel, kShowChannel };
 
 /// Every frame has all bodies that may ever come, so that numbers in a trace are those of the
@@ -70,7 +71,8 @@ PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed, bool
     header.bodies.push_back(std::move(body));
   }
   header.channels = {"leds", "log", "show"};
-  if (detailed) header.channels.insert(header.channels.end(), {kSenses, kMagnets});
+  if (detailed)
+    header.channels.insert(header.channels.end(), {kSenses, kMagnets, kContacts, kPulls});
   header.files = scene.files;
   return header;
 }
@@ -91,8 +93,7 @@ void TraceRecorder::note(const RunState& run, const CrewLine& line) {
 void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
   // Before the step rather than after it, as a run that is taken up again writes the values of its
   // first tick anew.
-  const auto magnets = writer_ != nullptr ? writer_->channel(kMagnets) : std::nullopt;
-  if (magnets && is_due(run, kMagnetSeconds)) write_magnets(run, *magnets);
+  if (writer_ != nullptr && is_due(run, kDetailSeconds)) write_details(run);
   Crew* crew = run.agents.crew();
   if (crew == nullptr) return;
   // Asked for also when there is no writer, so that lists do not grow.
@@ -128,6 +129,32 @@ void TraceRecorder::write_frame(const RunState& run) {
   if (framed_ == run.world.tick()) return;
   framed_ = run.world.tick();
   writer_->frame(frame_of(run.world, run.placed.bodies.size()));
+}
+
+void TraceRecorder::write_details(const RunState& run) {
+  if (const auto channel = writer_->channel(kMagnets)) write_magnets(run, *channel);
+  if (const auto channel = writer_->channel(kContacts)) write_contacts(run, *channel);
+  if (const auto channel = writer_->channel(kPulls)) write_pulls(run, *channel);
+}
+
+// Of each body, also where nothing acts: what is as it was is left out by the writer. Both follow
+// from what a checkpoint has, so that a run which is taken up again writes the same.
+void TraceRecorder::write_contacts(const RunState& run, std::uint32_t channel) {
+  const std::vector<ContactForce> all = run.world.contact_forces();
+  auto next = all.begin();
+  for (std::uint32_t i = 0; i < run.world.size(); ++i) {
+    const auto first = next;
+    while (next != all.end() && next->a == BodyId{i}) ++next;
+    writer_->value({run.world.tick(), channel, i, contacts_json({first, next})});
+  }
+}
+
+void TraceRecorder::write_pulls(const RunState& run, std::uint32_t channel) {
+  if (!run.scene->magnets) return;
+  const std::vector<Vec3> all = run.world.magnet_forces();
+  for (std::uint32_t i = 0; i < all.size(); ++i) {
+    writer_->value({run.world.tick(), channel, i, force_json(all[i])});
+  }
 }
 
 // Those of a body asleep stay as they were written last; a body that has just fallen asleep was

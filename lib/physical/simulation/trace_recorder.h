@@ -33,7 +33,10 @@ class TraceRecorder final : public RunPart {
 
  private:
   void write_frame(const RunState& run);
+  void write_details(const RunState& run);
   void write_magnets(const RunState& run, std::uint32_t channel);
+  void write_contacts(const RunState& run, std::uint32_t channel);
+  void write_pulls(const RunState& run, std::uint32_t channel);
 
   PoseTraceWriter* writer_ = nullptr;
   std::uint64_t framed_ = UINT64_MAX;  ///< tick of the last frame written

@@ -2,6 +2,8 @@
 // Traces in detail: what robots sensed and sent is in them, and the run is the same.
 #include <doctest/doctest.h>
 
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "physical/robots/crew_support.h"
@@ -72,6 +74,49 @@ TEST_CASE("a detailed trace has where the magnets of blocks point") {
       CHECK(std::sqrt(square) == doctest::Approx(100).epsilon(0.02));
     }
   }
+}
+
+TEST_CASE("a detailed trace has what contacts push: the floor carries what lies still") {
+  std::uint64_t hash = 0;
+  const LoadedScene loaded = sending_robot();
+  std::map<std::uint32_t, Json> last;
+  for (const TraceValue& value : values_of(trace_bytes(loaded, true, hash), "contacts")) {
+    last[value.body] = Json::parse(value.bytes);
+  }
+  // Together: one of the two blocks hangs by its magnets on the other.
+  double weight = 0, carried = 0;
+  for (const auto& [body, contacts] : last) {
+    if (!loaded.placed.bodies[body].block) continue;
+    weight += loaded.placed.config.bodies[body].mass * loaded.placed.config.gravity;
+    for (const Json& contact : contacts) {
+      REQUIRE(contact.size() == 7);
+      if (contact[0] != -1) continue;
+      carried += contact[6].get<double>() / 100;
+      CHECK(std::abs(contact[3].get<int>()) <= 1);
+      CHECK(contact[1].get<double>() / 1e4 == doctest::Approx(0.25).epsilon(0.15));
+    }
+  }
+  CHECK(weight > 2);
+  CHECK(carried == doctest::Approx(weight).epsilon(0.02));
+}
+
+TEST_CASE("a detailed trace has what magnets do: as much one way as the other") {
+  std::uint64_t hash = 0;
+  std::map<std::uint32_t, Json> last;
+  for (const TraceValue& value : values_of(trace_bytes(sending_robot(), true, hash), "pulls")) {
+    last[value.body] = Json::parse(value.bytes);
+  }
+  double most = 0;
+  std::array<double, 3> all{};
+  for (const auto& [body, force] : last) {
+    REQUIRE(force.size() == 3);
+    for (std::size_t k = 0; k < 3; ++k) {
+      all[k] += force[k].get<double>();
+      most = std::max(most, std::abs(force[k].get<double>()));
+    }
+  }
+  CHECK(most > 0);
+  for (const double part : all) CHECK(std::abs(part) <= static_cast<double>(last.size()));
 }
 
 }  // namespace

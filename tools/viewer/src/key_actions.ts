@@ -90,6 +90,7 @@ function robotKeys({state, robots}: Actions): KeyAction[] {
     {keys: ['j'], shown: 'j', does: 'ways driven', run: mark('ways')},
     {keys: ['i'], shown: 'i', does: 'radio messages', run: mark('radio')},
     {keys: ['m'], shown: 'm', does: 'where magnets point', run: mark('magnets')},
+    {keys: ['7'], shown: '7', does: 'what contacts push and magnets pull', run: mark('forces')},
   ];
 }
 

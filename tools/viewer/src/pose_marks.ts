@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What is drawn about the bodies of a physical run: what cameras reach and have found, rays of
-// rangefinders, ways driven, messages, and where magnets point.
+// rangefinders, ways driven, messages, where magnets point, and forces.
 import * as three from 'three';
 import {rgbOf, type Rgb} from './colours.js';
 import {distanceOf, type CameraDevice} from './devices.js';
+import {addForces, strongForce} from './forces.js';
+import {Lines} from './mark_lines.js';
 import {saidAt, type PoseRun} from './pose_run.js';
 import {sensesAt, type Seen, type Senses} from './senses.js';
 
-export const kMarks = ['frusta', 'ranges', 'ways', 'radio', 'magnets'] as const;
+export const kMarks = ['frusta', 'ranges', 'ways', 'radio', 'magnets', 'forces'] as const;
 export type Mark = typeof kMarks[number];
 
 const kRobotColours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#999999'];
@@ -37,23 +39,6 @@ export function cameraFrame(run: PoseRun, camera: CameraDevice, time: number):
                                           new three.Quaternion(...camera.q),
                                           new three.Vector3(1, 1, 1));
   return frameOf(run, camera.body, time)?.multiply(own) ?? null;
-}
-
-class Lines {
-  readonly points: number[] = [];
-  readonly colours: number[] = [];
-
-  add(from: three.Vector3, to: three.Vector3, colour: Rgb): void {
-    this.points.push(...from.toArray(), ...to.toArray());
-    const [r, g, b] = colour.map(part => part / 255);
-    const linear = new three.Color().setRGB(r, g, b, three.SRGBColorSpace).toArray();
-    this.colours.push(...linear, ...linear);
-  }
-
-  /** A closed polygon. */
-  ring(corners: readonly three.Vector3[], colour: Rgb): void {
-    corners.forEach((corner, i) => this.add(corner, corners[(i + 1) % corners.length], colour));
-  }
 }
 
 function addFrustum(lines: Lines, frame: three.Matrix4, {corners}: CameraDevice,
@@ -171,15 +156,8 @@ export class PoseMarks {
       });
     });
     if (has('magnets')) addMagnets(within, run, time);
-    show(this.object, lines);
-    show(this.within, within);
+    if (has('forces')) addForces(within, run, strongForce(run), time);
+    lines.show(this.object);
+    within.show(this.within);
   }
-}
-
-function show(object: three.LineSegments, {points, colours}: Lines): void {
-  object.geometry.dispose();
-  object.geometry = new three.BufferGeometry();
-  object.geometry.setAttribute('position', new three.Float32BufferAttribute(points, 3));
-  object.geometry.setAttribute('color', new three.Float32BufferAttribute(colours, 3));
-  object.visible = points.length > 0;
 }

@@ -4,6 +4,7 @@ import {factTable} from './brick_story.js';
 import {cssOf} from './colours.js';
 import {cutPanel} from './cut_panel.js';
 import {button, checkbox, element, section, swatch} from './elements.js';
+import {kContactColour, kMagnetColour, strongForce} from './forces.js';
 import {kMarks, robotColour, type Mark} from './pose_marks.js';
 import {kEventKinds, lastBefore, saidAt, type PoseRun} from './pose_run.js';
 import type {PoseTarget} from './pose_target.js';
@@ -77,21 +78,31 @@ const kMarkText: Record<Mark, [string, string, boolean]> = {
   ways: ['ways driven', 'j', false],
   radio: ['radio messages', 'i', true],
   magnets: ['where magnets point', 'm', true],
+  forces: ['forces', '7', true],
 };
 
 /** What is drawn about bodies; what a trace without details does not have says so. */
 function marks(run: PoseRun, state: ViewState): Part {
+  const scale = element('ul', {class: 'forces'});
   const rows = kMarks.map(mark => {
     const [text, key, detail] = kMarkText[mark];
-    const missing = detail && run.senses.size === 0 && run.magnets.size === 0;
+    const missing = detail && (mark === 'forces' ? run.contacts : run.senses).size === 0 &&
+        (mark === 'forces' || run.magnets.size === 0);
     const {row, box} = checkbox(text, missing ? 'this trace has none: --trace-detail' : `(${key})`,
                                 () => state.set({marks: toggled(state.now.marks, mark)}));
     row.classList.toggle('never', missing);
     return {mark, row, box};
   });
-  const show = (): void => rows.forEach(({mark, box}) =>
-    box.checked = state.now.marks.includes(mark));
-  return {part: section('marks', 'Drawn about them', ...rows.map(({row}) => row)), show};
+  const show = (): void => {
+    for (const {mark, box} of rows) box.checked = state.now.marks.includes(mark);
+    scale.hidden = !state.now.marks.includes('forces') || run.contacts.size === 0;
+    if (scale.hidden || scale.childElementCount > 0) return;
+    const entry = (colour: string, text: string): HTMLElement =>
+      element('li', {class: 'mark'}, swatch(colour), element('span', {text}));
+    scale.append(entry(kContactColour, `of contacts; 10 cm are ${strongForce(run)} N`),
+                 entry(kMagnetColour, 'of magnets, to the same scale'));
+  };
+  return {part: section('marks', 'Drawn about them', ...rows.map(({row}) => row), scale), show};
 }
 
 /** All of one robot: made anew when it is another's. */
@@ -166,7 +177,7 @@ export function posePanel(run: PoseRun, state: ViewState, missing: PoseTarget | 
   const list = [events(run, state)];
   if (run.robots.length > 0) {
     list.unshift(robots(run, state), marks(run, state), pane(run, state));
-  } else if (run.magnets.size > 0) {
+  } else if (run.magnets.size + run.contacts.size > 0) {
     list.unshift(marks(run, state));
   }
   list.push(cutPanel(state));

@@ -57,6 +57,9 @@ export interface PoseRun {
   /** What robots sense and send, and where magnets point; of traces recorded in detail. */
   senses: Map<number, Said>;
   magnets: Map<number, Said>;
+  /** What contacts push, by the body with the lower number, and what magnets pull. */
+  contacts: Map<number, Said>;
+  pulls: Map<number, Said>;
   devices: Devices;
   log: {time: number; body: number; text: string}[];
 }
@@ -84,6 +87,8 @@ export interface PoseJson {
   show: ValuesJson;
   senses: ValuesJson;
   magnets: ValuesJson;
+  contacts: ValuesJson;
+  pulls: ValuesJson;
   devices: Partial<Devices>;
 }
 
@@ -237,6 +242,8 @@ export function poseRun(json: PoseJson, data: PackedData): PoseRun {
     show: byBody(valuesOf(json.show, step, data)),
     senses: byBody(valuesOf(json.senses, step, data)),
     magnets: byBody(valuesOf(json.magnets, step, data)),
+    contacts: byBody(valuesOf(json.contacts, step, data)),
+    pulls: byBody(valuesOf(json.pulls, step, data)),
     log: valuesOf(json.log, step, data),
   };
 }
