@@ -29,7 +29,7 @@ TEST_CASE("help of the program and of every command") {
   for (const char* command :
        {"check",    "fmt",    "explore",     "explain", "test",  "verify",   "certify",  "graph",
         "replay",   "schema", "measure",     "draw",    "synth", "simulate", "describe", "compile",
-        "validate", "build",  "completions", "doctor",  "view",  "render"}) {
+        "validate", "build",  "completions", "doctor",  "view",  "render",   "voxelise"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
     commands.insert(command);
   }

@@ -13,6 +13,7 @@
 #include "base/text.h"
 #include "commands.h"
 #include "lattice/structure_files.h"
+#include "mesh_input.h"
 #include "outputs.h"
 #include "robot_input.h"
 #include "synth_words.h"
@@ -62,15 +63,24 @@ class BuildWork {
   std::string in_folder(const std::string& name) const { return options_.output + "/" + name; }
 
   int prepare() {
-    Diagnostics diagnostics;
-    target_ = read_structure_file(options_.target, {}, diagnostics);
-    if (!target_ || app_.invalid(diagnostics)) {  // otherwise synth reports them
-      app_.report(diagnostics);
-      return kFailed;
-    }
+    if (const int code = read_target(); code != kOk) return code;
     const bool ours = made_by_synth(in_folder(kRules));
     return prepare_folder({options_.output, {kRules, kDecisions, kTarget, kBuilt}, ours, "build"},
                           app_);
+  }
+
+  int read_target() {
+    if (is_mesh(options_.target)) {
+      auto voxels = voxelise(options_.target, options_.mesh, app_);
+      if (!voxels) return kFailed;
+      target_ = std::move(voxels->loaded);
+      return kOk;
+    }
+    Diagnostics diagnostics;
+    target_ = read_structure_file(options_.target, {}, diagnostics);
+    if (target_ && !app_.invalid(diagnostics)) return kOk;  // otherwise synth reports them
+    app_.report(diagnostics);
+    return kFailed;
   }
 
   int draw_target() const {
@@ -87,6 +97,7 @@ class BuildWork {
   int synth() {
     SynthOptions wanted;
     wanted.target = options_.target;
+    wanted.mesh = options_.mesh;
     // Rules depend on the robot: without one named it is the paper's.
     wanted.robot = options_.robot.value_or(kPaperRobot);
     wanted.sides = options_.sides;

@@ -15,6 +15,7 @@
 #include "commands.h"
 #include "encoder.h"
 #include "lattice/picture.h"
+#include "mesh_input.h"
 #include "physical/dynamics/stock_step.h"
 #include "report.h"
 #include "rules/rule_reader.h"
@@ -105,6 +106,16 @@ Finding video() {
           {}};
 }
 
+/// What reads meshes; nothing else needs it.
+Finding meshes() {
+  const auto program = find_mesh_program();
+  return {Health::ok,
+          "meshes",
+          program ? printable(*program) + ", with CGAL, GPL-3"
+                  : "no stigc-mesh: it is built where libcgal-dev is installed",
+          {}};
+}
+
 /// Legends are set in DejaVu Sans; with another font they look different.
 Finding fonts() {
   namespace fs = std::filesystem;
@@ -182,17 +193,10 @@ std::string coloured(Health health, bool color) {
 
 int run(const DoctorOptions& options, App& app) {
   // In the order in which things build upon each other.
-  const std::vector<Finding> findings = {program(),
-                                         libraries(),
-                                         physics(),
-                                         processor(),
-                                         memory(),
-                                         pictures(),
-                                         video(),
-                                         fonts(),
-                                         temporary_folder(),
-                                         terminal(app),
-                                         rule_sets(options.files)};
+  const std::vector<Finding> findings = {
+      program(), libraries(),        physics(),     processor(),
+      memory(),  pictures(),         video(),       meshes(),
+      fonts(),   temporary_folder(), terminal(app), rule_sets(options.files)};
   Json json = Json::array();
   bool failed = false;
   for (const Finding& finding : findings) {

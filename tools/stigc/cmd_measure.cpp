@@ -24,7 +24,7 @@ std::string stem(const std::string& path) {
 }  // namespace
 
 int run(const MeasureOptions& options, App& app) {
-  const auto loaded = read_structure(options.structure, options.lattice, app);
+  const auto loaded = read_structure(options.structure, options.lattice, app, options.mesh);
   if (!loaded) return kFailed;
   if (options.json) {
     // The same figures as explore prints of a run's end (report.h).
@@ -54,7 +54,7 @@ int run(const DrawOptions& options, App& app) {
     app.complain(printable(error));
     return kUsage;
   }
-  const auto loaded = read_structure(options.structure, options.lattice, app);
+  const auto loaded = read_structure(options.structure, options.lattice, app, options.mesh);
   if (!loaded) return kFailed;
   if (const int code = check_outputs(options.outputs, app); code != kOk) return code;
   for (const std::string& path : options.outputs) {

@@ -240,7 +240,7 @@ int run(const SynthOptions& options, App& app) {
     app.complain("--sides and --robots are about robots: --robot FILE says which");
     return kUsage;
   }
-  const auto loaded = read_structure(options.target, options.lattice, app);
+  const auto loaded = read_structure(options.target, options.lattice, app, options.mesh);
   if (!loaded) return kFailed;
   if (loaded->structure.empty()) {
     app.complain("the target has no cells");

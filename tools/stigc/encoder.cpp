@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "base/file_io.h"
+#include "child_process.h"
 
 namespace stig::cli {
 namespace {
@@ -78,17 +79,6 @@ int spawn(const std::string& program, const std::vector<std::string>& arguments,
   posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&files);
   return error;
-}
-
-/// A file that has no name and goes with its descriptor; null with errno set.
-std::FILE* nameless_file() {
-  const char* named = std::getenv("TMPDIR");
-  std::string path = named != nullptr && *named != 0 ? named : "/tmp";
-  path += "/stigc-XXXXXX";
-  const int descriptor = mkostemp(path.data(), O_CLOEXEC);
-  if (descriptor < 0) return nullptr;
-  unlink(path.c_str());
-  return fdopen(descriptor, "w+b");
 }
 
 /// Copies beyond the descriptors that the program's own take, so that none is lost before it is

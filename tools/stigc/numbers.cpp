@@ -136,4 +136,23 @@ std::string parse_size(std::string_view text, Offset& out) {
   return problem;
 }
 
+std::string parse_length(std::string_view text, std::optional<double>& out) {
+  struct Unit {
+    std::string_view name;
+    double mm;
+  };
+  // Longer names first: each of these ends in m or n.
+  constexpr std::array<Unit, 5> kUnits{{{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"m", 1000}, {"", 1}}};
+  for (const Unit& unit : kUnits) {
+    if (!text.ends_with(unit.name)) continue;
+    double number = 0;
+    const std::string_view digits = text.substr(0, text.size() - unit.name.size());
+    if (!parse_decimal(digits, number) || !(number > 0) || number * unit.mm > 1e6) break;
+    out = number * unit.mm;
+    return {};
+  }
+  return fmt::format("'{}' is no length like 55mm, 5.5cm, 0.055m or 2in, above 0 and up to 1000m",
+                     text);
+}
+
 }  // namespace stig::cli

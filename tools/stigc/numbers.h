@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,8 @@ std::string parse_moment(std::string_view text, double& out);
 std::string parse_rate(std::string_view text, double& out);
 /// "-0.5": digits with at most one point, and a sign; within ±10^9.
 std::string parse_number(std::string_view text, double& out);
+/// "55", "55mm", "5.5cm", "0.055m" or "2in" in mm; above 0 and up to a km.
+std::string parse_length(std::string_view text, std::optional<double>& out);
 /// Multiples of what is done by default; more than 0.
 std::string parse_effort(std::string_view text, double& out);
 /// "X,Y,Z", coordinates within ±kMaxCoordinate.

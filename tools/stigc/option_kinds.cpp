@@ -90,6 +90,12 @@ CLI::Option* moment(CLI::App* app, const std::string& names, std::optional<doubl
                 [&out](const std::string& text) { return parse_moment(text, out.emplace()); });
 }
 
+void mesh_bricks(CLI::App* sub, MeshOptions& out) {
+  integer(sub, "--bricks", out.bricks, 1, 1'000'000,
+          "of a mesh (.stl .obj .off .ply): about so many; stigc voxelise has more options "
+          "(default: 100)");
+}
+
 void palette(CLI::App* sub, Palette& out) {
   choice(sub, "--palette", out,
          {{"file", Palette::file},

@@ -104,6 +104,8 @@ CLI::Option* moment(CLI::App* app, const std::string& names, std::optional<doubl
 void world(CLI::App* sub, WorldOptions& out, const std::string& doc);
 void lattice(CLI::App* sub, std::optional<Lattice>& out);
 void palette(CLI::App* sub, Palette& out);
+/// --bricks, for commands that take a mesh as they take a structure file.
+void mesh_bricks(CLI::App* sub, MeshOptions& out);
 void add_sides(CLI::App& sub, std::vector<std::string>& sides, const char* what);
 
 }  // namespace stig::cli

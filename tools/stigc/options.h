@@ -177,15 +177,33 @@ struct SchemaOptions {
   std::optional<std::string> symbols_of;  ///< a rule set whose symbols are offered
 };
 
+/// How a mesh becomes bricks; lengths in mm.
+struct MeshOptions {
+  int bricks = 100;            ///< about so many, where no side is given
+  std::optional<double> side;  ///< of a brick
+  double unit = 1;             ///< of the file's numbers
+  std::string up = "z";        ///< the file's axis, "-" before it: the other way
+  bool shell = false;          ///< only where a surface is
+};
+
+struct VoxeliseOptions {
+  std::string model;
+  MeshOptions mesh;
+  std::vector<std::string> outputs;
+  bool json = false;
+};
+
 struct MeasureOptions {
   std::string structure;
   std::optional<Lattice> lattice;  ///< of a file that does not say it
+  MeshOptions mesh;
   bool json = false;
 };
 
 struct DrawOptions {
   std::string structure;
-  std::optional<Lattice> lattice;   ///< of a file that does not say it
+  std::optional<Lattice> lattice;  ///< of a file that does not say it
+  MeshOptions mesh;
   Palette palette = Palette::file;  ///< of pictures
   std::vector<std::string> outputs;
 };
@@ -224,7 +242,8 @@ struct RenderOptions {
 /// One page that shows runs and structures.
 struct ViewOptions {
   std::vector<std::string> files;
-  std::optional<Lattice> lattice;     ///< of structure files that do not say it
+  std::optional<Lattice> lattice;  ///< of structure files that do not say it
+  MeshOptions mesh;
   std::optional<std::string> target;  ///< a structure file
   std::optional<std::string> title;
   std::string output;  ///< .html
@@ -243,6 +262,7 @@ struct DoctorOptions {
 struct SynthOptions {
   std::string target;
   std::optional<Lattice> lattice;  ///< of a file that does not say it
+  MeshOptions mesh;
   ColourUse use = ColourUse::free;
   std::optional<int> colours;  ///< so many at most
   Symmetry symmetry = Symmetry::none;
@@ -267,6 +287,7 @@ struct SynthOptions {
 /// From a drawing to an evaluated structure: synth --robot, compile and validate.
 struct BuildOptions {
   std::string target;
+  MeshOptions mesh;
   std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
   std::vector<std::string> sides;    ///< empty: chosen
   std::optional<int> robots;         ///< that work at once; otherwise one
@@ -287,7 +308,7 @@ using CommandOptions =
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
-                 BuildOptions, ViewOptions, RenderOptions>;
+                 BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -188,14 +188,44 @@ void add_schema(CLI::App& app, SchemaOptions& o) {
        "a rule set, finished or not, whose symbols editors shall offer where one is wanted");
 }
 
+void add_voxelise(CLI::App& app, VoxeliseOptions& o) {
+  CLI::App* sub =
+      command(app, "voxelise", "turn a mesh into bricks",
+              "  stigc explore rulesets/stepped-pyramid.yaml -o pyramid.stl\n"
+              "  stigc voxelise pyramid.stl --side 1mm -o pyramid.vox\n"
+              "  stigc voxelise pyramid.stl --bricks 60 --up z -o fine.vox -o fine.png\n"
+              "  stigc voxelise pyramid.stl --bricks 200 --shell -o hull.txt --json\n");
+  file(sub, "MODEL", o.model, "a mesh (.stl .obj .off .ply)");
+  integer(sub, "--bricks", o.mesh.bricks, 1, 1'000'000, "about so many bricks (default: 100)");
+  parsed(sub, "--side", "LENGTH",
+         "side of a brick in mm, or as 5.5cm, 0.055m, 2in; in place of --bricks",
+         [&o](const std::string& text) { return parse_length(text, o.mesh.side); })
+      ->excludes("--bricks");
+  choice(sub, "--unit", o.mesh.unit, {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}},
+         "what the file's numbers are in (default: mm)");
+  choice<std::string, std::string>(
+      sub, "--up", o.mesh.up,
+      {{"x", "x"}, {"y", "y"}, {"z", "z"}, {"-x", "-x"}, {"-y", "-y"}, {"-z", "-z"}},
+      "the file's axis that points up (default: z)");
+  CLI::Option* solid = sub->add_flag_callback(
+      "--solid", [&o] { o.mesh.shell = false; }, "bricks whose middle is in the model (default)");
+  sub->add_flag("--shell", o.mesh.shell, "bricks that the model's surface passes through")
+      ->excludes(solid);
+  repeated(sub, "-o,--output", o.outputs, "FILE",
+           "structure to write, in the format of its ending; may be repeated")
+      ->required();
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
 void add_measure(CLI::App& app, MeasureOptions& o) {
   CLI::App* sub = command(
       app, "measure", "measure a structure file",
       "  stigc explore rulesets/staircase.yaml -o staircase.vox && stigc measure staircase.vox\n"
       "  stigc explore rulesets/tiling.yaml -o tiling.vox\n"
       "  stigc measure tiling.vox --lattice hexagonal --json\n");
-  file(sub, "STRUCTURE", o.structure, "structure file (.vox .json .txt)");
+  file(sub, "STRUCTURE", o.structure, "structure file (.vox .json .txt), or a mesh");
   lattice(sub, o.lattice);
+  mesh_bricks(sub, o.mesh);
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
@@ -204,8 +234,9 @@ void add_draw(CLI::App& app, DrawOptions& o) {
                           "  stigc explore rulesets/staircase.yaml -o staircase.vox\n"
                           "  stigc draw staircase.vox -o staircase.png\n"
                           "  stigc draw staircase.vox -o staircase.glb -o staircase.stl\n");
-  file(sub, "STRUCTURE", o.structure, "structure file (.vox .json .txt)");
+  file(sub, "STRUCTURE", o.structure, "structure file (.vox .json .txt), or a mesh");
   lattice(sub, o.lattice);
+  mesh_bricks(sub, o.mesh);
   repeated(sub, "-o,--output", o.outputs, "FILE",
            "file to write, in the format of its ending; may be repeated")
       ->required();

@@ -55,8 +55,9 @@ void add_synth(CLI::App& app, SynthOptions& o) {
       "  stigc synth pyramid.txt --order breadth-first --proof proof -o proved.yaml --json\n"
       "  stigc synth pyramid.txt --robot robots/bebot.yaml -o followed.yaml\n"
       "  stigc compile followed.yaml\n");
-  file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt)");
+  file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt), or a mesh");
   lattice(sub, o.lattice);
+  mesh_bricks(sub, o.mesh);
   parsed(sub, "--colours", "N|given|free",
          "free: any colours, the fewest (default); N: at most so many; given: those of the file, "
          "where a brick with the symbol ? or # may have any",
@@ -95,7 +96,8 @@ void add_build(CLI::App& app, BuildOptions& o) {
               "  stigc explore rulesets/staircase.yaml -o staircase.txt\n"
               "  stigc build staircase.txt -o built\n"
               "  stigc build staircase.txt --robots 2 --seed 7 -o built-by-two\n");
-  file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt)");
+  file(sub, "STRUCTURE", o.target, "what to build (.vox .json .txt), or a mesh");
+  mesh_bricks(sub, o.mesh);
   integer(sub, "--robots", o.robots, 1, 100, "robots that work at once (default: 1)");
   path(sub, "--robot", o.robot, "the robots' file (default: bebot.yaml, the paper's)");
   add_sides(*sub, o.sides, "the sides that they work from, as --sides=+x,-x (default: chosen)");

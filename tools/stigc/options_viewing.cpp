@@ -20,8 +20,9 @@ void add_view(CLI::App& app, ViewOptions& o) {
       "  stigc explore rulesets/stepped-pyramid.yaml --deposits 6 --trace some.stigt\n"
       "  stigc view some.stigt --target all.txt -o some.html\n");
   sub->add_option("FILE", o.files,
-                  "a structure file (.vox .json .txt), a trace (.stigt .stigp), a folder of "
-                  "validate, or the name that verify --witness was given; several are shown "
+                  "a structure file (.vox .json .txt), a mesh (.stl .obj .off .ply), a trace "
+                  "(.stigt .stigp), a folder of validate, or the name that verify --witness was "
+                  "given; several are shown "
                   "together")
       ->type_name("FILE")
       ->required();
@@ -33,6 +34,7 @@ void add_view(CLI::App& app, ViewOptions& o) {
   path(sub, "--title", o.title, "what the page is called (default: the first file's title)")
       ->type_name("TEXT");
   lattice(sub, o.lattice);
+  mesh_bricks(sub, o.mesh);
 }
 
 void add_completions(CLI::App& app, CompletionsOptions& o) {

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "lattice/structure_files.h"
+#include "mesh_input.h"
 
 namespace stig::cli {
 namespace {
@@ -17,6 +18,19 @@ std::optional<LoadedStructure> read(const std::string& path, const StructureRead
   app.report(diagnostics);
   if (app.invalid(diagnostics)) loaded.reset();
   return loaded;
+}
+
+std::optional<LoadedStructure> read_mesh(const std::string& path, std::optional<Lattice> lattice,
+                                         const MeshOptions& mesh, const App& app) {
+  if (lattice == Lattice::hexagonal) {
+    app.complain(fmt::format("'{}' is a mesh, which becomes cubes", printable(path)));
+    return std::nullopt;
+  }
+  auto voxels = voxelise(path, mesh, app);
+  if (!voxels) return std::nullopt;
+  app.say(fmt::format("{}: {} bricks, each {:.6g} mm of the mesh wide", printable(path),
+                      voxels->loaded.structure.size(), voxels->report["side"].get<double>()));
+  return std::move(voxels->loaded);
 }
 
 /// The set's colour for a brick of the file; 0 when there is none.
@@ -32,7 +46,9 @@ Colour counterpart(const RuleSet& rules, const Brick& brick) {
 }  // namespace
 
 std::optional<LoadedStructure> read_structure(const std::string& path,
-                                              std::optional<Lattice> lattice, const App& app) {
+                                              std::optional<Lattice> lattice, const App& app,
+                                              const MeshOptions& mesh) {
+  if (is_mesh(path)) return read_mesh(path, lattice, mesh, app);
   return read(path, {lattice, {}}, app);
 }
 

@@ -176,7 +176,7 @@ int synth_for_robot(const SynthOptions& options, App& app) {
     app.complain(problem);
     return kUsage;
   }
-  const auto loaded = read_structure(options.target, options.lattice, app);
+  const auto loaded = read_structure(options.target, options.lattice, app, options.mesh);
   if (!loaded) return kFailed;
   const Target target = target_of(*loaded, options.use);
   if (const std::string problem = target_problem(options, target); !problem.empty()) {

@@ -83,14 +83,14 @@ std::vector<std::string> viewed_files(const std::vector<std::string>& names) {
 bool add_file(const std::string& path, const ViewOptions& options, const App& app,
               PageContent& page) {
   if (path.ends_with(".stigt") || path.ends_with(".stigp")) return add_trace(path, app, page);
-  const auto loaded = read_structure(path, options.lattice, app);
+  const auto loaded = read_structure(path, options.lattice, app, options.mesh);
   if (loaded) add_structure(*loaded, file_name(path), page);
   return loaded.has_value();
 }
 
 bool add_target(const ViewOptions& options, const App& app, PageContent& page) {
   if (!options.target) return true;
-  const auto loaded = read_structure(*options.target, options.lattice, app);
+  const auto loaded = read_structure(*options.target, options.lattice, app, options.mesh);
   if (loaded) set_target(*loaded, file_name(*options.target), page);
   return loaded.has_value();
 }

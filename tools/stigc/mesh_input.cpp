@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "mesh_input.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "base/file_guard.h"
+#include "child_process.h"
+#include "report.h"
+
+namespace stig::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostPrinted = std::size_t{1} << 28;
+
+/// What a mesh is measured in; the program for meshes knows none.
+std::vector<std::string> arguments_for(const std::string& path, const MeshOptions& options) {
+  // An absolute name is no option, whatever it begins with.
+  std::error_code ignored;
+  std::vector<std::string> out{fs::absolute(path, ignored).string(),
+                               options.shell ? "shell" : "solid", options.up};
+  if (options.side) {
+    out.insert(out.end(), {"side", fmt::format("{}", *options.side / options.unit)});
+  } else {
+    out.insert(out.end(), {"bricks", std::to_string(options.bricks)});
+  }
+  return out;
+}
+
+/// The answer as JSON, or nothing with `problem` set.
+std::optional<Json> ask(const std::string& program, const std::string& path,
+                        const MeshOptions& options, std::string& problem) {
+  const auto finished = run_program(program, arguments_for(path, options), kMostPrinted, problem);
+  if (!finished) return std::nullopt;
+  Json answer = Json::parse(finished->out, nullptr, false);
+  if (finished->exit_code > 1 || finished->exit_code < 0 || !answer.is_object()) {
+    problem = finished->exit_code < 0 ? "took more time or memory than stigc-mesh is given"
+                                      : "stigc-mesh failed: " + printable(finished->words);
+    return std::nullopt;
+  }
+  if (answer.contains("problem")) {
+    problem = printable(answer["problem"].get<std::string>());
+    return std::nullopt;
+  }
+  return answer;
+}
+
+LoadedStructure structure_of(const Json& cells) {
+  LoadedStructure out;
+  out.bricks = {{"1", "brick", "#4363d8", "", {}}};
+  out.placed = false;
+  for (const Json& cell : cells) {
+    out.structure.place({cell[0].get<int>(), cell[1].get<int>(), cell[2].get<int>()}, 1);
+  }
+  return out;
+}
+
+std::string counted(std::size_t count, std::string_view one, std::string_view more) {
+  return fmt::format("{} {}", count, count == 1 ? one : more);
+}
+
+/// What of a mesh was not as it should be, and was mended.
+std::string repairs_in_words(const Json& repairs) {
+  struct Repair {
+    const char* key;
+    std::string_view one, more;
+  };
+  constexpr Repair kRepairs[] = {
+      {"duplicate_points", "corner merged with another", "corners merged with others"},
+      {"degenerate_faces", "face without area left out", "faces without area left out"},
+      {"split_points", "corner split between surfaces", "corners split between surfaces"},
+      {"turned_surfaces", "surface turned outside in", "surfaces turned outside in"},
+      {"holes", "hole closed", "holes closed"},
+      {"flat_surfaces", "surface without volume left out", "surfaces without volume left out"}};
+  std::string out;
+  for (const Repair& repair : kRepairs) {
+    const auto count = repairs[repair.key].get<std::size_t>();
+    if (count == 0) continue;
+    out += (out.empty() ? "" : ", ") + counted(count, repair.one, repair.more);
+  }
+  return out.empty() ? "nothing" : out;
+}
+
+}  // namespace
+
+bool is_mesh(const std::string& path) {
+  std::string ending = fs::path(path).extension().string();
+  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  constexpr std::string_view kEndings[] = {".stl", ".obj", ".off", ".ply"};
+  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
+}
+
+std::optional<std::string> find_mesh_program() {
+  std::error_code error;
+  const fs::path self = fs::read_symlink("/proc/self/exe", error);
+  if (error) return std::nullopt;
+  const std::string program = (self.parent_path() / "stigc-mesh").string();
+  if (access(program.c_str(), X_OK) != 0) return std::nullopt;
+  return program;
+}
+
+std::optional<Voxels> voxelise(const std::string& path, const MeshOptions& options,
+                               const App& app) {
+  const auto program = find_mesh_program();
+  if (!program) {
+    app.complain(fmt::format(
+        "'{}' is a mesh, which the program stigc-mesh reads; it is not here: install libcgal-dev "
+        "and build again",
+        printable(path)));
+    return std::nullopt;
+  }
+  if (const auto number = file_number(path)) note_read(*number);
+  std::string problem;
+  auto answer = ask(*program, path, options, problem);
+  if (!answer) {
+    app.complain(fmt::format("'{}' {}", printable(path), problem));
+    return std::nullopt;
+  }
+  Voxels out{structure_of((*answer)["cells"]), std::move(*answer)};
+  out.report.erase("cells");
+  out.report["side"] = out.report["side"].get<double>() * options.unit;
+  Json& repairs = out.report["repairs"];
+  repairs["volume"] = repairs["volume"].get<double>() * options.unit * options.unit * options.unit;
+  return out;
+}
+
+std::string mesh_lines(const Voxels& voxels) {
+  const Json& report = voxels.report;
+  const Json& repairs = report["repairs"];
+  const auto count = [&](const char* key) { return report[key].get<std::size_t>(); };
+  const auto solids = repairs["solids"].get<std::size_t>();
+  const auto hollows = repairs["hollows"].get<std::size_t>();
+  std::string out = line("faces", std::to_string(count("faces")));
+  out += line("repaired", repairs_in_words(repairs));
+  std::string parts = counted(solids, "solid", "solids");
+  if (hollows > 0) parts += ", " + counted(hollows, "hollow", "hollows");
+  out += line("surfaces", fmt::format("{}, {:.6g} mm³", parts, repairs["volume"].get<double>()));
+  if (const auto crossing = repairs["crossing_faces"].get<std::size_t>(); crossing > 0) {
+    out += line("crossing", counted(crossing, "pair of faces", "pairs of faces") +
+                                " cross or touch: what any surface encloses is filled");
+  }
+  out +=
+      line("bricks", fmt::format("{} of {:.6g} mm, {} on the floor", voxels.loaded.structure.size(),
+                                 report["side"].get<double>(), count("on_floor")));
+  if (const auto added = count("joined"); added > 0) {
+    out += line("joined", counted(added, "brick", "bricks") +
+                              " added where parts met at an edge or a corner alone");
+  }
+  if (const auto left = count("cells_left_out"); left > 0) {
+    out += line("left out", fmt::format("{} in {}, which stand apart from the largest",
+                                        counted(left, "brick", "bricks"),
+                                        counted(count("parts_left_out"), "part", "parts")));
+  }
+  const auto overhanging = count("overhanging");
+  out += line("overhang", overhanging == 0
+                              ? "none: each brick stands on another or the floor"
+                              : counted(overhanging, "brick has", "bricks have") + " none beneath");
+  return out;
+}
+
+}  // namespace stig::cli
