@@ -35,6 +35,7 @@ local SLOW = 0.05              -- m/s, close to blocks
 local LAST_STRAIGHT = 0.025    -- m, in which the line is joined on the last, blind 50 to 85 mm
 local NEAREST_LOOK = 0.170     -- m, from a target, for the last look
 local FIRST_SIGHTINGS, LAST_SIGHTINGS = 4, 6
+local SEEN_LONG = 12           -- sightings after which a block in the picture needs no first look
 local SETTLE_TIME = 0.6        -- s, before the first look
 local LONGEST_LOOK = 4         -- s
 local OFF, ASKEW = 0.005, 0.12 -- m and rad off the line, beyond which it tries again
@@ -238,9 +239,16 @@ function states.travel(self, run)
    return self:go_to_stand_off(run) and 'arrived' or 'obstructed'
 end
 
+-- Whether a block is in the picture, and was for a while.
+function Approach:is_in_view(block)
+   local known = self.tracker:again(block)
+   return known ~= nil and known.time == self.odometry.time and known.seen >= SEEN_LONG
+end
+
 function states.acquire(self, run)
    self.path:turn_to(run.line.yaw)
    self:watch(run.block, run.lowest)
+   if self:is_in_view(run.block) then return 'seen' end
    self.process:wait(SETTLE_TIME)
    if self:look_at(run.block, FIRST_SIGHTINGS) then return 'seen' end
    if run.attempt > 1 then return 'unseen' end

@@ -91,6 +91,28 @@ case('an approach begins where there is room to turn', function()
    near('where there is room nowhere', approach:heading_to(block, run), 0)
 end)
 
+case('a block that has been in the picture for a while needs no first look', function()
+   local machine, fake, run = machine_with { { x = 0.30, y = 0 } }
+   local approach = machine.approach
+   local function acquire(seconds)
+      return run(function()
+         machine.lift:to(0.08)
+         machine.process:wait(seconds)
+         local block = machine.tracker:recall(function() return true end)
+         local attempt = { block = block, lowest = 0.07, attempt = 1, line = { x = 0.3, y = 0, yaw = 0 } }
+         local start = machine.odometry.time
+         same('seen', approach.states.acquire(approach, attempt), 'seen')
+         return machine.odometry.time - start
+      end)
+   end
+   same('looks first', acquire(1) > 1, true)
+   same('knows it', acquire(3) < 0.5, true)
+   fake.blocks = {}
+   local block = machine.tracker:recall(function() return true end)
+   run(function() machine.process:wait(0.2) end)
+   same('not in the picture', approach:is_in_view(block), false)
+end)
+
 case('a block that is gone is forgotten', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 } }
    local block = run(function() return machine.search:find(dark) end)
