@@ -65,7 +65,11 @@ end
 -- which state that leads to.
 function Builder:follow_chart()
    local chart, state = self.chart, self.chart.first
+   local begun = {}
    while true do
+      -- what takes no time does not take a step either, unless it leads to itself
+      if begun[state] == self.process:time() then coroutine.yield() end
+      begun[state] = self.process:time()
       self.process:enter(state)
       self.record:tell('chart', state)
       local does = chart[state].does
@@ -73,7 +77,6 @@ function Builder:follow_chart()
       local event = part[does](part)
       state = chart[state].on[event] or
               error("the chart says nothing of '" .. event .. "' in '" .. state .. "'")
-      coroutine.yield()
    end
 end
 

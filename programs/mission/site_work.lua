@@ -202,6 +202,8 @@ function SiteWork:look()
          self:give_up()
          return 'unseen'
       end
+      -- whoever is alone knows what stands beside the site without looking
+      if self.task.delay == 0 and self.map.known and column:decide() then break end
    end
    self.row = column.row
    if not self.magnets:holds() then return 'dropped' end

@@ -376,6 +376,46 @@ case('a robot that is bound to a side finds a cache that it does not see from wh
    end
 end)
 
+case('who is alone looks no more once it knows what to do, others look from everywhere', function()
+   for _, delay in ipairs { 0, 30 } do
+      local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, delay = delay,
+                     looks = { { distance = 0.2, lift = 0.06 }, { distance = 0.14, lift = 0.06 } },
+                     decide = function() return { what = 'extend', colour = 1, level = 0 } end }
+      local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+      map:remember(map:in_memory())
+      map:settle()
+      local work, looks = SiteWork.new(machine, map, nil, nil, nil, task), 0
+      work.magnets, work.row = { holds = function() return true end }, map:rows()[0]
+      work.look_from = function(_, column)
+         looks = looks + 1
+         column:watch()
+         return true
+      end
+      same('decided', work:look(), 'decided')
+      same('looks', looks, delay == 0 and 1 or 2)
+   end
+end)
+
+case('states that take no time follow each other in one step, unless they come again', function()
+   local chart = {
+      first = 'wait',
+      wait = { does = 'wait', on = { done = 'next side' } },
+      ['next side'] = { does = 'next_side', on = { there = 'let go' } },
+      ['let go'] = { does = 'let_go', on = { done = 'wait' } },
+   }
+   local fake = FakeRobot.new()
+   local builder = Builder.new(fake.robot, chart, { sides = ALL, transport = 4, delay = 0 })
+   local done = {}
+   builder.wait = function() table.insert(done, 'w') return 'done' end
+   builder.next_side = function() table.insert(done, 'n') return 'there' end
+   builder.let_go = function() table.insert(done, 'l') return 'done' end
+   for _ = 1, 2 do
+      builder:step()
+      fake:step()
+   end
+   same('twice round', table.concat(done), 'wnlwnl')
+end)
+
 case('each state of the chart is something that a part does', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 })
    for does, part in pairs(Builder.BEHAVIOURS) do
