@@ -25,6 +25,7 @@ local StructureMap = require 'mission.structure_map'
 
 local LOOK_TIME = 1.0          -- s
 local LEGS = 12                -- of a search for the structure
+local FIRST_WAIT = 0.125       -- of the longest wait, since the last brick
 
 local Builder = {}
 Builder.__index = Builder
@@ -80,8 +81,11 @@ function Builder:follow_chart()
    end
 end
 
+-- For a random while, which is short as long as nobody is met, and twice as long each time that somebody was:
+-- robots that came at the same time come one after the other.
 function Builder:wait()
-   self.process:wait(math.random() * self.task.delay)
+   local share = math.min(1, FIRST_WAIT * 2 ^ self.work.obstructed)
+   self.process:wait(math.random() * share * self.task.delay)
    return 'done'
 end
 

@@ -396,6 +396,19 @@ case('who is alone looks no more once it knows what to do, others look from ever
    end
 end)
 
+case('a robot waits longer each time that it meets others, but not for ever', function()
+   local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 32 })
+   local random, waited = math.random, {}
+   math.random = function() return 1 end
+   builder.process.wait = function(_, seconds) table.insert(waited, seconds) end
+   for met = 0, 5 do
+      builder.work.obstructed = met
+      same('done', builder:wait(), 'done')
+   end
+   math.random = random
+   same('seconds', table.concat(waited, ' '), '4.0 8.0 16.0 32 32 32')
+end)
+
 case('states that take no time follow each other in one step, unless they come again', function()
    local chart = {
       first = 'wait',
