@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "view/pose_glb.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <numbers>
+#include <set>
 
 #include "base/glb.h"
 #include "base/text.h"
+#include "physical/render/solid_faces.h"
 #include "physical/trace/pose_frames.h"
 #include "view/pose_track.h"
 #include "view/trace_picture.h"
@@ -20,10 +24,11 @@ std::array<float, 3> floats(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
-GlbPrimitive surface_of(const PictureBody& body) {
+GlbPrimitive surface_of(const TraceBody& body, Led led, const PoseLook& look) {
   GlbPrimitive out;
-  const bool lit = body.block && body.led != Led::off;
-  out.rgb = lit ? blend(body.colour, rgb_of(body.led), 0.6) : body.colour;
+  const bool lit = body.block && led != Led::off;
+  const auto glow = [&] { return look.glow ? look.glow(led) : rgb_of(led); };
+  out.rgb = lit ? blend(body.rgb, glow(), 0.6) : body.rgb;
   out.material = to_color(out.rgb);
   for (const SolidFace& face : faces_of(body.shape)) {
     const std::uint32_t first = out.vertices;
@@ -36,27 +41,55 @@ GlbPrimitive surface_of(const PictureBody& body) {
   return out;
 }
 
-/// The tracks of all bodies within the span; ticks are of the run.
-std::vector<std::vector<TrackKey>> tracks_of(const PoseTrace& trace, std::uint64_t first,
-                                             std::uint64_t last) {
+/// From a tick on: whether it is there.
+struct Presence {
+  std::uint64_t tick = 0;
+  bool there = false;
+};
+
+struct BodyTrack {
+  std::vector<TrackKey> keys;
+  std::vector<Presence> presences;
+};
+
+/// The tracks of all bodies within the span; ticks are of the run. Whether they are shown follows
+/// from every frame: between two keys a body may come into what is shown and leave it.
+std::vector<BodyTrack> tracks_of(const PoseTrace& trace, std::uint64_t first, std::uint64_t last,
+                                 const PoseLook& look) {
   std::vector<PoseTrack> tracks(trace.header.bodies.size());
+  std::vector<BodyTrack> out(tracks.size());
   const auto add = [&](const TraceFrame& frame, std::uint64_t tick) {
-    for (std::size_t i = 0; i < tracks.size(); ++i) tracks[i].add({tick, frame.bodies[i]});
+    for (std::size_t i = 0; i < tracks.size(); ++i) {
+      const TraceState& state = frame.bodies[i];
+      tracks[i].add({tick, state});
+      const bool there = !state.left && (!look.shown || look.shown(state.pose().p));
+      std::vector<Presence>& list = out[i].presences;
+      if (list.empty() || list.back().there != there) list.push_back({tick, there});
+    }
   };
   add(frame_at(trace, first), first);
   for_each_frame(trace, [&](const TraceFrame& frame) {
     if (frame.tick > first && frame.tick <= last) add(frame, frame.tick);
   });
-  std::vector<std::vector<TrackKey>> out;
-  for (PoseTrack& track : tracks) out.push_back(track.finish());
+  for (std::size_t i = 0; i < tracks.size(); ++i) out[i].keys = tracks[i].finish();
   return out;
 }
 
+/// Ticks of the run as seconds of the animation.
+struct Clock {
+  std::uint64_t first = 0;
+  double step = 0, speed = 1;
+
+  float at(std::uint64_t tick) const {
+    return static_cast<float>(static_cast<double>(tick - first) * step / speed);
+  }
+};
+
 /// Place and turn between the keys.
-GlbMotion movement(const std::vector<TrackKey>& keys, const std::vector<float>& times) {
+GlbMotion movement(const std::vector<TrackKey>& keys, const Clock& clock) {
   GlbMotion out;
-  out.times = times;
   for (const TrackKey& key : keys) {
+    out.times.push_back(clock.at(key.tick));
     const Pose pose = key.state.pose();
     // A trace may hold a turn of nothing but zeros for what is nowhere.
     const Quat q = std::isfinite(pose.q.w) ? pose.q : Quat{};
@@ -68,16 +101,21 @@ GlbMotion movement(const std::vector<TrackKey>& keys, const std::vector<float>& 
 }
 
 /// There, or not.
-GlbMotion presence(const std::vector<TrackKey>& keys, const std::vector<float>& times) {
+GlbMotion presence(const std::vector<Presence>& list, const Clock& clock) {
   GlbMotion out;
   out.stepped = true;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const bool same = i > 0 && keys[i].state.left == keys[i - 1].state.left;
-    if (same) continue;
-    const float scale = keys[i].state.left ? 0 : 1;
-    out.times.push_back(times[i]);
+  for (const Presence& one : list) {
+    const float scale = one.there ? 1 : 0;
+    out.times.push_back(clock.at(one.tick));
     out.scales.push_back({scale, scale, scale});
   }
+  return out;
+}
+
+/// When a block shows a colour.
+std::vector<Presence> shows(const std::vector<LedChange>& changes, Led led) {
+  std::vector<Presence> out;
+  for (const LedChange& change : changes) out.push_back({change.tick, change.led == led});
   return out;
 }
 
@@ -91,54 +129,66 @@ bool is_still(const GlbMotion& motion) {
 }
 
 struct Nodes {
-  std::vector<GlbNode> nodes;
-  std::vector<GlbMotion> motions;
+  Clock clock;
+  std::vector<GlbNode> nodes = {};
+  std::vector<GlbMotion> motions = {};
 
-  void add(const std::string& name, const PictureBody& look, const std::vector<TrackKey>& keys,
-           const std::vector<float>& times) {
-    std::vector<GlbMotion> wanted = {movement(keys, times), presence(keys, times)};
-    GlbNode node;
-    node.name = printable(name);
-    node.primitives.push_back(surface_of(look));
-    node.X_PN = keys.front().state.pose();
-    node.parent = 0;
+  /// Returns its number.
+  int add(GlbNode node, std::vector<GlbMotion> wanted) {
     for (GlbMotion& motion : wanted) {
       motion.node = nodes.size();
       if (!is_still(motion)) motions.push_back(std::move(motion));
     }
     nodes.push_back(std::move(node));
+    return static_cast<int>(nodes.size() - 1);
+  }
+
+  void add_body(const TraceBody& body, const BodyTrack& track,
+                const std::vector<LedChange>& changes, const PoseLook& look) {
+    GlbNode node;
+    node.name = printable(body.name);
+    node.X_PN = track.keys.front().state.pose();
+    node.parent = 0;
+    std::set<Led> leds;
+    for (const LedChange& change : changes) leds.insert(change.led);
+    if (leds.size() == 1) node.primitives.push_back(surface_of(body, *leds.begin(), look));
+    const int number =
+        add(std::move(node), {movement(track.keys, clock), presence(track.presences, clock)});
+    if (leds.size() == 1) return;
+    for (const Led led : leds) {
+      GlbNode one;
+      one.name = fmt::format("{} {}", printable(body.name), to_string(led));
+      one.parent = number;
+      one.primitives.push_back(surface_of(body, led, look));
+      add(std::move(one), {presence(shows(changes, led), clock)});
+    }
   }
 };
 
-bool is_nowhere(const std::vector<TrackKey>& keys) {
-  return std::all_of(keys.begin(), keys.end(), [](const auto& key) { return key.state.left; });
+bool is_nowhere(const std::vector<Presence>& list) {
+  return std::none_of(list.begin(), list.end(), [](const Presence& one) { return one.there; });
 }
 
 }  // namespace
 
-std::string pose_glb(const PoseTrace& trace, const PoseSpan& span) {
+std::string pose_glb(const PoseTrace& trace, const PoseSpan& span, const PoseLook& look) {
   assert(span.speed > 0 && span.from <= span.to);
   const double step = trace.header.step;
   const auto tick_at = [&](double time) {
     return std::min(trace.end.ticks, static_cast<std::uint64_t>(std::llround(time / step)));
   };
-  const std::uint64_t first = tick_at(span.from);
-  const auto tracks = tracks_of(trace, first, tick_at(span.to));
-  const std::vector<PictureBody> looks = last_looks(trace);
-  Nodes out;
+  const std::uint64_t first = tick_at(span.from), last = tick_at(span.to);
+  const std::vector<BodyTrack> tracks = tracks_of(trace, first, last, look);
+  const auto changes = led_changes(trace, first, last);
+  Nodes out{{first, step, span.speed}};
   // The world has z up, the file y.
   GlbNode root;
   root.name = printable(trace.header.title.empty() ? "run" : trace.header.title);
   root.X_PN.q = rotation({-std::numbers::pi / 2, 0, 0});
-  out.nodes.push_back(std::move(root));
+  out.add(std::move(root), {});
   for (std::size_t i = 0; i < tracks.size(); ++i) {
-    if (is_nowhere(tracks[i])) continue;
-    std::vector<float> times;
-    for (const TrackKey& key : tracks[i]) {
-      const double seconds = static_cast<double>(key.tick - first) * step / span.speed;
-      times.push_back(static_cast<float>(seconds));
-    }
-    out.add(trace.header.bodies[i].name, looks[i], tracks[i], times);
+    if (is_nowhere(tracks[i].presences)) continue;
+    out.add_body(trace.header.bodies[i], tracks[i], changes[i], look);
   }
   return glb_file(out.nodes, out.motions);
 }

@@ -72,12 +72,17 @@ std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame&
   return out;
 }
 
-std::vector<PictureBody> last_looks(const PoseTrace& trace) {
-  const std::vector<Led> leds = leds_at(trace, trace.end.ticks);
-  std::vector<PictureBody> out;
-  for (std::size_t i = 0; i < trace.header.bodies.size(); ++i) {
-    const TraceBody& body = trace.header.bodies[i];
-    out.push_back({body.shape, {}, body.rgb, body.block, leds[i]});
+std::vector<std::vector<LedChange>> led_changes(const PoseTrace& trace, std::uint64_t first,
+                                                std::uint64_t last) {
+  std::vector<std::vector<LedChange>> out;
+  for (const Led led : leds_at(trace, first)) out.push_back({{first, led}});
+  for (const TraceValue& value : trace.values) {
+    if (value.tick <= first || value.tick > last) continue;
+    if (trace.header.channels[value.channel] != "leds") continue;
+    if (value.body >= out.size() || !trace.header.bodies[value.body].block) continue;
+    const Led led = most_shown(value.bytes);
+    std::vector<LedChange>& changes = out[value.body];
+    if (changes.back().led != led) changes.push_back({value.tick, led});
   }
   return out;
 }

@@ -15,7 +15,14 @@ namespace stig::view {
 std::vector<PictureBody> picture_bodies(const PoseTrace& trace, const TraceFrame& frame);
 /// The arrows that robots' programs show.
 std::vector<PictureLine> picture_lines(const PoseTrace& trace, const TraceFrame& frame);
-/// All bodies of the trace as they look at its end, at the origin.
-std::vector<PictureBody> last_looks(const PoseTrace& trace);
+/// What a block shows from a tick on.
+struct LedChange {
+  std::uint64_t tick = 0;
+  Led led = Led::off;
+};
+/// Of each body: what it shows at a tick, and how that changes until another. Nothing but dark of
+/// what is no block.
+std::vector<std::vector<LedChange>> led_changes(const PoseTrace& trace, std::uint64_t first,
+                                                std::uint64_t last);
 
 }  // namespace stig::view

@@ -78,7 +78,9 @@ TEST_CASE("the same command gives the same bytes") {
   for (const std::string what :
        {"line.stigt -o a.png --time 1 --ghost", "sheet.stigt -o a.svg --view orbit",
         "sheet.stigt -o a.glb", "fall.stigp -o a.png --time 0.1 --ghost --view top",
-        "fall.stigp -o a.glb --from 0.05", "sheet.txt -o a.svg --view front --no-legend"}) {
+        "fall.stigp -o a.glb --from 0.05", "fall.stigp -o a.svg --time 0.1 --ghost",
+        "fall.stigp -o a.glb --slice z=..1 --palette tol-bright",
+        "sheet.txt -o a.svg --view front --no-legend"}) {
     CAPTURE(what);
     const std::string name = what.find(".svg") != std::string::npos   ? "a.svg"
                              : what.find(".glb") != std::string::npos ? "a.glb"
@@ -238,12 +240,12 @@ TEST_CASE("options that make no sense together are refused before any work") {
   for (const std::string line :
        {"line.stigt -o a.bmp", "line.stigt -o a.png --from 1", "line.stigt -o a.gif --time 1",
         "line.stigt -o a.gif --from 2 --to 1", "line.stigt -o a.glb --ghost",
-        "line.stigt -o a.png --camera r", "fall.stigp -o a.svg", "sheet.txt -o a.gif",
-        "fall.stigp -o a.glb --palette okabe-ito", "fall.stigp -o a.png --camera r --view top",
-        "line.stigt -o a.png --view side", "line.stigt -o a.png --view 0,0,0",
-        "line.stigt -o a.png --size 10x10", "line.stigt -o a.png --slice w=1..2",
-        "line.stigt -o a.png --slice z=2..1", "line.stigt -o a.png --slice z=..",
-        "line.stigt -o a/ --fps 100000 --speed 0.001", "line.stigt"}) {
+        "line.stigt -o a.png --camera r", "fall.stigp -o a.svg --camera r", "sheet.txt -o a.gif",
+        "fall.stigp -o a.png --camera r --view top", "line.stigt -o a.png --view side",
+        "line.stigt -o a.png --view 0,0,0", "line.stigt -o a.png --size 10x10",
+        "line.stigt -o a.png --slice w=1..2", "line.stigt -o a.png --slice z=2..1",
+        "line.stigt -o a.png --slice z=..", "line.stigt -o a/ --fps 100000 --speed 0.001",
+        "line.stigt"}) {
     CAPTURE(line);
     const Outcome outcome = place.shell("stigc render " + line);
     CHECK(outcome.exit_code == 2);

@@ -68,7 +68,7 @@ json channel_of(const json& file, std::size_t node, const std::string& path) {
 TEST_CASE("bodies that move have keys, those that rest none, those that never come no node") {
   const json file = glb_content(pose_glb(small_trace(), {0, 2, 1}));
   const json& nodes = file["nodes"];
-  REQUIRE(nodes.size() == 4);
+  REQUIRE(nodes.size() == 6);  // with a child for each colour that one shows
   CHECK(nodes[1]["name"] == "rests");
   CHECK(nodes[2]["name"] == "drives");
   CHECK(nodes[3]["name"] == "comes");
@@ -88,18 +88,56 @@ TEST_CASE("bodies that move have keys, those that rest none, those that never co
   CHECK(file["accessors"][comes["input"].get<std::size_t>()]["max"][0] == 1);
 }
 
-TEST_CASE("a part of a run begins at 0 s, at its own speed, with the colours of the end") {
+json material_of(const json& file, std::size_t node) {
+  const json& mesh = file["meshes"][file["nodes"][node]["mesh"].get<std::size_t>()];
+  return file["materials"][mesh["primitives"][0]["material"].get<std::size_t>()]["name"];
+}
+
+TEST_CASE("a part of a run begins at 0 s, at its own speed") {
   const json file = glb_content(pose_glb(small_trace(), {0.5, 1.5, 2}));
   const json sampler = channel_of(file, 2, "translation");
   const json& times = file["accessors"][sampler["input"].get<std::size_t>()];
   CHECK(times["min"][0] == 0);
   CHECK(times["max"][0] == 0.5);
-  const auto material = [&](std::size_t node) {
-    const json& mesh = file["meshes"][file["nodes"][node]["mesh"].get<std::size_t>()];
-    return file["materials"][mesh["primitives"][0]["material"].get<std::size_t>()]["name"];
-  };
-  CHECK(material(1) == "#b0b4ba");
-  CHECK(material(3) != material(1));
+  CHECK(material_of(file, 1) == "#b0b4ba");
+}
+
+TEST_CASE("a block that changes its LEDs is a surface of each colour, one there at a time") {
+  const json file = glb_content(pose_glb(small_trace(), {0, 2, 1}));
+  const json& nodes = file["nodes"];
+  REQUIRE(nodes.size() == 6);
+  CHECK(nodes[3]["name"] == "comes");
+  CHECK(!nodes[3].contains("mesh"));
+  CHECK(nodes[3]["children"] == json{4, 5});
+  CHECK(material_of(file, 4) == "#b0b4ba");
+  CHECK(material_of(file, 5) != material_of(file, 4));
+  for (const std::size_t node : {4, 5}) {
+    const json scale = channel_of(file, node, "scale");
+    REQUIRE(!scale.is_null());
+    CHECK(scale["interpolation"] == "STEP");
+    CHECK(file["accessors"][scale["input"].get<std::size_t>()]["max"][0] == 1);
+  }
+  // After the change there is but one.
+  const json late = glb_content(pose_glb(small_trace(), {1.2, 2, 1}));
+  CHECK(late["nodes"].size() == 4);
+  CHECK(material_of(late, 3) == material_of(file, 5));
+}
+
+TEST_CASE("what is outside of a slice is not there, and a palette lights the LEDs") {
+  PoseLook look;
+  look.shown = [](const Vec3& place) { return place.x > 0.1; };
+  look.glow = [](Led) { return Rgb{0, 0, 0}; };
+  const json file = glb_content(pose_glb(small_trace(), {0, 2, 1}, look));
+  const json& nodes = file["nodes"];
+  REQUIRE(nodes.size() == 5);  // without the one that rests at 0
+  CHECK(nodes[1]["name"] == "drives");
+  const json scale = channel_of(file, 1, "scale");
+  REQUIRE(!scale.is_null());
+  // At 0.2 m/s it is beyond 0.1 m after the frame of 0.5 s.
+  const json& times = file["accessors"][scale["input"].get<std::size_t>()];
+  CHECK(times["count"] == 2);
+  CHECK(times["max"][0] == doctest::Approx(0.52));
+  CHECK(material_of(file, 4) == to_color(blend({0xb0, 0xb4, 0xba}, {0, 0, 0}, 0.6)));
 }
 
 }  // namespace

@@ -64,11 +64,7 @@ std::string usage_problem(const RenderOptions& o, const std::string& ending) {
 /// What is wrong with them for a file of this kind.
 std::string kind_problem(const RenderOptions& o, const std::string& ending, const Film& film) {
   const bool physical = film.time == FilmTime::seconds;
-  if (physical && ending == ".svg") return "physical runs are drawn as .png";
-  const bool chosen = !o.slices.empty() || o.palette != Palette::file;
-  if (physical && ending == ".glb" && chosen) {
-    return "--slice and --palette are of pictures, and of lattice runs";
-  }
+  if (o.camera && ending == ".svg") return "what a camera sees are pixels: draw a .png";
   if (!physical && o.camera) return "--camera is of physical runs";
   const bool film_wanted = !is_picture(ending) && ending != ".glb";
   if (film.time == FilmTime::none && film_wanted && !o.view.orbit) {

@@ -13,6 +13,7 @@
 #include "physical/trace/pose_frames.h"
 #include "simulate_report.h"
 #include "view/pose_glb.h"
+#include "view/pose_svg.h"
 #include "view/trace_picture.h"
 
 namespace stig::cli {
@@ -83,11 +84,13 @@ class PosePictures {
     // From below, the floor would hide what stands on it.
     const bool above = view.X_WC.p.z > 0;
     const auto floor = with_floor_ && above ? std::optional(floor_) : std::nullopt;
-    const Image image = draw_bodies(bodies, view, floor, lines);
-    if (options_.no_title) return png_of(image, "");
-    return png_of(image,
-                  picture_caption(trace_->header.title, static_cast<double>(frame.tick) * step,
-                                  floor ? floor_.grid : 0));
+    const std::string caption =
+        options_.no_title
+            ? ""
+            : picture_caption(trace_->header.title, static_cast<double>(frame.tick) * step,
+                              floor ? floor_.grid : 0);
+    if (film_ending(options_) == ".svg") return pose_svg(bodies, view, floor, lines, caption);
+    return png_of(draw_bodies(bodies, view, floor, lines), caption);
   }
 
  private:
@@ -222,8 +225,15 @@ std::optional<Film> pose_film(const RenderOptions& options,
       return (*pictures)->draw(time, turn);
     };
   }
-  film->glb = [trace](const FilmTimes& times, std::string&) {
-    return pose_glb(*trace, {times.from, times.to, times.speed});
+  film->glb = [trace, options](const FilmTimes& times, std::string&) {
+    PoseLook look;
+    if (!options.slices.empty()) {
+      look.shown = [&options](const Vec3& place) { return is_shown(options.slices, place); };
+    }
+    if (options.palette != Palette::file) {
+      look.glow = [&options](Led led) { return rgb_in(options.palette, static_cast<Colour>(led)); };
+    }
+    return pose_glb(*trace, {times.from, times.to, times.speed}, look);
   };
   return film;
 }

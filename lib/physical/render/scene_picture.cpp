@@ -12,11 +12,12 @@ namespace stig::physics {
 namespace {
 
 // Fine enough for smooth edges: four samples a pixel.
-constexpr int kSamples = 2;     ///< a pixel, along x and y
-constexpr double kNear = 0.01;  ///< m: what is nearer to the eye is cut off
+constexpr int kSamples = 2;         ///< a pixel, along x and y
+constexpr double kDarkness = 0.13;  ///< of shadows
+constexpr double kNear = 0.01;      ///< m: what is nearer to the eye is cut off
 // About 30°: as a long lens sees it, with little distortion towards the borders.
 constexpr double kFieldOfView = 0.52;  ///< rad, across the width
-constexpr Rgb kBackdrop{250, 251, 252}, kFloorColour{238, 240, 243}, kGridColour{203, 209, 216};
+constexpr Rgb kFloorColour{238, 240, 243}, kGridColour{203, 209, 216};
 constexpr Rgb kEdge{38, 42, 48}, kTagInk{45, 48, 54}, kTagPaper{240, 240, 240};
 constexpr double kTagHalf = 0.22, kLedPlace = 0.36, kLedHalf = 0.05;  ///< shares of the side
 // Over the shoulder of who looks from the front.
@@ -32,8 +33,8 @@ Rgb lit(Rgb colour, const Vec3& normal) { return blend({14, 18, 26}, colour, sha
 /// off at the near plane, and only then projected, since what lies behind the eye has no image.
 class Painter {
  public:
-  Painter(Raster& raster, const PictureView& view)
-      : raster_(raster), view_(view), r_(matrix(view.X_WC.q)) {}
+  Painter(PictureSink& sink, const PictureView& view)
+      : sink_(sink), view_(view), r_(matrix(view.X_WC.q)) {}
 
   /// Faces that do not are left out: that saves half of the work, and keeps them from shining
   /// through edges.
@@ -42,17 +43,16 @@ class Painter {
   }
 
   void polygon(const std::vector<Vec3>& corners, Rgb colour) {
-    fan(corners,
-        [&](const auto& a, const auto& b, const auto& c) { raster_.triangle(a, b, c, colour); });
+    const auto shown = on_image(corners);
+    if (shown.size() > 2) sink_.polygon(shown, colour);
   }
   void shadow(const std::vector<Vec3>& corners) {
-    fan(corners,
-        [&](const auto& a, const auto& b, const auto& c) { raster_.shade(a, b, c, 0.13); });
+    const auto shown = on_image(corners);
+    if (shown.size() > 2) sink_.shadow(shown, kDarkness);
   }
   void line(const Vec3& from, const Vec3& to, double width, Rgb colour, double bias) {
-    const auto clipped = clip({in_eye(from), in_eye(to)});
-    if (clipped.size() < 2) return;
-    raster_.line(on_image(clipped[0]), on_image(clipped[1]), width * kSamples, colour, bias);
+    const auto shown = on_image({from, to});
+    if (shown.size() > 1) sink_.line(shown[0], shown[1], width, colour, bias);
   }
   /// Pixels across a length that faces the eye at a point.
   double pixels(const Vec3& point, double length) const {
@@ -61,13 +61,6 @@ class Painter {
 
  private:
   Vec3 in_eye(const Vec3& p_W) const { return r_.transposed(p_W - view_.X_WC.p); }
-
-  RasterPoint on_image(const Vec3& p_C) const {
-    const auto pixel = project(view_.camera, p_C);
-    // The middles of pixels are whole numbers, before and after they are split.
-    const auto split = [](double x) { return (x + 0.5) * kSamples - 0.5; };
-    return pixel ? RasterPoint{split(pixel->x), split(pixel->y), 1 / p_C.z} : RasterPoint{};
-  }
 
   /// What of a polygon, or of a line, lies before the eye: Sutherland and Hodgman's algorithm with
   /// a single plane.
@@ -84,19 +77,52 @@ class Painter {
     return out;
   }
 
-  template <class Each>
-  void fan(const std::vector<Vec3>& corners, Each each) {
+  /// What of corners of the world is seen.
+  std::vector<RasterPoint> on_image(const std::vector<Vec3>& corners) const {
     std::vector<Vec3> eye;
     for (const Vec3& corner : corners) eye.push_back(in_eye(corner));
-    eye = clip(eye);
-    for (std::size_t i = 2; i < eye.size(); ++i) {
-      each(on_image(eye[0]), on_image(eye[i - 1]), on_image(eye[i]));
+    std::vector<RasterPoint> out;
+    for (const Vec3& p : clip(eye)) {
+      const auto pixel = project(view_.camera, p);
+      out.push_back(pixel ? RasterPoint{pixel->x, pixel->y, 1 / p.z} : RasterPoint{});
     }
+    return out;
   }
 
-  Raster& raster_;
+  PictureSink& sink_;
   const PictureView& view_;
   Mat3 r_;
+};
+
+/// Pixels, each from several samples.
+class FinePicture final : public PictureSink {
+ public:
+  FinePicture(int width, int height) : raster_(width * kSamples, height * kSamples, kBackdrop) {}
+
+  void polygon(const std::vector<RasterPoint>& corners, Rgb colour) override {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      raster_.triangle(split(corners[0]), split(corners[i - 1]), split(corners[i]), colour);
+    }
+  }
+  void shadow(const std::vector<RasterPoint>& corners, double darkness) override {
+    for (std::size_t i = 2; i < corners.size(); ++i) {
+      raster_.shade(split(corners[0]), split(corners[i - 1]), split(corners[i]), darkness);
+    }
+  }
+  void line(const RasterPoint& from, const RasterPoint& to, double width, Rgb colour,
+            double bias) override {
+    raster_.line(split(from), split(to), width * kSamples, colour, bias);
+  }
+  Image image() const { return raster_.image(kSamples); }
+
+ private:
+  /// The middles of pixels are whole numbers, before and after they are split.
+  static RasterPoint split(const RasterPoint& p) {
+    const auto part = [](double x) { return (x + 0.5) * kSamples - 0.5; };
+    return {part(p.x), part(p.y), p.inverse_depth};
+  }
+
+  Raster raster_;
 };
 
 std::vector<Vec3> in_world(const Pose& X_WB, const std::vector<Vec3>& points) {
@@ -315,11 +341,10 @@ PictureView view_holding(const std::vector<Vec3>& points, const PictureLook& loo
   return view;
 }
 
-Image draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
-                  const std::optional<PictureFloor>& floor, const std::vector<PictureLine>& lines) {
-  assert(view.camera.width > 0 && view.camera.height > 0);
-  Raster raster(view.camera.width * kSamples, view.camera.height * kSamples, kBackdrop);
-  Painter painter(raster, view);
+void paint_bodies(PictureSink& sink, const std::vector<PictureBody>& bodies,
+                  const PictureView& view, const std::optional<PictureFloor>& floor,
+                  const std::vector<PictureLine>& lines) {
+  Painter painter(sink, view);
   if (floor) {
     draw_floor(painter, *floor);
     for (const PictureBody& body : bodies) draw_shadow(painter, body);
@@ -328,7 +353,14 @@ Image draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& vie
   for (const PictureLine& mark : lines) {
     painter.line(mark.from, mark.to, mark.width, mark.colour, mark.bias);
   }
-  return raster.image(kSamples);
+}
+
+Image draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
+                  const std::optional<PictureFloor>& floor, const std::vector<PictureLine>& lines) {
+  assert(view.camera.width > 0 && view.camera.height > 0);
+  FinePicture fine(view.camera.width, view.camera.height);
+  paint_bodies(fine, bodies, view, floor, lines);
+  return fine.image();
 }
 
 ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,

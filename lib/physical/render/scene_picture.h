@@ -68,9 +68,26 @@ struct ScenePicture {
   Image image;
   double grid = 0;  ///< m between lines
 };
+inline constexpr Rgb kBackdrop{250, 251, 252};
 Image draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
                   const std::optional<PictureFloor>& floor,
                   const std::vector<PictureLine>& lines = {});
+
+/// Takes up what is painted, in pixels as of RasterPoint: convex polygons, shadows on the floor,
+/// and lines so many pixels wide.
+class PictureSink {
+ public:
+  virtual ~PictureSink() = default;
+  virtual void polygon(const std::vector<RasterPoint>& corners, Rgb colour) = 0;
+  virtual void shadow(const std::vector<RasterPoint>& corners, double darkness) = 0;
+  virtual void line(const RasterPoint& from, const RasterPoint& to, double width, Rgb colour,
+                    double bias) = 0;
+};
+/// Floor, shadows, bodies in the order in which they are given, then lines. One that knows no depth
+/// wants the painting_order.
+void paint_bodies(PictureSink& sink, const std::vector<PictureBody>& bodies,
+                  const PictureView& view, const std::optional<PictureFloor>& floor,
+                  const std::vector<PictureLine>& lines);
 /// With the floor under the bodies as they stand, if there is one.
 ScenePicture draw_bodies(const std::vector<PictureBody>& bodies, const PictureView& view,
                          bool floor, const std::vector<PictureLine>& lines = {});
