@@ -91,7 +91,7 @@ test('forces are drawn to a scale that the legend tells', async () => {
     let up = 0;
     for (const [body, {times, texts}] of run.contacts) {
       const at = times.filter(time => time <= 1).length - 1;
-      for (const row of own.has(body) ? JSON.parse(texts[at]) : []) if (row[0] < 0) up += row[6] / 100;
+      for (const row of own.has(body) ? JSON.parse(texts[at]) : []) if (row[0] < 0) up += row[6] / 10;
     }
     return {sum: up, arrows: marks.within.geometry.getAttribute('position').count};
   });

@@ -43,7 +43,7 @@ void add_simulate(CLI::App& app, SimulateOptions& o) {
   seconds(sub, "--duration", o.duration, "simulated seconds (default: the scene's)");
   path(sub, "--trace", o.trace, "record the run, for replay and viewers (.stigp)");
   sub->add_flag("--trace-detail", o.detail,
-                "record also what robots sense and send, and where magnets point");
+                "record also what robots sense and send, magnets and forces");
   path(sub, "-o,--output", o.picture, "draw the end, or the moment --at (.png)");
   moment(sub, "--at", o.at, "the picture's moment, in simulated seconds");
   sub->add_option("--camera", o.camera, "draw what this camera of a robot sees")
@@ -123,7 +123,7 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
   path(sub, "-o,--output", o.output,
        "a folder for the report, curves, traces, the scene and the controller");
   sub->add_flag("--trace-detail", o.detail,
-                "record also what robots sense and send, and where magnets point");
+                "record also what robots sense and send, magnets and forces");
   integer(sub, "--threads", o.threads, 0, 4096,
           "threads for the runs; 0: all cores (default). The results are the same for any");
   sub->add_flag("--json", o.json, "print one JSON object instead of the summary");

@@ -2,7 +2,10 @@
 // Numbers are rounded to what can be told apart on a screen: detailed traces are long.
 #include "physical/simulation/detail_json.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace stig::physics {
@@ -37,13 +40,14 @@ Json camera_json(const CameraReading& camera) {
   return out;
 }
 
-constexpr double kPlaces = 1e4;  ///< of a metre
-constexpr double kForces = 100;  ///< of a newton
+constexpr double kPlaces = 1e3;  ///< of a metre
+constexpr double kForces = 10;   ///< of a newton
+constexpr double kDirections = 100;
 
-void put_whole(Json& out, const Vec3& v, double parts) {
-  for (const double part : {v.x, v.y, v.z}) {
-    out.push_back(static_cast<std::int64_t>(std::llround(part * parts)));
-  }
+/// Whole numbers are written as they are: there are a thousand such lists a second.
+void put_whole(std::string& out, const Vec3& v, double parts) {
+  const auto whole = [parts](double part) { return std::llround(part * parts); };
+  fmt::format_to(std::back_inserter(out), "{},{},{}", whole(v.x), whole(v.y), whole(v.z));
 }
 
 /// Writes every message of every radio, with the radio's number.
@@ -77,32 +81,33 @@ std::string senses_json(const RobotModel& model, const RobotReadings& readings,
 
 std::string magnets_json(const World& world, BodyId body, std::size_t magnets) {
   const Quat q_BW = conjugate(world.state(body).X_WB.q);
-  Json out = Json::array();
+  std::string out = "[";
   for (std::size_t i = 0; i < magnets; ++i) {
-    const Vec3 direction = rotate(q_BW, world.magnet_direction(body, i));
-    for (const double part : {direction.x, direction.y, direction.z}) {
-      out.push_back(static_cast<int>(std::lround(part * 100)));
-    }
+    if (i > 0) out += ',';
+    put_whole(out, rotate(q_BW, world.magnet_direction(body, i)), kDirections);
   }
-  return out.dump();
+  return out + "]";
 }
 
 std::string contacts_json(std::span<const ContactForce> contacts) {
-  Json out = Json::array();
+  std::string out = "[";
   for (const ContactForce& one : contacts) {
-    Json row = Json::array();
-    row.push_back(one.b == kFloorId ? -1 : static_cast<std::int64_t>(one.b));
-    put_whole(row, one.p_W, kPlaces);
-    put_whole(row, one.force, kForces);
-    out.push_back(std::move(row));
+    const bool floor = one.b == kFloorId;
+    out += out.size() > 1 ? ",[" : "[";
+    out += floor ? "-1" : std::to_string(static_cast<std::uint32_t>(one.b));
+    out += ',';
+    put_whole(out, one.p_W, kPlaces);
+    out += ',';
+    put_whole(out, one.force, kForces);
+    out += ']';
   }
-  return out.dump();
+  return out + "]";
 }
 
 std::string force_json(const Vec3& force) {
-  Json out = Json::array();
+  std::string out = "[";
   put_whole(out, force, kForces);
-  return out.dump();
+  return out + "]";
 }
 
 }  // namespace stig::physics

@@ -15,9 +15,9 @@
 //
 //     [[other body, or -1 for the floor, x, y, z, Fx, Fy, Fz], …]
 //
-// places in tenths of a millimetre, the force on the body itself in hundredths of a newton.
+// places in millimetres, the force on the body itself in tenths of a newton.
 //
-// "pulls", of a body: [Fx, Fy, Fz], what magnets do to it, in hundredths of a newton.
+// "pulls", of a body: [Fx, Fy, Fz], what magnets do to it, in tenths of a newton.
 //
 // A channel is known by its name: one whose text came to mean something else would get another
 // name, so that no reader mistakes it. Readers pass over channels that they do not know.

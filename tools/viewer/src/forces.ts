@@ -9,8 +9,8 @@ import {saidAt, type PoseRun, type Said} from './pose_run.js';
 export const kContactColour = '#56b4e9', kMagnetColour = '#cc79a7';
 
 const kContact = rgbOf(kContactColour), kMagnet = rgbOf(kMagnetColour);
-const kPlaces = 1e4;       // of a metre
-const kForces = 100;       // of a newton
+const kPlaces = 1e3;       // of a metre
+const kForces = 10;        // of a newton
 const kLongest = 0.1;      // m, of the arrow of a strong force
 const kStrong = 0.98;      // share of all forces that are weaker
 const kNumbers = 7;        // of a contact
