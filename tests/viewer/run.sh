@@ -4,6 +4,7 @@
 #
 #   run.sh sources BUILT             types and style of its sources
 #   run.sh pages BUILT STIGC         pages in headless Chromium
+#   run.sh measure BUILT STIGC       a table of what large pages cost, which no test runs
 #
 # Exit status 77 (skipped) where something is missing, unless STIG_REQUIRE_READERS is set.
 set -euo pipefail
@@ -28,4 +29,6 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
   skip "no Chromium (scripts/install.sh viewer)"
 rm -rf tests
 cp -r "$tests" tests
-STIGC=$3 BROWSER=$browser exec node --test --test-reporter=spec tests/*.test.mjs
+export STIGC=$3 BROWSER=$browser
+[[ $what == measure ]] && exec node tests/measure.mjs
+exec node --test --test-reporter=spec tests/*.test.mjs

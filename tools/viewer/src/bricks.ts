@@ -80,11 +80,11 @@ export class Bricks {
     const {x, y, z} = this.cells;
     const {faces} = this.shape;
     const out = new Int32Array(this.count * faces.length);
-    for (let i = 0; i < this.count; ++i) {
-      faces.forEach(({neighbour: n}, f) => {
-        out[i * faces.length + f] = this.index.at(x[i] + n[0], y[i] + n[1], z[i] + n[2]);
-      });
-    }
+    faces.forEach(({neighbour: [dx, dy, dz]}, f) => {
+      for (let i = 0; i < this.count; ++i) {
+        out[i * faces.length + f] = this.index.at(x[i] + dx, y[i] + dy, z[i] + dz);
+      }
+    });
     return out;
   }
 

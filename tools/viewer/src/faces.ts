@@ -44,6 +44,22 @@ void main() {
   pixel = vec4(vColour * (1.0 - 0.45 * line), opacity);
 }`;
 
+const kIndices = new Map<number, three.BufferAttribute>();
+
+/** Vertices of so many faces: the same for all sides with as many corners, and so shared. */
+function indexFor(faces: number, corners: number, triangles: readonly number[]):
+    three.BufferAttribute {
+  const known = kIndices.get(corners);
+  if (known && known.count >= faces * triangles.length) return known;
+  const index = new Uint32Array(faces * triangles.length);
+  for (let f = 0, to = 0; f < faces; ++f) {
+    for (const corner of triangles) index[to++] = f * corners + corner;
+  }
+  const made = new three.BufferAttribute(index, 1);
+  kIndices.set(corners, made);
+  return made;
+}
+
 /** Those of one direction. */
 class Side {
   readonly mesh: three.Mesh;
@@ -63,6 +79,8 @@ class Side {
                          : [0, 1, 2, 0, 2, 3];
     this.mesh = new three.Mesh(this.geometry, material(cap, this.corners.length));
     this.mesh.frustumCulled = false;
+    // Or it would be found, for an order that nobody needs, from all vertices.
+    this.geometry.boundingSphere = new three.Sphere();
   }
 
   /** The number of faces drawn. */
@@ -75,11 +93,10 @@ class Side {
       const beyond = neighbours[i * sides + this.number];
       return beyond < 0 || visible[beyond] === 0 || look.apart > 0;
     };
-    let faces = 0;
+    let faces = 0, vertex = 0;
     for (let i = 0; i < count; ++i) if (shown(i)) ++faces;
     this.reserve(faces);
-    let vertex = 0;
-    for (let i = 0; i < count; ++i) {
+    for (let i = 0; faces > 0 && i < count; ++i) {
       if (shown(i)) vertex = this.put(i, vertex, look, centres);
     }
     for (const name of ['position', 'colour']) {
@@ -114,14 +131,10 @@ class Side {
     const vertices = this.room * this.corners.length;
     this.position = new Float32Array(3 * vertices);
     this.colour = new Uint8Array(4 * vertices);  // of four bytes each: aligned ones are faster
-    const index = new Uint32Array(this.room * this.triangles.length);
-    for (let f = 0, to = 0; f < this.room; ++f) {
-      for (const corner of this.triangles) index[to++] = f * this.corners.length + corner;
-    }
     this.geometry.dispose();
     this.geometry.setAttribute('position', new three.BufferAttribute(this.position, 3));
     this.geometry.setAttribute('colour', new three.BufferAttribute(this.colour, 4, true));
-    this.geometry.setIndex(new three.BufferAttribute(index, 1));
+    this.geometry.setIndex(indexFor(this.room, this.corners.length, this.triangles));
   }
 
   dispose(): void {

@@ -53,5 +53,5 @@ export function column(data: PackedData, place: ColumnPlace): Float64Array {
 }
 
 export function integers(data: PackedData, place: ColumnPlace): Int32Array {
-  return Int32Array.from(column(data, place));
+  return new Int32Array(column(data, place));
 }

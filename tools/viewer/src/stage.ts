@@ -30,13 +30,24 @@ export function gridOf(panes: number, aspect: number): [number, number] {
   return best;
 }
 
-function drawnBySoftware(): boolean {
-  const context = document.createElement('canvas').getContext('webgl2');
-  const info = context?.getExtension('WEBGL_debug_renderer_info');
-  if (!context || !info) return false;
-  const name = String(context.getParameter(info.UNMASKED_RENDERER_WEBGL));
-  context.getExtension('WEBGL_lose_context')?.loseContext();
+function drawnBySoftware(context: WebGL2RenderingContext): boolean {
+  const info = context.getExtension('WEBGL_debug_renderer_info');
+  const name = info ? String(context.getParameter(info.UNMASKED_RENDERER_WEBGL)) : '';
   return /swiftshader|llvmpipe|software/i.test(name);
+}
+
+/** With smooth edges, unless software draws. Which it is a context alone can tell; one of software
+    takes half a second to be made, and so is kept. */
+function makeRenderer(): {renderer: three.WebGLRenderer; software: boolean} {
+  const options = {preserveDrawingBuffer: true, powerPreference: 'high-performance'} as const;
+  const canvas = document.createElement('canvas');
+  // As three.js asks for it.
+  const context = canvas.getContext('webgl2', {...options, antialias: false, stencil: false});
+  if (context && drawnBySoftware(context)) {
+    return {renderer: new three.WebGLRenderer({...options, canvas, context}), software: true};
+  }
+  context?.getExtension('WEBGL_lose_context')?.loseContext();
+  return {renderer: new three.WebGLRenderer({...options, antialias: true}), software: false};
 }
 
 export class Stage {
@@ -47,7 +58,7 @@ export class Stage {
   panes: Shown[] = [];
   /** Before each frame. */
   onFrame: () => void = () => undefined;
-  private readonly software = drawnBySoftware();
+  private readonly software: boolean;
   private readonly renderer: three.WebGLRenderer;
   private asked = false;
   private turns = false;  // the frame that is asked for is one of a camera that moves
@@ -61,11 +72,7 @@ export class Stage {
   private shape = '';
 
   constructor(private readonly host: HTMLElement, private readonly camera: () => three.Camera) {
-    this.renderer = new three.WebGLRenderer({
-      antialias: !this.software,
-      preserveDrawingBuffer: true,
-      powerPreference: 'high-performance',
-    });
+    ({renderer: this.renderer, software: this.software} = makeRenderer());
     this.canvas = this.renderer.domElement;
     this.canvas.tabIndex = 0;
     this.renderer.autoClear = false;
