@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // YAML as a tree of nodes that know where they stand.
 //
-// Built on yaml-cpp's events, without its node type: that one keeps duplicate keys
+// Built on yaml-cpp's events (yaml_events.h), without its node type: that one keeps duplicate keys
 // silently, knows starts but no ends, and follows aliases without bound. A node's
 // type is left to whoever knows the key: `010` is the text "010", `yes` is a text.
 // Aliases, anchors and tags are reported and leave a broken node behind.
