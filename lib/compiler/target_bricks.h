@@ -33,7 +33,8 @@ class BrickSet {
   bool meets(const BrickSet& other) const;
   std::size_t count() const;
   std::uint64_t hash() const;
-  auto operator<=>(const BrickSet&) const = default;
+  bool operator==(const BrickSet&) const = default;
+  bool operator<(const BrickSet& other) const { return words_ < other.words_; }
 
  private:
   std::vector<std::uint64_t> words_;
