@@ -39,11 +39,13 @@ void PageContent::add(Json run) { runs_->push_back(std::move(run)); }
 
 void PageContent::set_target(Json target) { *target_ = std::move(target); }
 
-std::string PageContent::data() const {
+Json PageContent::json() const {
   Json json{{"version", kVersion}, {"title", title()}, {"runs", *runs_}};
   if (!target_->is_null()) json["target"] = *target_;
-  return page_data(json, columns_);
+  return json;
 }
+
+std::string PageContent::data() const { return page_data(json(), columns_); }
 
 std::string PageContent::title() const {
   if (!title_.empty() || runs_->empty()) return printable(title_);

@@ -23,12 +23,15 @@ class PageContent {
   PageContent& operator=(const PageContent&) = delete;
 
   PageColumns& columns() { return columns_; }
+  const PageColumns& columns() const { return columns_; }
   void add(nlohmann::ordered_json run);
   /// A structure that runs are held against, see lattice_run.h.
   void set_target(nlohmann::ordered_json target);
   std::string title() const;
   /// Do all runs count time alike, as they must to be shown together?
   bool of_one_kind() const;
+  /// All but the columns.
+  nlohmann::ordered_json json() const;
   /// As the page holds it.
   std::string data() const;
 

@@ -20,16 +20,6 @@ using Json = nlohmann::ordered_json;
 
 }  // namespace
 
-Json PageColumns::add(std::span<const std::int64_t> numbers) {
-  const Json place{{"at", bytes_.size()}, {"count", numbers.size()}};
-  std::int64_t last = 0;
-  for (const std::int64_t number : numbers) {
-    put_zigzag(bytes_, number - last);
-    last = number;
-  }
-  return place;
-}
-
 std::string page_data(const Json& json, const PageColumns& columns) {
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
   std::string all;
