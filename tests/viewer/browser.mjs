@@ -48,7 +48,9 @@ export async function open(name, {width = 900, height = 620, dark = false, hash 
   page.on('pageerror', error => problems.push(error.message));
   const address = `file://${path.join(folder, name)}`;
   page.on('request', request => {
-    if (request.url().split('#')[0] !== address) problems.push(`request: ${request.url()}`);
+    const url = request.url().split('#')[0];
+    // What a page makes itself, it asks nobody for.
+    if (url !== address && !url.startsWith('blob:')) problems.push(`request: ${url}`);
   });
   await page.goto(address + hash);
   await until(page, () => window.stigView?.stage.frames > 0);

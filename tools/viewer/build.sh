@@ -10,7 +10,8 @@ sources=$1 work=$2 how=$3 kind=${4:-}
 
 mkdir -p "$work"
 rm -rf "$work/src"
-cp -r "$sources"/{src,page.html,build.mjs,eslint.config.js,package.json,tsconfig.json,.npmrc} "$work/"
+cp -r "$sources"/{src,{page,playground}.html,{build,bundle,playground}.mjs,eslint.config.js} "$work/"
+cp "$sources"/{package.json,tsconfig.json,.npmrc} "$work/"
 
 # With the kind, so that packages are fetched again when the tests are wanted later.
 wanted=$(cat "$sources/package-lock.json" && printf '%s' "$kind")

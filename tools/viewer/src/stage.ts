@@ -60,6 +60,7 @@ export class Stage {
   onFrame: () => void = () => undefined;
   private readonly software: boolean;
   private readonly renderer: three.WebGLRenderer;
+  private readonly sizes = new ResizeObserver(() => this.draw());
   private asked = false;
   private turns = false;  // the frame that is asked for is one of a camera that moves
   private detail = 1;
@@ -77,7 +78,16 @@ export class Stage {
     this.canvas.tabIndex = 0;
     this.renderer.autoClear = false;
     host.prepend(this.canvas);
-    new ResizeObserver(() => this.draw()).observe(host);
+    this.sizes.observe(host);
+  }
+
+  /** Gives back what the browser has few of. */
+  dispose(): void {
+    this.asked = true;  // no more frames
+    clearTimeout(this.still);
+    this.sizes.disconnect();
+    this.renderer.dispose();
+    this.renderer.forceContextLoss();
   }
 
   get size(): [number, number] {

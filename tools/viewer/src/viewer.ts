@@ -63,6 +63,8 @@ export class Viewer {
   /** Where the robot that is followed was in the frame before. */
   private followed: three.Vector3 | null = null;
   private readonly eyes = new RobotEyes();
+  /** Over when something else takes the place. */
+  private readonly gone = new AbortController();
   /** Is it a robot's camera that is looked through? */
   private looking = false;
 
@@ -106,11 +108,12 @@ export class Viewer {
   private connect(): void {
     this.state.onChange(changed => this.changed(changed));
     this.stage.onFrame = () => this.beforeFrame();
-    this.dark.addEventListener('change', () => this.changed(new Set<keyof Choices>(['theme'])));
+    this.dark.addEventListener('change', () => this.changed(new Set<keyof Choices>(['theme'])),
+                               {signal: this.gone.signal});
     addEventListener('hashchange', () => {
       this.follow(location.hash);
       if (this.embedded) this.root.scrollIntoView();
-    });
+    }, {signal: this.gone.signal});
     const {canvas} = this.stage;
     let pressed: [number, number] = [0, 0];
     canvas.addEventListener('pointerdown', event => pressed = [event.clientX, event.clientY]);
@@ -323,9 +326,21 @@ export class Viewer {
       choices.time = Math.min(Math.max(choices.time, 0), this.player.timeline.end);
     }
     this.state.set({side: false, ...choices});
-    if (camera.length === 0) return;
+    if (camera.length > 0) this.lookFrom(camera);
+  }
+
+  /** Places the camera, as `viewpoint.numbers()` has it. */
+  lookFrom(camera: readonly number[]): void {
     this.viewpoint.place(camera);
     this.placed = true;
+  }
+
+  /** Lets go of the page, for another in its place. */
+  dispose(): void {
+    this.gone.abort();
+    this.state.set({playing: false});
+    this.stage.dispose();
+    this.root.replaceChildren();
   }
 }
 

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+// The module says what the program says: of rule sets, of runs, proofs and compilations, and of
+// every file that is wrong.
+import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import {before, test} from 'node:test';
+import {pathToFileURL} from 'node:url';
+
+const {STIGC, PLAYGROUND, ROOT} = process.env;
+const {completionsAt, hashOfShared, sharedOfHash, startModule, yamlEvents} =
+    await import(pathToFileURL(path.join(PLAYGROUND, 'playground_engine.mjs')));
+
+let ask;
+before(async () => {
+  ask = await startModule(fs.readFileSync(path.join(PLAYGROUND, 'playground.wasm')), yamlEvents);
+});
+
+const read = name => fs.readFileSync(path.join(ROOT, name), 'utf8');
+const named = name => ({name: path.basename(name), text: read(name)});
+const yamlIn = folder => fs.readdirSync(path.join(ROOT, folder)).filter(f => f.endsWith('.yaml'))
+                             .sort().map(f => `${folder}/${f}`);
+
+function stigc(args, input = '') {
+  const done = spawnSync(STIGC, args, {cwd: ROOT, encoding: 'utf8', input, maxBuffer: 1 << 28});
+  assert.ok(done.status <= 3, `stigc ${args.join(' ')}: ${done.stderr}`);
+  return done.stdout;
+}
+
+/** What both say is wrong, as codes with places. */
+const places = list => list.map(d => `${d.code} ${d.line}:${d.column} ${d.message}`);
+
+function sameVerdict(name, text, pick = places) {
+  const native = JSON.parse(stigc(['check', '--diagnostics', 'json', '-'], text));
+  const here = ask({do: 'check', name: '<stdin>', text}).diagnostics;
+  assert.deepEqual(pick(here), pick(native), name);
+}
+
+for (const [motion, limit] of [['walk', {steps: 30000}], ['teleport', {steps: 3000}],
+                               ['event', {deposits: 2000}]]) {
+  test(`runs of every shipped set are the program's, to the byte: ${motion}`, () => {
+    for (const name of yamlIn('rulesets')) {
+      const options = Object.entries(limit).flatMap(([key, value]) => [`--${key}`, `${value}`]);
+      const native = stigc(['explore', name, '--json', '--seed', '7', '--motion', motion,
+                            ...options]);
+      const {run} = ask({do: 'explore', ...named(name), motion, seed: 7, ...limit});
+      assert.deepEqual(run, JSON.parse(native), name);
+    }
+  });
+}
+
+test('structures and traces are files that the program takes for its own', () => {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'stig-playground-'));
+  const {files} = ask({do: 'explore', ...named('rulesets/stepped-pyramid.yaml'), seed: 3});
+  const made = {json: files.json, vox: Buffer.from(files.vox, 'base64'),
+                stigt: Buffer.from(files.stigt, 'base64')};
+  for (const ending of ['json', 'vox']) {
+    const own = path.join(folder, `own.${ending}`);
+    stigc(['explore', 'rulesets/stepped-pyramid.yaml', '--seed', '3', '-o', own]);
+    assert.deepEqual(Buffer.from(made[ending]), fs.readFileSync(own));
+  }
+  const trace = path.join(folder, 'page.stigt');
+  fs.writeFileSync(trace, made.stigt);
+  assert.match(stigc(['replay', trace]), /identical/);
+  fs.rmSync(folder, {recursive: true});
+});
+
+test('verdicts of every shipped set are those of stigc verify', () => {
+  for (const name of yamlIn('rulesets')) {
+    const answer = ask({do: 'verify', ...named(name)});
+    assert.deepEqual(answer.verify, JSON.parse(stigc(['verify', name, '--json'])), name);
+    const runs = {proved: 1, refuted: 2, endless: 1}[answer.verify.verdict];
+    assert.equal(answer.view.json.runs.length, runs, name);
+  }
+});
+
+test('a certificate of the page convinces the program', () => {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'stig-playground-'));
+  const file = path.join(folder, 'wall.cert');
+  fs.writeFileSync(file, ask({do: 'verify', ...named('rulesets/wall.yaml')}).certificate);
+  const done = spawnSync(STIGC, ['certify', 'rulesets/wall.yaml', file], {cwd: ROOT});
+  assert.equal(done.status, 0);
+  fs.rmSync(folder, {recursive: true});
+});
+
+test('compile decides as the program does, and says the same', () => {
+  const robot = named('robots/bebot.yaml'), block = named('blocks/stigmergic.yaml');
+  for (const name of yamlIn('rulesets')) {
+    const done = spawnSync(STIGC, ['compile', name], {cwd: ROOT, encoding: 'utf8'});
+    const answer = ask({do: 'compile', ...named(name), robot, block});
+    assert.equal(answer.builds, done.status === 0, name);
+    if (answer.builds) assert.equal(answer.text, done.stdout, name);
+  }
+});
+
+test('explain says what stigc explain says', () => {
+  const set = named('rulesets/staircase.yaml');
+  const text = stigc(['explain', 'rulesets/staircase.yaml', '--at', '0,0,1']);
+  assert.equal(ask({do: 'explain', ...set, at: [0, 0, 1], bricks: [[0, 0, 0, 3]]}).text, text);
+  // Bricks that the rules do not know, and two in one cell.
+  for (const bricks of [[[0, 0, 0, 9]], [[0, 0, 0, 1], [0, 0, 0, 1]]]) {
+    assert.ok(ask({do: 'explain', ...set, at: [0, 0, 1], bricks}).problem);
+  }
+});
+
+test('rules of one colour are synthesised and proved; more colours take the program', () => {
+  const json = cells => JSON.stringify({
+    stigc_structure: 1, lattice: 'cubic', bricks: [{symbol: '1', name: '1', color: '#e6194b'}],
+    cells});
+  const column = json([[0, 0, 0, 1], [0, 0, 1, 1], [0, 0, 2, 1]]);
+  const {rules} = ask({do: 'synth', name: 'column', target: {name: 'a', text: column}, floor: true});
+  const {verify} = ask({do: 'verify', name: 'column', text: rules});
+  assert.deepEqual([verify.verdict, verify.bricks], ['proved', 3]);
+  const apart = json([[0, 0, 0, 1], [5, 0, 0, 1]]);
+  assert.ok(ask({do: 'synth', name: 'x', target: {name: 'a', text: apart}, floor: true}).problem);
+});
+
+test('what is wrong with a file is found where the program finds it, in the same words', () => {
+  for (const folder of ['rulesets', 'tests/bad']) {
+    for (const name of yamlIn(folder)) {
+      const text = read(name);
+      // Bytes that are no text never get into an editor.
+      if (Buffer.from(text).equals(fs.readFileSync(path.join(ROOT, name)))) sameVerdict(name, text);
+    }
+  }
+});
+
+test('what is no question is no crash', () => {
+  assert.ok(ask({do: 'nothing'}).error);
+  assert.ok(ask({}).error);
+  assert.ok(ask({do: 'check', text: ''}).diagnostics.length > 0);
+});
+
+test('a set in an address comes back as it was', () => {
+  const shared = {text: read('rulesets/coral.yaml'), motion: 'event', agents: 4, seed: 12};
+  assert.deepEqual(sharedOfHash(hashOfShared(shared)), shared);
+  for (const hash of ['', '#', '#set=', '#set=%%%', '#set=AAAA', '#t=3']) {
+    assert.equal(sharedOfHash(hash), null, hash);
+  }
+});
+
+test('completion offers what the schema has at that place', () => {
+  const schema = ask({do: 'schema'});
+  const offers = text => completionsAt(schema, text, text.length).options.map(one => one.label);
+  const text = read('rulesets/staircase.yaml');
+  assert.ok(offers('sti').includes('stigc'));
+  assert.deepEqual(offers('lattice: '), ['cubic', 'hexagonal']);
+  assert.deepEqual(offers('floor: t'), ['true', 'false']);
+  assert.ok(offers(`${text}    hei`).includes('height'));
+  assert.ok(!offers(`${text}    hei`).includes('when'), 'there already');
+  assert.deepEqual(offers(`${text}  - name: x\n    place: `).slice(0, 3), ['1', '2', '3']);
+  assert.ok(offers('bricks:\n  1: {name: x, co').includes('color'));
+  assert.ok(offers('start:\n  - {at: [0, 0, 0], br').includes('brick'));
+  assert.ok(offers('rules:\n- name: x\n  pl').includes('place'));
+});

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+// The playground's page from disk, in a real browser: typing, running, asking, saving, sharing.
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import path from 'node:path';
+import {after, before, test} from 'node:test';
+import {folder, open, placeOf, startBrowser, stigc, still, stopBrowser, until} from './browser.mjs';
+
+before(async () => {
+  fs.copyFileSync(path.join(process.env.PLAYGROUND, 'playground.html'),
+                  path.join(folder, 'playground.html'));
+  await startBrowser();
+});
+after(stopBrowser);
+
+const start = options => open('playground.html', {width: 1280, height: 800, ...options});
+const said = page => page.locator('.said').innerText();
+const press = (page, name) => page.getByRole('button', {name, exact: true}).click();
+const bricks = page => page.evaluate(() => window.stigView.views[0].run.bricks.count);
+
+/** Begins with a shipped set; waits until its run is on show. */
+async function choose(page, set) {
+  await page.locator('select[aria-label="start from"]').selectOption(`${set}.yaml`);
+  for (let tries = 0; !(await said(page)).startsWith(`${set}:`); ++tries) {
+    assert.ok(tries < 600, `${set} is never run`);
+    await page.waitForTimeout(50);
+  }
+}
+
+/** The editor with the cursor behind a line that begins so. */
+async function goToEndOf(page, line) {
+  await page.evaluate(wanted => {
+    const {editor} = window.stigPlayground;
+    const {doc} = editor.state;
+    for (let n = 1; n <= doc.lines; ++n) {
+      if (!doc.line(n).text.startsWith(wanted)) continue;
+      editor.dispatch({selection: {anchor: doc.line(n).to}, scrollIntoView: true});
+    }
+    editor.focus();
+  }, line);
+}
+
+async function waitForText(page, selector, wanted) {
+  for (let tries = 0;; ++tries) {
+    const texts = await page.locator(selector).allInnerTexts();
+    if (texts.some(text => wanted.test(text))) return texts;
+    assert.ok(tries < 600, `${selector} never says ${wanted}: ${texts.join('|')}`);
+    await page.waitForTimeout(50);
+  }
+}
+
+test('the page opens from disk and runs a set; others are a choice away', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  assert.equal(await bricks(page), 6);
+  await choose(page, 'stepped-pyramid');
+  assert.equal(await bricks(page), 15);
+  const native = JSON.parse(stigc(['explore', 'rulesets/stepped-pyramid.yaml', '--json']));
+  assert.ok((await said(page)).includes(native.structure_hash));
+  // Stepped as everywhere in the viewer.
+  await press(page, 'the event before (←)');
+  await still(page);
+  assert.equal(await page.evaluate(() => window.stigView.state.now.time), 13);
+  await close();
+});
+
+test('a mistake is shown under its line as it is typed, and goes with it', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await goToEndOf(page, 'lattice: cubic');
+  await page.keyboard.type('k');
+  await waitForText(page, '.message', /error\[R104\]/);
+  const [line, message] = await page.evaluate(() => {
+    const found = document.querySelector('.message');
+    return [found.previousElementSibling.textContent, found.textContent];
+  });
+  assert.equal(line, 'lattice: cubick');
+  assert.match(message, /cubic/);
+  assert.ok(await page.locator('.wrong').count() > 0);
+  await page.locator('.message button').first().click();
+  await until(page, () => document.querySelectorAll('.message').length === 0);
+  assert.ok(await page.evaluate(() => window.stigPlayground.text.includes('lattice: cubic\n')));
+  await close();
+});
+
+test('what is typed is run at once, with fewer bricks where rules say so', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await page.evaluate(() => {
+    const {editor} = window.stigPlayground;
+    const text = editor.state.doc.toString();
+    const from = text.lastIndexOf('  - name:');
+    editor.dispatch({changes: {from, to: text.length, insert: ''}});
+  });
+  await until(page, () => window.stigView.views[0].run.bricks.count < 6);
+  await close();
+});
+
+test('words of the schema are offered', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await goToEndOf(page, 'floor: true');
+  await page.keyboard.type('\nconfl');
+  await waitForText(page, '.cm-tooltip-autocomplete', /conflicts/);
+  await page.waitForTimeout(200);
+  await page.keyboard.press('Enter');
+  await waitForText(page, '.cm-line', /^conflicts: $/);
+  await close();
+});
+
+test('a click on an empty cell says why nothing is built there', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await still(page);
+  // The upper face of the highest brick: the cell above it.
+  const top = await page.evaluate(() => {
+    const {z} = window.stigView.views[0].run.bricks.cells;
+    return z.indexOf(Math.max(...z));
+  });
+  const {x, y} = await placeOf(page, top);
+  await page.mouse.click(x, y);
+  await waitForText(page, '.words h2', /at \(0, 0, 3\)/);
+  const text = await said(page);
+  assert.match(text, /site \(0, 0, 3\), stage 1, sees/);
+  assert.match(text, /does not fire/);
+  await close();
+});
+
+test('a verdict of no shows the two ends side by side', async () => {
+  const {page, close} = await start({dark: true});
+  await choose(page, 'order-dependent');
+  await press(page, 'Verify');
+  await waitForText(page, '.said', /REFUTED/);
+  await until(page, () => window.stigView.page.runs.length === 2);
+  await still(page);
+  assert.equal(await page.evaluate(() => window.stigView.state.now.side), true);
+  assert.deepEqual(await page.evaluate(() => window.stigView.views.map(v => v.run.bricks.count)),
+                   [3, 2]);
+  const labels = await page.locator('.labels').innerText();
+  assert.match(labels, /one end[^]*another/);
+  await close();
+});
+
+test('compile says what a robot does, or shows the brick in the way', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await press(page, 'Compile');
+  await waitForText(page, '.said', /before the foremost column/);
+  await close();
+});
+
+test('rules, structure and trace are saved as files of the program', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  const saved = async ending => {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.locator('select[aria-label="save"]').selectOption(ending)]);
+    const file = path.join(folder, `saved.${ending}`);
+    await download.saveAs(file);
+    return file;
+  };
+  stigc(['check', await saved('yaml')]);
+  stigc(['explore', 'rulesets/staircase.yaml', '-o', 'own.json', '-o', 'own.vox']);
+  for (const ending of ['json', 'vox']) {
+    assert.deepEqual(fs.readFileSync(await saved(ending)),
+                     fs.readFileSync(path.join(folder, `own.${ending}`)));
+  }
+  assert.match(stigc(['replay', await saved('stigt')]), /identical/);
+  await close();
+});
+
+test('the address holds the set, and how it is run', async () => {
+  const first = await start();
+  await waitForText(first.page, '.said', /^staircase:/);
+  await first.page.locator('input[aria-label=seed]').fill('9');
+  await goToEndOf(first.page, 'title:');
+  await first.page.keyboard.type(' é');
+  await until(first.page, () => location.hash.includes('seed=9'));
+  await waitForText(first.page, '.said', /é/);
+  await press(first.page, 'Link');
+  const [hash, text] = await first.page.evaluate(
+      () => [location.hash, window.stigPlayground.text]);
+  await first.close();
+  const second = await start({hash});
+  await waitForText(second.page, '.said', /seed 9/);
+  assert.equal(await second.page.evaluate(() => window.stigPlayground.text), text);
+  await second.close();
+});
+
+test('on a phone nothing is wider than the screen', async () => {
+  const {page, close} = await start({width: 390, height: 780});
+  await waitForText(page, '.said', /^staircase:/);
+  assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  await close();
+});

@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: MIT
+// The page at work: what is typed is checked and run at once; everything else on demand. What is
+// said of a text that has changed since is dropped.
+import type {EditorView} from '@codemirror/view';
+import {element} from '../elements.js';
+import {bytesOfBase64} from '../packed_data.js';
+import type {Answer, Question} from './answers.js';
+import {Controls, type Deeds} from './controls.js';
+import {makeEditor, setText} from './editor.js';
+import {Engine} from './engine.js';
+import {save, type NamedText, type Shipped} from './files.js';
+import {showMessages} from './messages.js';
+import type {Schema} from './schema_path.js';
+import {hashOfShared, sharedOfHash} from './share.js';
+import {Show, type Asked} from './show.js';
+
+const kPause = 300;  // ms of no typing, after which the text is looked at
+/** Bounds of the run that follows typing; `Run` goes on to the program's own. */
+const kStepsAtOnce = 100_000, kDepositsAtOnce = 5_000;
+
+export class Playground {
+  readonly editor: EditorView;
+  readonly controls: Controls;
+  readonly show: Show;
+  /** What was last answered to each kind of question. */
+  readonly answers = new Map<string, Answer>();
+  private readonly said = element('pre', {class: 'said'});
+  private readonly heading = element('h2', {text: 'Run'});
+  private schema: Schema | null = null;
+  private typing = 0;
+  /** Grows with every change of the text. */
+  private version = 0;
+  /** The rule set whose camera is kept. */
+  private shownSet = '';
+
+  constructor(root: HTMLElement, private readonly engine: Engine,
+              private readonly shipped: Shipped) {
+    this.said.setAttribute('role', 'status');
+    this.controls = new Controls(shipped.sets, this.deeds());
+    const text = element('section', {class: 'text'});
+    const view = element('div', {class: 'stig-view'});
+    const words = element('section', {class: 'words'}, this.heading, this.said);
+    const seen = element('section', {class: 'seen'}, view, words);
+    root.replaceChildren(this.controls.bar, element('main', {}, text, seen));
+    this.show = new Show(view, asked => void this.explain(asked));
+    this.editor = makeEditor({parent: text, schema: () => this.schema,
+                              onChange: () => this.changed()});
+  }
+
+  async begin(): Promise<void> {
+    addEventListener('hashchange', () => this.follow());
+    this.schema = await this.engine.ask({do: 'schema'}) as unknown as Schema;
+    if (!this.follow()) this.start(this.shipped.sets.find(one => one.name === 'staircase.yaml') ??
+                                   this.shipped.sets[0]);
+  }
+
+  get text(): string {
+    return this.editor.state.doc.toString();
+  }
+
+  private deeds(): Deeds {
+    return {
+      start: set => this.start(set),
+      run: () => void this.run(false),
+      verify: () => void this.verify(),
+      compile: () => void this.compile(),
+      synth: () => void this.synth(),
+      stop: () => this.engine.stop(),
+      link: () => this.link(),
+      save: ending => this.save(ending),
+    };
+  }
+
+  private start({text}: NamedText): void {
+    setText(this.editor, text);
+    this.editor.scrollDOM.scrollTop = 0;
+  }
+
+  /** Takes over what the address says; false where it says nothing. */
+  private follow(): boolean {
+    const shared = sharedOfHash(location.hash);
+    if (!shared || shared.text === this.text) return shared !== null;
+    this.controls.settings = shared;
+    setText(this.editor, shared.text);
+    return true;
+  }
+
+  private link(): void {
+    this.keepInAddress();
+    if ('clipboard' in navigator) {
+      navigator.clipboard.writeText(location.href).catch(() => undefined);
+    }
+  }
+
+  private keepInAddress(): void {
+    history.replaceState(null, '', hashOfShared({text: this.text, ...this.controls.settings}));
+  }
+
+  private changed(): void {
+    ++this.version;
+    clearTimeout(this.typing);
+    this.typing = setTimeout(() => void this.look(), kPause);
+  }
+
+  /** After typing: checks, and runs what is sound. */
+  private async look(): Promise<void> {
+    // A run of a text that is no more is not waited for.
+    if (this.engine.busy) this.engine.stop();
+    this.keepInAddress();
+    const answer = await this.ask({do: 'check'});
+    if (!answer) return;
+    showMessages(this.editor, answer.diagnostics ?? []);
+    const wrong = answer.diagnostics?.some(({severity}) => severity === 'error');
+    if (!wrong) await this.run(true);
+  }
+
+  /** Null when the text has changed since, or when the work was stopped. */
+  private async ask(question: Question): Promise<Answer | null> {
+    const {version} = this;
+    this.controls.busy = true;
+    try {
+      const answer = await this.engine.ask({text: this.text, ...question});
+      if (version !== this.version) return null;
+      this.answers.set(question.do, answer);
+      return answer;
+    } catch (error) {
+      if (version === this.version) this.say(question.do, String(error));
+      return null;
+    } finally {
+      this.controls.busy = this.engine.busy;
+    }
+  }
+
+  private say(heading: string, text: string): void {
+    this.heading.textContent = heading;
+    this.said.textContent = text;
+  }
+
+  /** Shows and says what was answered; diagnostics stand in the editor. */
+  private tell(heading: string, answer: Answer, keep: boolean): void {
+    if (answer.view) this.show.show(answer.view, keep);
+    const wrong = answer.diagnostics?.map(one => `${one.severity}[${one.code}]: ${one.message}`);
+    this.say(heading, answer.text ?? answer.problem ?? wrong?.join('\n') ?? '');
+  }
+
+  async run(atOnce: boolean): Promise<void> {
+    const settings = this.controls.settings;
+    this.keepInAddress();
+    const most = settings.motion === 'event' ? {deposits: kDepositsAtOnce} : {steps: kStepsAtOnce};
+    const answer = await this.ask({do: 'explore', ...settings, ...atOnce && most});
+    if (!answer) return;
+    const name = /^name: *(.*)$/m.exec(this.text)?.[1] ?? '';
+    this.tell('Run', answer, name === this.shownSet);
+    this.shownSet = name;
+  }
+
+  private async explain({at, bricks}: Asked): Promise<void> {
+    const stage = this.answers.get('explore')?.stage ?? 1;
+    const answer = await this.ask({do: 'explain', at, bricks, stage});
+    if (answer) this.tell(`Why, or why not, at (${at.join(', ')})`, answer, true);
+  }
+
+  private async verify(): Promise<void> {
+    this.say('Verify', 'at work…');
+    const answer = await this.ask({do: 'verify'});
+    if (answer) this.tell('Verify', answer, false);
+    this.shownSet = '';
+  }
+
+  private async compile(): Promise<void> {
+    this.say('Compile', 'at work…');
+    const {robot, block} = this.shipped;
+    const answer = await this.ask({do: 'compile', robot, block});
+    if (!answer) return;
+    showMessages(this.editor, answer.diagnostics ?? []);
+    this.tell('Compile', answer, false);
+    this.shownSet = '';
+  }
+
+  private async synth(): Promise<void> {
+    const json = this.answers.get('explore')?.files?.json;
+    this.say('Synthesise', 'at work…');
+    const floor = /^floor: *true/m.test(this.text);
+    const answer = await this.ask({do: 'synth', target: {name: 'structure.json', text: json ?? ''},
+                                   floor});
+    if (!answer) return;
+    if (answer.rules) setText(this.editor, answer.rules);
+    else this.tell('Synthesise', answer, true);
+  }
+
+  private save(ending: string): void {
+    const name = /^name: *"?([\w.-]+)/m.exec(this.text)?.[1] ?? 'rules';
+    const files = this.answers.get('explore')?.files;
+    const certificate = this.answers.get('verify')?.certificate;
+    if (ending === 'yaml') save(`${name}.yaml`, [this.text]);
+    else if (ending === 'cert' && certificate) save(`${name}.cert`, [certificate]);
+    else if (ending === 'cert') this.say('Save', 'there is no certificate: nothing is proved yet');
+    else if (!files) this.say('Save', 'there is no run yet');
+    else if (ending === 'json') save(`${name}.json`, [files.json]);
+    else if (ending === 'vox') save(`${name}.vox`, [bytesOfBase64(files.vox)]);
+    else save(`${name}.stigt`, [bytesOfBase64(files.stigt)]);
+  }
+}
