@@ -190,12 +190,33 @@ test('a robot\'s own camera has its detections where the tags are drawn', async 
   await close();
 });
 
+test('LEDs are lit in the colours of the palette that is chosen', async () => {
+  const {page, close} = await open('out.html');
+  // The brick of the start shows Q3.
+  const tint = () => page.evaluate(() => {
+    const {run, meshes} = window.stigView.views[0];
+    const lit = run.bodies.findIndex(body => body.block && body.led === 3);
+    return {is: meshes[lit].material.color.getHexString(), own: run.bodies[lit].color};
+  });
+  const {is: before, own} = await tint();
+  await page.locator('select[aria-label=palette]').selectOption('okabe-ito');
+  await still(page);
+  const byte = (text, i) => parseInt(text.slice(1 + 2 * i, 3 + 2 * i), 16);
+  const mixed = [0, 1, 2].map(i => Math.round(0.4 * byte(own, i) + 0.6 * byte('#009e73', i)));
+  assert.equal((await tint()).is, mixed.map(x => x.toString(16).padStart(2, '0')).join(''));
+  await page.keyboard.press('p');
+  await page.keyboard.press('p');
+  await still(page);
+  assert.equal((await tint()).is, before);
+  await close();
+});
+
 test('a link leads to the same robot and the same marks', async () => {
-  const {page, close} = await open('out.html', {hash: '#t=20&marks=ways,frusta,none&eyes=1'});
-  const {marks, eyes, time} = await choices(page);
-  assert.deepEqual([marks, eyes, time], [['frusta', 'ways'], 0, 20]);
+  const {page, close} = await open('out.html', {hash: '#t=20&marks=ways,frusta,none&eyes=1&follow=1'});
+  const {marks, eyes, follow, time} = await choices(page);
+  assert.deepEqual([marks, eyes, follow, time], [['frusta', 'ways'], 0, 0, 20]);
   await page.keyboard.press('k');
-  assert.match(await page.evaluate(() => location.hash), /marks=frusta,ways&eyes=1/);
+  assert.match(await page.evaluate(() => location.hash), /marks=frusta,ways&follow=1&eyes=1/);
   await close();
 });
 

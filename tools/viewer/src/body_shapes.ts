@@ -2,12 +2,17 @@
 // Bodies as meshes: their shapes, and on blocks what the six faces bear.
 import * as three from 'three';
 import {ConvexGeometry} from 'three/examples/jsm/geometries/ConvexGeometry.js';
-import {rgbOf, type Rgb} from './colours.js';
+import {colourOfLed, rgbOf, type Palette, type Rgb} from './colours.js';
 import type {Body} from './pose_run.js';
 
 /** Of LEDs that are off, then Q1 to Q4, as lib/physical/robots/led.h has them. */
 export const kLedColours: readonly Rgb[] =
     [[120, 124, 130], [255, 120, 255], [255, 208, 27], [74, 255, 27], [74, 255, 255]];
+function ledColour(digit: string, palette: Palette): Rgb {
+  const led = Number(digit);
+  return led in kLedColours ? colourOfLed(led, kLedColours[led], palette) : kLedColours[0];
+}
+
 const kLedsOfAFace = 4;
 // In half edges of a block; tag and LEDs where blocks/stigmergic.yaml has them.
 const kTagHalf = 0.52, kInkHalf = 0.436, kLedPlace = 0.727, kLedHalf = 0.11;
@@ -54,7 +59,7 @@ function addSquare({positions, colours}: Quads, middle: three.Vector3, u: three.
 }
 
 /** Tags and LEDs of a block whose LEDs show these colours, all or one by one. */
-function faceMarks(half: number, leds: string): three.BufferGeometry {
+function faceMarks(half: number, leds: string, palette: Palette): three.BufferGeometry {
   const quads: Quads = {positions: [], colours: []};
   for (let face = 0; face < kFrames.length; ++face) {
     const [n, u, v] = frameOf(face);
@@ -64,7 +69,7 @@ function faceMarks(half: number, leds: string): three.BufferGeometry {
     [u, v, u.clone().negate(), v.clone().negate()].forEach((way, k) => {
       const digit = leds.length > 1 ? leds[face * kLedsOfAFace + k] : leds;
       addSquare(quads, middle(kLift).addScaledVector(way, kLedPlace), u, v, kLedHalf,
-                kLedColours[Number(digit)] ?? kLedColours[0]);
+                ledColour(digit, palette));
     });
   }
   const out = new three.BufferGeometry();
@@ -78,6 +83,8 @@ const kMarks = new three.MeshBasicMaterial({vertexColors: true});
 
 /** Makes meshes, and lets those that are alike share geometry and material. */
 export class BodyShapes {
+  /** In which LEDs are lit from now on. */
+  palette: Palette = 'file';
   private readonly geometries = new Map<string, three.BufferGeometry>();
   private readonly materials = new Map<string, three.Material>();
 
@@ -97,8 +104,10 @@ export class BodyShapes {
   light(mesh: three.Mesh, body: Body, leds: string): void {
     const half = body.half[0];
     const marks = mesh.children.find(child => child instanceof three.Mesh);
-    if (marks) marks.geometry = this.geometry(`${half} ${leds}`, () => faceMarks(half, leds));
-    const led = kLedColours[Number(leds[0])] ?? kLedColours[0];
+    const {palette} = this;
+    const key = `${half} ${leds} ${palette}`;
+    if (marks) marks.geometry = this.geometry(key, () => faceMarks(half, leds, palette));
+    const led = ledColour(leds[0], palette);
     const tint = leds.startsWith('0') || !body.block ? body.color : mixed(rgbOf(body.color), led);
     mesh.material = this.material(tint);
   }

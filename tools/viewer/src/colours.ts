@@ -39,6 +39,11 @@ export function scale(share: number): Rgb {
   return [mix(0), mix(1), mix(2)];
 }
 
+/** LEDs that show a colour from 1 on; 0, off, is the same in all palettes. */
+export function colourOfLed(led: number, own: Rgb, palette: Palette): Rgb {
+  return palette === 'file' || led === 0 ? own : categorical(palette, led - 1);
+}
+
 /** Colour k of a run, from 1. */
 export function colourOfKind(run: LatticeRun, colour: number, palette: Palette): Rgb {
   if (palette !== 'file') return categorical(palette, colour - 1);

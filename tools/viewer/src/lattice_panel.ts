@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // What stands beside a lattice run: legend, levels, colours, rules.
 import {brickStory, factTable, ruleLines} from './brick_story.js';
-import {colourOfKind, colourOfRule, cssOf, kColourings, kPalettes} from './colours.js';
+import {colourOfKind, colourOfRule, cssOf, kColourings} from './colours.js';
 import {cutPanel} from './cut_panel.js';
 import {checkbox, element, section, select, swatch} from './elements.js';
 import {standing, type LatticeRun} from './runs.js';
 import {localStates} from './local_states.js';
+import {paletteSelect} from './palette_select.js';
 import {refusalPart} from './scene_marks.js';
 import {countOf} from './target.js';
 import {toggled, type Choices, type ViewState} from './view_state.js';
@@ -15,11 +16,6 @@ const kColouringText: Record<string, string> = {
   order: 'by order of placement',
   rule: 'by rule',
   agent: 'by agent',
-};
-const kPaletteText: Record<string, string> = {
-  file: 'colours of the file',
-  'okabe-ito': 'Okabe–Ito (colour-blind)',
-  'tol-bright': 'Tol bright (colour-blind)',
 };
 
 const kHint = 'Click a brick to learn who placed it, when and by which rule.';
@@ -102,8 +98,7 @@ function levels(run: LatticeRun, state: ViewState): HTMLElement {
 function colours(state: ViewState): HTMLElement {
   const by = select('colour', kColourings.map(value => ({value, text: kColouringText[value]})),
                     value => state.set({colouring: kColourings.find(c => c === value) ?? 'brick'}));
-  const palette = select('palette', kPalettes.map(value => ({value, text: kPaletteText[value]})),
-                         value => state.set({palette: kPalettes.find(p => p === value) ?? 'file'}));
+  const palette = paletteSelect(state);
   const show = (): void => {
     by.value = state.now.colouring;
     palette.value = state.now.palette;

@@ -32,6 +32,7 @@ export function hashOf(choices: Readonly<Choices>, camera: readonly number[]): s
   if (choices.palette !== 'file') out.set('palette', choices.palette);
   if (choices.marks.length > 0) out.set('marks', choices.marks.join());
   if (choices.robot > 0) out.set('robot', String(choices.robot + 1));
+  if (choices.follow !== null) out.set('follow', String(choices.follow + 1));
   if (choices.eyes !== null) out.set('eyes', String(choices.eyes + 1));
   if (choices.hidden.length > 0) out.set('hidden', choices.hidden.join());
   return `#${out.toString().replaceAll('%2C', ',')}`;
@@ -61,7 +62,7 @@ export function choicesOf(hash: string): {choices: Partial<Choices>; camera: num
   if (given.get('target') === '0') choices.target = false;
   const marks = given.get('marks')?.split(',') ?? [];
   if (marks.length > 0) choices.marks = kMarks.filter(mark => marks.includes(mark));
-  for (const key of ['robot', 'eyes'] as const) {
+  for (const key of ['robot', 'follow', 'eyes'] as const) {
     const value = numbers(given.get(key)).at(0);
     if (value !== undefined && value >= 1) choices[key] = Math.round(value) - 1;
   }

@@ -4,6 +4,7 @@ import {factTable} from './brick_story.js';
 import {cssOf} from './colours.js';
 import {cutPanel} from './cut_panel.js';
 import {button, checkbox, element, section, swatch} from './elements.js';
+import {paletteSelect} from './palette_select.js';
 import {kContactColour, kMagnetColour, strongForce} from './forces.js';
 import {kMarks, robotColour, type Mark} from './pose_marks.js';
 import {kEventKinds, lastBefore, saidAt, type PoseRun} from './pose_run.js';
@@ -12,8 +13,8 @@ import {robotPane} from './robot_pane.js';
 import {standingRows, type ShownRows} from './shown_values.js';
 import {toggled, type Choices, type ViewState} from './view_state.js';
 
-const kConcern =
-    ['time', 'picked', 'follow', 'robot', 'eyes', 'marks', 'cut', 'cutAt', 'target'] as const;
+const kConcern = ['time', 'picked', 'follow', 'robot', 'eyes', 'marks', 'palette', 'cut', 'cutAt',
+                  'target'] as const;
 const kTouched = 0;
 const kLinesShown = 60;  // of a log
 const kHint = 'Click a robot or a block to learn what it is and what it does.';
@@ -105,6 +106,13 @@ function marks(run: PoseRun, state: ViewState): Part {
   return {part: section('marks', 'Drawn about them', ...rows.map(({row}) => row), scale), show};
 }
 
+/** In which colours LEDs are lit. */
+function ledPalette(state: ViewState): Part {
+  const palette = paletteSelect(state);
+  return {part: section('colours', 'Colours of LEDs', palette),
+          show: () => palette.value = state.now.palette};
+}
+
 /** All of one robot: made anew when it is another's. */
 function pane(run: PoseRun, state: ViewState): Part {
   const part = element('div');
@@ -180,7 +188,7 @@ export function posePanel(run: PoseRun, state: ViewState, missing: PoseTarget | 
   } else if (run.magnets.size + run.contacts.size > 0) {
     list.unshift(marks(run, state));
   }
-  list.push(cutPanel(state));
+  list.push(ledPalette(state), cutPanel(state));
   if (missing) list.unshift(targetPart(missing, state));
   if (run.log.length > 0) list.push(log(run, state));
   const showAll = (): void => {

@@ -3,6 +3,7 @@
 import * as three from 'three';
 import {BodyShapes} from './body_shapes.js';
 import type {Bounds} from './bricks.js';
+import type {Palette} from './colours.js';
 import {floorGrid} from './floor.js';
 import {alike, twinsOf} from './pose_difference.js';
 import {PoseMarks} from './pose_marks.js';
@@ -85,6 +86,7 @@ export class PoseView {
       this.pointArrows(time);
     }
     this.drawnAt = time;
+    this.paint(choices.palette);
     this.missing?.update(choices);
     this.compare(choices);
     this.mark(choices);
@@ -129,6 +131,16 @@ export class PoseView {
     if (leds !== this.leds[i]) this.shapes.light(mesh, body, leds);
     if (leds !== this.leds[i]) this.greyed.delete(i);
     this.leds[i] = leds;
+  }
+
+  /** Lights all LEDs anew, where the palette is another. */
+  private paint(palette: Palette): void {
+    if (palette === this.shapes.palette) return;
+    this.shapes.palette = palette;
+    this.run.bodies.forEach((body, i) => {
+      const mesh = this.meshes[i];
+      if (mesh && body.block && !this.greyed.has(i)) this.shapes.light(mesh, body, this.leds[i]);
+    });
   }
 
   /** Greys what is in the other run where it is here; ways lead from where else it is. */
