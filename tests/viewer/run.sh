@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Tests of the viewer, in the folder in which it was built.
 #
-#   run.sh sources BUILT             types and style of its sources
+#   run.sh sources BUILT             types, style and layers of its sources
 #   run.sh pages BUILT STIGC         pages in headless Chromium
 #   run.sh measure BUILT STIGC       a table of what large pages cost, which no test runs
 #
@@ -22,6 +22,7 @@ skip() {
 cd "$built"
 if [[ $what == sources ]]; then
   node node_modules/typescript/bin/tsc --noEmit
+  node "$tests/layers.mjs" src
   exec node node_modules/eslint/bin/eslint.js .
 fi
 

@@ -2,10 +2,7 @@
 // A plane that cuts the picture open: what lies beyond it is not drawn.
 import * as three from 'three';
 import type {Bounds} from './bricks.js';
-
-/** From where the plane comes; none: nothing is cut. */
-export const kCuts = ['none', '+x', '-x', '+y', '-y', '+z', '-z'] as const;
-export type Cut = typeof kCuts[number];
+import type {Cut} from './view_state.js';
 
 function axisOf(cut: Cut): 0 | 1 | 2 {
   return cut.endsWith('x') ? 0 : cut.endsWith('y') ? 1 : 2;

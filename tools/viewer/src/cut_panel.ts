@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The controls of the plane that cuts.
-import {kCuts, type Cut} from './cut.js';
 import {element, section, select} from './elements.js';
-import type {ViewState} from './view_state.js';
+import {kCuts, type Cut, type ViewState} from './view_state.js';
 
 const kText: Record<Cut, string> = {
   none: 'nothing is cut', '+x': 'from the right (+x)', '-x': 'from the left (−x)',

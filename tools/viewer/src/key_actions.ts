@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What each key does.
-import {kCuts} from './cut.js';
 import {kColourings, kPalettes} from './colours.js';
 import type {KeyAction} from './keys.js';
 import type {Player} from './player.js';
-import type {Mark} from './pose_marks.js';
 import {kSpeeds} from './time_bar.js';
-import {toggled, type ViewState} from './view_state.js';
+import {kCuts, toggled, type Mark, type ViewState} from './view_state.js';
 import {kPresets, type Viewpoint} from './viewpoint.js';
 
 export interface Actions {

@@ -7,7 +7,7 @@ import {checkbox, element, section, select, swatch} from './elements.js';
 import {standing, type LatticeRun} from './runs.js';
 import {localStates} from './local_states.js';
 import {paletteSelect} from './palette_select.js';
-import {refusalPart} from './scene_marks.js';
+import {refusalPart} from './refusal_part.js';
 import {countOf} from './target.js';
 import {toggled, type Choices, type ViewState} from './view_state.js';
 

@@ -2,9 +2,7 @@
 // Time, camera and what is shown, as the part of an address behind '#', so that a link leads to
 // the same view of the same file.
 import {kColourings, kPalettes} from './colours.js';
-import {kCuts} from './cut.js';
-import {kMarks} from './pose_marks.js';
-import type {Choices} from './view_state.js';
+import {kCuts, kMarks, type Choices} from './view_state.js';
 
 function numbers(text: string | null): number[] {
   const list = (text ?? '').split(',').map(Number);

@@ -8,9 +8,7 @@ import {addForces, strongForce} from './forces.js';
 import {Lines} from './mark_lines.js';
 import {saidAt, type PoseRun} from './pose_run.js';
 import {sensesAt, type Seen, type Senses} from './senses.js';
-
-export const kMarks = ['frusta', 'ranges', 'ways', 'radio', 'magnets', 'forces'] as const;
-export type Mark = typeof kMarks[number];
+import type {Mark} from './view_state.js';
 
 const kRobotColours = ['#0072b2', '#d55e00', '#009e73', '#cc79a7', '#e69f00', '#56b4e9', '#999999'];
 const kNorth = rgbOf('#d55e00'), kSouth = rgbOf('#0072b2');

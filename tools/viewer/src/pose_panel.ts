@@ -6,12 +6,12 @@ import {cutPanel} from './cut_panel.js';
 import {button, checkbox, element, section, swatch} from './elements.js';
 import {paletteSelect} from './palette_select.js';
 import {kContactColour, kMagnetColour, strongForce} from './forces.js';
-import {kMarks, robotColour, type Mark} from './pose_marks.js';
+import {robotColour} from './pose_marks.js';
 import {kEventKinds, lastBefore, saidAt, type PoseRun} from './pose_run.js';
 import type {PoseTarget} from './pose_target.js';
 import {robotPane} from './robot_pane.js';
 import {standingRows, type ShownRows} from './shown_values.js';
-import {toggled, type Choices, type ViewState} from './view_state.js';
+import {kMarks, toggled, type Choices, type Mark, type ViewState} from './view_state.js';
 
 const kConcern = ['time', 'picked', 'follow', 'robot', 'eyes', 'marks', 'palette', 'cut', 'cutAt',
                   'target'] as const;

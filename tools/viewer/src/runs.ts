@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // What a page shows: runs, each with its own time.
 import {Bricks} from './bricks.js';
-import type {Lattice} from './cells.js';
+import type {Lattice, Triple} from './cells.js';
 import {column, integers, type ColumnPlace, type PackedData} from './packed_data.js';
 import {firstDifference} from './pose_difference.js';
-import type {SceneMark} from './scene_marks.js';
 import {poseRun, type PoseJson, type PoseRun} from './pose_run.js';
 
 export interface BrickKind {
@@ -19,6 +18,14 @@ export interface RuleText {
   /** Lines of the source, from 1, the last one included. */
   first: number;
   last: number;
+}
+
+/** A cell that a refusal is about. */
+export interface SceneMark {
+  at: Triple;
+  /** Is it in the way? Otherwise it is wanted. */
+  way: boolean;
+  text: string;
 }
 
 /** Bricks on a lattice as they came; a structure without history is all start. */

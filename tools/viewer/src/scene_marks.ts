@@ -2,18 +2,10 @@
 // Cells that a refusal is about: the brick that is wanted, transparent, and those in the way.
 import * as three from 'three';
 import type {Bounds} from './bricks.js';
-import {cellShape, type Triple} from './cells.js';
-import {element, section, swatch} from './elements.js';
-import type {LatticeRun} from './runs.js';
+import {cellShape} from './cells.js';
+import type {LatticeRun, SceneMark} from './runs.js';
 
-export interface SceneMark {
-  at: Triple;
-  /** Is it in the way? Otherwise it is wanted. */
-  way: boolean;
-  text: string;
-}
-
-const kWanted = '#009e73', kInTheWay = '#d55e00';
+export const kWanted = '#009e73', kInTheWay = '#d55e00';
 const kEdge = 1.04;  // of a cell, so that the outline stands off the brick
 
 function middleOf(run: LatticeRun, {at}: SceneMark): three.Vector3 {
@@ -49,14 +41,4 @@ export function withMarks(run: LatticeRun, {low, high}: Bounds): Bounds {
     }
   }
   return out;
-}
-
-/** Why it is refused, and what is marked; null where nothing is. */
-export function refusalPart(run: LatticeRun): HTMLElement | null {
-  if (run.why.length === 0 && run.marks.length === 0) return null;
-  const lines = run.why.map((text, i) => element('p', i === 0 ? {text} : {class: 'hint', text}));
-  const rows = run.marks.map(({at, way, text}) => element(
-      'li', {class: 'mark'}, swatch(way ? kInTheWay : kWanted),
-      element('span', {text: `(${at.join(', ')}) ${way ? 'in the way' : 'wanted'}: ${text}`})));
-  return section('refusal', 'Why it is refused', ...lines, element('ul', {}, ...rows));
 }

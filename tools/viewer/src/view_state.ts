@@ -2,8 +2,14 @@
 // What the person who looks has chosen. Whoever shows or changes it asks this one place; listeners
 // are told after every change.
 import type {Colouring, Palette} from './colours.js';
-import type {Cut} from './cut.js';
-import type {Mark} from './pose_marks.js';
+
+/** From where a plane comes that cuts the picture open; none: nothing is cut. */
+export const kCuts = ['none', '+x', '-x', '+y', '-y', '+z', '-z'] as const;
+export type Cut = typeof kCuts[number];
+
+/** What is drawn about the bodies of a physical run. */
+export const kMarks = ['frusta', 'ranges', 'ways', 'radio', 'magnets', 'forces'] as const;
+export type Mark = typeof kMarks[number];
 
 export type Theme = 'auto' | 'light' | 'dark';
 
