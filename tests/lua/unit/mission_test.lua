@@ -400,13 +400,13 @@ end)
 case('a robot waits longer each time that it meets others, but not for ever', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 32 })
    local random, waited = math.random, {}
-   math.random = function() return 1 end
+   math.random = function() return 1 end  -- luacheck: ignore 122
    builder.process.wait = function(_, seconds) table.insert(waited, seconds) end
    for met = 0, 5 do
       builder.work.obstructed = met
       same('done', builder:wait(), 'done')
    end
-   math.random = random
+   math.random = random  -- luacheck: ignore 122
    same('seconds', table.concat(waited, ' '), '4.0 8.0 16.0 32 32 32')
 end)
 
