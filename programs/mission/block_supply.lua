@@ -20,6 +20,10 @@ local BlockSupply = {}
 BlockSupply.__index = BlockSupply
 
 function BlockSupply.new(machine, map, navigation, sides, record, task)
+   -- the search would turn away from it before it can be told from one in a robot's hand
+   machine.search.undecided = function(known)
+      return task.transport > 0 and known.colour == task.transport and known.level == 0 and known.seen < STILL
+   end
    return setmetatable({
       machine = machine, tracker = machine.tracker, process = machine.process, map = map,
       navigation = navigation, sides = sides, record = record, task = task, in_vain = 0,

@@ -13,6 +13,7 @@ local NEAR_LOOK = 0.070        -- height of the lift; what it carries passes ove
 local LOW_LOOK = 0.030         -- likewise, of one that carries nothing: for what is 0.2 m away
 
 
+-- undecided: set by who searches: whether a block has to be seen more often before `wanted` can say anything.
 local Search = {}
 Search.__index = Search
 
@@ -30,7 +31,7 @@ function Search:look_round(found)
    local block
    while turned < 2 * math.pi and not block do
       -- what is seen for the first time is worth a look
-      local rim = self.tracker:glimpse() and 0 or RIM
+      local rim = self.tracker:glimpse(self.undecided) and 0 or RIM
       self.path:drive_rims(-rim, rim)
       coroutine.yield()
       turned = turned + math.abs(geometry.wrap(self.odometry.pose.yaw - before))

@@ -181,12 +181,12 @@ function BlockTracker:recall(wanted, age)
    return best
 end
 
--- Whether something is in sight that was not seen often enough to be sure of.
-function BlockTracker:glimpse()
+-- Whether something is in sight that was not seen often enough to be sure of: eight times, or until
+-- `undecided(block)` is false where that is given.
+function BlockTracker:glimpse(undecided)
    for _, known in ipairs(self.tracks) do
-      if known.missed == 0 and known.seen < 8 and self.odometry.time - known.time < 0.1 then
-         return true
-      end
+      local in_sight = known.missed == 0 and self.odometry.time - known.time < 0.1
+      if in_sight and (known.seen < 8 or undecided and undecided(known)) then return true end
    end
    return false
 end

@@ -430,6 +430,24 @@ case('states that take no time follow each other in one step, unless they come a
    same('twice round', table.concat(done), 'wnlwnl')
 end)
 
+case('a search stands before a block in transport until it is known to lie there', function()
+   local fake = FakeRobot.new { { x = 0.32, y = 0.1, colour = 4 } }
+   fake.robot.params = {}
+   local builder = Builder.new(fake.robot, CHART, { sides = { '+x' }, transport = 4, delay = 0 })
+   local machine, supply, found = builder.machine, builder.supply, nil
+   local function is_unused(known) return supply:is_unused(known) end
+   machine:start(function()
+      machine.lift:to(0.08)
+      found = machine.search:look_round(function() return machine.tracker:recall(is_unused, 1) end)
+   end)
+   for _ = 1, 500 do
+      if not machine:step() then break end
+      fake:step()
+   end
+   same('found in one turn', found and found.colour, 4)
+   same('seen for long', found and found.seen >= 15, true)
+end)
+
 case('each state of the chart is something that a part does', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 })
    for does, part in pairs(Builder.BEHAVIOURS) do
