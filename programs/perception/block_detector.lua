@@ -114,9 +114,10 @@ local function add(found, block)
    table.insert(found, block)
 end
 
--- Blocks in the picture, in the frame that the robot's pose is given in.
-function BlockDetector:detect(pose)
-   local eye, turn = self.camera:pose()
+-- Blocks in the picture, in the frame that the robot's pose is given in; once in each step.
+function BlockDetector:detect(now)
+   local pose, lift = self.camera:taken_from(now)
+   local eye, turn = self.camera:pose(lift)
    local found = {}
    for _, tag in ipairs(self.robot.camera_system.tags) do
       local block = self:block_of(tag, eye, turn)

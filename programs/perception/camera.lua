@@ -9,19 +9,37 @@ local WHOLLY_IN_VIEW = 0.92    -- likewise of its upper half
 local TAG_EDGE = 0.016         -- m, from the middle of the tag on top to its nearer edge, and some more
 local TAG_FOOT = 0.014         -- m, of the tag in front, likewise down to its lower edge
 
+local IN_TIME = 0.01           -- s, less than a step
+local KEPT = 1.5               -- s, that a picture may be late
+
+-- past: where the robot and its lift were of late: {time, pose, lift}, the latest last.
 local Camera = {}
 Camera.__index = Camera
 
 function Camera.new(robot, description)
-   return setmetatable({ robot = robot, description = description }, Camera)
+   return setmetatable({ robot = robot, description = description, past = {} }, Camera)
 end
 
--- The eye's place and the turn from the camera's frame to the robot's.
-function Camera:pose()
+-- The eye's place and the turn from the camera's frame to the robot's, now or with the lift at a height.
+function Camera:pose(height)
    local transform, anchor = self.robot.camera_system.transform, self.description.camera.anchor
-   local lift = self.robot.lift_system.position
+   local lift = height or self.robot.lift_system.position
    return transform.position + vector3(anchor.x, anchor.y, anchor.z + lift),
           transform.orientation
+end
+
+-- Once in each step: the robot's pose and the lift's height when the picture was taken, which comes late by what
+-- its time says; as they are now where that is by another clock.
+function Camera:taken_from(pose)
+   local now, past = self.robot.system.time or 0, self.past
+   table.insert(past, { time = now, pose = { x = pose.x, y = pose.y, yaw = pose.yaw },
+                        lift = self.robot.lift_system.position })
+   while now - past[1].time > KEPT do table.remove(past, 1) end
+   local taken = self.robot.camera_system.timestamp or now
+   for i = #past, 1, -1 do
+      if past[i].time < taken + IN_TIME then return past[i].pose, past[i].lift end
+   end
+   return past[#past].pose, past[#past].lift
 end
 
 -- px.
