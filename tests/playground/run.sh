@@ -4,11 +4,13 @@
 #
 #   run.sh module BUILD STIGC        the module in node, held to the program
 #   run.sh page BUILD STIGC          the page in headless Chromium
+#   run.sh picture BUILD STIGC PNG   no test: the picture of docs/playground.md
 #
 # Exit status 77 (skipped) where something is missing, unless STIG_REQUIRE_READERS is set.
 set -euo pipefail
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
-what=$1 viewer=$2/viewer built=$2/playground stigc=$3
+build=$(cd "$2" && pwd)
+what=$1 viewer=$build/viewer built=$build/playground stigc=$(realpath "$3")
 
 skip() {
   printf '%s\n' "$1"
@@ -31,4 +33,6 @@ browser=$(command -v chromium || command -v chromium-browser || command -v googl
   skip "no Chromium (scripts/install.sh viewer)"
 [[ -d $viewer/node_modules/playwright-core ]] || skip "the viewer was built without its tests"
 cp "${here%/playground}/viewer/browser.mjs" "$work/"
-BROWSER=$browser exec node --test --test-reporter=spec "$work/page.test.mjs"
+export BROWSER=$browser
+[[ $what == page ]] || exec node "$work/picture.mjs" "$(realpath "$4")"
+exec node --test --test-reporter=spec "$work/page.test.mjs"

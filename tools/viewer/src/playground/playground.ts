@@ -15,6 +15,7 @@ import {hashOfShared, sharedOfHash} from './share.js';
 import {Show, type Asked} from './show.js';
 
 const kPause = 300;  // ms of no typing, after which the text is looked at
+const kHint = 'Click an empty cell to learn what keeps it so.';
 /** Bounds of the run that follows typing; `Run` goes on to the program's own. */
 const kStepsAtOnce = 100_000, kDepositsAtOnce = 5_000;
 
@@ -39,7 +40,8 @@ export class Playground {
     this.controls = new Controls(shipped.sets, this.deeds());
     const text = element('section', {class: 'text'});
     const view = element('div', {class: 'stig-view'});
-    const words = element('section', {class: 'words'}, this.heading, this.said);
+    const words = element('section', {class: 'words'},
+                          element('p', {class: 'hint', text: kHint}), this.heading, this.said);
     const seen = element('section', {class: 'seen'}, view, words);
     root.replaceChildren(this.controls.bar, element('main', {}, text, seen));
     this.show = new Show(view, asked => void this.explain(asked));
