@@ -29,13 +29,38 @@ function stigc(args, input = '') {
   return done.stdout;
 }
 
-/** What both say is wrong, as codes with places. */
-const places = list => list.map(d => `${d.code} ${d.line}:${d.column} ${d.message}`);
+/** What both say is wrong with a text: the page, and the program. */
+function verdicts(text) {
+  return [ask({do: 'check', name: '<stdin>', text}).diagnostics,
+          JSON.parse(stigc(['check', '--diagnostics', 'json', '-'], text))];
+}
 
-function sameVerdict(name, text, pick = places) {
-  const native = JSON.parse(stigc(['check', '--diagnostics', 'json', '-'], text));
-  const here = ask({do: 'check', name: '<stdin>', text}).diagnostics;
-  assert.deepEqual(pick(here), pick(native), name);
+/** Every diagnostic but for its columns' ends and its notes. */
+const said = list => list.map(d => `${d.code} ${d.line}:${d.column} ${d.message}`).join('\n');
+const lines = list => list.map(d => `${d.code} ${d.line}`).join('\n');
+
+/** Numbers below n, the same ones every time. */
+function numbers(seed) {
+  let now = seed;
+  return n => {
+    now = (Math.imul(now, 1103515245) + 12345) >>> 0;
+    return Math.floor(now / 65536) % n;
+  };
+}
+
+const kSlips = [' ', '  ', '\n', '-', '- ', ':', ': ', '#', ' #', '"', "'", '[', ']', '{', '}', ',',
+                '|', '>', '?', '*', '&', '!', '%', '@', '`', '~', 'null', '\t', 'é', '---\n', '...\n',
+                'a: 1\n', '\n\n', '\\'];
+
+/** A text with one slip: a character gone, something put in, a line gone or moved. */
+function slipped(text, any) {
+  const kind = any(5), body = text.indexOf('stigc:'), at = body + any(text.length - body);
+  if (kind === 0) return text.slice(0, at) + text.slice(at + 1);
+  if (kind < 3) return text.slice(0, at) + kSlips[any(kSlips.length)] + text.slice(at);
+  const rows = text.split('\n'), row = any(rows.length);
+  if (kind === 3) rows.splice(row, 1);
+  else rows[row] = any(2) ? ' '.repeat(1 + any(3)) + rows[row] : rows[row].replace(/^ /, '');
+  return rows.join('\n');
 }
 
 for (const [motion, limit] of [['walk', {steps: 30000}], ['teleport', {steps: 3000}],
@@ -122,9 +147,28 @@ test('what is wrong with a file is found where the program finds it, in the same
     for (const name of yamlIn(folder)) {
       const text = read(name);
       // Bytes that are no text never get into an editor.
-      if (Buffer.from(text).equals(fs.readFileSync(path.join(ROOT, name)))) sameVerdict(name, text);
+      if (!Buffer.from(text).equals(fs.readFileSync(path.join(ROOT, name)))) continue;
+      const [page, program] = verdicts(text);
+      assert.equal(said(page), said(program), name);
     }
   }
+});
+
+// YAML's readers notice slips in different lines, and now and then disagree; docs/playground.md says
+// how often.
+test('of 300 slips few are called otherwise than by the program, or noticed elsewhere', () => {
+  const any = numbers(1), sets = yamlIn('rulesets').filter(name => !/4[cn]/.test(name)).map(read);
+  const codes = list => list.map(d => d.code).join(), kinds = [], places = [];
+  for (let i = 0; i < 300; ++i) {
+    const [page, program] = verdicts(slipped(sets[any(sets.length)], any));
+    const both = `page\n${said(page)}\nprogram\n${said(program)}`;
+    if (codes(page) !== codes(program)) kinds.push(both);
+    if (lines(page) !== lines(program)) places.push(both);
+  }
+  console.log(`${kinds.length} of 300 slips are called otherwise, ${places.length} elsewhere`);
+  // With room for the shipped sets to change.
+  assert.ok(kinds.length <= 3, kinds.join('\n\n'));
+  assert.ok(places.length <= 15, places.join('\n\n'));
 });
 
 test('what is no question is no crash', () => {
