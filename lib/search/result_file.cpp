@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: MIT
+// The tables, what goes into them and what comes out. Hashes are text, since SQLite's integers
+// have a sign and other programs' numbers 53 bits.
+#include "search/result_file.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <charconv>
+#include <filesystem>
+
+#include "base/hash.h"
+#include "search/objectives.h"
+#include "search/sqlite_file.h"
+
+namespace stig::search {
+namespace {
+
+constexpr const char* kFormat = "1";
+
+std::uint64_t from_hex(const std::string& text) {
+  std::uint64_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value, 16);
+  return value;
+}
+
+std::string value_columns(std::string_view after) {
+  std::string columns;
+  for (const Objective& objective : objectives()) {
+    columns += fmt::format(", \"{}\"{}", objective.name, after);
+  }
+  return columns;
+}
+
+std::string schema() {
+  return "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);\n"
+         "CREATE TABLE structures(hash TEXT PRIMARY KEY, times INTEGER NOT NULL, bricks TEXT NOT "
+         "NULL);\n"
+         "CREATE TABLE individuals(id INTEGER PRIMARY KEY, origin TEXT NOT NULL, parent INTEGER, "
+         "other_parent INTEGER, structure TEXT NOT NULL REFERENCES structures(hash), score REAL "
+         "NOT "
+         "NULL, genome TEXT NOT NULL" +
+         value_columns(" REAL NOT NULL") +
+         ");\n"
+         "CREATE INDEX by_structure ON individuals(structure, score DESC, id);\n"
+         "CREATE TABLE batches(evaluated INTEGER PRIMARY KEY, best REAL NOT NULL, mean REAL NOT "
+         "NULL, deviation REAL NOT NULL, structures INTEGER NOT NULL);\n"
+         "CREATE VIEW finds AS SELECT i.*, s.times FROM individuals i JOIN structures s ON "
+         "s.hash = i.structure WHERE i.id = (SELECT id FROM individuals WHERE structure = s.hash "
+         "ORDER BY score DESC, id LIMIT 1);\n"
+         "CREATE VIEW parents AS SELECT id, parent FROM individuals WHERE parent IS NOT NULL "
+         "UNION SELECT id, other_parent FROM individuals WHERE other_parent IS NOT NULL;\n";
+}
+
+std::string meta(SqliteFile& file, const std::string& key) {
+  SqliteStatement ask(file, "SELECT value FROM meta WHERE key = ?");
+  return ask.bind(std::string_view(key)).step() ? ask.text(0) : std::string();
+}
+
+bool has_tables(SqliteFile& file) {
+  SqliteStatement ask(file, "SELECT count(*) FROM sqlite_master");
+  return ask.step() && ask.integer(0) > 0;
+}
+
+void check_format(SqliteFile& file) {
+  SqliteStatement ask(file, "SELECT count(*) FROM sqlite_master WHERE name = 'individuals'");
+  if (!ask.step() || ask.integer(0) == 0) throw SqliteFailure{"it has no results of a search"};
+  if (meta(file, "format") != kFormat) {
+    throw SqliteFailure{"its results are of another version of the program"};
+  }
+}
+
+void create(SqliteFile& file, const SearchPlan& plan) {
+  SqliteTransaction all(file);
+  file.run(schema());
+  SqliteStatement put(file, "INSERT INTO meta VALUES(?, ?)");
+  const auto add = [&](std::string_view key, const std::string& value) {
+    put.bind(key).bind(std::string_view(value)).step();
+    put.again();
+  };
+  add("format", kFormat);
+  add("plan", to_hex(plan_hash(plan)));
+  add("name", plan.name);
+  add("method", std::string(to_string(plan.method)));
+  add("seed", std::to_string(plan.seed));
+  add("evaluated", "0");
+  all.commit();
+}
+
+std::string bricks_text(const std::vector<PlacedBrick>& bricks) {
+  std::string text = "[";
+  for (const PlacedBrick& b : bricks) {
+    text +=
+        fmt::format("{}[{},{},{},{}]", text.size() > 1 ? "," : "", b.at.x, b.at.y, b.at.z, b.brick);
+  }
+  return text + "]";
+}
+
+std::string find_columns() {
+  return "id, origin, parent, other_parent, score, structure, genome" + value_columns("");
+}
+
+StoredFind find_in(const SqliteStatement& row) {
+  StoredFind find;
+  find.id = row.integer(0);
+  find.origin = row.text(1);
+  find.parent = row.integer_if_any(2);
+  find.other_parent = row.integer_if_any(3);
+  find.score = row.number(4);
+  find.structure = from_hex(row.text(5));
+  auto genome = read_genome(row.text(6));
+  if (!genome)
+    throw SqliteFailure{fmt::format("the genome of individual {} cannot be read", find.id)};
+  find.genome = std::move(*genome);
+  for (std::size_t k = 0; k < objectives().size(); ++k) {
+    find.values.push_back(row.number(static_cast<int>(7 + k)));
+  }
+  return find;
+}
+
+/// Origins live as long as the program.
+std::string_view origin_named(const std::string& name) {
+  return name == "crossed" ? "crossed" : name == "mutated" ? "mutated" : "drawn";
+}
+
+Individual individual_of(StoredFind find) {
+  Individual one;
+  one.id = find.id;
+  one.origin = origin_named(find.origin);
+  one.parent = find.parent;
+  one.other_parent = find.other_parent;
+  one.genome = std::move(find.genome);
+  one.structure = find.structure;
+  one.values = std::move(find.values);
+  one.score = find.score;
+  return one;
+}
+
+/// Everything that was kept, and how often each structure was built.
+void load(SqliteFile& file, FindArchive& archive) {
+  std::map<std::uint64_t, std::uint64_t> shown;
+  SqliteStatement rows(file, "SELECT " + find_columns() + " FROM individuals ORDER BY id");
+  while (rows.step()) {
+    Individual one = individual_of(find_in(rows));
+    ++shown[one.structure];
+    archive.offer(std::move(one));
+  }
+  SqliteStatement structures(file, "SELECT hash, times FROM structures");
+  while (structures.step()) {
+    const std::uint64_t hash = from_hex(structures.text(0));
+    archive.count(hash, structures.integer(1) - shown[hash]);
+  }
+}
+
+std::uint64_t evaluated_of(SqliteFile& file) {
+  const std::string text = meta(file, "evaluated");
+  std::uint64_t value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// Reading must not make a file.
+SqliteFile open_to_read(const std::string& path) {
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored))
+    throw SqliteFailure{"there is no such file"};
+  return SqliteFile(path, SqliteFile::Use::read);
+}
+
+std::string about(const std::string& path, const SqliteFailure& failure) {
+  return fmt::format("{}: {}", path, failure.text);
+}
+
+}  // namespace
+
+struct ResultFile::Connection {
+  std::string path;
+  SqliteFile file;
+  std::uint64_t evaluated = 0;
+
+  void add_individual(SqliteStatement& put, const Individual& one) {
+    put.bind(one.id).bind(one.origin).bind(one.parent).bind(one.other_parent);
+    put.bind(one.score).bind(std::string_view(to_hex(one.structure)));
+    put.bind(std::string_view(genome_text(one.genome)));
+    for (const double value : one.values) put.bind(value);
+    put.step();
+    put.again();
+  }
+
+  void add_structures(const SearchBatch& batch, const FindArchive& archive) {
+    SqliteStatement put(
+        file,
+        "INSERT INTO structures VALUES(?, ?, ?) ON CONFLICT(hash) DO UPDATE SET times = "
+        "times + excluded.times");
+    std::map<std::uint64_t, const Individual*> first;
+    for (std::size_t i = batch.first_kept; i < archive.kept().size(); ++i) {
+      first.emplace(archive.kept()[i].structure, &archive.kept()[i]);
+    }
+    for (const auto& [hash, times] : batch.built) {
+      const auto it = first.find(hash);
+      // A structure that is new has been kept; of the others the bricks are in the file.
+      const std::string bricks = it == first.end() ? "[]" : bricks_text(it->second->bricks);
+      put.bind(std::string_view(to_hex(hash))).bind(times).bind(std::string_view(bricks)).step();
+      put.again();
+    }
+  }
+
+  void advance(const SearchBatch& batch, std::size_t structures) {
+    SqliteStatement move(file, "UPDATE meta SET value = ? WHERE key = 'evaluated' AND value = ?");
+    move.bind(std::string_view(std::to_string(batch.evaluated)));
+    move.bind(std::string_view(std::to_string(evaluated))).step();
+    if (file.changes() != 1) throw SqliteFailure{"another search has written to it meanwhile"};
+    SqliteStatement put(file, "INSERT INTO batches VALUES(?, ?, ?, ?, ?)");
+    put.bind(batch.evaluated).bind(batch.best).bind(batch.mean).bind(batch.deviation);
+    put.bind(std::uint64_t{structures}).step();
+  }
+};
+
+ResultFile::ResultFile(std::unique_ptr<Connection> connection)
+    : connection_(std::move(connection)) {}
+ResultFile::~ResultFile() = default;
+ResultFile::ResultFile(ResultFile&&) noexcept = default;
+ResultFile& ResultFile::operator=(ResultFile&&) noexcept = default;
+
+std::optional<ResultFile> ResultFile::go_on(const std::string& path, const SearchPlan& plan,
+                                            SearchState& state, std::string& error) {
+  try {
+    std::unique_ptr<Connection> connection(
+        new Connection{path, SqliteFile(path, SqliteFile::Use::write_or_create), 0});
+    SqliteFile& file = connection->file;
+    if (has_tables(file)) check_format(file);
+    file.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
+    if (!has_tables(file)) create(file, plan);
+    if (meta(file, "plan") != to_hex(plan_hash(plan))) {
+      throw SqliteFailure{"its results are of another plan"};
+    }
+    load(file, state.archive);
+    state.evaluated = connection->evaluated = evaluated_of(file);
+    return ResultFile(std::move(connection));
+  } catch (const SqliteFailure& failure) {
+    error = about(path, failure);
+    return std::nullopt;
+  }
+}
+
+bool ResultFile::add(const SearchBatch& batch, const FindArchive& archive, std::string& error) {
+  try {
+    SqliteTransaction all(connection_->file);
+    connection_->advance(batch, archive.structures());
+    connection_->add_structures(batch, archive);
+    std::string marks;
+    for (std::size_t k = 0; k < 7 + objectives().size(); ++k) marks += k == 0 ? "?" : ", ?";
+    SqliteStatement put(connection_->file,
+                        "INSERT INTO individuals(" + find_columns() + ") VALUES(" + marks + ")");
+    for (std::size_t i = batch.first_kept; i < archive.kept().size(); ++i) {
+      connection_->add_individual(put, archive.kept()[i]);
+    }
+    all.commit();
+    connection_->evaluated = batch.evaluated;
+    return true;
+  } catch (const SqliteFailure& failure) {
+    error = about(connection_->path, failure);
+    return false;
+  }
+}
+
+std::optional<StoredResults> read_results(const std::string& path, std::size_t most,
+                                          std::string& error) {
+  try {
+    SqliteFile file = open_to_read(path);
+    check_format(file);
+    StoredResults out;
+    out.name = meta(file, "name");
+    out.plan = from_hex(meta(file, "plan"));
+    out.evaluated = evaluated_of(file);
+    FindArchive archive{SearchPlan{}};
+    load(file, archive);
+    out.structures = archive.structures();
+    out.kept = archive.kept().size();
+    out.content = archive.content_hash();
+    SqliteStatement rows(
+        file, "SELECT " + find_columns() + ", times FROM finds ORDER BY score DESC, id LIMIT ?");
+    rows.bind(std::uint64_t{most});
+    while (rows.step()) {
+      out.finds.push_back(find_in(rows));
+      out.finds.back().times = rows.integer(static_cast<int>(7 + objectives().size()));
+    }
+    return out;
+  } catch (const SqliteFailure& failure) {
+    error = about(path, failure);
+    return std::nullopt;
+  }
+}
+
+std::optional<StoredFind> read_find(const std::string& path, std::uint64_t id, std::string& error) {
+  try {
+    SqliteFile file = open_to_read(path);
+    check_format(file);
+    SqliteStatement row(file, "SELECT " + find_columns() + " FROM individuals WHERE id = ?");
+    if (!row.bind(id).step()) throw SqliteFailure{fmt::format("it has no individual {}", id)};
+    return find_in(row);
+  } catch (const SqliteFailure& failure) {
+    error = about(path, failure);
+    return std::nullopt;
+  }
+}
+
+}  // namespace stig::search

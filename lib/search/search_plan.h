@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What a search is to look for, where and how.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "search/draw.h"
+#include "search/screen.h"
+#include "search/uses.h"
+
+namespace stig::search {
+
+enum class SearchMethod : std::uint8_t { random, local, genetic, map_elites };
+std::string_view to_string(SearchMethod method);  ///< "map-elites"
+
+/// A part of the score: weight times objective.
+struct ScoreTerm {
+  std::size_t objective = 0;  ///< number in objectives()
+  double weight = 1;
+};
+
+/// An axis of MAP-Elites' grid; values beyond its ends count to its last cells.
+struct GridAxis {
+  std::size_t objective = 0;
+  double from = 0, to = 1;  ///< from < to
+  int bins = 10;            ///< 1..1000
+};
+
+struct SearchPlan {
+  std::string name;
+  DrawSettings draw;
+  ScreenConfig screen;
+  int orders = 0;  ///< further random orders that each candidate is run in
+  std::uint64_t seed = 1;
+  SearchMethod method = SearchMethod::random;
+  std::uint64_t evaluations = 10'000;
+  int batch = 256;      ///< candidates that are made from what was found before all of them
+  int population = 64;  ///< of the genetic algorithm
+  std::vector<ScoreTerm> score;
+  std::vector<GridAxis> axes;  ///< two or three under map_elites
+};
+
+/// Of all that decides what an evaluation finds: not of the name, nor of the number of evaluations,
+/// so that a search can be made longer.
+std::uint64_t plan_hash(const SearchPlan& plan);
+
+}  // namespace stig::search

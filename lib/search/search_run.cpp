@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// What each method makes of an archive, and the evaluation of what it made.
+#include "search/search_run.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "base/hash.h"
+#include "base/parallel.h"
+#include "search/objectives.h"
+#include "search/operators.h"
+
+namespace stig::search {
+namespace {
+
+/// Candidates that a screener is made for: it takes as long as a few of them.
+constexpr std::size_t kPart = 32;
+
+std::uint64_t seed_of(std::uint64_t plan, std::uint64_t id) { return combine(plan, id); }
+
+/// Parents by the method, as positions in the archive; none: a candidate is drawn.
+struct Choice {
+  std::optional<std::size_t> parent, other;
+};
+
+/// The archive's order does not change during a batch, so each candidate of it chooses from the
+/// same.
+Choice choose_parents(const SearchPlan& plan, const FindArchive& archive, Random& random) {
+  // One in sixteen is new, whatever the method: a search that lives off its finds alone ends in
+  // the surroundings of its first.
+  if (plan.method == SearchMethod::random || archive.kept().empty() || random.below(16) == 0) {
+    return {};
+  }
+  if (plan.method == SearchMethod::local) return {archive.best(1).front(), std::nullopt};
+  if (plan.method == SearchMethod::map_elites) {
+    const auto elites = archive.elites();
+    const std::size_t one = elites[random.below(elites.size())];
+    const std::size_t two = elites[random.below(elites.size())];
+    return {one, random.below(4) == 0 ? std::optional(two) : std::nullopt};
+  }
+  const auto population = archive.best(static_cast<std::size_t>(plan.population));
+  // Of two, the better: they stand by falling score.
+  const auto pick = [&] {
+    const auto a = random.below(population.size()), b = random.below(population.size());
+    return population[std::min(a, b)];
+  };
+  const std::size_t one = pick();
+  return {one, random.below(2) == 0 ? std::optional(pick()) : std::nullopt};
+}
+
+/// A child of one parent or two. Parents are run again, with the numbers that they were run with
+/// first, rather than kept with all that they did.
+Genome child_of(const SearchPlan& plan, std::uint64_t hash, const Individual& parent,
+                const Individual* other, Screener& screener, Random& random) {
+  Screening run = screener.run(parent.genome, seed_of(hash, parent.id));
+  if (other == nullptr) return mutate(plan.draw, {parent.genome, run}, random);
+  const Screening& second = screener.run(other->genome, seed_of(hash, other->id));
+  const Genome crossed = cross_over({parent.genome, run}, {other->genome, second}, random);
+  run = screener.run(crossed, seed_of(hash, parent.id));
+  return mutate(plan.draw, {crossed, run}, random);
+}
+
+void make(const SearchPlan& plan, std::uint64_t hash, const FindArchive& archive,
+          Screener& screener, Individual& out) {
+  Random random(seed_of(hash, out.id), 0, kDrawing, 0, 0);
+  const Choice choice = choose_parents(plan, archive, random);
+  if (!choice.parent) {
+    DrawnGenome drawn;
+    draw_genome(plan.draw, random, drawn);
+    out.genome = std::move(drawn.genome);
+    out.origin = "drawn";
+    return;
+  }
+  const Individual& parent = archive.kept()[*choice.parent];
+  const Individual* other = choice.other ? &archive.kept()[*choice.other] : nullptr;
+  out.genome = child_of(plan, hash, parent, other, screener, random);
+  out.origin = other ? "crossed" : "mutated";
+  out.parent = parent.id;
+  if (other) out.other_parent = other->id;
+}
+
+/// Further orders are drawn from seeds beside the candidate's own.
+double share_of_same_ends(const SearchPlan& plan, std::uint64_t seed, const Individual& candidate,
+                          Screener& screener) {
+  int same = 0;
+  for (int k = 1; k <= plan.orders; ++k) {
+    const Screening& run =
+        screener.run(candidate.genome, combine(seed, static_cast<std::uint64_t>(k)));
+    if (run.saturated && built(candidate.genome, run) == candidate.bricks) ++same;
+  }
+  return plan.orders == 0 ? 0 : static_cast<double>(same) / plan.orders;
+}
+
+}  // namespace
+
+Individual evaluate(const SearchPlan& settings, std::uint64_t plan, const FindArchive& archive,
+                    std::uint64_t id, Screener& screener) {
+  Individual out;
+  out.id = id;
+  make(settings, plan, archive, screener, out);
+  const std::uint64_t seed = seed_of(plan, id);
+  const Screening run = screener.run(out.genome, seed);
+  out.bricks = built(out.genome, run);
+  out.structure = shape_hash(out.genome.lattice, out.bricks);
+  const Measures shape = measure(Structure(out.genome.lattice, out.bricks));
+  const double same = share_of_same_ends(settings, seed, out, screener);
+  const Outcome outcome{out.genome, run, out.bricks, shape, same};
+  for (const Objective& objective : objectives()) out.values.push_back(objective.value(outcome));
+  for (const ScoreTerm& term : settings.score)
+    out.score += term.weight * out.values[term.objective];
+  return out;
+}
+
+std::uint64_t evaluations_of(const SearchPlan& plan) {
+  const auto batch = static_cast<std::uint64_t>(plan.batch);
+  return (plan.evaluations + batch - 1) / batch * batch;
+}
+
+std::optional<SearchBatch> run_batch(const SearchPlan& plan, SearchState& state, int threads,
+                                     const std::atomic<bool>* stop) {
+  const std::uint64_t hash = plan_hash(plan);
+  const auto stopped = [&] { return stop != nullptr && stop->load(); };
+  std::vector<Individual> made(static_cast<std::size_t>(plan.batch));
+  run_parallel((made.size() + kPart - 1) / kPart, threads,
+               [&](std::size_t part) {
+                 Screener screener(plan.screen);
+                 for (std::size_t i = part * kPart; i < std::min(made.size(), (part + 1) * kPart);
+                      ++i) {
+                   made[i] = evaluate(plan, hash, state.archive, state.evaluated + i, screener);
+                 }
+               },
+               stopped);
+  if (stopped()) return std::nullopt;
+  SearchBatch batch;
+  batch.first_kept = state.archive.kept().size();
+  batch.best = made.front().score;
+  double sum = 0, squares = 0;
+  for (Individual& one : made) {
+    ++batch.built[one.structure];
+    batch.best = std::max(batch.best, one.score);
+    sum += one.score;
+    squares += one.score * one.score;
+    state.archive.offer(std::move(one));
+  }
+  const auto count = static_cast<double>(made.size());
+  batch.mean = sum / count;
+  batch.deviation = std::sqrt(std::max(0.0, squares / count - batch.mean * batch.mean));
+  state.evaluated += made.size();
+  batch.evaluated = state.evaluated;
+  return batch;
+}
+
+}  // namespace stig::search

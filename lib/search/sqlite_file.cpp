@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "search/sqlite_file.h"
+
+#include <sqlite3.h>
+
+namespace stig::search {
+namespace {
+
+/// So long a second writer or a reader is waited for.
+constexpr int kPatienceMs = 10'000;
+
+}  // namespace
+
+SqliteFile::SqliteFile(const std::string& path, Use use) {
+  const int flags =
+      use == Use::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int code = sqlite3_open_v2(path.c_str(), &file_, flags, nullptr);
+  if (code != SQLITE_OK) {
+    const std::string why = file_ ? sqlite3_errmsg(file_) : sqlite3_errstr(code);
+    sqlite3_close(file_);
+    throw SqliteFailure{why};
+  }
+  sqlite3_busy_timeout(file_, kPatienceMs);
+}
+
+SqliteFile::~SqliteFile() { sqlite3_close(file_); }
+
+void SqliteFile::run(const std::string& sql) {
+  if (sqlite3_exec(file_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) {
+    throw SqliteFailure{sqlite3_errmsg(file_)};
+  }
+}
+
+int SqliteFile::changes() const { return sqlite3_changes(file_); }
+
+SqliteStatement::SqliteStatement(SqliteFile& file, const std::string& sql) : file_(file.handle()) {
+  if (sqlite3_prepare_v2(file_, sql.c_str(), -1, &it_, nullptr) != SQLITE_OK) fail();
+}
+
+SqliteStatement::~SqliteStatement() { sqlite3_finalize(it_); }
+
+void SqliteStatement::fail() const { throw SqliteFailure{sqlite3_errmsg(file_)}; }
+
+SqliteStatement& SqliteStatement::checked(int code) {
+  if (code != SQLITE_OK) fail();
+  return *this;
+}
+
+SqliteStatement& SqliteStatement::bind(double value) {
+  return checked(sqlite3_bind_double(it_, ++bound_, value));
+}
+
+SqliteStatement& SqliteStatement::bind(std::uint64_t value) {
+  return checked(sqlite3_bind_int64(it_, ++bound_, static_cast<sqlite3_int64>(value)));
+}
+
+SqliteStatement& SqliteStatement::bind(const std::optional<std::uint64_t>& value) {
+  return value ? bind(*value) : checked(sqlite3_bind_null(it_, ++bound_));
+}
+
+SqliteStatement& SqliteStatement::bind(std::string_view value) {
+  return checked(sqlite3_bind_text64(it_, ++bound_, value.data(), value.size(), SQLITE_TRANSIENT,
+                                     SQLITE_UTF8));
+}
+
+bool SqliteStatement::step() {
+  const int code = sqlite3_step(it_);
+  if (code != SQLITE_ROW && code != SQLITE_DONE) fail();
+  return code == SQLITE_ROW;
+}
+
+void SqliteStatement::again() {
+  sqlite3_reset(it_);
+  bound_ = 0;
+}
+
+double SqliteStatement::number(int column) const { return sqlite3_column_double(it_, column); }
+
+std::uint64_t SqliteStatement::integer(int column) const {
+  return static_cast<std::uint64_t>(sqlite3_column_int64(it_, column));
+}
+
+std::optional<std::uint64_t> SqliteStatement::integer_if_any(int column) const {
+  if (sqlite3_column_type(it_, column) == SQLITE_NULL) return std::nullopt;
+  return integer(column);
+}
+
+std::string SqliteStatement::text(int column) const {
+  const auto* bytes = static_cast<const char*>(sqlite3_column_blob(it_, column));
+  const auto size = static_cast<std::size_t>(sqlite3_column_bytes(it_, column));
+  return bytes ? std::string(bytes, size) : std::string();
+}
+
+SqliteTransaction::~SqliteTransaction() {
+  // Where this fails as well, SQLite has rolled back by itself.
+  if (!done_) sqlite3_exec(file_.handle(), "ROLLBACK", nullptr, nullptr, nullptr);
+}
+
+void SqliteTransaction::commit() {
+  file_.run("COMMIT");
+  done_ = true;
+}
+
+}  // namespace stig::search
