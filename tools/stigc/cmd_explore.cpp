@@ -16,6 +16,7 @@
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
+#include "run_journal.h"
 
 namespace stig::cli {
 namespace {
@@ -108,19 +109,10 @@ void print_ensemble_json(const RuleSet& rules, const ExploreConfig& config,
   app.print("\n  ]\n}\n");
 }
 
-int write_runs_table(const Ensemble& ensemble, const std::vector<Output>& outputs, const App& app) {
-  int code = kOk;
-  for (const Output& output : outputs) {
-    if (output.kind != OutputKind::deposits) continue;
-    code = std::max(code, write_output(output.path, runs_csv(ensemble), app));
-  }
-  return code;
-}
-
 int explore_many(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
                  const ExploreOptions& options, const std::vector<Output>& outputs, App& app) {
   const Ensemble ensemble = run_all(rules, table, config, options, outputs, app);
-  const int written = std::max(ensemble.exit_code, write_runs_table(ensemble, outputs, app));
+  if (ensemble.runs.empty()) return ensemble.exit_code;
   // The run with most left to do stands for all: one remark, not a thousand.
   const auto longest = std::max_element(
       ensemble.runs.begin(), ensemble.runs.end(),
@@ -131,13 +123,17 @@ int explore_many(const RuleSet& rules, const RuleTable& table, const ExploreConf
   } else {
     app.print(ensemble_lines(rules, config, ensemble, app.color_out()));
   }
-  return ensemble.interrupted ? kRunFailed : written;
+  return ensemble.interrupted ? kRunFailed : ensemble.exit_code;
 }
 
 }  // namespace
 
 int run(const ExploreOptions& options, App& app) {
   const bool ensemble = options.runs > 1;
+  if (options.run && ensemble) {
+    app.complain("--run is one of --runs by itself: leave one of them out");
+    return kUsage;
+  }
   std::vector<Output> outputs;
   const int planned = plan_outputs(options.outputs, options.trace, ensemble, app, outputs);
   if (planned != kOk) return planned;
@@ -145,15 +141,18 @@ int run(const ExploreOptions& options, App& app) {
   const std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
   const RuleTable table(*rules);
-  const ExploreConfig config = explore_config(*rules, table, options);
+  ExploreConfig config = explore_config(*rules, table, options);
+  config.swarm.run = static_cast<std::uint32_t>(options.run.value_or(0));
   if (!config.problem.empty()) {
     app.complain(printable(config.problem));
     return kUsage;
   }
   // Each of several runs may write files with its number in their names.
-  if (const int code = check_outputs(names_of(outputs, options.runs), app); code != kOk) {
-    return code;
+  std::vector<std::string> names = names_of(outputs, options.runs);
+  if (const auto tables = tables_of(outputs); ensemble && !tables.empty()) {
+    names.push_back(journal_name(tables));
   }
+  if (const int code = check_outputs(names, app); code != kOk) return code;
   stop_on_signals();
   return ensemble ? explore_many(*rules, table, config, options, outputs, app)
                   : explore_once(*rules, table, config, options, outputs, app);

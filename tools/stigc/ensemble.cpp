@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
@@ -15,26 +16,56 @@
 #include "base/parallel.h"
 #include "progress.h"
 #include "report.h"
+#include "run_journal.h"
 
 namespace stig::cli {
 namespace {
 
+void count_run(const RunSummary& run, Ensemble& ensemble) {
+  ensemble.runs.push_back(run);
+  // An interrupted run's structure is not one that the rules end in.
+  if (run.terminated != Terminated::interrupted) ++ensemble.structures[run.hash];
+}
+
+void add_json(const Json& run, Ensemble& ensemble) {
+  if (!ensemble.runs_json.empty()) ensemble.runs_json += ",\n";
+  ensemble.runs_json += dump(run);
+  // The line end of a text file; a comma follows.
+  ensemble.runs_json.pop_back();
+}
+
 /// Takes over one finished run.
 void add_run(const RuleSet& rules, const SwarmConfig& config, const SwarmResult& result,
              const ExploreOptions& options, Ensemble& ensemble) {
-  const std::uint64_t hash = structure_hash(result.structure);
-  ensemble.runs.push_back({result.steps, result.deposits, result.structure.size(), hash,
-                           result.enabled_left, result.out_of_reach, result.terminated});
-  // An interrupted run's structure is not one that the rules end in.
-  if (result.terminated != Terminated::interrupted) ++ensemble.structures[hash];
+  count_run(
+      {result.steps, result.deposits, result.structure.size(), structure_hash(result.structure),
+       result.enabled_left, result.out_of_reach, result.terminated},
+      ensemble);
   for (std::size_t r = 0; r < ensemble.fired.size(); ++r) {
     ensemble.fired[r] += result.rules[r].fired;
   }
-  if (!options.json) return;
-  if (!ensemble.runs_json.empty()) ensemble.runs_json += ",\n";
-  ensemble.runs_json += dump(run_json(rules, config, result));
-  // The line end of a text file; a comma follows.
-  ensemble.runs_json.pop_back();
+  if (options.json) add_json(run_json(rules, config, result), ensemble);
+}
+
+Terminated terminated_of(const std::string& word) {
+  for (const Terminated way : {Terminated::saturated, Terminated::steps, Terminated::deposits}) {
+    if (word == to_string(way)) return way;
+  }
+  return Terminated::interrupted;
+}
+
+/// Takes over one that an earlier command has done.
+void add_record(const Json& record, const ExploreOptions& options, Ensemble& ensemble) {
+  const auto count = [&](const char* key) { return record.at(key).get<std::uint64_t>(); };
+  count_run({count("steps"), count("deposits"), count("bricks"),
+             std::stoull(record.at("structure_hash").get<std::string>(), nullptr, 16),
+             count("enabled_left"), count("out_of_reach"),
+             terminated_of(record.at("terminated").get<std::string>())},
+            ensemble);
+  for (std::size_t r = 0; r < ensemble.fired.size(); ++r) {
+    ensemble.fired[r] += record.at("rules").at(r).at("fired").get<std::uint64_t>();
+  }
+  if (options.json) add_json(run_of_record(record), ensemble);
 }
 
 // The table is of all runs, and traces are refused before.
@@ -105,6 +136,37 @@ std::string structure_table(const Ensemble& ensemble) {
   return out;
 }
 
+/// How many runs go together. Without a journal enough that a long run holds nobody up; with one
+/// as many as take about a second, since no more than that is to be lost.
+class BatchSize {
+ public:
+  BatchSize(int threads, bool journal)
+      : least_(journal ? 2 * threads : std::max(32, 8 * threads)), now_(least_), grows_(journal) {}
+  int now() const { return now_; }
+  void took(std::chrono::duration<double> time) {
+    constexpr int kMost = 4096;
+    if (!grows_) return;
+    if (time.count() < 0.3) now_ = std::min(2 * now_, kMost);
+    if (time.count() > 2) now_ = std::max(now_ / 2, least_);
+  }
+
+ private:
+  int least_, now_;
+  bool grows_;
+};
+
+/// The records of a batch's runs up to the first that was interrupted.
+std::vector<Json> records_of(const RuleSet& rules, SwarmConfig config,
+                             const std::vector<SwarmResult>& results) {
+  std::vector<Json> out;
+  for (const SwarmResult& result : results) {
+    if (result.terminated == Terminated::interrupted) break;
+    out.push_back(run_record(rules, config, result));
+    ++config.run;
+  }
+  return out;
+}
+
 }  // namespace
 
 Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
@@ -112,21 +174,31 @@ Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConf
                  const App& app) {
   Ensemble ensemble;
   ensemble.fired.resize(rules.rules.size());
-  const std::vector<Output> each = of_each_run(outputs);
+  const std::vector<Output> each = of_each_run(outputs), tables = tables_of(outputs);
+  RunJournal journal;
+  const auto add_old = [&](const Json& record) { add_record(record, options, ensemble); };
+  if (!tables.empty() && !journal.open(tables, rules, config.swarm, options.runs, add_old, app)) {
+    ensemble.exit_code = kRunFailed;
+    return ensemble;
+  }
   const int threads = thread_count(options.threads);
-  // Enough for each thread to have several, so that a long run holds nobody up.
-  const int batch = std::max(32, 8 * threads);
+  BatchSize batch(threads, journal.is_open());
   Progress progress(app);
   SwarmConfig own = config.swarm;
-  for (int first = 0; first < options.runs && !ensemble.interrupted; first += batch) {
-    const int runs = std::min(batch, options.runs - first);
+  bool failed = false;
+  for (int first = static_cast<int>(ensemble.runs.size());
+       first < options.runs && !ensemble.interrupted && !failed;) {
+    const int runs = std::min(batch.now(), options.runs - first);
     own.run = static_cast<std::uint32_t>(first);
     const auto done = [&](int finished) {
       progress.show((first + finished) / static_cast<double>(options.runs),
                     fmt::format("{} of {} runs", first + finished, options.runs));
     };
+    const auto begun = std::chrono::steady_clock::now();
     const auto results =
         run_ensemble(table, rules.start, own, runs, threads, done, &stop_requested());
+    batch.took(std::chrono::steady_clock::now() - begun);
+    if (journal.is_open()) failed = !journal.append(records_of(rules, own, results), app);
     for (const SwarmResult& result : results) {
       add_run(rules, own, result, options, ensemble);
       ensemble.interrupted |= result.terminated == Terminated::interrupted;
@@ -138,20 +210,17 @@ Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConf
       // Runs have one seed in common, and are told apart by their number.
       ++own.run;
     }
+    first += runs;
     // A stop between two batches.
-    ensemble.interrupted |= stop_requested() && first + runs < options.runs;
+    ensemble.interrupted |= stop_requested() && first < options.runs;
+  }
+  progress.clear();
+  if (journal.is_open()) {
+    const int code =
+        journal.write_tables(tables, options.runs, !ensemble.interrupted && !failed, app);
+    ensemble.exit_code = std::max({ensemble.exit_code, code, failed ? kRunFailed : kOk});
   }
   return ensemble;
-}
-
-std::string runs_csv(const Ensemble& ensemble) {
-  std::string out = "run,steps,deposits,bricks,terminated,structure_hash\n";
-  for (std::size_t r = 0; r < ensemble.runs.size(); ++r) {
-    const RunSummary& run = ensemble.runs[r];
-    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{}\n", r, run.steps, run.deposits,
-                   run.bricks, to_string(run.terminated), to_hex(run.hash));
-  }
-  return out;
 }
 
 std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,

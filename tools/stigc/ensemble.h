@@ -30,11 +30,9 @@ struct Ensemble {
   int exit_code = 0;  ///< of the files written
 };
 
+/// Tables are written too, and a journal beside the first of them while it goes on.
 Ensemble run_all(const RuleSet& rules, const RuleTable& table, const ExploreConfig& config,
                  const ExploreOptions& options, const std::vector<Output>& outputs, const App& app);
-
-/// Table of runs: run, steps, deposits, bricks, terminated, structure_hash.
-std::string runs_csv(const Ensemble& ensemble);
 
 /// The lines for people.
 std::string ensemble_lines(const RuleSet& rules, const ExploreConfig& config,

@@ -37,17 +37,24 @@ std::string classify(const std::string& path, bool ensemble, Output& output) {
     if (!ensemble || !numbered) return {};
     return fmt::format("'{}': with --runs .csv is one table of all runs: leave {{run}} out", path);
   }
+  if (path.ends_with(".jsonl")) {
+    output.kind = OutputKind::records;
+    if (ensemble && !numbered) return {};
+    return fmt::format("'{}': .jsonl has a record of each of --runs; {}", path,
+                       ensemble ? "leave {run} out" : "--json prints that of one run");
+  }
   if (path.ends_with(".stigt")) output.kind = OutputKind::trace;
   if (ensemble && output.kind == OutputKind::trace) {
     return fmt::format("'{}': a trace is of one run, not of --runs", path);
   }
   if (ensemble && !numbered) {
-    return fmt::format("'{}': with --runs the name needs {{run}}, or the ending .csv", path);
+    return fmt::format("'{}': with --runs the name needs {{run}}, or the ending .csv or .jsonl",
+                       path);
   }
   // can_write_structure lists its own endings; these two are more.
   std::string error;
   if (output.kind == OutputKind::trace || can_write_structure(path, error)) return {};
-  return error + " .csv .stigt";
+  return error + " .csv .jsonl .stigt";
 }
 
 }  // namespace

@@ -14,7 +14,9 @@
 
 namespace stig::cli {
 
-enum class OutputKind : std::uint8_t { structure, deposits, trace };
+/// `deposits` is a .csv: the log of a run's deposits, of several runs their table. `records` is a
+/// .jsonl: a JSON object for each of several runs.
+enum class OutputKind : std::uint8_t { structure, deposits, records, trace };
 
 struct Output {
   OutputKind kind = OutputKind::structure;

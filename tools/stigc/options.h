@@ -59,7 +59,8 @@ struct ExploreOptions {
   std::optional<int> moves;
   std::uint64_t seed = 1;
   int runs = 1;
-  int threads = 0;  ///< 0: all cores
+  std::optional<int> run;  ///< this one of several alone
+  int threads = 0;         ///< 0: all cores
   bool json = false;
   std::vector<std::string> outputs;
   Palette palette = Palette::file;  ///< of pictures

@@ -66,6 +66,8 @@ void add_explore(CLI::App& app, ExploreOptions& o) {
       "  stigc explore rulesets/architecture-4n.yaml --motion event --seed 7 --json\n"
       "  stigc explore rulesets/tiling.yaml --motion event --deposits 5000 -o tiling.vox\n"
       "  stigc explore rulesets/wall.yaml --runs 10 --threads 0 -o runs.csv -o 'wall-{run}.txt'\n"
+      "  stigc explore rulesets/wall.yaml --runs 10 -o runs.jsonl  # goes on if it was killed\n"
+      "  stigc explore rulesets/wall.yaml --run 7 -o seventh.png\n"
       "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc replay run.stigt\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   add_explore_swarm(sub, o);
@@ -78,12 +80,15 @@ void add_explore(CLI::App& app, ExploreOptions& o) {
   parsed(sub, "--seed", "N", "seed of all random choices (default: 1)",
          [&o](const std::string& text) { return parse_seed(text, o.seed); });
   integer(sub, "--runs", o.runs, 1, kMostRuns, "so many runs, each with its own random numbers");
+  integer(sub, "--run", o.run, 0, kMostRuns - 1,
+          "the run of that number alone, as --runs has it, from 0");
   integer(sub, "--threads", o.threads, 0, 4096,
           "threads for the runs; 0: all cores (default). The results are the same for any");
   sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
   repeated(sub, "-o,--output", o.outputs, "FILE",
            "write the structure, in the format of the ending: .vox .stl .ply .glb .png .svg .json "
-           ".txt; .csv the log of deposits, or with --runs the table of runs; .stigt a trace. May "
+           ".txt; .csv the log of deposits, or with --runs the table of runs; .jsonl the records "
+           "of --runs, a JSON object each; .stigt a trace. May "
            "be repeated; with --runs, {run} in a structure's name is the number of the run");
   palette(sub, o.palette);
   path(sub, "--trace", o.trace, "write a trace of the run, for replay");
