@@ -65,6 +65,16 @@ struct RefusalDrawing {
   std::vector<RefusalMark> marks{};
 };
 
+class Precedence;
+
+/// A brick of a proof column by column, and the column where something is done as long as it is
+/// the first that is missing: from the brick's own, towards the robot and to its left.
+struct WayOn {
+  std::uint32_t brick = 0;
+  ApproachSide side{};
+  int du = 0, dv = 0;
+};
+
 struct CompiledRules {
   VerifyResult proof;
   std::unique_ptr<TargetStates> target;
@@ -75,7 +85,9 @@ struct CompiledRules {
   /// A proof column by column (local_policy.h) looked at so many situations; the policy's
   /// structures are examples then. 0: all structures were walked.
   std::size_t local_situations = 0;
-  std::shared_ptr<Visibility> visibility;  ///< of such a proof
+  std::shared_ptr<Visibility> visibility;  ///< of such a proof, as are these
+  std::shared_ptr<const Precedence> precedence;
+  std::vector<WayOn> ways_on;  ///< the bricks after the start, in the order of the proof
   std::unique_ptr<DecisionNode> decision;  ///< null: refused
   Concurrency concurrency;                 ///< of what was not refused before
   std::vector<RefusalDrawing> drawings;    ///< that go with what is reported

@@ -187,6 +187,7 @@ class LocalPolicy {
 
   /// Has each brick its way on in some order?
   bool always_goes_on() {
+    compiled_.ways_on.clear();
     return can_go_on(target_, precedence_, [&](std::uint32_t q, const BrickSet& before) {
       return !stopped() && has_way_on(q, before);
     });
@@ -206,7 +207,9 @@ class LocalPolicy {
     for (const ApproachSide side : compiled_.sides) {
       const SideCell site = seen_from(side, target_.cell(q));
       for (const auto& [du, dv] : kColumnsAbout) {
-        if (goes_on_at(side, site.u + du, site.v + dv, q, before)) return true;
+        if (!goes_on_at(side, site.u + du, site.v + dv, q, before)) continue;
+        compiled_.ways_on.push_back({q, side, du, dv});
+        return true;
       }
     }
     return false;
@@ -249,9 +252,11 @@ class LocalPolicy {
 
 bool settle_locally(const Abilities& robot, const PolicyLimits& limits, CompiledRules& compiled) {
   if (compiled.target->bricks() > kMostOrderedBricks) return false;
-  Precedence precedence = precedence_of(*compiled.target);
+  const auto ordered = std::make_shared<Precedence>(precedence_of(*compiled.target));
+  Precedence& precedence = *ordered;
   Lanes lanes(*compiled.target, robot);
   wait_for_lanes(*compiled.target, compiled.sides, robot, lanes, precedence);
+  compiled.precedence = ordered;
   compiled.visibility =
       std::make_shared<Visibility>(robot, window_levels(robot, compiled.target->levels()));
   // Placements that last are tried first: they are safe for several robots. The others

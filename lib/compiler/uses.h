@@ -3,10 +3,12 @@
 // these use.
 #pragma once
 
+#include "recheck/uses.h"
 #include "robots/uses.h"
 #include "verify/uses.h"
 
 namespace stig::compiler {
+using namespace recheck;
 using namespace robots;
 using namespace verify;
 }  // namespace stig::compiler

@@ -121,6 +121,7 @@ constexpr const char* kPrinting[] = {
     "test sets/line.yaml",
     "verify sets/line.yaml",
     "certify sets/line.yaml sets/line.cert",
+    "certify staircase.yaml work.cert",
     "graph sets/line.yaml",
     "replay t.stigt",
     "replay t.stigp",
@@ -146,6 +147,7 @@ void put_inputs(const Workplace& place) {
   place.write("staircase.yaml", project_file("rulesets/staircase.yaml"));
   REQUIRE(place
               .shell("stigc explore sets/line.yaml --trace t.stigt; "
+                     "stigc compile staircase.yaml --certificate work.cert -o s.lua; "
                      "stigc simulate sets/still.yaml --duration 0.01 --trace t.stigp")
               .exit_code == 0);
 }

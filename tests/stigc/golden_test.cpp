@@ -137,6 +137,17 @@ TEST_CASE("certify accepts, or says what does not hold") {
   place.write("missing.cert", missing);
   hold(place, "certify-refused", "stigc certify sets/line.yaml missing.cert");
   hold(place, "certify-refused-json", "stigc certify sets/line.yaml missing.cert --json");
+  place.write("bebot.yaml", project_file("robots/bebot.yaml"));
+  place.write("stigmergic.yaml", project_file("blocks/stigmergic.yaml"));
+  place.write("stairs.yaml", project_file("rulesets/staircase.yaml"));
+  place.shell("stigc compile stairs.yaml --certificate work.cert -o stairs.txt");
+  hold(place, "certify-work", "stigc certify stairs.yaml work.cert");
+  hold(place, "certify-work-json", "stigc certify stairs.yaml work.cert --json --robot bebot.yaml");
+  place.shell("sed 's/^put 1 0 0 2/put 1 0 0 3/' work.cert > changed.cert");
+  hold(place, "certify-work-refused",
+       "cat work.cert; stigc certify stairs.yaml changed.cert --block stigmergic.yaml; "
+       "stigc certify stairs.yaml work.cert --sides=+x; "
+       "stigc certify stairs.yaml work.cert --box none");
   place.write("square.cnf", "p cnf 2 4\n1 2 0\n1 -2 0\n-1 2 0\n-1 -2 0\n");
   place.write("square.drat", "1 0\n0\n");
   place.write("empty.drat", "");

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // stigc certify: proofs looked at again, by code that shares nothing with their makers.
 //
-// Two kinds of proof: a certificate for a rule set, and a DRAT proof for a formula, with or without
-// the check that the formula says what it should. Nothing here may use verify/ or synthesis/, so
-// that the check is worth something; the readers of rule files are shared.
+// Three kinds of proof: a certificate for a rule set, one of robots' work by it, and a DRAT proof
+// for a formula, with or without the check that the formula says what it should. Nothing here may
+// use verify/, synthesis/ or what compiler/ proves, so that the check is worth something; the
+// readers of files are shared.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -18,7 +19,9 @@
 #include "lattice/box.h"
 #include "lattice/structure.h"
 #include "meant_box.h"
+#include "recheck/check_work.h"
 #include "report.h"
+#include "robot_input.h"
 #include "rules/cell_text.h"
 #include "rules/rule_printer.h"
 #include "rules/worked_from.h"
@@ -42,6 +45,11 @@ std::string place_of(const std::optional<BoxSpec>& box) {
   if (!box) return "in unbounded space";
   return fmt::format("in the {}box {} at {}", box->periodic ? "periodic " : "", to_text(box->size),
                      cell_text(*box->origin));
+}
+
+/// The box is part of a certificate's claim about rules; nothing else has one.
+bool bounded(const CertifyOptions& options) {
+  return options.world.box || options.world.origin || options.world.periodic;
 }
 
 // An empty refusal is acceptance, in both checkers.
@@ -89,14 +97,71 @@ void print_json(const CertifyOptions& options, const RuleSet& rules, const Check
   app.print(dump(json));
 }
 
+std::string work_text(const WorkCertificate& certificate, const WorkReport& report) {
+  const std::string looked =
+      certificate.ordered
+          ? fmt::format("{} before a column", counted(report.situations, "situation"))
+          : fmt::format("{} on the way", counted(report.structures, "structure"));
+  return fmt::format("  {} complete{} the structure of {} in every order of work\n  {}, {}\n",
+                     certificate.any_number ? "any number of robots at work at once"
+                                            : "one robot that follows these decisions",
+                     certificate.any_number ? "" : "s", counted(certificate.bricks.size(), "brick"),
+                     counted(certificate.looks.size(), "look"), looked);
+}
+
+/// What robots do with the rules, for the robot and the block of their files.
+int certify_work(const CertifyOptions& options, const RuleSet& file, const std::string& text,
+                 App& app) {
+  Diagnostics diagnostics;
+  const auto certificate = read_work_certificate(options.proof, text, diagnostics);
+  if (!certificate) {
+    app.report(diagnostics);
+    return kFailed;
+  }
+  const auto builder = read_builder({options.robot, options.block}, app);
+  if (!builder) return kFailed;
+  // The compiler takes the file's own sides where none are given.
+  const RuleSet rules = worked_from_own(file, options.sides);
+  WorkReport report;
+  if (certificate->rule_set_hash == rule_set_hash(rules)) {
+    report = check_work(rules, recheck::figures_of(builder->robot, builder->block), *certificate);
+  } else {
+    report.refusal = "it is of other rules than these, or of robots that work from other sides";
+  }
+  if (options.json) {
+    Json json{{"ruleset", rules.name},
+              {"ruleset_hash", to_hex(rule_set_hash(rules))},
+              {"certificate", options.proof},
+              {"robot", builder->robot.name},
+              {"accepted", report.accepted}};
+    if (!report.accepted) json["refusal"] = report.refusal;
+    json["any_number"] = certificate->any_number;
+    json["bricks"] = certificate->bricks.size();
+    json["situations"] = report.situations;
+    json["structures"] = report.structures;
+    app.print(dump(json));
+  } else {
+    print_verdict(options.proof, report.refusal, app);
+    if (report.accepted) app.print(work_text(*certificate, report));
+  }
+  return report.accepted ? kOk : kFailed;
+}
+
 int certify_rules(const CertifyOptions& options, App& app) {
   std::optional<RuleSet> rules = app.read_rules(options.file);
   if (!rules) return kFailed;
+  const auto text = bytes_of(options.proof, kMostCertificateBytes, app);
+  if (!text) return kFailed;
+  if (text->starts_with(kWorkCertificate)) {
+    if (bounded(options)) {
+      app.complain("robots know no box");
+      return kUsage;
+    }
+    return certify_work(options, *rules, *text, app);
+  }
   // Sides change what orientations rules have, and so what is proved: the check must be given the
   // same ones as the proof.
   rules = worked_from(std::move(*rules), options.sides);
-  const auto text = bytes_of(options.proof, kMostCertificateBytes, app);
-  if (!text) return kFailed;
   Diagnostics diagnostics;
   const auto certificate = read_certificate(options.proof, *text, diagnostics);
   if (!certificate) {
@@ -190,9 +255,7 @@ int certify_fewest(const CertifyOptions& options, App& app) {
 }  // namespace
 
 int run(const CertifyOptions& options, App& app) {
-  // The box is part of a certificate's claim; nothing else has one.
-  const bool bounded = options.world.box || options.world.origin || options.world.periodic;
-  if (options.fewest && (options.drat || bounded || !options.proof.empty())) {
+  if (options.fewest && (options.drat || bounded(options) || !options.proof.empty())) {
     app.complain("--fewest wants a folder and nothing else");
     return kUsage;
   }
@@ -201,7 +264,7 @@ int run(const CertifyOptions& options, App& app) {
     app.complain("PROOF is required\ntry 'stigc certify --help'");
     return kUsage;
   }
-  if (options.drat && bounded) {
+  if (options.drat && bounded(options)) {
     app.complain("--drat knows no box");
     return kUsage;
   }

@@ -11,6 +11,7 @@
 #include "commands.h"
 #include "compile_report.h"
 #include "compiler/compile.h"
+#include "compiler/work_proof.h"
 #include "other_rules.h"
 #include "outputs.h"
 #include "refusal_page.h"
@@ -143,6 +144,7 @@ int print(const CompileFileOptions& options, const CompileJob& job, App& app) {
 std::string argos_problem(const CompileFileOptions& options) {
   if (target_of(options) != CompileTarget::argos) return {};
   if (options.robot) return "ARGoS brings its own robot, the BuilderBot: leave --robot out";
+  if (options.block) return "ARGoS brings its own block: leave --block out";
   if (!options.output || is_standard_output(options.output))
     return "for ARGoS several files are written: say where with -o NAME";
   const std::string name = file_name(argos_files(options)->experiment);
@@ -158,6 +160,7 @@ std::string usage_problem(const CompileFileOptions& options) {
   if (options.page && !options.page->ends_with(".html")) {
     return fmt::format("'{}': a page is .html", *options.page);
   }
+  if (is_standard_output(options.certificate)) return "say in which file the certificate goes";
   if (is_standard_output(options.report) &&
       (!options.output || is_standard_output(options.output))) {
     return "standard output takes the program or the table: say where the other goes";
@@ -176,6 +179,7 @@ std::vector<std::string> output_names(const CompileFileOptions& options) {
   if (const auto map = line_map_of(options)) names.push_back(*map);
   if (options.report && !is_standard_output(options.report)) names.push_back(*options.report);
   if (options.page) names.push_back(*options.page);
+  if (options.certificate) names.push_back(*options.certificate);
   return names;
 }
 
@@ -204,8 +208,10 @@ int run(const CompileFileOptions& options, App& app) {
   if (!rules) return kFailed;
   // Rules whose own `sides` narrow them are compiled for these.
   rules = worked_from_own(std::move(*rules), options.sides);
-  const std::optional<Abilities> robot = read_abilities(
-      options.robot, app, target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot);
+  const std::optional<Abilities> robot =
+      read_abilities({options.robot, options.block,
+                      target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot},
+                     app);
   if (!robot) return kFailed;
   if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
   const CompileOptions settings = settings_of(options, *rules, app);
@@ -227,8 +233,12 @@ int run(const CompileFileOptions& options, App& app) {
   if (!compiled.decision) return compiled.proof.interrupted ? kRunFailed : kFailed;
   // Warnings count as errors where the user wants that.
   if (app.invalid(diagnostics)) return kFailed;
-  return print(options, {&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)},
-               app);
+  const CompileJob job{&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)};
+  if (options.certificate) {
+    const auto text = print_work_certificate(certificate_of_work(*rules, compiled, job.plan));
+    if (const int code = write(*options.certificate, text, app); code != kOk) return code;
+  }
+  return print(options, job, app);
 }
 
 }  // namespace stig::cli

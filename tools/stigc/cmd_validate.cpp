@@ -98,7 +98,7 @@ class Validation {
     rules_ = app_.read_rules(options_.file);
     if (!rules_) return kFailed;
     rules_ = worked_from_own(std::move(*rules_), options_.sides);
-    robot_ = read_abilities(options_.robot, app_);
+    robot_ = read_abilities({options_.robot, std::nullopt}, app_);
     if (!robot_) return kFailed;
     stop_on_signals();
     CompileOptions settings;

@@ -97,9 +97,10 @@ struct VerifyFileOptions {
 
 /// A certificate for a rule set, or a proof for a formula.
 struct CertifyOptions {
-  std::string file;                ///< rule set, or formula
-  std::string proof;               ///< certificate, or proof
-  std::vector<std::string> sides;  ///< as with VerifyFileOptions
+  std::string file;                         ///< rule set, or formula
+  std::string proof;                        ///< certificate, or proof
+  std::vector<std::string> sides;           ///< as with VerifyFileOptions
+  std::optional<std::string> robot, block;  ///< files, of a certificate of robots' work
   bool fewest = false;  ///< `file` is a folder with the proof that fewer colours do not do
   bool drat = false;
   WorldOptions world;
@@ -139,14 +140,16 @@ enum class CompileTarget : std::uint8_t { table, lua, argos, dot, ir };
 struct CompileFileOptions {
   std::string file;
   std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
+  std::optional<std::string> block;  ///< a block's file; otherwise the paper's block
   std::vector<std::string> sides;    ///< "+x" "-x" "+y" "-y"; empty: the file's
   std::optional<int> robots;         ///< that work at once; otherwise the file's
   std::optional<CompileTarget>
       target;  ///< otherwise by the output's name: .lua, .argos, or a table
   std::optional<std::string> output;
-  std::optional<std::string> report;  ///< the table, whatever the target
-  std::optional<std::string> page;    ///< .html, of a refusal or a warning
-  std::optional<double> budget;       ///< s, of the proof
+  std::optional<std::string> report;       ///< the table, whatever the target
+  std::optional<std::string> page;         ///< .html, of a refusal or a warning
+  std::optional<std::string> certificate;  ///< of the proof that robots complete it
+  std::optional<double> budget;            ///< s, of the proof
   std::uint64_t states = 100'000;
 };
 
@@ -270,6 +273,7 @@ struct SynthOptions {
   std::vector<Cell> start;
   bool floor = false;
   std::optional<std::string> robot;  ///< that has to be able to follow the rules
+  std::optional<std::string> block;  ///< that it builds with; otherwise the paper's
   std::vector<std::string> sides;    ///< that it works from; empty: chosen
   std::optional<int> robots;         ///< that work at once; otherwise as many as may be
   Fewest fewest = Fewest::colours;

@@ -76,6 +76,7 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
               "  stigc compile rulesets/staircase.yaml --target dot > decisions.dot\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
   path(sub, "--robot", o.robot, "the robot's file (default: bebot.yaml, the paper's)");
+  path(sub, "--block", o.block, "the block's file (default: stigmergic.yaml, the paper's)");
   add_sides(*sub, o.sides, kSidesOfRobots);
   integer(sub, "--robots", o.robots, 1, 100, "robots that work at once (default: the file's)");
   choice(sub, "--target", o.target,
@@ -90,6 +91,8 @@ void add_compile(CLI::App& app, CompileFileOptions& o) {
        "write it to a file; .lua.map beside it says which lines are rules; for ARGoS "
        "NAME[.argos], beside which NAME_robot.lua and NAME_block.lua are written");
   path(sub, "--report", o.report, "write the table to a file as well");
+  path(sub, "--certificate", o.certificate,
+       "write why robots that follow it complete the structure, for stigc certify");
   path(sub, "--why", o.page,
        "where rules are refused, write a page that shows the brick in the way (.html)");
   seconds(sub, "--budget", o.budget,

@@ -155,6 +155,8 @@ void add_certify(CLI::App& app, CertifyOptions& o) {
       app, "certify", "check a proof again, without trust in its maker",
       "  stigc verify rulesets/staircase.yaml --certificate staircase.cert\n"
       "  stigc certify rulesets/staircase.yaml staircase.cert\n"
+      "  stigc compile rulesets/staircase.yaml --certificate staircase-work.cert\n"
+      "  stigc certify rulesets/staircase.yaml staircase-work.cert\n"
       "  stigc explore rulesets/stepped-pyramid.yaml -o pyramid.txt\n"
       "  stigc synth pyramid.txt --proof proof -o pyramid.yaml && stigc certify --fewest proof\n"
       "  stigc certify --drat proof/fewer.cnf proof/fewer.drat\n");
@@ -165,6 +167,9 @@ void add_certify(CLI::App& app, CertifyOptions& o) {
   sub->add_flag("--fewest", o.fewest,
                 "FILE is the folder that synth --proof wrote: is it true that fewer colours do not "
                 "do in this order?");
+  path(sub, "--robot", o.robot,
+       "of a certificate that compile wrote: the robot's file (default: bebot.yaml)");
+  path(sub, "--block", o.block, "and the block's file (default: stigmergic.yaml)");
   sub->add_flag("--drat", o.drat, "a formula and its DRAT proof, text or binary");
   world(sub, o.world, kWorldThatIsMeant);
   add_sides(*sub, o.sides, kTurnsOfSides);

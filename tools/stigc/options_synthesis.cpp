@@ -76,6 +76,7 @@ void add_synth(CLI::App& app, SynthOptions& o) {
   path(sub, "--robot", o.robot,
        "a robot's file: only rules that stigc compile accepts for it, in an order that it can "
        "follow");
+  path(sub, "--block", o.block, "with --robot: the block's file (default: stigmergic.yaml)");
   integer(sub, "--robots", o.robots, 1, 100,
           "with --robot: so many have to be able to work at once (default: as many as may be)");
   add_sides(*sub, o.sides,

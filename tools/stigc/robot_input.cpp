@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots are found beside the file that names them, blocks with the program: the compiler's figures
-// are those of the block that ships.
+// Robots and blocks are found beside the file that names them, those that ship with the program.
 #include "robot_input.h"
 
 #include <fmt/format.h>
@@ -37,16 +36,17 @@ std::optional<RobotModel> read_own_robot(const char* name, const App& app) {
   return robot;
 }
 
-std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
-                                        const App& app, const char* usual) {
-  const SourceRef robot_source = robot_file
-                                     ? find_source(*robot_file, scene_loader(*robot_file), app)
-                                     : find_source(usual, own_loader(), app);
-  const SourceRef block_source = find_source(kBlock, own_loader(), app);
+std::optional<Builder> read_builder(const BuilderFiles& files, const App& app) {
+  const auto source = [&](const std::optional<std::string>& given, const char* usual) {
+    return given ? find_source(*given, scene_loader(*given), app)
+                 : find_source(usual, own_loader(), app);
+  };
+  const SourceRef robot_source = source(files.robot, files.usual);
+  const SourceRef block_source = source(files.block, kBlock);
   if (!robot_source || !block_source) return std::nullopt;
   Diagnostics diagnostics;
-  const auto robot = read_robot(robot_source, diagnostics);
-  const auto block = read_block(block_source, diagnostics);
+  auto robot = read_robot(robot_source, diagnostics);
+  auto block = read_block(block_source, diagnostics);
   app.report(diagnostics);
   // Both are reported before either ends it.
   if (!robot || !block || app.invalid(diagnostics)) return std::nullopt;
@@ -56,7 +56,13 @@ std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_
     app.complain(fmt::format("'{}' cannot build: {}", printable(robot->name), sentence));
   }
   if (!missing.empty()) return std::nullopt;
-  return abilities_of(*robot, figures_of(*block));
+  return Builder{std::move(*robot), std::move(*block)};
+}
+
+std::optional<Abilities> read_abilities(const BuilderFiles& files, const App& app) {
+  const std::optional<Builder> builder = read_builder(files, app);
+  if (!builder) return std::nullopt;
+  return abilities_of(builder->robot, figures_of(builder->block));
 }
 
 }  // namespace stig::cli

@@ -7,6 +7,8 @@
 
 #include "app.h"
 #include "compiler/abilities.h"
+#include "robots/block.h"
+#include "robots/robot_model.h"
 #include "uses.h"
 
 namespace stig::cli {
@@ -18,9 +20,20 @@ inline constexpr const char* kArgosRobot = "builderbot.yaml";
 /// One of our own robots. Errors are reported.
 std::optional<RobotModel> read_own_robot(const char* name, const App& app);
 
-/// Reads a robot's file, by default one of ours, with the paper's block: both are found
-/// where scenes find theirs. Errors, and what keeps it from building at all, are reported.
-std::optional<Abilities> read_abilities(const std::optional<std::string>& robot_file,
-                                        const App& app, const char* usual = kPaperRobot);
+/// Files of a robot and of the block that it builds with.
+struct BuilderFiles {
+  std::optional<std::string> robot, block;
+  const char* usual = kPaperRobot;  ///< where no robot is given; the block is the paper's then
+};
+struct Builder {
+  RobotModel robot;
+  BlockModel block;
+};
+
+/// Reads both files; ours are found where scenes find theirs. Errors, and what keeps the robot from
+/// building at all, are reported.
+std::optional<Builder> read_builder(const BuilderFiles& files, const App& app);
+/// What the compiler asks for of them.
+std::optional<Abilities> read_abilities(const BuilderFiles& files, const App& app);
 
 }  // namespace stig::cli

@@ -105,7 +105,7 @@ std::vector<OtherRobot> other_robots(const std::string& named, const App& app) {
   std::vector<OtherRobot> out;
   for (const char* name : {kPaperRobot, kArgosRobot}) {
     if (file_name(named) == name) continue;
-    if (auto robot = read_abilities(std::nullopt, app, name)) {
+    if (auto robot = read_abilities({std::nullopt, std::nullopt, name}, app)) {
       out.push_back({fmt::format("--robot robots/{}", name), std::move(*robot)});
     }
   }
@@ -183,7 +183,7 @@ int synth_for_robot(const SynthOptions& options, App& app) {
     app.complain(problem);
     return kFailed;
   }
-  const auto robot = read_abilities(options.robot, app);
+  const auto robot = read_abilities({options.robot, options.block}, app);
   if (!robot) return kFailed;
   if (const int code = check_outputs(robot_output_names(options), app); code != kOk) return code;
   stop_on_signals();
