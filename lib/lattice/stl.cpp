@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Binary STL has no colours and no shared corners: each triangle carries its normal and
-// three corners. Slicers want closed surfaces edge to edge, so the mesh must not have
-// T-junctions (Merging::none).
+// three corners. Slicers want closed surfaces edge to edge with an inside everywhere, so the mesh
+// must not have T-junctions (Merging::none), and bricks that merely touch are parted
+// (solid_surface.h).
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "base/bytes.h"
 #include "lattice/mesh_files.h"
+#include "lattice/solid_surface.h"
 
 namespace stig::lattice {
 
@@ -18,25 +21,33 @@ void put_point(std::string& out, Point p, double scale) {
   put(out, static_cast<float>(p.z * scale));
 }
 
+/// Not that of the cell's face: where corners were drawn in, triangles tilt.
+Point normal_of(const SolidSurface& surface, const SolidSurface::Triangle& triangle) {
+  const Point a = surface.points[triangle.corner[0]], b = surface.points[triangle.corner[1]],
+              c = surface.points[triangle.corner[2]];
+  const Point u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
+  const Point n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double length = std::hypot(n.x, n.y, n.z);
+  return {n.x / length, n.y / length, n.z / length};
+}
+
 }  // namespace
 
 std::string print_stl(const Mesh& mesh, double scale) {
   assert(scale > 0);
   constexpr std::size_t kHeader = 80, kTriangle = 50;
-  const std::size_t triangles = mesh.triangles();
-  assert(triangles <= std::numeric_limits<std::uint32_t>::max());
+  const SolidSurface surface = solid_surface(mesh);
+  assert(surface.triangles.size() <= std::numeric_limits<std::uint32_t>::max());
   std::string out = "stigc binary STL";  // must not start with "solid": that says text
   out.resize(kHeader, ' ');
-  out.reserve(kHeader + 4 + kTriangle * triangles);
-  put(out, static_cast<std::uint32_t>(triangles));
-  for (const Polygon& polygon : mesh.polygons) {
-    for (std::size_t i = 2; i < polygon.corners; ++i) {
-      put_point(out, cell_faces(mesh.lattice)[polygon.face].normal, 1);
-      for (const std::size_t corner : {std::size_t{0}, i - 1, i}) {
-        put_point(out, position(mesh.lattice, polygon.corner[corner]), scale);
-      }
-      put(out, std::uint16_t{0});
+  out.reserve(kHeader + 4 + kTriangle * surface.triangles.size());
+  put(out, static_cast<std::uint32_t>(surface.triangles.size()));
+  for (const SolidSurface::Triangle& triangle : surface.triangles) {
+    put_point(out, normal_of(surface, triangle), 1);
+    for (const std::uint32_t corner : triangle.corner) {
+      put_point(out, surface.points[corner], scale);
     }
+    put(out, std::uint16_t{0});
   }
   return out;
 }

@@ -62,10 +62,10 @@ def check_admesh(folder, name, expected):
     assert status == 0, text
     near(number(r"Number of facets +: +(\d+)", text), expected["triangles"], "facets")
     troubles = ["Total disconnected facets", "Degenerate facets", "Edges fixed",
-                "Facets removed", "Facets added"]
-    if expected["two_faces_an_edge"]:
-        near(number(r"Volume +: +(\S+)", text), expected["volume"], f"{name}: volume", 1e-3)
-        troubles += ["Facets reversed", "Normals fixed"]
+                "Facets removed", "Facets added", "Facets reversed", "Normals fixed"]
+    # Where bricks touch at an edge or a corner alone, they are parted by a narrow gap.
+    slack = 1e-3 if expected["two_faces_an_edge"] else 0.03 * expected["volume"]
+    near(number(r"Volume +: +(\S+)", text), expected["volume"], f"{name}: volume", slack)
     for trouble in troubles:
         near(number(trouble + r" +: +(\d+)", text), 0, f"{name}: {trouble}")
 

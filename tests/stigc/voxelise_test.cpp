@@ -37,6 +37,21 @@ TEST_CASE("a mesh becomes bricks, and comes back as it was drawn") {
   }
 }
 
+TEST_CASE("surfaces of bricks that merely touch need no repair") {
+  if (!has_meshes()) return;
+  const Workplace place;
+  place.write("touching.txt", "1 .\n. 1\n---\n. 1\n. .\n");
+  REQUIRE(place.shell("stigc draw touching.txt -o touching.stl").exit_code == 0);
+  const Outcome outcome = place.shell("stigc voxelise touching.stl --side 1 -o back.txt --json");
+  REQUIRE(outcome.exit_code == 0);
+  for (const std::string count :
+       {"\"split_points\": 0", "\"turned_surfaces\": 0", "\"holes\": 0", "\"degenerate_faces\": 0",
+        "\"crossing_faces\": 0", "\"solids\": 3"}) {
+    CAPTURE(count);
+    CHECK(outcome.out.find(count) != std::string::npos);
+  }
+}
+
 TEST_CASE("what is said of meshes") {
   if (!has_meshes()) return;
   const Workplace place;
