@@ -28,7 +28,8 @@ install(FILES ${PROJECT_BINARY_DIR}/stigConfig.cmake
 install(TARGETS stigc RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/rulesets ${PROJECT_SOURCE_DIR}/blocks
                   ${PROJECT_SOURCE_DIR}/scenes ${PROJECT_SOURCE_DIR}/robots
-                  ${PROJECT_SOURCE_DIR}/programs DESTINATION ${STIG_INSTALL_DATADIR})
+                  ${PROJECT_SOURCE_DIR}/programs ${PROJECT_SOURCE_DIR}/plans
+        DESTINATION ${STIG_INSTALL_DATADIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # The schema is what the program itself says it is. It is written when installing, so that

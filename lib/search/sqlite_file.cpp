@@ -12,8 +12,9 @@ constexpr int kPatienceMs = 10'000;
 }  // namespace
 
 SqliteFile::SqliteFile(const std::string& path, Use use) {
-  const int flags =
-      use == Use::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  // Who may write takes the journal away when done. Where that is not allowed SQLite opens the file
+  // for reading by itself.
+  const int flags = SQLITE_OPEN_READWRITE | (use == Use::read ? 0 : SQLITE_OPEN_CREATE);
   const int code = sqlite3_open_v2(path.c_str(), &file_, flags, nullptr);
   if (code != SQLITE_OK) {
     const std::string why = file_ ? sqlite3_errmsg(file_) : sqlite3_errstr(code);

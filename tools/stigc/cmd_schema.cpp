@@ -10,6 +10,7 @@
 #include "robots/block.h"
 #include "robots/robot_reader.h"
 #include "rules/rule_schema.h"
+#include "search/plan_reader.h"
 
 namespace stig::cli {
 namespace {
@@ -22,6 +23,8 @@ std::string schema_of(FileForm form) {
       return robot_schema();
     case FileForm::block:
       return block_schema();
+    case FileForm::search:
+      return search::plan_schema();
     case FileForm::rules:
       break;
   }

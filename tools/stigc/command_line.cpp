@@ -73,6 +73,8 @@ void build(CLI::App& app, Storage& s) {
   declare(app, s, add_replay);
   declare(app, s, add_schema);
   declare(app, s, add_voxelise);
+  declare(app, s, add_search);
+  declare(app, s, add_archive);
   declare(app, s, add_measure);
   declare(app, s, add_draw);
   declare(app, s, add_synth);

@@ -33,6 +33,8 @@ void add_validate(CLI::App& app, ValidateOptions& o);
 void add_build(CLI::App& app, BuildOptions& o);
 void add_view(CLI::App& app, ViewOptions& o);
 void add_render(CLI::App& app, RenderOptions& o);
+void add_search(CLI::App& app, SearchFileOptions& o);
+void add_archive(CLI::App& app, ArchiveOptions& o);
 void add_completions(CLI::App& app, CompletionsOptions& o);
 void add_doctor(CLI::App& app, DoctorOptions& o);
 

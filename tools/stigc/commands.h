@@ -31,6 +31,8 @@ int run(const ValidateOptions& options, App& app);
 int run(const BuildOptions& options, App& app);
 int run(const ViewOptions& options, App& app);
 int run(const RenderOptions& options, App& app);
+int run(const SearchFileOptions& options, App& app);
+int run(const ArchiveOptions& options, App& app);
 
 /// `stigc --explain CODE`; the empty code lists all.
 int explain_code(const std::string& code, App& app);

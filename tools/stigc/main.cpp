@@ -46,7 +46,7 @@ int run_parsed(Parsed& parsed, App& app) {
   return std::visit([&](const auto& options) { return run(options, app); }, parsed.line->command);
 }
 
-int run_program(int argc, const char* const* argv) {
+int run_main(int argc, const char* const* argv) {
   prepare_process();
   prepare_last_words();
   Parsed parsed = parse_command_line(argc, argv);
@@ -67,4 +67,4 @@ int run_program(int argc, const char* const* argv) {
 }  // namespace
 }  // namespace stig::cli
 
-int main(int argc, char** argv) { return stig::cli::run_program(argc, argv); }
+int main(int argc, char** argv) { return stig::cli::run_main(argc, argv); }

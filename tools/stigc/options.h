@@ -175,7 +175,7 @@ struct DescribeOptions {
   bool json = false;
 };
 
-enum class FileForm : std::uint8_t { rules, scene, robot, block };
+enum class FileForm : std::uint8_t { rules, scene, robot, block, search };
 struct SchemaOptions {
   FileForm form = FileForm::rules;
   std::optional<std::string> symbols_of;  ///< a rule set whose symbols are offered
@@ -308,12 +308,27 @@ struct BuildOptions {
   std::string output;  ///< folder
 };
 
+struct SearchFileOptions {
+  std::string plan;
+  std::string output;  ///< .sqlite
+  int threads = 0;     ///< 0: all cores
+};
+
+struct ArchiveOptions {
+  std::string results;
+  std::int64_t top = 10;
+  std::optional<std::int64_t> pick;   ///< number of an individual
+  std::optional<std::string> output;  ///< of what is picked
+  bool json = false;
+};
+
 using CommandOptions =
     std::variant<CheckOptions, FmtOptions, ExploreOptions, ExplainOptions, TestOptions,
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
-                 BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions>;
+                 BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions, SearchFileOptions,
+                 ArchiveOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -183,16 +183,17 @@ void add_graph(CLI::App& app, GraphOptions& o) {
 }
 
 void add_schema(CLI::App& app, SchemaOptions& o) {
-  CLI::App* sub =
-      command(app, "schema", "print the JSON Schema of rule set, scene, robot or block files",
-              "  stigc schema > stigc.schema.json\n"
-              "  stigc schema --symbols-of rulesets/staircase.yaml > staircase.schema.json\n"
-              "  stigc schema scene > scene.schema.json\n");
+  CLI::App* sub = command(
+      app, "schema", "print the JSON Schema of rule set, scene, robot, block or search files",
+      "  stigc schema > stigc.schema.json\n"
+      "  stigc schema --symbols-of rulesets/staircase.yaml > staircase.schema.json\n"
+      "  stigc schema scene > scene.schema.json\n");
   choice(sub, "FORM", o.form,
          {{"rules", FileForm::rules},
           {"scene", FileForm::scene},
           {"robot", FileForm::robot},
-          {"block", FileForm::block}},
+          {"block", FileForm::block},
+          {"search", FileForm::search}},
          "what kind of file (default: rules)");
   path(sub, "--symbols-of", o.symbols_of,
        "a rule set, finished or not, whose symbols editors shall offer where one is wanted");

@@ -22,7 +22,7 @@ fs::path program_folder() {
   return error ? fs::path() : program.parent_path();
 }
 
-constexpr const char* kKinds[] = {"rulesets", "scenes", "robots", "blocks", "programs"};
+constexpr const char* kKinds[] = {"rulesets", "scenes", "robots", "blocks", "programs", "plans"};
 
 /// Where the shipped file of this name is; nothing when there is none, or the name leads to
 /// something already.
@@ -72,6 +72,7 @@ struct Finder {
     find(o.robot);
   }
   void operator()(BuildOptions& o) const { find(o.robot); }
+  void operator()(SearchFileOptions& o) const { find(o.plan); }
   /// Structures and traces do not come with the program.
   template <class Other>
   void operator()(Other&) const {}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// stigc search and stigc archive: the same results however they came about, and words for each way
+// in which they cannot.
+#include <doctest/doctest.h>
+#include <signal.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "program.h"
+#include "support/golden.h"
+#include "support/uses.h"
+
+namespace stig {
+namespace {
+
+using Json = nlohmann::json;
+
+/// A plan with so many evaluations.
+std::string plan(int evaluations, const std::string& method = "genetic") {
+  return "stigc_search: 1\nname: trial\nmethod: " + method +
+         "\nscore: [{objective: modules, weight: 0.1}, {objective: rules_used}]\n"
+         "axes: [{objective: bricks, from: 0, to: 100}, {objective: height, from: 0, to: 10}]\n"
+         "rules: 10\nbox: 10\ndeposits: 100\nbatch: 64\nevaluations: " +
+         std::to_string(evaluations) + "\n";
+}
+
+std::string content(const Workplace& place, const std::string& file) {
+  return Json::parse(place.stigc({"archive", file, "--json"}).out).at("content_hash");
+}
+
+}  // namespace
+
+TEST_CASE("what search and archive print") {
+  const Workplace place;
+  place.write("plan.yaml", plan(128, "map-elites"));
+  hold(place, "search", "stigc search plan.yaml -o found.sqlite --threads 2");
+  hold(place, "search-again", "stigc search plan.yaml -o found.sqlite");
+  hold(place, "archive", "stigc archive found.sqlite --top 3");
+  hold(place, "archive-pick",
+       "stigc archive found.sqlite --pick 5 -o rules.yaml && stigc check rules.yaml");
+  CHECK(place.stigc({"archive", "found.sqlite", "--pick", "5"}).out == place.file("rules.yaml"));
+  hold(place, "search-bad", "stigc search plan.yaml; stigc search none.yaml -o x.sqlite");
+  hold(
+      place, "archive-bad",
+      "stigc archive none.sqlite; stigc archive plan.yaml; stigc archive found.sqlite --pick 9999; "
+      "stigc archive found.sqlite -o a.yaml; stigc archive found.sqlite --pick 5 -o found.sqlite");
+}
+
+TEST_CASE("one thread, two threads, and a longer plan in two goes find the same") {
+  const Workplace place;
+  place.write("plan.yaml", plan(640));
+  const Outcome one = place.stigc({"search", "plan.yaml", "-o", "one", "--threads", "1"});
+  CHECK(one.exit_code == 0);
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "two", "--threads", "2"}).out == one.out);
+  place.write("short.yaml", plan(256));
+  CHECK(place.stigc({"search", "short.yaml", "-o", "three"}).exit_code == 0);
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "three"}).out == one.out);
+  CHECK(one.out.find(content(place, "three")) != std::string::npos);
+}
+
+TEST_CASE("a search that is killed goes on and ends as if it had not been") {
+  const Workplace place;
+  place.write("plan.yaml", plan(12'800));
+  for (const int signal : {SIGKILL, SIGKILL, SIGTERM}) {
+    const pid_t search = place.start({"search", "plan.yaml", "-o", "killed", "--threads", "2"});
+    Workplace::let_work(search);
+    ::kill(search, signal);
+    const Outcome outcome = place.finish(search);
+    // A fast machine may be done by then.
+    if (signal == SIGTERM && outcome.exit_code != 0) CHECK(outcome.exit_code == 3);
+  }
+  const Outcome end = place.stigc({"search", "plan.yaml", "-o", "killed"});
+  CHECK(end.exit_code == 0);
+  CHECK(end.out == place.stigc({"search", "plan.yaml", "-o", "whole"}).out);
+}
+
+TEST_CASE("a full disk ends a search with words, and what was reported stays") {
+  const Workplace place;
+  place.write("plan.yaml", plan(128));
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "found"}).exit_code == 0);
+  const std::string before = content(place, "found");
+  place.write("plan.yaml", plan(12'800));
+  // A limit on the size of files is met as a full disk is: in the middle of a write.
+  const Outcome full = place.shell("ulimit -f 700; stigc search plan.yaml -o found");
+  CHECK(full.exit_code == 3);
+  CHECK_MESSAGE(full.err.find("found: ") != std::string::npos, full.err);
+  const Outcome after = place.stigc({"archive", "found", "--json"});
+  CHECK(after.exit_code == 0);
+  CHECK(Json::parse(after.out).at("evaluated") >= 128);
+  place.write("plan.yaml", plan(640));
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "found"}).exit_code == 0);
+}
+
+TEST_CASE("results that cannot be written are refused before the work") {
+  const Workplace place;
+  place.write("plan.yaml", plan(64));
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "plan.yaml"}).exit_code == 2);
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "nowhere/found"}).exit_code == 3);
+  place.write("text", std::string(4096, 'x'));
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "text"}).exit_code == 3);
+  CHECK(place.file("text") == std::string(4096, 'x'));
+  place.write("other.yaml", plan(64, "random"));
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "found"}).exit_code == 0);
+  const Outcome other = place.stigc({"search", "other.yaml", "-o", "found"});
+  CHECK(other.exit_code == 3);
+  CHECK(other.err == "stigc: found: its results are of another plan\n");
+  std::filesystem::permissions(place.path("found"), std::filesystem::perms::owner_read);
+  // Root may write to it all the same.
+  if (::geteuid() != 0) {
+    CHECK(place.stigc({"search", "plan.yaml", "-o", "found"}).exit_code == 3);
+  }
+}
+
+}  // namespace stig

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// stigc search: batch after batch into a file of results, until the plan is done or somebody stops
+// it.
+//
+// The file is gone on with and not written anew, which no other output is: a batch that is reported
+// is in it, whatever happens afterwards.
+#include <fmt/format.h>
+
+#include "base/file_guard.h"
+#include "base/hash.h"
+#include "base/parallel.h"
+#include "commands.h"
+#include "outputs.h"
+#include "progress.h"
+#include "report.h"
+#include "search/plan_reader.h"
+#include "search/result_file.h"
+
+namespace stig::cli {
+namespace {
+
+void print_summary(const search::SearchPlan& plan, const search::SearchState& state, App& app) {
+  const search::FindArchive& archive = state.archive;
+  app.print(bold(printable(plan.name), app.color_out()) + "\n");
+  app.print(line("evaluated", std::to_string(state.evaluated)));
+  app.print(line("structures", std::to_string(archive.structures())));
+  if (!plan.axes.empty()) {
+    app.print(line("cells", std::to_string(archive.elites().size())));
+  }
+  for (const std::size_t best : archive.best(1)) {
+    const search::Individual& one = archive.kept()[best];
+    app.print(line("best", fmt::format("{}, score {:.6g}", one.id, one.score)));
+  }
+  app.print(line("content", to_hex(archive.content_hash())));
+}
+
+/// An exit code. What was done when it ends early is in the file.
+int work(const search::SearchPlan& plan, search::ResultFile& file, search::SearchState& state,
+         int threads, const App& app) {
+  Progress progress(app);
+  const std::uint64_t begun = state.evaluated, all = search::evaluations_of(plan);
+  while (state.evaluated < all) {
+    const auto batch = search::run_batch(plan, state, threads, &stop_requested());
+    if (!batch) {
+      progress.clear();
+      app.complain(fmt::format("interrupted after {} of {} evaluations; the same command goes on",
+                               state.evaluated, all));
+      return kRunFailed;
+    }
+    std::string error;
+    if (!file.add(*batch, state.archive, error)) {
+      progress.clear();
+      app.complain(printable(error));
+      return kRunFailed;
+    }
+    progress.show(static_cast<double>(state.evaluated - begun) / static_cast<double>(all - begun),
+                  fmt::format("{} evaluations, {} structures, best of the batch {:.4g}",
+                              state.evaluated, state.archive.structures(), batch->best));
+  }
+  return kOk;
+}
+
+}  // namespace
+
+int run(const SearchFileOptions& options, App& app) {
+  Diagnostics diagnostics;
+  const auto plan = search::read_search_plan_file(options.plan, diagnostics);
+  app.report(diagnostics);
+  if (!plan || app.invalid(diagnostics)) return kFailed;
+  if (const int code = check_outputs({options.output}, app); code != kOk) return code;
+  search::SearchState state(*plan);
+  std::string error;
+  auto file = search::ResultFile::go_on(options.output, *plan, state, error);
+  if (!file) {
+    app.complain(printable(error));
+    return kRunFailed;
+  }
+  if (state.evaluated > 0) {
+    app.say(fmt::format("going on after {} evaluations", state.evaluated));
+  }
+  stop_on_signals();
+  const int code = work(*plan, *file, state, thread_count(options.threads), app);
+  if (code == kOk) print_summary(*plan, state, app);
+  return code;
+}
+
+}  // namespace stig::cli
