@@ -45,6 +45,15 @@ void Crew::halt(std::size_t number, std::uint64_t tick) {
   log_.push_back({tick, robot_name(number), root_body(number), "halted", false});
 }
 
+bool Crew::mend(std::size_t number, std::uint64_t tick) {
+  assert(number < robots_.size());
+  Robot& robot = robots_[number];
+  if (!robot.halted) return false;
+  robot.halted = robot.failed = false;
+  log_.push_back({tick, robot_name(number), root_body(number), "mended", false});
+  return true;
+}
+
 void Crew::stop(Robot& robot) {
   robot.failed = true;
   // Wheels and lift stop and magnets go off, since no program is left that could do so.

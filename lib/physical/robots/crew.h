@@ -88,6 +88,9 @@ class Crew {
 
   /// As if its program had failed in this tick: it is not called again, its motors stand.
   void halt(std::size_t robot, std::uint64_t tick);
+  /// One that was halted goes on: its program is called again, where it was. False when it is not
+  /// halted.
+  bool mend(std::size_t robot, std::uint64_t tick);
   /// All LEDs of a block, until its program sets them.
   void set_colour(std::size_t block, Led colour) { signals_.set_colour(block, colour); }
 

@@ -16,8 +16,9 @@ namespace {
 void read_script(const FormView& root, SceneParts& parts) {
   if (const YamlNode* script = root.find("script")) {
     parts.scene.script = parts.files.program_of(*script, script->text);
-    parts.scene.stock = static_cast<std::size_t>(root.number("stock"));
   }
+  // Without a script too: a hand may drop some (trace/hand_action.h).
+  parts.scene.stock = static_cast<std::size_t>(root.number("stock"));
   // One kind of stock for a scene: bodies that come later have no entry to ask.
   if (!parts.scene.caches.empty()) {
     parts.scene.stock_model = parts.scene.caches.front().model;

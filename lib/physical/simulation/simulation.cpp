@@ -12,6 +12,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "physical/simulation/hand_work.h"
+
 namespace stig::physics {
 
 namespace {
@@ -80,6 +82,12 @@ RunEnd Simulation::until(double duration, const RunHooks& hooks) {
     if (at_rest(run_)) return RunEnd::asleep;
   }
   return RunEnd::duration;
+}
+
+std::string Simulation::intervene(const HandAction& action) {
+  std::string problem = work_by_hand(run_, action);
+  if (problem.empty()) run_.recorder.hand(run_, action);
+  return problem;
 }
 
 std::string Simulation::state() const {

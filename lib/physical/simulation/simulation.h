@@ -18,6 +18,7 @@
 
 #include "physical/simulation/run_state.h"
 #include "physical/simulation/uses.h"
+#include "physical/trace/hand_action.h"
 
 namespace stig::physics {
 
@@ -35,6 +36,9 @@ class Simulation {
   /// Steps until the world's time is `duration` s, or the scene's stop condition or the
   /// hooks end it.
   RunEnd until(double duration, const RunHooks& hooks);
+  /// Does something by hand, now, and notes it in the trace. What is in the way, as a sentence;
+  /// empty: it is done. Not once the run has ended by its script, its programs or divergence.
+  std::string intervene(const HandAction& action);
   /// Ends the trace, if there is one.
   void finish(RunEnd end) { run_.recorder.finish(run_, end); }
   /// The script's last words: on_end. Once, before finish.

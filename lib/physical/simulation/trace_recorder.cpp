@@ -90,6 +90,10 @@ void TraceRecorder::note(const RunState& run, const CrewLine& line) {
                   line.who + ": " + line.text});
 }
 
+void TraceRecorder::hand(const RunState& run, const HandAction& action) {
+  if (writer_ != nullptr) writer_->hand({run.world.tick(), action});
+}
+
 void TraceRecorder::before_step(RunState& run, const RunHooks& /*hooks*/) {
   // Before the step rather than after it, as a run that is taken up again writes the values of its
   // first tick anew.

@@ -24,6 +24,8 @@ class TraceRecorder final : public RunPart {
   void take_over(const TraceRecorder& other) { writer_ = other.writer_; }
   /// Something that a program said.
   void note(const RunState& run, const CrewLine& line);
+  /// Something that was done by hand in the tick that is to come.
+  void hand(const RunState& run, const HandAction& action);
   /// Ends the trace, if there is one.
   void finish(const RunState& run, RunEnd end);
 

@@ -14,6 +14,9 @@
 //        2 event   kind, body, other body + 1
 //        3 hash    of the world's state, u64
 //        4 value   channel, body, bytes: LED colours, words of robots and the like
+//        5 hand    what somebody did to the run by hand (hand_action.h): a byte for the version of
+//                  the record, 1; kind; 1 for a robot; its number; whether it is turned; place
+//                  and, when turned, quaternion, as doubles
 //      A chunk begins with a frame of all bodies and holds kFramesPerChunk frames.
 //   E  end, once: ticks, why it ended, hash of the state, a message, and for each chunk
 //      its first tick and its place in the file
@@ -34,6 +37,7 @@
 #include "base/diagnostic.h"
 #include "physical/dynamics/world.h"
 #include "physical/scene/scene.h"
+#include "physical/trace/hand_action.h"
 #include "physical/trace/uses.h"
 
 namespace stig::physics {
@@ -89,6 +93,11 @@ struct TraceValue {
   std::uint32_t channel = 0, body = 0;
   std::string bytes;
 };
+/// Done in a tick before anything else of that tick, those of one tick in their order.
+struct TraceHand {
+  std::uint64_t tick = 0;
+  HandAction action;
+};
 struct TraceFrame {
   std::uint64_t tick = 0;
   std::vector<TraceState> bodies;
@@ -117,6 +126,7 @@ class PoseTraceWriter {
   /// Nothing when it is what the channel said of the body last; in the channel "log" everything
   /// counts, but a chunk does not begin with the lines of those before.
   void value(const TraceValue& value);
+  void hand(const TraceHand& hand);
   void finish(const TraceEnd& end);
 
  private:
@@ -151,6 +161,7 @@ struct PoseTrace {
   std::vector<TraceEvent> events;
   std::vector<TraceHash> hashes;
   std::vector<TraceValue> values;
+  std::vector<TraceHand> hands;
   std::uint64_t frames = 0;
   TraceEnd end;
 };
@@ -164,7 +175,9 @@ TraceFrame frame_at(const PoseTrace& trace, std::uint64_t tick);
 
 /// Writes the records of a trace up to a tick into another, those of an early end left out, and
 /// values of the tick itself, which the tick's control writes anew: what follows continues the
-/// run as if it had never stopped.
-void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer);
+/// run as if it had never stopped. What was done by hand is copied as far as `hands`, or up to the
+/// tick where that is not said.
+void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer,
+                  std::optional<std::size_t> hands = std::nullopt);
 
 }  // namespace stig::physics

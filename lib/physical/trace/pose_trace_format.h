@@ -13,7 +13,16 @@ namespace stig::physics {
 inline constexpr std::string_view kTrailerMagic = "stigpend";
 inline constexpr char kHeaderTag = 'H', kChunkTag = 'C', kEndTag = 'E';
 
-enum TraceRecord : std::uint8_t { kFrameRecord = 1, kEventRecord, kHashRecord, kValueRecord };
+enum TraceRecord : std::uint8_t {
+  kFrameRecord = 1,
+  kEventRecord,
+  kHashRecord,
+  kValueRecord,
+  kHandRecord
+};
+
+/// Of hand records: readers refuse others.
+inline constexpr std::uint8_t kHandVersion = 1;
 
 /// By ShapeKind.
 inline constexpr std::array<std::string_view, 4> kShapeNames = {"box", "sphere", "cylinder",

@@ -4,6 +4,7 @@
 // once when a trace is opened, so that whoever asks for frames later cannot fail. docs/simulate.md
 // describes the format.
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 
@@ -33,6 +34,7 @@ struct RecordSinks {
   std::function<void(TraceEvent)> event;
   std::function<void(TraceHash)> hash;
   std::function<void(TraceValue)> value;
+  std::function<void(TraceHand)> hand;
 };
 
 template <class Record>
@@ -78,6 +80,8 @@ class ChunkDecoder {
         return true;
       case kValueRecord:
         return value();
+      case kHandRecord:
+        return hand();
       default:
         return false;
     }
@@ -157,6 +161,26 @@ class ChunkDecoder {
     return true;
   }
 
+  bool hand() {
+    const std::uint8_t version = in_.u8(), kind = in_.u8(), robot = in_.u8();
+    const std::uint64_t number = in_.varint();
+    const std::uint8_t turned = in_.u8();
+    const bool known = version == kHandVersion && kind <= static_cast<std::uint8_t>(HandKind::mend);
+    if (!known || robot > 1 || turned > 1 || number >= frame_.bodies.size()) return false;
+    const auto real = [this] { return std::bit_cast<double>(in_.u64()); };
+    HandAction action;
+    action.kind = static_cast<HandKind>(kind);
+    action.robot = robot == 1;
+    action.number = static_cast<std::uint32_t>(number);
+    action.at = Vec3{real(), real(), real()};
+    if (turned == 1) action.turn = Quat{real(), real(), real(), real()};
+    const Quat turn = action.turn.value_or(Quat{});
+    const double size = turn.w * turn.w + turn.x * turn.x + turn.y * turn.y + turn.z * turn.z;
+    if (!is_finite(action.at) || !(std::abs(size - 1) < 1e-6)) return false;
+    hand_over(sinks_.hand, {tick_, action});
+    return true;
+  }
+
   ByteReader in_;
   const RecordSinks& sinks_;
   std::uint64_t tick_ = 0;
@@ -228,12 +252,14 @@ class Reader {
     sinks.event = [this](TraceEvent event) { trace_.events.push_back(event); };
     sinks.hash = [this](TraceHash hash) { trace_.hashes.push_back(hash); };
     sinks.value = [this](TraceValue value) { trace_.values.push_back(std::move(value)); };
+    sinks.hand = [this](TraceHand hand) { trace_.hands.push_back(hand); };
     ChunkDecoder decoder(*payload, trace_.header.bodies.size(), sinks);
     const std::uint64_t first = decoder.first_tick();
     // Ticks rise from chunk to chunk, as frame_at's search needs.
     const bool ordered = trace_.chunks.empty() || first > trace_.chunks.back().first_tick;
     if (!ordered || !decoder.decode()) return name + " is malformed";
-    if (trace_.events.size() + trace_.hashes.size() + trace_.values.size() > kMostRecords) {
+    if (trace_.events.size() + trace_.hashes.size() + trace_.values.size() + trace_.hands.size() >
+        kMostRecords) {
       return "it has more events than can be held";
     }
     const std::size_t begin = place + 5;  // behind tag and size
@@ -312,7 +338,8 @@ void for_each_frame(const PoseTrace& trace, const std::function<void(const Trace
 
 // A resumed run goes on in the same trace: what it had written up to its checkpoint is copied, so
 // that the bytes are those of a run that never stopped.
-void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer) {
+void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& writer,
+                  std::optional<std::size_t> hands) {
   assert(trace.header.frame_every > 0);
   RecordSinks sinks;
   bool begun = false;  // a chunk begins with a frame: what comes before the first one is left out
@@ -330,6 +357,11 @@ void copy_records(const PoseTrace& trace, std::uint64_t up_to, PoseTraceWriter& 
   sinks.value = [&](const TraceValue& value) {
     // Values of the tick itself are written again by the run that goes on.
     if (begun && value.tick < up_to) writer.value(value);
+  };
+  std::size_t done = 0;
+  sinks.hand = [&](const TraceHand& hand) {
+    if (begun && (hands ? done < *hands : hand.tick < up_to)) writer.hand(hand);
+    ++done;
   };
   for (const TraceChunk& chunk : trace.chunks) decode(trace, chunk, sinks);
 }

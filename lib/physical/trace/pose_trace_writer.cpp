@@ -4,6 +4,7 @@
 // reader can begin in the middle. Quantised values are what is compared and summed up, so errors do
 // not add up over a chunk.
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -210,6 +211,23 @@ void PoseTraceWriter::put_value(const TraceValue& value) {
   put_varint(chunk_, value.channel);
   put_varint(chunk_, value.body);
   put_block(chunk_, value.bytes);
+}
+
+// Places as they were given, to the last bit: the run is to be done again.
+void PoseTraceWriter::hand(const TraceHand& hand) {
+  const HandAction& action = hand.action;
+  put_record(kHandRecord, hand.tick);
+  chunk_.push_back(static_cast<char>(kHandVersion));
+  chunk_.push_back(static_cast<char>(action.kind));
+  chunk_.push_back(action.robot ? 1 : 0);
+  put_varint(chunk_, action.number);
+  chunk_.push_back(action.turn ? 1 : 0);
+  const auto put_double = [this](double x) { put(chunk_, std::bit_cast<std::uint64_t>(x)); };
+  for (const double x : {action.at.x, action.at.y, action.at.z}) put_double(x);
+  if (!action.turn) return;
+  for (const double x : {action.turn->w, action.turn->x, action.turn->y, action.turn->z}) {
+    put_double(x);
+  }
 }
 
 void PoseTraceWriter::finish(const TraceEnd& end) {

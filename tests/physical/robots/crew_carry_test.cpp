@@ -7,6 +7,7 @@
 
 #include "base/random.h"
 #include "physical/robots/crew_support.h"
+#include "physical/simulation/verify_trace.h"
 #include "support/uses.h"
 
 using namespace stig;
@@ -82,6 +83,29 @@ end)",
   CHECK(out.run.measures().at("held") > 0.06);
   CHECK(out.run.measures().at("moved") < 1e-4);
   CHECK(std::count(out.said.begin(), out.said.end(), "halted") == 1);
+}
+
+TEST_CASE("a block is taken out of a robot's hold by hand, and is on replay") {
+  const LoadedScene loaded = crew_scene("stigc_scene: 1\n" + kScene, {{"p.lua", kProgram}});
+  std::string bytes;
+  Simulation run(loaded.scene, loaded.placed);
+  PoseTraceWriter writer(trace_header(loaded.scene, loaded.placed),
+                         [&](std::string_view more) { bytes += more; });
+  run.record(writer);
+  run.until(4, {});
+  REQUIRE(height(run, 0) > 0.06);
+  HandAction take;
+  take.number = static_cast<std::uint32_t>(run.crew()->block_body(0));
+  take.at = run.world().state(run.crew()->block_body(0)).X_WB.p + Vec3{0.3, 0.3, 0};
+  CHECK(run.intervene(take) == "");
+  const RunEnd end = run.until(6, {});
+  run.finish(end);
+  CHECK(height(run, 0) < 0.03);
+  CHECK(height(run, 1) > 0.06);
+  const PoseTrace trace = trace_of(bytes);
+  CHECK(trace.hands.size() == 1);
+  const TraceComparison again = verify_trace(trace, loaded, {});
+  CHECK_MESSAGE(again.identical, again.difference);
 }
 
 TEST_CASE("robots hear each other by radio, one step later, within the sender's range alone") {
