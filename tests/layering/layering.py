@@ -56,6 +56,7 @@ VENDORS = [
     Vendor("oneapi/tbb/", "TBB::tbb"),
     Vendor("Random123/", "Random123::Random123"),
     Vendor("CLI/", "CLI11::CLI11", one_file=True),
+    Vendor("httplib.h", "PkgConfig::HTTPLIB", one_file=True),
     Vendor("dart/", "dart"),
     Vendor("Eigen/", "dart"),  # which brings it
     Vendor("cadical", "Cadical::Cadical"),

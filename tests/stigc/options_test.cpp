@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Options that neither an example of the help nor another test gives.
+#include <arpa/inet.h>
 #include <doctest/doctest.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
@@ -70,6 +73,33 @@ TEST_CASE("view calls its page as it is told to") {
   // A build without node has no template, and says so.
   if (outcome.exit_code != 0) return;
   CHECK(place.file("page.html").find("<title>Three in a row</title>") != std::string::npos);
+}
+
+TEST_CASE("a live run waits where it is paused, and leaves ports alone that others have") {
+  const Workplace place;
+  place.write("line.txt", "1 1 1\n");
+  const bool has_page = place.stigc({"view", "line.txt", "-o", "page.html"}).exit_code == 0;
+  // A build without node has no template, and says so.
+  if (!has_page) return;
+  const Outcome paused = place.shell(
+      "timeout --foreground --preserve-status -s INT 2 "
+      "stigc view --live sets/line.yaml --paused --trace t.stigt");
+  CHECK_MESSAGE(paused.exit_code == 0, paused.err);
+  CHECK(place.stigc({"replay", "t.stigt"}).out.find("0 events, identical") != std::string::npos);
+
+  const int taken = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  socklen_t length = sizeof address;
+  REQUIRE(bind(taken, reinterpret_cast<sockaddr*>(&address), length) == 0);
+  REQUIRE(listen(taken, 1) == 0);
+  REQUIRE(getsockname(taken, reinterpret_cast<sockaddr*>(&address), &length) == 0);
+  const std::string port = std::to_string(ntohs(address.sin_port));
+  const Outcome outcome = place.stigc({"view", "--live", "sets/line.yaml", "--port", port});
+  close(taken);
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.err.find("port " + port + " of 127.0.0.1 cannot be had") != std::string::npos);
 }
 
 }  // namespace

@@ -110,7 +110,9 @@ Outcome Workplace::stigc(const std::vector<std::string>& arguments) const {
 }
 
 Outcome Workplace::shell(const std::string& line) const {
-  const std::string script = "stigc() { '" STIGC_PROGRAM "' \"$@\"; }\n" + line;
+  // By its name, since programs start it as well as the shell.
+  const std::string folder = fs::path(STIGC_PROGRAM).parent_path().string();
+  const std::string script = "export PATH='" + folder + "':\"$PATH\"\n" + line;
   return finish(spawn(folder_, streams_, {"bash", "-c", script}));
 }
 

@@ -35,7 +35,19 @@ export async function stopBrowser() {
 }
 
 /** Opens a page, and holds it to saying nothing on the console and asking nothing of any network. */
-export async function open(name, {width = 900, height = 620, dark = false, hash = ''} = {}) {
+export async function open(name, given = {}) {
+  // What a page makes itself, it asks nobody for.
+  const address = `file://${path.join(folder, name)}`;
+  return openAt(address, given, url => url.split('#')[0] === address || url.startsWith('blob:'));
+}
+
+/** Likewise one that is served, which may ask its server and nobody else. */
+export async function openAddress(address, given = {}) {
+  const {origin} = new URL(address);
+  return openAt(address, given, url => new URL(url).origin === origin || url === 'data:,');
+}
+
+async function openAt(address, {width = 900, height = 620, dark = false, hash = ''}, mayAsk) {
   const context = await browser.newContext(
       {viewport: {width, height}, colorScheme: dark ? 'dark' : 'light'});
   const page = await context.newPage();
@@ -46,18 +58,16 @@ export async function open(name, {width = 900, height = 620, dark = false, hash 
     if (!message.text().includes('GL Driver Message')) problems.push(message.text());
   });
   page.on('pageerror', error => problems.push(error.message));
-  const address = `file://${path.join(folder, name)}`;
   page.on('request', request => {
-    const url = request.url().split('#')[0];
-    // What a page makes itself, it asks nobody for.
-    if (url !== address && !url.startsWith('blob:')) problems.push(`request: ${url}`);
+    if (!mayAsk(request.url())) problems.push(`request: ${request.url()}`);
   });
   await page.goto(address + hash);
   await until(page, () => window.stigView?.stage.frames > 0);
   return {
     page,
     close: async () => {
-      await still(page);
+      // A page that is served may go on for ever.
+      if (address.startsWith('file:')) await still(page);
       assert.deepEqual(problems, []);
       await context.close();
     },

@@ -12,7 +12,8 @@ const kLayers = {
   drawn: ['body_shapes', 'coarse', 'cut', 'faces', 'floor', 'forces', 'lattice_view', 'mark_lines',
           'pick', 'pose_marks', 'pose_target', 'pose_view', 'scene_marks', 'stage', 'viewpoint'],
   page: ['brick_story', 'camera_picture', 'cut_panel', 'elements', 'key_actions', 'keys',
-         'lattice_panel', 'local_states', 'main', 'palette_select', 'plot', 'pose_panel',
+         'lattice_panel', 'live', 'live_bar', 'live_hand', 'live_link', 'live_run', 'local_states',
+         'main', 'palette_select', 'plot', 'pose_panel',
          'refusal_part', 'robot_eyes', 'robot_pane', 'time_bar', 'viewer'],
 };
 

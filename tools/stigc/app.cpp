@@ -196,4 +196,6 @@ void stop_on_signals() {
 
 const std::atomic<bool>& stop_requested() { return stop_flag; }
 
+void accept_stop() { stop_flag.store(false, std::memory_order_relaxed); }
+
 }  // namespace stig::cli

@@ -78,5 +78,7 @@ void prepare_process();
 void stop_on_signals();
 /// Set when the user asked to stop.
 const std::atomic<bool>& stop_requested();
+/// A stop was how the command is meant to end, and no failure: the flag is taken back.
+void accept_stop();
 
 }  // namespace stig::cli

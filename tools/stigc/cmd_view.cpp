@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands.h"
+#include "live_view.h"
 #include "outputs.h"
 #include "page_template.h"
 #include "view_input.h"
@@ -10,6 +11,15 @@
 namespace stig::cli {
 
 int run(const ViewOptions& options, App& app) {
+  if (options.live) return view_live(options, app);
+  if (options.port || options.seed || options.paused || options.trace || options.checkpoint) {
+    app.complain("--port, --paused, --seed, --trace and --checkpoint are for --live");
+    return kUsage;
+  }
+  if (options.output.empty()) {
+    app.complain("-o is wanted, the page, or --live to look at a run");
+    return kUsage;
+  }
   if (!options.output.ends_with(".html")) {
     app.complain(fmt::format("'{}': a page is .html", printable(options.output)));
     return kUsage;

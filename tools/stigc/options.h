@@ -250,7 +250,13 @@ struct ViewOptions {
   MeshOptions mesh;
   std::optional<std::string> target;  ///< a structure file
   std::optional<std::string> title;
-  std::string output;  ///< .html
+  std::string output;  ///< .html; empty: none
+  // A run that goes on while it is looked at.
+  bool live = false;
+  bool paused = false;
+  std::optional<int> port;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::string> trace, checkpoint;
 };
 
 enum class Shell : std::uint8_t { bash, zsh, fish };

@@ -36,14 +36,20 @@ FileContent content_of(std::string_view text) {
   return has_key("stigc_block:") ? FileContent::block : FileContent::rules;
 }
 
-SceneLoader scene_loader(const std::string& scene_path) {
+std::vector<std::string> scene_folders(const std::string& scene_path) {
   const fs::path folder = fs::path(scene_path).parent_path();
-  std::vector<std::string> others;
+  std::vector<std::string> out{folder.string()};
   for (const char* kind : kSceneFolders) {
-    others.push_back((folder / ".." / kind).string());
-    add_own_folders(kind, others);
+    out.push_back((folder / ".." / kind).string());
+    add_own_folders(kind, out);
   }
-  return disk_loader(folder.string(), std::move(others));
+  return out;
+}
+
+SceneLoader scene_loader(const std::string& scene_path) {
+  std::vector<std::string> folders = scene_folders(scene_path);
+  const std::string first = folders.front();
+  return disk_loader(first, {folders.begin() + 1, folders.end()});
 }
 
 SceneLoader own_loader() {

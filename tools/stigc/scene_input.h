@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app.h"
 #include "physical/simulation/loaded_scene.h"
@@ -19,6 +20,8 @@ FileContent content_of(std::string_view text);
 /// Finds blocks and robots beside the scene, in the folders blocks/ and robots/ next to the
 /// scene's, and where the program's own are.
 SceneLoader scene_loader(const std::string& scene_path);
+/// The folders in which that looks, in their order.
+std::vector<std::string> scene_folders(const std::string& scene_path);
 /// Finds the program's own files alone.
 SceneLoader own_loader();
 

@@ -73,6 +73,9 @@ struct Finder {
   }
   void operator()(BuildOptions& o) const { find(o.robot); }
   void operator()(SearchFileOptions& o) const { find(o.plan); }
+  void operator()(ViewOptions& o) const {
+    if (o.live) find(o.files);
+  }
   /// Structures and traces do not come with the program.
   template <class Other>
   void operator()(Other&) const {}

@@ -3,11 +3,13 @@
 #pragma once
 
 #include "assembly/uses.h"
+#include "live/uses.h"
 #include "validate/uses.h"
 #include "view/uses.h"
 
 namespace stig::cli {
 using namespace assembly;
+using namespace live;
 using namespace validate;
 using namespace view;
 }  // namespace stig::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Begins when the page is read: unpacks the data and shows them.
+import {beginLive, type Live} from './live.js';
 import {unpack} from './packed_data.js';
 import {pageOf} from './runs.js';
 import {Viewer} from './viewer.js';
@@ -8,6 +9,7 @@ declare global {
   interface Window {
     /** For tests, and for whoever looks under the bonnet. */
     stigView?: Viewer;
+    stigLive?: Live;
   }
 }
 
@@ -17,7 +19,10 @@ async function begin(root: HTMLElement): Promise<void> {
   const packed = await unpack(data.textContent);
   data.remove();
   const partOfReport = document.body.classList.contains('report');
-  window.stigView = new Viewer(root, pageOf(packed), partOfReport);
+  const live = document.querySelector<HTMLMetaElement>('meta[name=stig-live]');
+  const page = pageOf(packed);
+  if (live) window.stigLive = beginLive(root, page, Number(live.content));
+  window.stigView = window.stigLive?.viewer ?? new Viewer(root, page, partOfReport);
 }
 
 const root = document.getElementById('stig-view');

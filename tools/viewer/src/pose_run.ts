@@ -50,7 +50,7 @@ export interface PoseRun {
   end: number;
   bodies: Body[];
   robots: Robot[];
-  tracks: Tracks;
+  tracks: BodyTracks;
   events: PoseEvent[];
   leds: Map<number, Said>;
   show: Map<number, Said>;
@@ -110,8 +110,18 @@ export interface Pose {
   q: [number, number, number, number];
 }
 
+/** Where bodies are, and were. */
+export interface BodyTracks {
+  /** The pose at a moment; null while the body is not there. */
+  at(body: number, time: number): Pose | null;
+  /** Where a body was at the moments that are kept of it, up to a time and at it. */
+  placesBy(body: number, time: number): [number, number, number][];
+  /** Lowest and highest places of a body while it is there; null: it never is. */
+  reach(body: number): {low: number[]; high: number[]} | null;
+}
+
 /** Where bodies are, from the moments that the program has kept of them. */
-export class Tracks {
+export class Tracks implements BodyTracks {
   private readonly first: Int32Array;
   private readonly times: Float64Array;
   private readonly left: Int32Array;
@@ -126,7 +136,6 @@ export class Tracks {
     this.parts = json.tracks.parts.map(part => integers(data, part));
   }
 
-  /** The pose at a moment; null while the body is not there. */
   at(body: number, time: number): Pose | null {
     const [low, high] = [this.first[body], this.first[body + 1]];
     if (low === high) return null;
@@ -147,7 +156,6 @@ export class Tracks {
     };
   }
 
-  /** Where a body was at the moments that are kept of it, up to a time and at it. */
   placesBy(body: number, time: number): [number, number, number][] {
     const out: [number, number, number][] = [];
     for (let key = this.first[body]; key < this.first[body + 1]; ++key) {
@@ -161,7 +169,6 @@ export class Tracks {
     return out;
   }
 
-  /** Lowest and highest places of a body while it is there; null: it never is. */
   reach(body: number): {low: number[]; high: number[]} | null {
     const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
     for (let key = this.first[body]; key < this.first[body + 1]; ++key) {

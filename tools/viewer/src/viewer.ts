@@ -222,6 +222,33 @@ export class Viewer {
     this.stage.draw();
   }
 
+  /** Shows another run in place of one; the camera stays. */
+  replace(number: number, run: Run): void {
+    const old = this.views[number].scene;
+    this.page.runs[number] = run;
+    this.views[number] = this.viewOf(run, number);
+    this.viewpoint.shown = boundsOf(this.views);
+    this.arrange(this.state.now.run, this.state.now.side);
+    this.stage.draw();
+    old.traverse(part => {
+      if (part instanceof three.Mesh || part instanceof three.LineSegments) {
+        (part.geometry as three.BufferGeometry).dispose();
+      }
+    });
+  }
+
+  /** Makes the panel anew, of a run that has grown. */
+  tellAgain(): void {
+    const {scrollTop} = this.panel;
+    this.arrange(this.state.now.run, this.state.now.side);
+    this.panel.scrollTop = scrollTop;
+  }
+
+  /** Is somebody at work in the panel? */
+  get panelInUse(): boolean {
+    return this.panel.matches(':hover') || this.panel.contains(document.activeElement);
+  }
+
   private arrange(run: number, side: boolean): void {
     const shown = side ? this.views.slice(0, kMostPanes) : [this.views[run]];
     this.stage.panes = shown.map(view => ({

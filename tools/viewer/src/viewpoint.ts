@@ -54,6 +54,11 @@ export class Viewpoint {
     this.controls.enabled = wanted;
   }
 
+  /** What `fit` shows from now on. */
+  set shown(bounds: Bounds) {
+    this.bounds = bounds;
+  }
+
   /** Does the wheel zoom? */
   set zooms(wanted: boolean) {
     this.controls.enableZoom = wanted;

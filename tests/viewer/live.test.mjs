@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: MIT
+// Pages of runs that go on: stigc view --live.
+import assert from 'node:assert/strict';
+import {spawn} from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import {after, before, test} from 'node:test';
+import {folder, openAddress, startBrowser, stigc, stopBrowser, until} from './browser.mjs';
+
+const kTower = `stigc: 1
+name: tower
+lattice: cubic
+floor: true
+bricks:
+  a: {name: red, color: "#e6194b"}
+start:
+  - {at: [0, 0, 0], brick: a}
+rules:
+  - name: raise
+    place: a
+    when: |
+      ? ? ?   ? ? ?   ? ? ?
+      ? ? ?   ? * ?   ? a ?
+      ? ? ?   ? ? ?   ? ? ?
+    height: {max: 3}
+`;
+
+const kHands = `stigc_scene: 1
+title: A block, a robot, and blocks to drop
+duration: 20
+robots:
+  - {file: bebot.yaml, at: [0, 0], heading: 0, program: hand.lua}
+blocks:
+  - {at: [-0.4, 0, 0.0275], color: Q3}
+stock: 2
+`;
+const kDrive = 'function step() robot.differential_drive.set_target_velocity(0.05, -0.05) end\n';
+
+before(async () => {
+  fs.writeFileSync(path.join(folder, 'hand.yaml'), kHands);
+  fs.writeFileSync(path.join(folder, 'hand.lua'), kDrive);
+  await startBrowser();
+});
+after(stopBrowser);
+
+/** A program that serves a run; `end` interrupts it, and returns its exit status. */
+async function serve(args) {
+  const program = spawn(process.env.STIGC, ['view', '--live', ...args], {cwd: folder});
+  const exit = new Promise(done => program.on('exit', done));
+  let said = '', complained = '';
+  program.stderr.on('data', data => complained += data);
+  const address = await new Promise((found, failed) => {
+    program.stdout.on('data', data => {
+      said += data;
+      if (said.endsWith('\n')) found(said.trim());
+    });
+    exit.then(() => failed(new Error(`it has ended: ${complained}`)));
+  });
+  return {
+    address,
+    end: () => {
+      program.kill('SIGINT');
+      return exit;
+    },
+  };
+}
+
+const state = page => page.evaluate(() => window.stigLive.now);
+const press = (page, name) => page.getByRole('button', {name, exact: true}).click();
+
+test('bricks appear, the run pauses and steps, and goes back to a checkpoint', async () => {
+  fs.writeFileSync(path.join(folder, 'tower.yaml'), kTower);
+  const {address, end} = await serve(['tower.yaml', '--paused', '--seed', '3', '--trace',
+                                      'tower.stigt']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'paused');
+  assert.equal((await state(page)).time, 0);
+  await press(page, 'step');
+  await until(page, () => window.stigLive.now.time === 1);
+  await until(page, () => window.stigView.views[0].run.bricks.count === 2);
+  assert.equal((await state(page)).mode, 'paused');
+  await press(page, 'checkpoint');
+  await until(page, () => window.stigLive.now.checkpoints.length === 1);
+  await page.getByText('save checkpoint 1').waitFor();
+  await press(page, 'run or pause (space)');
+  await until(page, () => window.stigLive.now.mode === 'ended');
+  await until(page, () => window.stigView.views[0].run.bricks.count === 4);
+  assert.match(await page.locator('.live .status').innerText(), /ended: saturated/);
+  await page.getByRole('combobox', {name: 'go back'}).selectOption('1');
+  await until(page, () => window.stigLive.now.time === 1);
+  await until(page, () => window.stigView.views[0].run.bricks.count === 2);
+  await page.keyboard.press('Escape');
+  await page.locator('canvas').focus();
+  await page.keyboard.press('ArrowRight');
+  await until(page, () => window.stigLive.now.time === 2);
+  await close();
+  assert.equal(await end(), 0);
+  assert.match(stigc(['replay', 'tower.stigt']), /2 events, identical/);
+});
+
+test('rules that are saved begin the run again, bad ones are told and leave it', async () => {
+  const file = path.join(folder, 'saved.yaml');
+  fs.writeFileSync(file, kTower);
+  const {address, end} = await serve(['saved.yaml']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigView.views[0].run.bricks.count === 4);
+  const {run} = await state(page);
+  fs.writeFileSync(file, kTower.replace('place: a', 'place: nobody'));
+  await until(page, () => window.stigLive.now.trouble.includes('nobody'));
+  assert.match(await page.locator('.trouble').innerText(), /error\[R\d+\]/);
+  assert.equal((await state(page)).run, run);
+  // As an editor does that writes another file and renames it.
+  fs.writeFileSync(`${file}~`, kTower.replace('max: 3', 'max: 5'));
+  fs.renameSync(`${file}~`, file);
+  await until(page, () => window.stigView.views[0].run.bricks.count === 6);
+  const now = await state(page);
+  assert.equal(now.trouble, '');
+  assert.equal(now.run, run + 1);
+  await close();
+  assert.equal(await end(), 0);
+});
+
+test('a block is moved by hand, a robot breaks and is mended, and all of it is in the trace', async () => {
+  const {address, end} = await serve(['hand.yaml', '--paused', '--trace',
+                                      'hand.stigp', '--checkpoint', 'hand.stigk']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'paused');
+  const block = await page.evaluate(() => {
+    const {run} = window.stigView.views[0];
+    return run.bodies.findIndex(body => body.block);  // the first body
+  });
+  const placeOf = () => page.evaluate(body => window.stigView.views[0].run.tracks.at(body, 0).p,
+                                      block);
+  const pick = brick => page.evaluate(body =>
+    window.stigView.state.set({picked: {run: 0, brick: body}}), brick);
+  await pick(block);
+  const [x, y, z] = await placeOf();
+  await page.getByRole('textbox', {name: 'x in m'}).fill(String(x + 0.05));
+  await press(page, 'put there');
+  await until(page, () => window.stigView.views[0].run.tracks.at(0, 0).p[0] > -0.36);
+  const moved = await placeOf();
+  assert.ok(Math.hypot(moved[0] - x - 0.05, moved[1] - y, moved[2] - z) < 2e-3, String(moved));
+  await press(page, 'checkpoint');
+  await until(page, () => window.stigLive.now.checkpoints.length === 1);
+  const robot = await page.evaluate(() => window.stigView.views[0].run.robots[0].bodies[0]);
+  await pick(robot);
+  await press(page, 'break');
+  await until(page, () => window.stigLive.now.broken[0] === 1);
+  assert.match(await page.locator('.live .status').innerText(), /1 broken/);
+  await press(page, 'step');
+  await press(page, 'mend');
+  await until(page, () => window.stigLive.now.broken[0] === 0);
+  // Where the picked robot stands there is no room; above it there is.
+  await press(page, 'drop');
+  await page.getByText(/^it would/).waitFor();
+  await page.getByRole('textbox', {name: 'z in m'}).fill('0.5');
+  await press(page, 'drop');
+  await until(page, () => document.querySelector('.live .said').textContent === '');
+  await page.getByRole('combobox', {name: 'speed', exact: true}).selectOption('max');
+  await press(page, 'run or pause (space)');
+  await until(page, () => window.stigLive.now.time > 2);
+  await close();
+  assert.equal(await end(), 0);
+  assert.match(stigc(['replay', '--verify', 'hand.stigp']), /identical/);
+  assert.ok(fs.statSync(path.join(folder, 'hand.stigk')).size > 100);
+});
+
+test('a block is dragged where the mouse leads it', async () => {
+  const {address, end} = await serve(['hand.yaml', '--paused']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'paused');
+  const at = await page.evaluate(() => {
+    const {views, viewpoint, stage} = window.stigView;
+    const {run} = views[0];
+    const {camera} = viewpoint;
+    const body = run.bodies.findIndex(one => one.block);
+    const place = camera.position.clone().fromArray(run.tracks.at(body, 0).p).project(camera);
+    const box = stage.canvas.getBoundingClientRect();
+    return {body, place: run.tracks.at(body, 0).p, x: box.left + (place.x + 1) / 2 * box.width,
+            y: box.top + (1 - place.y) / 2 * box.height};
+  });
+  await press(page, 'hand');
+  await page.mouse.move(at.x, at.y);
+  await page.mouse.down();
+  await page.mouse.move(at.x + 30, at.y, {steps: 4});
+  await page.mouse.up();
+  await until(page, () => window.stigView.views[0].run.tracks.at(0, 0).p[1] !== 0);
+  const now = await page.evaluate(body => window.stigView.views[0].run.tracks.at(body, 0).p,
+                                  at.body);
+  assert.ok(Math.hypot(now[0] - at.place[0], now[1] - at.place[1]) > 0.01, String(now));
+  assert.ok(Math.abs(now[2] - at.place[2]) < 2e-3);
+  await close();
+  assert.equal(await end(), 0);
+});
