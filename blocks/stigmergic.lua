@@ -1,7 +1,23 @@
 -- SPDX-License-Identifier: MIT
 -- The program of the stigmergic block of 2017: dark until somebody touches one of its faces with
 -- a radio. A message's first byte, '1' to '4', sets all LEDs to that colour; anything else turns
--- them off.
+-- them off. A 'w' and four such digits, which blocks of 2017 did not know, set the four LEDs of each
+-- face one by one, as a code word for more kinds of brick than four.
+
+local FACES, LEDS = 6, 4
+
+local function colour_of(byte)
+   local colour = (byte or 0) - string.byte("0")
+   return colour >= 1 and colour <= 4 and colour or 0
+end
+
+local function show(message)
+   robot.directional_leds.set_all_colors(colour_of(message[1]))
+   if message[1] ~= string.byte("w") then return end
+   for led = 1, FACES * LEDS do
+      robot.directional_leds.set_single_color(led, colour_of(message[2 + (led - 1) % LEDS]))
+   end
+end
 
 function init()
    robot.directional_leds.set_all_colors("off")
@@ -10,9 +26,7 @@ end
 function step()
    for _, radio in pairs(robot.simple_radios) do
       for _, message in ipairs(radio.recv) do
-         local colour = (message[1] or 0) - string.byte("0")
-         if colour < 1 or colour > 4 then colour = 0 end
-         robot.directional_leds.set_all_colors(colour)
+         show(message)
       end
    end
 end

@@ -74,7 +74,7 @@ class Assembler {
     if (!large()) return;
     std::stable_partition(regular_.begin(), regular_.end(),
                           [](const Liking& one) { return one.spine != Liking::Spine::none; });
-    const std::vector<Liking> swept = swept_likings(bricks_);
+    const std::vector<Liking> swept = swept_likings(bricks_, task_.most_colours);
     regular_.insert(regular_.begin(), swept.begin(), swept.end());
   }
 
@@ -352,7 +352,10 @@ class Assembler {
 
 Assembly assemble(const AssemblyTask& task, double effort, const AssemblyHooks& hooks) {
   assert(!task.target.cells.empty());
-  return Assembler(task, effort, hooks).run();
+  // As rules of all the kinds would have to be read: with fewer in the end more is seen.
+  AssemblyTask seen = task;
+  seen.robot = seeing(task.most_colours, task.robot);
+  return Assembler(seen, effort, hooks).run();
 }
 
 }  // namespace stig::assembly

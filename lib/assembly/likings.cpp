@@ -6,7 +6,6 @@
 #include "assembly/path.h"
 #include "assembly/span.h"
 #include "base/hash.h"
-#include "compiler/compile.h"
 
 namespace stig::assembly {
 
@@ -27,9 +26,9 @@ int width_of(const TargetBricks& target, bool along_x) {
 
 /// Can a spine of so many bricks across count this far to both ends? What comes next follows from
 /// the colours across, so none may come twice on the way to an end.
-bool can_count(int across, int length) {
+bool can_count(int across, int length, int colours) {
   std::int64_t ways = 1;
-  for (int i = 0; i < across && ways < length; ++i) ways *= kBlockColours;
+  for (int i = 0; i < across && ways < length; ++i) ways *= colours;
   return length < 2 * ways;
 }
 
@@ -94,7 +93,7 @@ std::vector<Liking> round_likings(const TargetBricks& target) {
   return out;
 }
 
-std::vector<Liking> swept_likings(const TargetBricks& target) {
+std::vector<Liking> swept_likings(const TargetBricks& target, int colours) {
   std::vector<Liking> out;
   const bool x_is_shorter = width_of(target, true) <= width_of(target, false);
   // Two rows count as far as some 15 bricks to each end and are built from two sides, three rows
@@ -105,7 +104,8 @@ std::vector<Liking> swept_likings(const TargetBricks& target) {
       const int length = width_of(target, along_x), across = width_of(target, !along_x);
       const int rows_beside = (across - one.spine_rows + 1) / 2;
       if (rows_beside >= length) continue;
-      if (!can_count(std::min(across, one.spine_rows) * target.levels(), length)) continue;
+      const int bricks_across = std::min(across, one.spine_rows) * target.levels();
+      if (!can_count(bricks_across, length, colours)) continue;
       one.z = kLevels;
       out.push_back(one);
       if (target.levels() == 1) continue;

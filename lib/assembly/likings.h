@@ -11,7 +11,7 @@ namespace stig::assembly {
 
 /// Some that begin with a spine and sweep the rows beside it (texture.h), for large structures:
 /// those first that leave the colours least to count.
-std::vector<Liking> swept_likings(const TargetBricks& target);
+std::vector<Liking> swept_likings(const TargetBricks& target, int colours);
 /// Some that go once round a closed chain of columns, for targets that have one: from a column
 /// next to a bend, with the bend as the last.
 std::vector<Liking> round_likings(const TargetBricks& target);

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "rules/cell_text.h"
+#include "sensing/led_code.h"
 
 namespace stig::assembly {
 
@@ -78,6 +79,11 @@ class Healer {
     changed.target.colours.assign(task_.target.cells.size(), StateSet::anything());
     if (!task_.target.bricks.empty() || task_.most_colours < kBlockColours) {
       attempt(changed, "with colours as they are needed");
+    }
+    // Code words on the LEDs, as many as survive one that is misread.
+    changed.most_colours = sensing::code_size(kBlockColours + 1);
+    if (task_.most_colours < changed.most_colours) {
+      attempt(changed, fmt::format("with --kinds {}", changed.most_colours));
     }
   }
 

@@ -40,11 +40,14 @@ std::string found(const YamlNode& node) {
                                          : in_quotes(node.text);
 }
 
-/// "a, b or c".
+/// "a, b or c"; of many "a, b, c, … or z".
 std::string alternatives(const std::vector<std::string_view>& words) {
+  constexpr std::size_t kMany = 20, kFirst = 6;
   std::string out;
   for (std::size_t i = 0; i < words.size(); ++i) {
-    if (i > 0) out += i + 1 == words.size() ? " or " : ", ";
+    const bool last = i + 1 == words.size();
+    if (words.size() > kMany && i >= kFirst && !last) continue;
+    if (i > 0) out += last ? (words.size() > kMany ? ", … or " : " or ") : ", ";
     out += words[i];
   }
   return out;

@@ -23,6 +23,7 @@ struct BlockLook {
   double proud = 0.001;       ///< of the tag, before the face
   double led_place = 0.02;    ///< from the face's centre along its axes
   double most_angle = 1.309;  ///< rad, between a face's normal and the line to the camera
+  int leds_needed = 1;        ///< of a face, in view, for its brick's kind to be known
 };
 
 /// A camera, and whether it rides on the lift.

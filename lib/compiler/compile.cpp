@@ -11,11 +11,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/led_name.h"
 #include "base/text.h"
 #include "compiler/conflict_text.h"
 #include "compiler/local_policy.h"
 #include "compiler/refusal.h"
 #include "rules/rule_printer.h"
+#include "sensing/led_code.h"
 
 namespace stig::compiler {
 
@@ -60,18 +62,13 @@ bool report_form(const RuleSet& rules, Diagnostics& out) {
 
 bool report_colours(const RuleSet& rules, Diagnostics& out) {
   bool sound = true;
-  if (rules.colours() > kBlockColours) {
-    out.add(Code::P704, rules.bricks[kBlockColours].range,
-            fmt::format("{} kinds of brick, and a block's LEDs show {} colours", rules.colours(),
-                        kBlockColours));
-    return false;
-  }
+  const auto lit = static_cast<std::size_t>(std::max(kBlockColours, rules.colours()));
   for (std::size_t i = 0; i < rules.bricks.size(); ++i) {
     const Brick& brick = rules.bricks[i];
     if (brick.led.empty()) {
       out.add(Code::P704, brick.range,
-              fmt::format("brick '{}' has no block colour: give it one with `led: Q1` to Q4",
-                          brick.symbol));
+              fmt::format("brick '{}' has no block colour: give it one with `led: Q1` to {}",
+                          brick.symbol, kLedNames[lit]));
       sound = false;
     }
     for (std::size_t k = 0; k < i; ++k) {
@@ -143,6 +140,11 @@ void report_shared_sides(const RuleSet& rules, const CompiledRules& compiled, Di
 }
 
 }  // namespace
+
+Abilities seeing(int kinds, Abilities robot) {
+  robot.block.leds_needed = sensing::leds_needed(std::max(1, kinds));
+  return robot;
+}
 
 std::string_view to_string(KnownDirections directions) {
   switch (directions) {
@@ -244,9 +246,10 @@ bool find_decision(const Abilities& robot, const CompileOptions& options, Compil
 
 }  // namespace
 
-CompiledRules compile_rules(const RuleSet& rules, const Abilities& robot,
+CompiledRules compile_rules(const RuleSet& rules, const Abilities& abilities,
                             const CompileOptions& options, Diagnostics& diagnostics) {
   CompiledRules out;
+  const Abilities robot = seeing(rules.highest_kind(), abilities);
   choose_sides(rules, options, out);
   out.robots = options.robots;
   if (!out.robots && rules.physical) out.robots = rules.physical->robots;

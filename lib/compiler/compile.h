@@ -45,8 +45,11 @@ struct CompileOptions {
   PolicyLimits limits;
 };
 
-/// Kinds of brick that a block's LEDs tell apart.
+/// Kinds of brick that are tried where nobody asks for more: published blocks show so many. More
+/// are code words (sensing/led_code.h), up to kMostKinds.
 inline constexpr int kBlockColours = 4;
+/// The robot as it sees blocks that may show so many kinds: code words take more LEDs.
+Abilities seeing(int kinds, Abilities robot);
 
 /// Structures of more bricks are looked at column by column first.
 inline constexpr std::size_t kMostWalkedFirst = 24;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/led_name.h"
 #include "compiler/decision_text.h"
 #include "robots/robot_description.h"
 
@@ -27,9 +28,9 @@ std::string plain(std::string_view text) {
 }
 
 int led_number(const RuleSet& rules, Colour colour) {
-  const std::string& led = rules.brick(colour).led;
-  assert(led.size() == 2);
-  return led[1] - '0';
+  const auto kind = kind_named(rules.brick(colour).led);
+  assert(kind && *kind > 0);
+  return *kind;
 }
 
 std::string cell_text(const WindowCell& cell) {
@@ -203,6 +204,9 @@ void print_task(Printer& out, const ControllerPlan& plan) {
   out.line(fmt::format("   sides = {{ {}}}, turns = {},", list, plan.turns));
   out.line(fmt::format("   levels = {}, transport = {}, delay = {:.1f},", plan.levels,
                        plan.transport, plan.longest_wait));
+  if (plan.kinds > kBlockColours) {
+    out.line(fmt::format("   kinds = {},  -- that blocks show as code words", plan.kinds));
+  }
   out.line(
       fmt::format("   widest = {:.4f},  -- rad, between a tag's normal and the line to the camera",
                   plan.widest));

@@ -7,12 +7,14 @@
 #include <cassert>
 #include <set>
 
+#include "base/led_name.h"
+#include "sensing/led_code.h"
+
 namespace stig::compiler {
 
 namespace {
 
 constexpr double kLongestWait = 30;  ///< s; Allwright et al. 2017, section 7.2
-constexpr int kColours = 4;
 
 void gather_asks(const DecisionNode& node, std::set<WindowCell>& out) {
   if (!node.question) return;
@@ -22,13 +24,19 @@ void gather_asks(const DecisionNode& node, std::set<WindowCell>& out) {
 
 /// In the paper a block on its way is Q4. Where bricks are, another colour that none is. A
 /// block in transport needs a colour that no brick has, or another robot could take it for
-/// one. If all four are in use it is left dark.
-int transport_colour(const RuleSet& rules) {
-  for (int colour = kColours; colour > 0; --colour) {
-    const std::string led = "Q" + std::to_string(colour);
-    const bool taken = std::any_of(rules.bricks.begin(), rules.bricks.end(),
-                                   [&](const Brick& brick) { return brick.led == led; });
-    if (!taken) return colour;
+/// one. If all four are in use it shows a code word that none has, where bricks show code words,
+/// and otherwise it is left dark.
+int transport_colour(const RuleSet& rules, int kinds) {
+  const auto taken = [&](int kind) {
+    const std::string_view led = kLedNames[static_cast<std::size_t>(kind)];
+    return std::any_of(rules.bricks.begin(), rules.bricks.end(),
+                       [&](const Brick& brick) { return brick.led == led; });
+  };
+  for (int colour = kBlockColours; colour > 0; --colour) {
+    if (!taken(colour)) return colour;
+  }
+  for (int kind = kinds; kind > kBlockColours; --kind) {
+    if (!taken(kind)) return kind;
   }
   return 0;
 }
@@ -44,11 +52,12 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   std::set<WindowCell> asks;
   gather_asks(*out.decision, asks);
   out.asks.assign(asks.begin(), asks.end());
-  out.viewpoints = choose_viewpoints(robot, compiled);
+  out.viewpoints = choose_viewpoints(seeing(rules.highest_kind(), robot), compiled);
   out.sides = compiled.sides;
   out.turns = compiled.directions != KnownDirections::declared;
   out.levels = compiled.target->levels();
-  out.transport = transport_colour(rules);
+  out.kinds = sensing::code_size(std::max(1, rules.highest_kind()));
+  out.transport = transport_colour(rules, out.kinds);
   // Robots wait a random time before they approach, so that two that saw the same do not
   // act at the same moment.
   out.longest_wait = compiled.robots == 1 ? 0 : kLongestWait;

@@ -24,7 +24,8 @@ struct ControllerPlan {
   std::vector<ApproachSide> sides;
   bool turns = false;       ///< any side will do, whatever its name
   int levels = 0;           ///< of the structure
-  int transport = 4;        ///< LED colour of a block on its way; 0: dark
+  int transport = 4;        ///< what a block on its way shows; 0: dark
+  int kinds = 4;            ///< that the code has by which blocks are read (sensing/led_code.h)
   double longest_wait = 0;  ///< s, before a site is approached
   double widest = 0;        ///< rad, of a tag's normal from the line to a camera that reads it
 };

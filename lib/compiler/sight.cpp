@@ -66,8 +66,7 @@ class Shot {
         add_hiding(corner, cell, out.hides_tag);
       }
     }
-    // LEDs lie on the face's axes, around the tag; one that is seen suffices for the
-    // colour.
+    // LEDs lie on the face's axes, around the tag.
     for (const Vec3& led : {right, -right, up, -up}) {
       const Vec3 p = middle + led * look.led_place;
       if (!facing(p, normal) || !in_view(p)) continue;
@@ -167,7 +166,8 @@ int window_levels(const Abilities& robot, int target_levels) {
   return std::min(robot.levels, target_levels) + 1;
 }
 
-Visibility::Visibility(const Abilities& robot, int levels) : levels_(levels) {
+Visibility::Visibility(const Abilities& robot, int levels)
+    : levels_(levels), leds_needed_(robot.block.leds_needed) {
   constexpr int kLifts = 6;
   // Distances in m from the camera to the column's face, and heights of the lift from its
   // lowest to its highest.
@@ -242,11 +242,11 @@ Observation Visibility::observe(const std::string& filled,
       out.cells[look.cell] = kSeenEmpty;
       continue;
     }
-    // A brick whose tag is seen without any of its LEDs has no known colour and counts as
+    // A brick whose tag is seen without enough of its LEDs is of no known kind and counts as
     // unseen.
-    const bool lit = std::any_of(look.hides_led.begin(), look.hides_led.end(),
-                                 [&](const CellWords& led) { return !any_filled(led, bricks); });
-    if (lit) out.cells[look.cell] = kSeenBrick;
+    const auto lit = std::count_if(look.hides_led.begin(), look.hides_led.end(),
+                                   [&](const CellWords& led) { return !any_filled(led, bricks); });
+    if (lit >= leds_needed_) out.cells[look.cell] = kSeenBrick;
     // A visible top also shows that the cell above is empty.
     const WindowCell above{cell.du, cell.dv, cell.z + 1};
     if (look.on_top && above.z < levels_) out.cells[window_index(above)] = kSeenEmpty;

@@ -4,7 +4,7 @@
 // It stands aligned with the column's row, at a few distances, and moves the lift, and with it
 // the camera, up and down. The tag of a face is seen by the cameras' rule (angle, four corners in
 // the image, near and far, nothing before a corner). A brick is seen when the tag of one of its
-// faces is, and one of that face's LEDs, which tell its colour: with a tag alone it counts as
+// faces is, and enough of that face's LEDs, which tell its kind: with a tag alone it counts as
 // unseen. A cell is seen to be empty when a tag of a brick there would be seen, or when the tag on
 // top of the brick below it is, lit or not. Points within two per cent of the image's width of
 // its edge do not count, since a robot stands a little off.
@@ -90,6 +90,7 @@ class Visibility {
   Observation observe(const std::string& filled, const std::vector<TagLook>& looks) const;
 
   int levels_ = 0;
+  int leds_needed_ = 1;  ///< of a face
   std::vector<Viewpoint> viewpoints_;
   std::vector<std::vector<TagLook>> looks_;  ///< by viewpoint
   std::unordered_map<std::string, std::vector<Observation>> known_;

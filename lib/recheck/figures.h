@@ -26,6 +26,7 @@ struct Figures {
   double tag_proud = 0;
   double led_place = 0;      ///< from a face's middle, four ways
   double widest = 0;         ///< angle at which tag and LEDs are seen
+  int leds_needed = 1;       ///< of a face, for its brick's kind to be known
   double lift_travel = 0;    ///< m
   double lowest_bottom = 0;  ///< of a carried block, with the lift down
   double carried_x = 0;      ///< of its middle

@@ -84,7 +84,8 @@ class View::Camera {
   double column_ = 0;  ///< x of the column's middle
 };
 
-View::View(const Figures& robot, const std::vector<WorkLook>& looks, int levels) : levels_(levels) {
+View::View(const Figures& robot, const std::vector<WorkLook>& looks, int levels)
+    : levels_(levels), leds_needed_(robot.leds_needed) {
   std::vector<NearCell> all;
   for (int z = 0; z < levels; ++z) {
     for (int du = -kAbout; du <= kAbout; ++du) {
@@ -167,7 +168,8 @@ const std::vector<std::int8_t>& View::known(const std::string& shown) {
     if (!free(tag.before_tag)) continue;
     const auto place = static_cast<std::size_t>(window(tag.of));
     const auto there = static_cast<std::int8_t>(shown[own_[place]]);
-    if (there == 0 || std::any_of(tag.before_led.begin(), tag.before_led.end(), free)) {
+    if (there == 0 ||
+        std::count_if(tag.before_led.begin(), tag.before_led.end(), free) >= leds_needed_) {
       out[place] = there;
     }
     const int above = window({tag.of.du, tag.of.dv, tag.of.z + 1});

@@ -4,9 +4,9 @@
 //
 // The camera's rule: a tag is read when its middle and corners are in the picture, not nearer or
 // farther than the camera sees, not too oblique, and with nothing before them; a brick's colour is
-// known when one of the LEDs around such a tag is seen too. A cell is known to be empty when the
-// tag of a brick there would be read, or when the top of the brick below is. Two margins are given
-// away, as robots do: 2 % of the picture's width at each edge, and 5° of the angle.
+// known when enough of the LEDs around such a tag are seen too. A cell is known to be empty when
+// the tag of a brick there would be read, or when the top of the brick below is. Two margins are
+// given away, as robots do: 2 % of the picture's width at each edge, and 5° of the angle.
 #pragma once
 
 #include <cstdint>
@@ -46,6 +46,7 @@ class View {
   void add_tags(const Camera& camera);
 
   int levels_ = 0;
+  int leds_needed_ = 1;
   std::vector<NearCell> cells_;
   std::vector<std::uint32_t> own_;  ///< number in cells_ by window()
   std::vector<Tag> tags_;

@@ -11,6 +11,7 @@
 
 #include "base/text.h"
 #include "rules/cell_text.h"
+#include "sensing/led_code.h"
 
 namespace stig::recheck {
 
@@ -149,7 +150,9 @@ WorkReport check_work(const RuleSet& rules, const Figures& robot,
   WorkReport out;
   out.refusal = form_fault(rules, robot, certificate);
   if (!out.refusal.empty()) return out;
-  WorkSite site(rules, robot, certificate);
+  Figures seeing = robot;
+  seeing.leds_needed = sensing::leds_needed(std::max(1, rules.highest_kind()));
+  WorkSite site(rules, seeing, certificate);
   out.refusal = certificate.ordered ? check_ordered(site, out) : check_walked(site, out);
   out.accepted = out.refusal.empty();
   return out;

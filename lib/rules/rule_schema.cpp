@@ -8,6 +8,7 @@
 #include <array>
 #include <cassert>
 
+#include "base/led_name.h"
 #include "rules/cell.h"
 #include "rules/neighbourhood.h"
 #include "rules/rule.h"
@@ -110,8 +111,8 @@ std::vector<FormKey> brick_keys() {
       {.name = "color", .kind = colour, .required = true, .doc = "For pictures: \"#rrggbb\"."},
       {.name = "led",
        .kind = choice,
-       .doc = "Block colour of the physical layer.",
-       .words = {"Q1", "Q2", "Q3", "Q4"}},
+       .doc = "Block colour of the physical layer; from Q5 on a code word of its LEDs.",
+       .words = {kLedNames.begin() + 1, kLedNames.end()}},
   };
 }
 

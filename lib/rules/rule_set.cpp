@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "base/led_name.h"
+
 namespace stig::rules {
 Colour RuleSet::colour_of(std::string_view symbol) const {
   for (std::size_t i = 0; i < bricks.size(); ++i) {
@@ -13,6 +15,12 @@ Colour RuleSet::colour_of(std::string_view symbol) const {
 }
 
 /// Gaps in the numbers are reported by the checks; here the highest counts.
+int RuleSet::highest_kind() const {
+  int out = 0;
+  for (const Brick& brick : bricks) out = std::max(out, kind_named(brick.led).value_or(0));
+  return out;
+}
+
 int RuleSet::stage_count() const {
   int highest = 1;
   for (const Rule& rule : rules) highest = std::max(highest, rule.stage);

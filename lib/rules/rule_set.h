@@ -26,7 +26,7 @@ struct Brick {
   std::string symbol;  ///< what drawings use
   std::string name;
   std::string color;  ///< "#rrggbb"
-  std::string led;    ///< "Q1".."Q4" or empty
+  std::string led;    ///< "Q1".."Q62" (base/led_name.h) or empty
   SourceRange range;
 };
 
@@ -108,6 +108,8 @@ struct RuleSet {
   const Brick& brick(Colour colour) const { return bricks[colour - 1U]; }
   /// 0 when the symbol is no brick's.
   Colour colour_of(std::string_view symbol) const;
+  /// The highest kind that a brick's `led` names (base/led_name.h), 0 where none does.
+  int highest_kind() const;
   /// Highest stage any rule names; 1 for a set without stages.
   int stage_count() const;
   Symmetry symmetry_of(const Rule& rule) const { return rule.symmetry.value_or(symmetry); }

@@ -34,6 +34,14 @@ std::string_view shape_name(ShapeKind kind) {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
+/// As the trace's channel has LEDs: a digit for all, or one for each.
+std::string leds_text(Led shown) {
+  std::string out;
+  for (const Led led : leds_showing(shown)) out += static_cast<char>('0' + static_cast<int>(led));
+  if (out.find_first_not_of(out[0]) == std::string::npos) out.resize(1);
+  return out;
+}
+
 Json body_json(const TraceBody& body) {
   const Vec3& half = body.shape.half;
   Json out{{"name", printable(body.name)},
@@ -41,7 +49,7 @@ Json body_json(const TraceBody& body) {
            {"half", {half.x, half.y, half.z}},
            {"color", to_color(body.rgb)},
            {"block", body.block},
-           {"led", static_cast<int>(body.led)}};
+           {"led", leds_text(body.led)}};
   if (body.shape.kind == ShapeKind::hull) {
     for (const Vec3& p : body.shape.convex->points) out["points"].push_back({p.x, p.y, p.z});
   }

@@ -25,14 +25,15 @@ std::map<std::uint32_t, const std::string*> shown_at(const PoseTrace& trace, std
   return out;
 }
 
-/// What most of a block's LEDs show.
-Led most_shown(std::string_view digits) {
-  std::array<int, 5> shown{};
-  for (const char digit : digits) {
+/// What a block's LEDs show: a digit for all, or one for each.
+Led shown_by_digits(std::string_view digits) {
+  BlockLeds leds{};
+  for (std::size_t i = 0; i < leds.size() && !digits.empty(); ++i) {
+    const char digit = digits[std::min(i, digits.size() - 1)];
     // A trace may hold any bytes as a value.
-    if (digit >= '0' && digit <= '4') ++shown[static_cast<std::size_t>(digit - '0')];
+    if (digit >= '0' && digit <= '4') leds[i] = static_cast<Led>(digit - '0');
   }
-  return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+  return shown_by(leds);
 }
 
 /// What a block showed at a tick: what its program had set, or what it had when the trace began.
@@ -42,7 +43,7 @@ std::vector<Led> leds_at(const PoseTrace& trace, std::uint64_t tick) {
   for (std::uint32_t i = 0; i < trace.header.bodies.size(); ++i) {
     const TraceBody& body = trace.header.bodies[i];
     const auto found = set.find(i);
-    const Led led = found == set.end() ? body.led : most_shown(*found->second);
+    const Led led = found == set.end() ? body.led : shown_by_digits(*found->second);
     out.push_back(body.block ? led : Led::off);
   }
   return out;
@@ -80,7 +81,7 @@ std::vector<std::vector<LedChange>> led_changes(const PoseTrace& trace, std::uin
     if (value.tick <= first || value.tick > last) continue;
     if (trace.header.channels[value.channel] != "leds") continue;
     if (value.body >= out.size() || !trace.header.bodies[value.body].block) continue;
-    const Led led = most_shown(value.bytes);
+    const Led led = shown_by_digits(value.bytes);
     std::vector<LedChange>& changes = out[value.body];
     if (changes.back().led != led) changes.push_back({value.tick, led});
   }

@@ -2,6 +2,7 @@
 -- Takes the block below the end effector, colours it, and lets go of it.
 
 local geometry = require 'common.geometry'
+local led_code = require 'common.led_code'
 
 local PULSE, LOWER = 0.006, 0.003  -- heights of the lift over a block on the floor
 local CARRY = 0.058
@@ -13,6 +14,7 @@ local CHARGE_TIME, EMPTY_TIME = 8, 6  -- s, at most
 local BEHIND_BLOCK = 0.025     -- m, of the rangefinders behind a block that see it
 local FINDERS_APART = 0.040    -- m
 local FIRST_CHARACTER = 48     -- '0', of colours as the radio sends them
+local WORD = 119               -- 'w', before the four of a code word
 
 -- neutral: the charge at which a current takes the magnets' field away. gap: from the rangefinders
 -- behind a block to its face, m, when it hangs right below the magnets.
@@ -41,9 +43,14 @@ function Gripper:drawn_off(most)
    return not left or not right or (left + right) / 2 - self.gap > most
 end
 
--- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark.
+-- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark, or the kind of a code word.
 function Gripper:colour(colour)
-   self.robot.simple_radios.nfc.send { FIRST_CHARACTER + colour }
+   local message = { FIRST_CHARACTER + colour }
+   if colour > led_code.PLAIN then
+      message = { WORD }
+      for i, letter in ipairs(led_code.word_of(colour)) do message[i + 1] = FIRST_CHARACTER + letter end
+   end
+   self.robot.simple_radios.nfc.send(message)
    coroutine.yield()
 end
 

@@ -11,6 +11,7 @@
 --     task.sides           sides to work from, '+x' ...; task.turns: the rules hold in every turn
 --     task.widest          rad, between a tag's normal and the line to a camera that reads it
 --     task.transport       colour of a block on its way (0: dark)
+--     task.kinds           of brick, where blocks show code words (common/led_code.lua); nil: four colours
 --     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
 --
 -- A scene may bind a robot to some of the sides: see mission/side_allocation.lua.
@@ -54,6 +55,7 @@ function Builder.new(robot, chart, task)
    machine.placement.transport = task.transport
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
    if task.widest then machine.sight:reads_up_to(task.widest) end
+   if task.kinds then machine.tracker.detector.kinds = task.kinds end
    machine:start(function() self:follow_chart() end)
    return self
 end

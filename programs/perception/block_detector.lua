@@ -3,10 +3,11 @@
 -- on the floor or on each other: that tells the height of a tag, and more than its size does.
 --
 -- A detection is {x, y, z, yaw, level, colour, top, variance, turned, tags}: yaw modulo a quarter
--- turn; level nil where it stands on none; colour 0 (dark) to 4; top: its upper tag was seen;
--- variance (m²) of its place and `turned` (rad²), of its yaw.
+-- turn; level nil where it stands on none; colour 0 (dark) to `kinds`, nil where its LEDs do not say;
+-- top: its upper tag was seen; variance (m²) of its place and `turned` (rad²), of its yaw.
 
 local geometry = require 'common.geometry'
+local led_code = require 'common.led_code'
 
 local SIDE, HALF = geometry.SIDE, geometry.HALF
 local TAG = 0.024              -- m, a tag's side
@@ -24,22 +25,17 @@ local BlockDetector = {}
 BlockDetector.__index = BlockDetector
 
 function BlockDetector.new(robot, camera)
-   return setmetatable({ robot = robot, camera = camera }, BlockDetector)
+   return setmetatable({ robot = robot, camera = camera, kinds = led_code.PLAIN }, BlockDetector)
 end
 
--- The colour that most of the four LEDs about a tag show.
+-- What the four LEDs about a tag show.
 function BlockDetector:colour_about(tag)
-   local votes = {}
-   for _, place in ipairs(LEDS) do
+   local word = {}
+   for i, place in ipairs(LEDS) do
       local led = vector3(place[1] * LED_OFFSET, place[2] * LED_OFFSET, -TAG_HEIGHT)
-      local colour = self.robot.camera_system.detect_led(tag.position + led:rotate(tag.orientation))
-      votes[colour] = (votes[colour] or 0) + 1
+      word[i] = self.robot.camera_system.detect_led(tag.position + led:rotate(tag.orientation))
    end
-   local best, most = 0, 1
-   for colour = 1, 4 do
-      if (votes[colour] or 0) > most then best, most = colour, votes[colour] end
-   end
-   return best
+   return led_code.kind_of(word, self.kinds)
 end
 
 -- How a block stands of which a tag at `place` has this normal, and this direction to its right;
@@ -101,7 +97,7 @@ local function merge(into, other)
    local turn = into.turned / (into.turned + other.turned)
    into.yaw = into.yaw + turn * geometry.wrap_quarter(other.yaw - into.yaw)
    into.turned = into.turned * (1 - turn)
-   if into.colour == 0 then into.colour = other.colour end
+   if (into.colour or 0) == 0 then into.colour = other.colour end
    into.top = into.top or other.top
    into.variance = into.variance * (1 - gain)
    into.tags = into.tags + 1

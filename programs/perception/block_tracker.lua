@@ -37,10 +37,11 @@ function BlockTracker:add_process_noise(ahead, turn)
 end
 
 local function vote(track, colour)
-   for one = 0, 4 do track.votes[one] = FADES * track.votes[one] end
-   track.votes[colour] = track.votes[colour] + 1
+   local votes = track.votes
+   for one = 0, #votes do votes[one] = FADES * votes[one] end
+   if colour then votes[colour] = votes[colour] + 1 end
    track.colour = 0
-   for one = 1, 4 do
+   for one = 1, #votes do
       if track.votes[one] > track.votes[track.colour] then track.colour = one end
    end
 end
@@ -63,8 +64,9 @@ end
 function BlockTracker:appear(block)
    self.last_id = self.last_id + 1
    block.id = self.last_id
-   block.votes = { [0] = 0, 0, 0, 0, 0 }
-   block.votes[block.colour] = 1
+   block.votes = { [0] = 0 }
+   for one = 1, self.detector.kinds do block.votes[one] = 0 end
+   vote(block, block.colour)
    block.seen, block.missed, block.time = 1, 0, self.odometry.time
    block.top_time = block.top and self.odometry.time or -1
    table.insert(self.tracks, block)

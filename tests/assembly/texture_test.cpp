@@ -70,18 +70,18 @@ TEST_CASE("rows that are swept have two lines of other colours, aslant and along
 
 TEST_CASE(
     "rows are swept only beside a spine that is as long as they are many, the shorter first") {
-  const auto square = swept_likings(rectangle(20, 20));
+  const auto square = swept_likings(rectangle(20, 20), 4);
   REQUIRE(square.size() == 4);
   CHECK(square.front().spine == Liking::Spine::along_x);
   CHECK(square.front().spine_rows == 2);
   CHECK(square.back().from_ends);
-  for (const Liking& one : swept_likings(rectangle(5, 40))) {
+  for (const Liking& one : swept_likings(rectangle(5, 40), 4)) {
     CHECK(one.spine == Liking::Spine::along_y);
     CHECK(one.from_ends);  // two rows count as far as 31
   }
-  CHECK(swept_likings(rectangle(31, 31)).front().spine_rows == 2);
-  CHECK(swept_likings(rectangle(32, 32)).front().spine_rows == 3);
-  CHECK(swept_likings(rectangle(30, 16)).front().spine == Liking::Spine::along_y);
+  CHECK(swept_likings(rectangle(31, 31), 4).front().spine_rows == 2);
+  CHECK(swept_likings(rectangle(32, 32), 4).front().spine_rows == 3);
+  CHECK(swept_likings(rectangle(30, 16), 4).front().spine == Liking::Spine::along_y);
 }
 
 TEST_CASE("a spine wants robots at its sides, or at its ends and beside the rows that follow") {

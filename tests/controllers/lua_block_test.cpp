@@ -38,6 +38,12 @@ TEST_CASE("the paper's program: a message's first byte sets all LEDs") {
   }
   CHECK(step(controller, {{}, {"4 and more"}, {}, {}, {}, {}}).all_leds == 4);
   CHECK(step(controller, {{"2"}, {}, {}, {}, {}, {}}).all_leds == 2);
+  // A code word: the four LEDs of each face.
+  const BlockCommands word = step(controller, {{"w1234"}, {}, {}, {}, {}, {}});
+  REQUIRE(word.leds.size() == kBlockLeds);
+  for (std::size_t i = 0; i < kBlockLeds; ++i) {
+    CHECK(word.leds[i] == std::pair(i, static_cast<std::uint8_t>(i % 4 + 1)));
+  }
   CHECK(step(controller, {{"5"}, {}, {}, {}, {}, {}}).all_leds == 0);
   CHECK(step(controller, {{""}, {}, {}, {}, {}, {}}).all_leds == 0);
 }

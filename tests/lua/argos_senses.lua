@@ -147,7 +147,7 @@ function senses.look(robot)
    if not robot.watches then return tags, leds end
    local eye, axes = camera_of(robot)
    for _, block in ipairs(senses.blocks) do
-      for _, name in ipairs(mock.FACES) do
+      for f, name in ipairs(mock.FACES) do
          local place, normal, along, across = face_of(block, name)
          if faces_camera(eye, place, normal) and in_picture(seen_from(eye, axes, place)) then
             local corners, all = {}, true
@@ -168,11 +168,12 @@ function senses.look(robot)
                                            mock.v2(pixel(q)), corners))
             end
             if block.colour ~= 'black' then
-               for _, o in ipairs { { LED, 0 }, { 0, LED }, { -LED, 0 }, { 0, -LED } } do
+               for i, o in ipairs { { LED, 0 }, { 0, LED }, { -LED, 0 }, { 0, -LED } } do
                   local at = sum(place, along, o[1], across, o[2])
                   local q = seen_from(eye, axes, at)
                   if in_picture(q) then
-                     table.insert(leds, { at = q, place = at, block = block, eye = eye })
+                     table.insert(leds, { at = q, place = at, block = block, eye = eye,
+                                          colour = block.leds[4 * (f - 1) + i] or block.colour })
                   end
                end
             end
@@ -190,7 +191,7 @@ function senses.detect_led(robot, at)
          best, least = led, off
       end
    end
-   return best and least <= 0.005 and NAMES[best.block.colour] or 0
+   return best and least <= 0.005 and NAMES[best.colour] or 0
 end
 
 function senses.range(robot, name)

@@ -27,11 +27,16 @@ end
 local function add_block(one, program)
    local block = {
       id = one.id, x = one.x, y = one.y, z = one.z + HALF, yaw = math.rad(one.turn), fixed = one.fixed,
-      colour = one.colour, radios = {}, inbox = {},
+      colour = one.colour, leds = {}, radios = {}, inbox = {},
    }
    for _, face in ipairs(mock.FACES) do block.inbox[face] = {} end
    block.script = mock.load(program.script, program.devices, one.id, program.params, {
-      log = print, radios = mock.FACES, colour = function(colour) block.colour = colour end,
+      log = print, radios = mock.FACES, colour = function(colour) block.colour, block.leds = colour, {} end,
+      led = function(led, colour)
+         block.leds[led] = colour
+         -- as the first face shows it
+         if led == 4 then block.colour = table.concat(block.leds, '/') end
+      end,
       send = function() error('a block says nothing') end,
    })
    block.script.init()

@@ -121,16 +121,19 @@ class Bench:
 
 
 LEDS = {"magenta": "Q1", "orange": "Q2", "green": "Q3", "blue": "Q4"}
+# Of a face, right, up, left and down of its tag: code words, worked out by hand.
+LEDS |= {"/".join(list(LEDS)[int(i) - 1] for i in word): f"Q{kind}"
+         for kind, word in [(5, "1234"), (6, "2143"), (7, "3412"), (8, "4321")]}
 
 
-def built(output):
+def built(output, on_its_way):
     """{(x, y, level): led} of lit blocks that stand, against the first start block; calls."""
     bricks, calls, first = {}, {}, None
     for line in output.splitlines():
         word, *rest = line.split()
         if word == "call":
             calls[rest[0]] = int(rest[1])
-        if word != "block" or rest[1] in ("black", "blue"):
+        if word != "block" or rest[1] in ("black", on_its_way):
             continue
         place = [float(x) for x in rest[2:5]]
         first = first or place
@@ -147,14 +150,25 @@ NEEDED = {"robot.camera_system.enable", "robot.camera_system.detect_led",
           "robot.random.uniform", "robot.directional_leds.set_all_colors"}
 
 
-def check_builds(bench, rules, ticks):
+def check_builds(bench, rules, ticks, on_its_way="blue"):
     """It searches, picks up, places: every brick in its place and colour, within so many ticks."""
     whole = bench.last_bricks(rules)
     done = bench.run(read_experiment(bench.compile(rules)), ticks, len(whole))
     assert done.returncode == 0, done.stderr
-    there, calls = built(done.stdout)
+    there, calls = built(done.stdout, on_its_way)
     assert there == whole, done.stdout
     assert NEEDED <= calls.keys(), NEEDED - calls.keys()
+
+
+def check_code_words(bench):
+    """A line of six, its bricks of six kinds: from Q5 on blocks show code words, and as Q16 those
+    on their way."""
+    drawing, rules = bench.folder / "line.txt", bench.folder / "line.yaml"
+    drawing.write_text("# # # # # #\n")
+    good(bench.stigc, "synth", drawing, "--robot", bench.root / "robots/builderbot.yaml", "--kinds",
+         "6", "--start", "0,0,0", "--sides=+x", "-o", rules)
+    rules.write_text(re.sub(r"{(color: [^,]*, led: (Q\d))}", r"{name: \2, \1}", rules.read_text()))
+    check_builds(bench, rules, 6000, on_its_way="blue/magenta/green/orange")
 
 
 def check_sides(bench, rules):
@@ -207,9 +221,9 @@ WRONG = [
      "lift: "),
     ("robot", "magnets:discharge('constructive')", "magnets:discharge('on')",
      "no mode of discharge: on"),
-    ("robot", "send { FIRST_CHARACTER + colour }", "send(FIRST_CHARACTER + colour)",
+    ("robot", "nfc.send(message)", "nfc.send(message[1])",
      "argument 1 is a number"),
-    ("robot", "send { FIRST_CHARACTER + colour }", "send { 300 + colour }", "no byte of a message"),
+    ("robot", "nfc.send(message)", "nfc.send { 300 + colour }", "no byte of a message"),
     ("robot", "robot.camera_system.enable()", "robot.camera_system:enable()",
      "enable expects 0 arguments, got 1"),
     ("robot", "robot.simple_radios = host.simple_radios", "robot.simple_radios = host.radios",
@@ -275,6 +289,7 @@ def main():
         check_builds(bench, staircase, 4000)
         check_builds(bench, pyramid, 16000)
         check_sides(bench, pyramid)
+        check_code_words(bench)
         output = bench.compile(staircase)
         check_adapter(bench, read_experiment(output))
         check_mock_sees(bench, output)

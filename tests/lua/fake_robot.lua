@@ -9,6 +9,7 @@
 
 local mock = require 'mock_argos'
 local geometry = require 'common.geometry'
+local led_code = require 'common.led_code'
 local profile = require 'motion.profile'
 
 -- What programs find in a state of the simulation.
@@ -77,7 +78,7 @@ function FakeRobot:tables()
          detect_led = function(at) return self:led_at(at) end,
       },
       rangefinders = finders,
-      simple_radios = { nfc = { send = function(message) self:colour(message[1] - 48) end } },
+      simple_radios = { nfc = { send = function(message) self:colour(message) end } },
    }
 end
 
@@ -137,7 +138,13 @@ function FakeRobot:block_below()
 end
 
 -- What the radio says to the block that is held.
-function FakeRobot:colour(colour)
+function FakeRobot:colour(message)
+   local colour = message[1] - 48
+   if message[1] == string.byte('w') then
+      local word = {}
+      for i = 1, 4 do word[i] = message[i + 1] - 48 end
+      colour = led_code.kind_of(word, 62)
+   end
    if self.held then self.held.colour = colour end
 end
 
@@ -218,12 +225,17 @@ end
 
 -- The colour of the block whose tag is nearest.
 function FakeRobot:led_at(at)
-   local colour, least = 0, math.huge
-   for _, tag in ipairs(self.robot.camera_system.tags) do
-      local away = (tag.position - at):length()
-      if away < least then colour, least = tag.colour, away end
+   local tag, least = { colour = 0 }, math.huge
+   for _, one in ipairs(self.robot.camera_system.tags) do
+      local away = (one.position - at):length()
+      if away < least then tag, least = one, away end
    end
-   return colour
+   if tag.colour <= led_code.PLAIN then return tag.colour end
+   -- of a code word, by where it is about the tag: right, up, left, down
+   local way = (at - tag.position):rotate(tag.orientation:inverse())
+   local across = math.abs(way.x) > math.abs(way.y)
+   local i = across and (way.x > 0 and 1 or 3) or (way.y > 0 and 2 or 4)
+   return i ~= self.dark_led and led_code.word_of(tag.colour)[i] or 0
 end
 
 return FakeRobot

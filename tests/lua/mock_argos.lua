@@ -273,7 +273,10 @@ function mock.load(path, devices, id, params, act)
          act.colour(colour)
       end)
       leds.set_single_color = call('robot.directional_leds.set_single_color', { 'number', 'string' },
-                                   function() end)
+                                   function(led, colour)
+         if not COLOURS[colour] then fail(3, 'the camera knows no %s', colour) end
+         act.led(led, colour)
+      end)
    end
    script.host = guard('robot', robot)
    env.robot = script.host

@@ -49,6 +49,18 @@ TEST_CASE("build goes from a drawing to a report and pictures, and again") {
     }
   }
 }
+
+TEST_CASE("with more kinds of brick than four robots build a line that four colours cannot") {
+  const Workplace place;
+  place.write("line.txt", "1 1 1 1 1 1 1 1\n");
+  const Outcome four = place.stigc({"build", "line.txt", "--colours", "free", "-o", "four"});
+  CHECK(four.exit_code == 1);
+  CHECK(four.out.find("with --kinds 16") != std::string::npos);
+  const Outcome built = place.stigc({"build", "line.txt", "--kinds", "codes", "-o", "out"});
+  CHECK(built.exit_code == 0);
+  CHECK(built.out.find("complete in 1 of 1 runs") != std::string::npos);
+  CHECK(place.file("out/rules.yaml").find("led: Q8") != std::string::npos);
+}
 #endif
 
 }  // namespace stig

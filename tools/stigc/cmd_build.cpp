@@ -102,6 +102,7 @@ class BuildWork {
     wanted.robot = options_.robot.value_or(kPaperRobot);
     wanted.sides = options_.sides;
     wanted.robots = options_.robots.value_or(1);
+    wanted.kinds = options_.kinds;
     wanted.use = options_.use;
     wanted.colours = options_.colours;
     wanted.start = options_.start;

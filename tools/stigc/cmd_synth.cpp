@@ -236,8 +236,8 @@ void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result
 
 int run(const SynthOptions& options, App& app) {
   if (options.robot) return synth_for_robot(options, app);
-  if (!options.sides.empty() || options.robots) {
-    app.complain("--sides and --robots are about robots: --robot FILE says which");
+  if (!options.sides.empty() || options.robots || options.kinds) {
+    app.complain("--sides, --robots and --kinds are about robots: --robot FILE says which");
     return kUsage;
   }
   const auto loaded = read_structure(options.target, options.lattice, app, options.mesh);

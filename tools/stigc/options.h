@@ -282,6 +282,7 @@ struct SynthOptions {
   std::optional<std::string> block;  ///< that it builds with; otherwise the paper's
   std::vector<std::string> sides;    ///< that it works from; empty: chosen
   std::optional<int> robots;         ///< that work at once; otherwise as many as may be
+  std::optional<int> kinds;          ///< of brick that its blocks may show; otherwise four
   Fewest fewest = Fewest::colours;
   std::optional<OrderFamily> family;
   bool strict = false;   ///< no ties
@@ -302,6 +303,7 @@ struct BuildOptions {
   std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
   std::vector<std::string> sides;    ///< empty: chosen
   std::optional<int> robots;         ///< that work at once; otherwise one
+  std::optional<int> kinds;          ///< of brick that blocks may show; otherwise four
   ColourUse use = ColourUse::free;
   std::optional<int> colours;  ///< so many at most
   std::vector<Cell> start;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // The options of the commands that begin with a structure that is wanted.
 #include "command_options.h"
+#include "compiler/compile.h"
 #include "option_kinds.h"
+#include "sensing/led_code.h"
 
 namespace stig::cli {
 namespace {
@@ -19,6 +21,19 @@ std::string parse_colours(const std::string& text, Options& o) {
   return problem.empty()
              ? ""
              : fmt::format("'{}' is not a number from 1 to {}, given or free", text, kMaxColours);
+}
+
+/// N, or as many as a code has that survives an LED misread.
+template <class Options>
+void add_kinds(CLI::App* sub, Options& o, const char* text) {
+  parsed(sub, "--kinds", "N|codes", text, [&o](const std::string& given) -> std::string {
+    std::int64_t value = sensing::code_size(kBlockColours + 1);
+    if (given != "codes" && !parse_integer(given, 1, kMaxColours, value).empty()) {
+      return fmt::format("'{}' is not a number from 1 to {}, or codes", given, kMaxColours);
+    }
+    o.kinds = static_cast<int>(value);
+    return {};
+  });
 }
 
 void add_synth_search(CLI::App* sub, SynthOptions& o) {
@@ -81,6 +96,10 @@ void add_synth(CLI::App& app, SynthOptions& o) {
           "with --robot: so many have to be able to work at once (default: as many as may be)");
   add_sides(*sub, o.sides,
             "with --robot: the sides that it works from, as --sides=+x,-x (default: chosen)");
+  add_kinds(
+      sub, o,
+      "with --robot: of brick, at most; more than four are code words of blocks' LEDs: up to 16 "
+      "survive one that is misread (codes: 16), up to 62 one that is missed (default: 4)");
   add_synth_search(sub, o);
   path(sub, "-o,--output", o.output, "the rule set (default: standard output)");
   path(sub, "--certificate", o.certificate,
@@ -104,6 +123,7 @@ void add_build(CLI::App& app, BuildOptions& o) {
   add_sides(*sub, o.sides, "the sides that they work from, as --sides=+x,-x (default: chosen)");
   parsed(sub, "--colours", "N|given|free", "as with synth (default: free)",
          [&o](const std::string& text) { return parse_colours(text, o); });
+  add_kinds(sub, o, "of brick, at most, as with synth (default: 4)");
   parsed(sub, "--start", "X,Y,Z", "where the first brick is (default: chosen)",
          [&o](const std::string& text) { return parse_cells(text, o.start); });
   integer(sub, "--effort", o.effort, 1, 1000000, "how much synth tries (default: 1)");

@@ -21,6 +21,9 @@
 namespace stig::cli {
 namespace {
 
+/// Kinds of brick that there may be.
+int kinds_of(const SynthOptions& options) { return options.kinds.value_or(kBlockColours); }
+
 /// What rules for robots cannot be asked to be; empty: nothing was asked.
 std::string usage_problem(const SynthOptions& o) {
   // Only options that were given are named, one at a time: the first that does not go.
@@ -35,8 +38,9 @@ std::string usage_problem(const SynthOptions& o) {
     if (given) return fmt::format("{} does not go with --robot, which chooses by itself", name);
   }
   if (o.start.size() > 1) return "with --robot one brick is the start";
-  if (o.colours && *o.colours > kBlockColours) {
-    return fmt::format("a block's LEDs show {} colours", kBlockColours);
+  if (o.colours && *o.colours > kinds_of(o)) {
+    return fmt::format("of {} kinds of brick no more colours are to be had: --kinds N has more",
+                       kinds_of(o));
   }
   return {};
 }
@@ -53,9 +57,9 @@ std::string target_problem(const SynthOptions& options, const Target& target) {
   if (target.lattice != Lattice::cubic) {
     return "blocks are cubes: robots build on the cubic lattice alone";
   }
-  if (static_cast<int>(target.bricks.size()) > kBlockColours) {
-    return fmt::format("the target has {} kinds of brick, and a block's LEDs show {} colours",
-                       target.bricks.size(), kBlockColours);
+  if (static_cast<int>(target.bricks.size()) > kinds_of(options)) {
+    return fmt::format("the target has {} kinds of brick, and blocks show {}: --kinds N has more",
+                       target.bricks.size(), kinds_of(options));
   }
   const auto lowest = std::min_element(target.cells.begin(), target.cells.end(),
                                        [](Cell a, Cell b) { return a.z < b.z; });
@@ -80,6 +84,7 @@ std::string robot_options_in_words(const SynthOptions& o) {
   if (!o.sides.empty()) out += fmt::format(" --sides={}", fmt::join(o.sides, ","));
   if (o.use == ColourUse::given) out += " --colours given";
   if (o.colours) out += fmt::format(" --colours {}", *o.colours);
+  if (o.kinds) out += fmt::format(" --kinds {}", *o.kinds);
   for (const Cell c : o.start) out += fmt::format(" --start {},{},{}", c.x, c.y, c.z);
   if (o.effort != 1) out += fmt::format(" --effort {}", o.effort);
   return out;
@@ -96,7 +101,7 @@ AssemblyTask task_of(const SynthOptions& options, Target target, Abilities robot
   for (const std::string& side : options.sides) out.sides.push_back(*parse_side(side));
   out.robots = options.robots;
   if (!options.start.empty()) out.start = options.start.front();
-  out.most_colours = options.colours.value_or(kBlockColours);
+  out.most_colours = options.colours.value_or(kinds_of(options));
   return out;
 }
 

@@ -205,6 +205,18 @@ BlockReadings Crew::block_readings(std::uint64_t tick,
   return out;
 }
 
+namespace {
+
+void show(Led what, BlockCommands& commands) {
+  const BlockLeds leds = leds_showing(what);
+  commands.leds.clear();
+  for (std::size_t i = 0; i < leds.size(); ++i) {
+    commands.leds.emplace_back(i, static_cast<std::uint8_t>(leds[i]));
+  }
+}
+
+}  // namespace
+
 ControllerStatus Crew::call_block(std::size_t number, const BlockReadings& readings,
                                   BlockCommands& commands) {
   const CrewBlock& config = config_.blocks[number];
@@ -214,7 +226,7 @@ ControllerStatus Crew::call_block(std::size_t number, const BlockReadings& readi
     status = config.controller->init(commands);
     // A colour that the scene gives counts as commanded, so that it holds against the program's
     // init, which knows of no scene.
-    if (config.led != Led::off) commands.all_leds = static_cast<std::uint8_t>(config.led);
+    if (config.led != Led::off) show(config.led, commands);
   }
   if (status.ok) status = config.controller->step(readings, commands);
   return status;

@@ -63,7 +63,7 @@ class Crew {
   /// What a robot read and commanded in its last step.
   const RobotReadings& readings(std::size_t robot) const { return robots_[robot].readings; }
   const RobotCommands& commands(std::size_t robot) const { return robots_[robot].commands; }
-  const std::array<Led, kBlockLeds>& leds(std::size_t block) const { return signals_.leds(block); }
+  const BlockLeds& leds(std::size_t block) const { return signals_.leds(block); }
   const RobotModel& model(std::size_t robot) const { return *config_.robots[robot].model; }
   /// What sensors can perceive now, and from where a camera looks.
   SensorScene sensor_scene(const World& world) const {
@@ -76,7 +76,7 @@ class Crew {
   BodyId root_body(std::size_t robot) const;
   Pose root_pose(std::size_t robot) const;
   BodyId block_body(std::size_t block) const { return config_.blocks[block].body; }
-  /// The colour that most of its LEDs show.
+  /// What its LEDs show.
   Led colour(std::size_t block) const { return signals_.colour(block); }
   /// Names of blocks whose programs have failed.
   std::vector<std::string> failed_blocks() const;

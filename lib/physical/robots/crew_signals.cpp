@@ -61,24 +61,21 @@ CrewSignals::CrewSignals(const CrewConfig& config) {
 
 void CrewSignals::add_block(const CrewBlock& block, bool changed) {
   BlockSignals& one = blocks_.emplace_back();
-  one.leds.fill(block.led);
+  one.leds = leds_showing(block.led);
   one.mail = mailbox(kBlockRadios);
   changed_.push_back(changed);
 }
 
 Led CrewSignals::colour(std::size_t block) const {
   assert(block < blocks_.size());
-  std::array<int, 5> shown{};
-  for (const Led led : blocks_[block].leds) ++shown[static_cast<std::size_t>(led)];
-  // The colour that most LEDs show; among equals the one with the lowest number, which off has.
-  return static_cast<Led>(std::max_element(shown.begin(), shown.end()) - shown.begin());
+  return shown_by(blocks_[block].leds);
 }
 
 void CrewSignals::set_colour(std::size_t number, Led colour) {
   assert(number < blocks_.size());
-  BlockCommands commands;
-  commands.all_leds = static_cast<std::uint8_t>(colour);
-  apply(number, commands);
+  BlockSignals& block = blocks_[number];
+  const BlockLeds before = std::exchange(block.leds, leds_showing(colour));
+  if (block.leds != before) changed_[number] = true;
 }
 
 std::vector<std::size_t> CrewSignals::take_changed() {
@@ -155,11 +152,11 @@ void CrewSignals::send(std::size_t robot, const std::vector<std::vector<Message>
 void CrewSignals::apply(std::size_t number, const BlockCommands& commands) {
   BlockSignals& block = blocks_[number];
   const auto before = block.leds;
-  if (commands.all_leds && *commands.all_leds < kLedNames.size()) {
+  if (commands.all_leds && *commands.all_leds < kLedStates) {
     block.leds.fill(static_cast<Led>(*commands.all_leds));
   }
   for (const auto& [led, colour] : commands.leds) {
-    if (led < block.leds.size() && colour < kLedNames.size()) {
+    if (led < block.leds.size() && colour < kLedStates) {
       block.leds[led] = static_cast<Led>(colour);
     }
   }

@@ -25,7 +25,7 @@ struct Mailbox {
 inline constexpr std::size_t kMostUnread = 100;
 
 struct BlockSignals {
-  std::array<Led, kBlockLeds> leds{};
+  BlockLeds leds{};
   Mailbox mail;
   bool quiet = true;  ///< nothing in the mailbox
 };
@@ -36,8 +36,8 @@ class CrewSignals {
   /// `changed`: its LEDs are news.
   void add_block(const CrewBlock& block, bool changed);
 
-  const std::array<Led, kBlockLeds>& leds(std::size_t block) const { return blocks_[block].leds; }
-  /// The colour that most of its LEDs show.
+  const BlockLeds& leds(std::size_t block) const { return blocks_[block].leds; }
+  /// What its LEDs show.
   Led colour(std::size_t block) const;
   /// All LEDs of a block.
   void set_colour(std::size_t block, Led colour);

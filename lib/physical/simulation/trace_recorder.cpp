@@ -34,7 +34,7 @@ TraceFrame frame_of(const World& world, std::size_t bodies) {
 }
 
 /// All alike: one digit; otherwise a digit an LED. Digits are the colours' numbers.
-std::string led_bytes(const std::array<Led, kBlockLeds>& leds) {
+std::string led_bytes(const BlockLeds& leds) {
   std::string out;
   for (const Led led : leds) out += static_cast<char>('0' + static_cast<int>(led));
   if (out.find_first_not_of(out[0]) == std::string::npos) out.resize(1);

@@ -168,6 +168,16 @@ case('a block is picked up, coloured, and put on another', function()
    same('let go', machine.magnets.carrying, false)
 end)
 
+case('a block is told a code word', function()
+   local machine, fake, run = machine_with { { x = 0.40, y = 0.05, yaw = 0.2 } }
+   local block = run(function() return machine.search:find(dark) end)
+   same('picked up', run(function() return machine.pickup:pick_up(block) end), true)
+   for _, kind in ipairs { 5, 16, 17, 62, 3, 0 } do
+      run(function() machine.gripper:colour(kind) end)
+      same('kind', fake.held.colour, kind)
+   end
+end)
+
 case('on top, beside a neighbour, a block has its colour before it comes near', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
    local block = run(function() return machine.search:find(dark) end)

@@ -3,6 +3,7 @@
 
 local FakeRobot = require 'fake_robot'
 local geometry = require 'common.geometry'
+local led_code = require 'common.led_code'
 local profile = require 'motion.profile'
 local structures = require 'perception.structures'
 local BlockDetector = require 'perception.block_detector'
@@ -72,6 +73,48 @@ case('odometry follows a curve', function()
    local along, aside = p.odometry:on_line { x = 0, y = 0, yaw = math.pi / 2 }
    near('along', along, p.fake.pose.y, 1e-6)
    near('aside', aside, -p.fake.pose.x, 1e-6)
+end)
+
+case('two code words differ in three LEDs of four, or in two where there are more than sixteen', function()
+   for kinds, distance in pairs { [4] = 4, [16] = 3, [62] = 2 } do
+      for one = 1, kinds do
+         for other = 1, one - 1 do
+            local a, b, differ = led_code.word_of(one), led_code.word_of(other), 0
+            for i = 1, 4 do differ = differ + (a[i] ~= b[i] and 1 or 0) end
+            assert(differ >= distance, string.format('%d and %d', one, other))
+         end
+      end
+   end
+end)
+
+case('a kind is known with an LED missed, and with few kinds with one misread', function()
+   for kind = 1, 62 do
+      local kinds = kind <= 16 and 16 or 62
+      same('whole', led_code.kind_of(led_code.word_of(kind), kinds), kind)
+      for i = 1, 4 do
+         local word = led_code.word_of(kind)
+         word[i] = 0
+         same('missed', led_code.kind_of(word, kinds), kind)
+         word[i] = led_code.word_of(kind)[i] % 4 + 1
+         if kinds == 16 then same('misread', led_code.kind_of(word, kinds), kind) end
+         same('misread, of many', led_code.kind_of(word, 62) ~= kind, true)
+      end
+   end
+   same('dark', led_code.kind_of({ 0, 0, 0, 0 }, 16), 0)
+   same('one alone', led_code.kind_of({ 0, 0, 0, 2 }, 16), nil)
+end)
+
+case('a block that shows a code word is known by it', function()
+   for _, kind in ipairs { 5, 11, 16, 17, 40, 62 } do
+      local p = perceiver { { x = 0.30, y = 0.02, level = 0, yaw = 0.3, colour = kind } }
+      p.tracker.detector.kinds = kind <= 16 and 16 or 62
+      p.robot.lift_system.set_position(0.09)
+      p.step(5)
+      same('kind', p.tracker:blocks()[1].colour, kind)
+      p.fake.dark_led = 2
+      p.step(5)
+      same('an LED missed', p.tracker:blocks()[1].colour, kind)
+   end
 end)
 
 case('blocks of a column are found where they stand, in their colours', function()

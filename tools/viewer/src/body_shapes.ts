@@ -95,7 +95,7 @@ export class BodyShapes {
     if (body.block) {
       const marks = new three.Mesh(undefined, kMarks);
       out.add(marks);
-      this.light(out, body, String(body.led));
+      this.light(out, body, body.led);
     }
     return out;
   }

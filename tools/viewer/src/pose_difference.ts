@@ -18,7 +18,7 @@ export function alike(run: PoseRun, body: number, other: PoseRun, twin: number, 
   if (!a || !b) return a === b;
   const way = Math.hypot(...a.p.map((at, axis) => at - b.p[axis]));
   const leds = (of: PoseRun, one: number): string =>
-    saidAt(of.leds.get(one), time) ?? String(of.bodies[one].led);
+    saidAt(of.leds.get(one), time) ?? of.bodies[one].led;
   return way < kElsewhere && leds(run, body) === leds(other, twin);
 }
 

@@ -26,7 +26,7 @@ function bodyStory(run: PoseRun, body: number, time: number): HTMLElement {
   const pose = run.tracks.at(body, time);
   rows.push(['place', pose ? `${pose.p.map(x => x.toFixed(4)).join(', ')} m` : 'not there']);
   if (block) {
-    const leds = saidAt(run.leds.get(body), time) ?? String(run.bodies[body].led);
+    const leds = saidAt(run.leds.get(body), time) ?? run.bodies[body].led;
     rows.push(['LEDs', Array.from(leds, digit => digit === '0' ? 'off' : `Q${digit}`).join(' ')]);
   }
   return section('story', block ? 'Block' : 'Body', factTable(rows));

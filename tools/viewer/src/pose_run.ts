@@ -11,8 +11,8 @@ export interface Body {
   points?: readonly (readonly [number, number, number])[];
   color: string;
   block: boolean;
-  /** 0 to 4, at the start. */
-  led: number;
+  /** At the start, as the channel has LEDs: a digit for all, or one for each. */
+  led: string;
 }
 
 /** What a channel says of one body: texts from times on. */

@@ -66,7 +66,7 @@ export class PoseView {
     this.marks = new PoseMarks(run);
     this.bounds = boundsOf(run);
     this.meshes = run.bodies.map(() => null);
-    this.leds = run.bodies.map(body => String(body.led));
+    this.leds = run.bodies.map(body => body.led);
     this.floor = floorGrid(this.bounds, kGrid);
     this.marker.renderOrder = 1;
     this.arrows.frustumCulled = false;
@@ -127,7 +127,7 @@ export class PoseView {
     mesh.position.set(...pose.p);
     mesh.quaternion.set(...pose.q);
     if (!body.block) return;
-    const leds = saidAt(this.run.leds.get(i), time) ?? String(body.led);
+    const leds = saidAt(this.run.leds.get(i), time) ?? body.led;
     if (leds !== this.leds[i]) this.shapes.light(mesh, body, leds);
     if (leds !== this.leds[i]) this.greyed.delete(i);
     this.leds[i] = leds;
