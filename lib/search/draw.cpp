@@ -76,6 +76,17 @@ std::optional<DrawnRule> draw_rule(const DrawSettings& settings,
   return std::nullopt;
 }
 
+std::optional<GeneRule> rule_for(const DrawSettings& settings,
+                                 const std::vector<PlacedBrick>& bricks,
+                                 const PlacedBrick& wanted) {
+  GeneRule rule;
+  rule.place = wanted.brick;
+  if (settings.floor && wanted.at.z < 0) return std::nullopt;
+  if (!look(settings, bricks, wanted.at, rule.when)) return std::nullopt;
+  if (!needs_brick(rule, neighbourhood(settings.lattice).size)) return std::nullopt;
+  return rule;
+}
+
 void draw_genome(const DrawSettings& settings, Random& random, DrawnGenome& out) {
   assert(settings.colours >= 1 && settings.colours <= kMostGenomeColours);
   assert(settings.rules >= 1 && static_cast<std::size_t>(settings.rules) <= kMostGenomeRules);

@@ -53,4 +53,9 @@ struct DrawnRule {
 std::optional<DrawnRule> draw_rule(const DrawSettings& settings,
                                    const std::vector<PlacedBrick>& bricks, Random& random);
 
+/// The rule that places a colour where a site looks as this one does now: all neighbours count.
+/// Nothing when the site is filled, below the floor, or beside no brick.
+std::optional<GeneRule> rule_for(const DrawSettings& settings,
+                                 const std::vector<PlacedBrick>& bricks, const PlacedBrick& wanted);
+
 }  // namespace stig::search

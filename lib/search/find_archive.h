@@ -20,7 +20,7 @@ namespace stig::search {
 
 struct Individual {
   std::uint64_t id = 0;                               ///< number of its evaluation, from 0
-  std::string_view origin;                            ///< "drawn", "mutated", "crossed"
+  std::string_view origin;                            ///< "drawn", "mutated", "mended", "crossed"
   std::optional<std::uint64_t> parent, other_parent;  ///< ids
   Genome genome;
   std::vector<PlacedBrick> bricks;  ///< what it built, in the order of cells

@@ -7,7 +7,6 @@
 #include <map>
 
 #include "base/hash.h"
-#include "lattice/structure.h"
 
 namespace stig::search {
 namespace {
@@ -30,7 +29,12 @@ double symmetry(const Outcome& o) { return o.shape.symmetry_order; }
 double enclosed(const Outcome& o) { return static_cast<double>(o.shape.cavity_cells); }
 double height(const Outcome& o) { return static_cast<double>(o.shape.height_profile.size()); }
 double saturated(const Outcome& o) { return o.run.saturated ? 1 : 0; }
-double same_ends(const Outcome& o) { return o.same_ends; }
+double same_ends(const Outcome& o) { return o.trials.same_ends; }
+double lost_bricks(const Outcome& o) { return o.trials.lost_bricks; }
+double extra_bricks(const Outcome& o) { return o.trials.extra_bricks; }
+double coordinated(const Outcome& o) { return is_coordinated(o.coordination) ? 1 : 0; }
+double verdict(const Outcome& o) { return static_cast<double>(o.coordination); }
+double distance(const Outcome& o) { return o.distance; }
 
 double parallelism(const Outcome& o) {
   return share(static_cast<double>(o.run.open_sites), static_cast<double>(o.run.placed.size()));
@@ -86,6 +90,10 @@ double modules(const Outcome& o) {
 constexpr std::string_view kOwn = "this project";
 constexpr std::string_view kBonabeau = "after Bonabeau et al. 2000, BioSystems 56:13-32";
 
+constexpr std::string_view kTheraulaz =
+    "after Theraulaz & Bonabeau 1995, J. theor. Biol. 177:381-400";
+constexpr std::string_view kJaccard = "Jaccard 1901, Bull. Soc. vaud. sci. nat. 37:547-579";
+
 constexpr std::array kObjectives = {
     Objective{"bricks", "bricks in the end, the start included", kOwn, bricks},
     Objective{"rules_used", "share of the rules that fired", kBonabeau, rules_used},
@@ -104,22 +112,16 @@ constexpr std::array kObjectives = {
     Objective{"same_ends", "share of further random orders that end in the same bricks", kOwn,
               same_ends},
     Objective{"parallelism", "sites open at once, mean over the deposits", kOwn, parallelism},
+    Objective{"lost_bricks", "share of runs that end in the same bricks though one was lost", kOwn,
+              lost_bricks},
+    Objective{"extra_bricks", "share of runs that end so but for a brick that was added", kOwn,
+              extra_bricks},
+    Objective{"coordinated", "1 where every order is proved to end alike, else 0", kTheraulaz,
+              coordinated},
+    Objective{"verdict", "how that was decided, as a number", kOwn, verdict},
+    Objective{"distance", "share of cells in the structure or the target that are not in both",
+              kJaccard, distance},
 };
-
-Cell image(const Orientation& g, Cell cell) { return Cell{} + g.apply(cell - Cell{}); }
-
-std::uint64_t image_hash(const Orientation& g, const std::vector<PlacedBrick>& bricks) {
-  Cell low = image(g, bricks.front().at);
-  for (const PlacedBrick& b : bricks) {
-    const Cell at = image(g, b.at);
-    low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
-  }
-  std::uint64_t sum = 0;
-  for (const PlacedBrick& b : bricks) {
-    sum += placement_hash(Cell{} + (image(g, b.at) - low), b.brick);
-  }
-  return sum;
-}
 
 }  // namespace
 
@@ -130,18 +132,6 @@ std::optional<std::size_t> objective_number(std::string_view name) {
     if (kObjectives[i].name == name) return i;
   }
   return std::nullopt;
-}
-
-std::uint64_t shape_hash(Lattice lattice, const std::vector<PlacedBrick>& bricks) {
-  static const std::array kGroups = {
-      rules::orientations(Lattice::cubic, Symmetry::rotations_mirrors, false),
-      rules::orientations(Lattice::hexagonal, Symmetry::rotations_mirrors, false)};
-  std::uint64_t least = ~std::uint64_t{0};
-  if (bricks.empty()) return combine(static_cast<std::uint64_t>(lattice), least);
-  for (const Orientation& g : kGroups[static_cast<std::size_t>(lattice)]) {
-    least = std::min(least, image_hash(g, bricks));
-  }
-  return combine(static_cast<std::uint64_t>(lattice), least);
 }
 
 }  // namespace stig::search

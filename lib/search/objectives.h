@@ -10,8 +10,10 @@
 #include <vector>
 
 #include "lattice/measures.h"
+#include "search/coordination.h"
 #include "search/genome.h"
 #include "search/screen.h"
+#include "search/trials.h"
 #include "search/uses.h"
 
 namespace stig::search {
@@ -22,7 +24,9 @@ struct Outcome {
   const Screening& run;
   const std::vector<PlacedBrick>& bricks;  ///< in the order of cells, the start included
   const Measures& shape;
-  double same_ends = 0;  ///< share of further orders of events that end in the same bricks
+  Trials trials{};
+  Coordination coordination = Coordination::not_asked;
+  double distance = 1;  ///< to the plan's target (shapes.h)
 };
 
 struct Objective {
@@ -36,10 +40,5 @@ struct Objective {
 std::span<const Objective> objectives();
 /// The number of the objective with this name.
 std::optional<std::size_t> objective_number(std::string_view name);
-
-/// What a structure is modulo translation and the rotations and mirrors about the vertical:
-/// lattice, shape and colours. Equal for equal structures; cheaper than structure_hash, which
-/// sorts the bricks of every image.
-std::uint64_t shape_hash(Lattice lattice, const std::vector<PlacedBrick>& bricks);
 
 }  // namespace stig::search

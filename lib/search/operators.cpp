@@ -78,7 +78,31 @@ void append(const Genome& from, std::vector<std::uint32_t> chosen, Genome& child
   for (const std::uint32_t r : chosen) child.rules.push_back(from.rules[r]);
 }
 
+/// Rules for the sites that the other end has filled and the parent's has not.
+std::vector<GeneRule> missing_rules(const DrawSettings& settings,
+                                    const std::vector<PlacedBrick>& end,
+                                    const std::vector<PlacedBrick>& other_end) {
+  std::vector<GeneRule> rules;
+  for (const PlacedBrick& wanted : other_end) {
+    if (const auto rule = rule_for(settings, end, wanted)) rules.push_back(*rule);
+  }
+  return rules;
+}
+
 }  // namespace
+
+std::optional<Genome> mend(const DrawSettings& settings, const Parent& parent,
+                           const std::vector<PlacedBrick>& other_end, Random& random) {
+  std::vector<std::size_t> idle;
+  for (std::size_t r = 0; r < parent.run.fired.size(); ++r) {
+    if (parent.run.fired[r] == 0) idle.push_back(r);
+  }
+  const auto rules = missing_rules(settings, built(parent.genome, parent.run), other_end);
+  if (idle.empty() || rules.empty()) return std::nullopt;
+  Genome child = parent.genome;
+  child.rules[idle[random.below(idle.size())]] = rules[random.below(rules.size())];
+  return child;
+}
 
 Genome mutate(const DrawSettings& settings, const Parent& parent, Random& random) {
   Genome child = parent.genome;

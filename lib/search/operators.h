@@ -29,4 +29,12 @@ Genome mutate(const DrawSettings& settings, const Parent& parent, Random& random
 /// same lattice, floor and colours (asserted).
 Genome cross_over(const Parent& early, const Parent& late, Random& random);
 
+/// Repair by the missing pattern. Two runs of the parent end differently: at a site where the
+/// longer one has a brick and the other has come to a halt, the pattern that is seen there becomes
+/// a rule, in place of one that never fired. It is what stigc verify proposes for a refuted set
+/// (verify/repair.h), found by two runs instead of a proof, so that a search can afford it. Nothing
+/// where the second run has no brick beside what the parent's run built, or every rule fired.
+std::optional<Genome> mend(const DrawSettings& settings, const Parent& parent,
+                           const std::vector<PlacedBrick>& other_end, Random& random);
+
 }  // namespace stig::search

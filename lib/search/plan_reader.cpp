@@ -3,17 +3,23 @@
 // What keys ask of each other comes after it.
 #include "search/plan_reader.h"
 
-#include <cmath>
+#include <fmt/format.h>
+
+#include <algorithm>
 
 #include "base/form.h"
 #include "base/load.h"
 #include "base/yaml.h"
+#include "lattice/rgb.h"
+#include "lattice/structure_text.h"
 #include "search/objectives.h"
 
 namespace stig::search {
 namespace {
 
 constexpr std::size_t kMostPlanBytes = std::size_t{1} << 16;
+/// Candidates are compared with a target in as many places as it has cells.
+constexpr std::size_t kMostTargetCells = 200;
 constexpr std::string_view kLattices[] = {"cubic", "hexagonal"};
 constexpr std::string_view kSymmetries[] = {"none", "rotations", "rotations+mirrors", "any"};
 constexpr SearchMethod kMethods[] = {SearchMethod::random, SearchMethod::local,
@@ -112,7 +118,10 @@ const Form& plan_form() {
        whole("box", "Cells along each side; 20 without it.", 1, 64),
        whole("deposits", "Bricks after which a run ends; 500 without it.", 1, 250'000),
        whole("orders", "Further random orders of each candidate, for same_ends; 0 without it.", 0,
-             1000)}};
+             1000),
+       whole("faults", "Times that a brick is lost, and one too many; 0 without it.", 0, 1000),
+       whole("proof", "Steps of the verifier for a candidate; 0 without it: no proofs.", 0, 1e12),
+       key("target", FormKind::text, "A drawing of the shape that distance is measured to.")}};
   return kForm;
 }
 
@@ -152,6 +161,8 @@ SearchPlan read_plan(const FormView& root) {
   plan.screen.side = small(root, "box", plan.screen.side);
   plan.screen.most_deposits = count(root, "deposits", plan.screen.most_deposits);
   plan.orders = small(root, "orders", plan.orders);
+  plan.faults = small(root, "faults", plan.faults);
+  plan.proof = count(root, "proof", plan.proof);
   plan.seed = count(root, "seed", plan.seed);
   plan.evaluations = count(root, "evaluations", plan.evaluations);
   plan.batch = small(root, "batch", plan.batch);
@@ -180,6 +191,32 @@ void check_axes(const YamlDocument& document, const SearchPlan& plan, Diagnostic
   }
 }
 
+/// As rule sets draw the structures that they expect; colours do not count.
+void read_target(const YamlDocument& document, SearchPlan& plan, Diagnostics& out) {
+  const YamlNode* drawing = document.root.find("target");
+  if (drawing == nullptr) return;
+  auto source = std::make_shared<const SourceFile>("the target's drawing", drawing->text);
+  const auto structure = read_structure_text(std::move(source), plan.draw.lattice,
+                                             numbered_bricks(kMostGenomeColours), out);
+  if (!structure) return;
+  for (const PlacedBrick& brick : structure->bricks()) plan.target.push_back(brick.at);
+  if (plan.target.empty() || plan.target.size() > kMostTargetCells) {
+    out.add(Code::R105, document.head(*drawing),
+            fmt::format("a target has 1 to {} cells, and this one {}", kMostTargetCells,
+                        plan.target.size()));
+  }
+}
+
+void check_distance(const YamlDocument& document, const SearchPlan& plan, Diagnostics& out) {
+  const std::size_t distance = *objective_number("distance");
+  const auto names_it = [&](const auto& part) { return part.objective == distance; };
+  const bool named = std::any_of(plan.score.begin(), plan.score.end(), names_it) ||
+                     std::any_of(plan.axes.begin(), plan.axes.end(), names_it);
+  if (!named || document.root.find("target") != nullptr) return;
+  out.add(Code::R102, document.head(*document.root.find("score")),
+          "the objective distance needs a 'target': the drawing of a shape");
+}
+
 }  // namespace
 
 std::optional<SearchPlan> read_search_plan(SourceRef source, Diagnostics& diagnostics) {
@@ -188,7 +225,11 @@ std::optional<SearchPlan> read_search_plan(SourceRef source, Diagnostics& diagno
   if (const auto document = parse_yaml(std::move(source), {kMostPlanBytes, 8, 2000}, own)) {
     const BadNodes bad = check_form(*document, plan_form(), own);
     if (!own.has_errors()) plan = read_plan(FormView(document->root, bad));
-    if (plan) check_axes(*document, *plan, own);
+    if (plan) {
+      check_axes(*document, *plan, own);
+      read_target(*document, *plan, own);
+      check_distance(*document, *plan, own);
+    }
   }
   diagnostics.append(own);
   return own.has_errors() ? std::nullopt : plan;

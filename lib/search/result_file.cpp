@@ -120,7 +120,10 @@ StoredFind find_in(const SqliteStatement& row) {
 
 /// Origins live as long as the program.
 std::string_view origin_named(const std::string& name) {
-  return name == "crossed" ? "crossed" : name == "mutated" ? "mutated" : "drawn";
+  for (const std::string_view known : {"mutated", "mended", "crossed"}) {
+    if (name == known) return known;
+  }
+  return "drawn";
 }
 
 Individual individual_of(StoredFind find) {

@@ -20,11 +20,12 @@ struct Screener::World {
         cells(static_cast<std::size_t>(side * side * side)),
         place_in_open(cells.size(), 0) {}
 
-  const Screening& run(const Genome& genome, std::uint64_t seed);
+  const Screening& run_from(const Genome& genome, const std::vector<PlacedBrick>& first,
+                            std::uint64_t seed);
 
   void lay_out(const Genome& genome);
   void take_away();
-  void open_around_start(const Genome& genome);
+  void lay(const std::vector<PlacedBrick>& first);
   void grow(const Genome& genome, std::uint64_t seed);
   void deposit(std::uint32_t site, Colour colour, std::uint32_t rule);
   void update(std::uint32_t site, std::size_t seen_at, Colour colour);
@@ -55,6 +56,7 @@ struct Screener::World {
   std::vector<std::uint32_t> open;               ///< sites where a rule matches
   std::vector<std::uint32_t> place_in_open;      ///< 1 + position in open; 0: closed
   std::vector<std::uint32_t> bricks;             ///< sites to be cleared
+  std::vector<Cell> around;                      ///< those that a run began with
   Cell low;                                      ///< of the box
   std::optional<std::pair<Lattice, bool>> laid;  ///< lattice and floor of the run before
   std::array<std::int32_t, kMaxNeighbours> step{};
@@ -157,17 +159,25 @@ void Screener::World::deposit(std::uint32_t site, Colour colour, std::uint32_t r
   }
 }
 
-/// In the order of cells, as LatticeWorld::candidates has them.
-void Screener::World::open_around_start(const Genome& genome) {
-  const Neighbourhood& n = neighbourhood(genome.lattice);
-  const std::uint32_t start = index_of(Cell{});
-  cells[start] = genome.start;
-  bricks.push_back(start);
-  std::array<Cell, kMaxNeighbours> around;
-  for (std::size_t i = 0; i < neighbours; ++i) around[i] = Cell{} + n.offsets[i];
-  std::sort(around.begin(), around.begin() + static_cast<std::ptrdiff_t>(neighbours));
-  for (std::size_t i = 0; i < neighbours; ++i) {
-    const std::uint32_t site = index_of(around[i]);
+/// Lays the bricks that a run begins with, and opens sites in the order of cells, as
+/// LatticeWorld::candidates has them.
+void Screener::World::lay(const std::vector<PlacedBrick>& first) {
+  around.clear();
+  for (const PlacedBrick& brick : first) {
+    const Offset at = brick.at - low;
+    if (std::min({at.x, at.y, at.z}) < 0 || std::max({at.x, at.y, at.z}) >= config.side) continue;
+    const std::uint32_t site = index_of(brick.at);
+    cells[site] = brick.brick;
+    bricks.push_back(site);
+    for (std::size_t i = 0; i < neighbours; ++i) {
+      around.push_back(
+          cell_of(static_cast<std::uint32_t>(static_cast<std::int32_t>(site) + step[i])));
+    }
+  }
+  std::sort(around.begin(), around.end());
+  around.erase(std::unique(around.begin(), around.end()), around.end());
+  for (const Cell cell : around) {
+    const std::uint32_t site = index_of(cell);
     if (cells[site] == 0 && match(site) >= 0) set_open(site, true);
   }
 }
@@ -189,7 +199,9 @@ void Screener::World::grow(const Genome& genome, std::uint64_t seed) {
   result.saturated = true;
 }
 
-const Screening& Screener::World::run(const Genome& genome, std::uint64_t seed) {
+const Screening& Screener::World::run_from(const Genome& genome,
+                                           const std::vector<PlacedBrick>& first,
+                                           std::uint64_t seed) {
   take_away();
   lay_out(genome);
   patterns.compile(genome, low.z, low.z + config.side - 1);
@@ -197,7 +209,7 @@ const Screening& Screener::World::run(const Genome& genome, std::uint64_t seed) 
   result.fired.assign(genome.rules.size(), 0);
   result.saturated = false;
   result.open_sites = 0;
-  open_around_start(genome);
+  lay(first);
   grow(genome, seed);
   return result;
 }
@@ -210,7 +222,12 @@ Screener::Screener(Screener&&) noexcept = default;
 Screener& Screener::operator=(Screener&&) noexcept = default;
 
 const Screening& Screener::run(const Genome& genome, std::uint64_t seed) {
-  return world_->run(genome, seed);
+  return world_->run_from(genome, {{Cell{}, genome.start}}, seed);
+}
+
+const Screening& Screener::run_from(const Genome& genome, const std::vector<PlacedBrick>& bricks,
+                                    std::uint64_t seed) {
+  return world_->run_from(genome, bricks, seed);
 }
 
 std::vector<PlacedBrick> built(const Genome& genome, const Screening& screening) {

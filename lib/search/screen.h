@@ -47,6 +47,10 @@ class Screener {
 
   /// A run of the genome. `seed` as SwarmConfig::seed. The result is good until the next run.
   const Screening& run(const Genome& genome, std::uint64_t seed);
+  /// The same from these bricks, no two in one cell, in place of the start; those outside the box
+  /// are left out. What the result calls placed is without them.
+  const Screening& run_from(const Genome& genome, const std::vector<PlacedBrick>& bricks,
+                            std::uint64_t seed);
 
  private:
   struct World;

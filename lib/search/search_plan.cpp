@@ -4,6 +4,7 @@
 #include <bit>
 
 #include "base/hash.h"
+#include "lattice/structure.h"
 #include "search/objectives.h"
 
 namespace stig::search {
@@ -50,6 +51,9 @@ std::uint64_t plan_hash(const SearchPlan& plan) {
   sum.add(plan.screen.side);
   sum.add(plan.screen.most_deposits);
   sum.add(plan.orders);
+  sum.add(plan.faults);
+  sum.add(plan.proof);
+  for (const Cell cell : plan.target) sum.add(placement_hash(cell, 1));
   sum.add(plan.seed);
   sum.add(static_cast<int>(plan.method));
   sum.add(plan.batch);

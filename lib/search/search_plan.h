@@ -32,7 +32,10 @@ struct SearchPlan {
   std::string name;
   DrawSettings draw;
   ScreenConfig screen;
-  int orders = 0;  ///< further random orders that each candidate is run in
+  int orders = 0;            ///< further random orders that each candidate is run in
+  int faults = 0;            ///< times that a brick is lost on the way, and that one is too many
+  std::uint64_t proof = 0;   ///< steps of the verifier for a candidate (verify/budget.h); 0: none
+  std::vector<Cell> target;  ///< of the objective distance, sorted; empty: none
   std::uint64_t seed = 1;
   SearchMethod method = SearchMethod::random;
   std::uint64_t evaluations = 10'000;

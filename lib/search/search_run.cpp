@@ -10,6 +10,7 @@
 #include "base/parallel.h"
 #include "search/objectives.h"
 #include "search/operators.h"
+#include "search/shapes.h"
 
 namespace stig::search {
 namespace {
@@ -49,12 +50,32 @@ Choice choose_parents(const SearchPlan& plan, const FindArchive& archive, Random
   return {one, random.below(2) == 0 ? std::optional(pick()) : std::nullopt};
 }
 
+/// One child in three of a parent that does not end alike in every order, where the plan tries
+/// further ones.
+std::optional<Genome> mended(const SearchPlan& plan, std::uint64_t hash, const Individual& parent,
+                             const Screening& run, Screener& screener, Random& random) {
+  if (plan.orders == 0 || random.below(3) != 0) return std::nullopt;
+  const int order = 1 + static_cast<int>(random.below(static_cast<std::uint64_t>(plan.orders)));
+  const std::uint64_t seed = order_seed(seed_of(hash, parent.id), order);
+  const auto other_end = built(parent.genome, screener.run(parent.genome, seed));
+  return mend(plan.draw, {parent.genome, run}, other_end, random);
+}
+
 /// A child of one parent or two. Parents are run again, with the numbers that they were run with
 /// first, rather than kept with all that they did.
 Genome child_of(const SearchPlan& plan, std::uint64_t hash, const Individual& parent,
-                const Individual* other, Screener& screener, Random& random) {
+                const Individual* other, Screener& screener, Random& random,
+                std::string_view& origin) {
   Screening run = screener.run(parent.genome, seed_of(hash, parent.id));
-  if (other == nullptr) return mutate(plan.draw, {parent.genome, run}, random);
+  if (other == nullptr) {
+    if (auto child = mended(plan, hash, parent, run, screener, random)) {
+      origin = "mended";
+      return std::move(*child);
+    }
+    origin = "mutated";
+    return mutate(plan.draw, {parent.genome, run}, random);
+  }
+  origin = "crossed";
   const Screening& second = screener.run(other->genome, seed_of(hash, other->id));
   const Genome crossed = cross_over({parent.genome, run}, {other->genome, second}, random);
   run = screener.run(crossed, seed_of(hash, parent.id));
@@ -74,22 +95,9 @@ void make(const SearchPlan& plan, std::uint64_t hash, const FindArchive& archive
   }
   const Individual& parent = archive.kept()[*choice.parent];
   const Individual* other = choice.other ? &archive.kept()[*choice.other] : nullptr;
-  out.genome = child_of(plan, hash, parent, other, screener, random);
-  out.origin = other ? "crossed" : "mutated";
+  out.genome = child_of(plan, hash, parent, other, screener, random, out.origin);
   out.parent = parent.id;
   if (other) out.other_parent = other->id;
-}
-
-/// Further orders are drawn from seeds beside the candidate's own.
-double share_of_same_ends(const SearchPlan& plan, std::uint64_t seed, const Individual& candidate,
-                          Screener& screener) {
-  int same = 0;
-  for (int k = 1; k <= plan.orders; ++k) {
-    const Screening& run =
-        screener.run(candidate.genome, combine(seed, static_cast<std::uint64_t>(k)));
-    if (run.saturated && built(candidate.genome, run) == candidate.bricks) ++same;
-  }
-  return plan.orders == 0 ? 0 : static_cast<double>(same) / plan.orders;
 }
 
 }  // namespace
@@ -104,8 +112,15 @@ Individual evaluate(const SearchPlan& settings, std::uint64_t plan, const FindAr
   out.bricks = built(out.genome, run);
   out.structure = shape_hash(out.genome.lattice, out.bricks);
   const Measures shape = measure(Structure(out.genome.lattice, out.bricks));
-  const double same = share_of_same_ends(settings, seed, out, screener);
-  const Outcome outcome{out.genome, run, out.bricks, shape, same};
+  const TrialCounts counts{settings.orders, settings.faults};
+  const Trials trials = try_again(counts, out.genome, run, out.bricks, seed, screener);
+  const Outcome outcome{out.genome,
+                        run,
+                        out.bricks,
+                        shape,
+                        trials,
+                        coordination_of(out.genome, run, counts, trials, settings.proof),
+                        shape_distance(out.genome.lattice, out.bricks, settings.target)};
   for (const Objective& objective : objectives()) out.values.push_back(objective.value(outcome));
   for (const ScoreTerm& term : settings.score)
     out.score += term.weight * out.values[term.objective];

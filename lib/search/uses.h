@@ -3,8 +3,8 @@
 // these use.
 #pragma once
 
-#include "lattice/uses.h"
+#include "verify/uses.h"
 
 namespace stig::search {
-using namespace lattice;
+using namespace verify;
 }  // namespace stig::search

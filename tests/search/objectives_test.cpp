@@ -7,6 +7,7 @@
 #include "lattice/structure.h"
 #include "search/draws.h"
 #include "search/objectives.h"
+#include "search/shapes.h"
 #include "support/golden.h"
 
 namespace stig {
@@ -27,7 +28,8 @@ double value(std::string_view name, const Genome& genome, double same_ends = 0) 
   const Screening& run = screener.run(genome, 1);
   const auto bricks = built(genome, run);
   const Measures shape = measure(Structure(genome.lattice, bricks));
-  return objectives()[*objective_number(name)].value({genome, run, bricks, shape, same_ends});
+  return objectives()[*objective_number(name)].value(
+      {genome, run, bricks, shape, {same_ends, 0, 0}});
 }
 
 }  // namespace
@@ -46,6 +48,9 @@ TEST_CASE("a row of five bricks has the measures of one") {
   CHECK(value("saturated", row()) == 1);
   CHECK(value("same_ends", row(), 0.25) == 0.25);
   CHECK(value("parallelism", row()) == 1);
+  CHECK(value("coordinated", row()) == 0);
+  CHECK(value("verdict", row()) == 0);
+  CHECK(value("distance", row()) == 1);
 }
 
 TEST_CASE("a name that no objective has is not found, and names are distinct") {

@@ -68,6 +68,9 @@ TEST_CASE("what is wrong with a plan is said with its code") {
                                "{objective: height, from: 0, to: 1}]\n"),
           "R105");
   refused("stigc_search: 1\nname: a\nmethod: random\nscore: [{objective: beauty}]\n", "R104");
+  refused("stigc_search: 1\nname: a\nmethod: random\nscore: [{objective: distance}]\n", "R102");
+  refused(kLeast + std::string("target: \". .\"\n"), "R105");
+  refused(kLeast + std::string("target: \"1 ?\"\n"), "the target's drawing");
 }
 
 TEST_CASE("plans that ship are sound, and the schema knows their keys") {
