@@ -1,24 +1,28 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""What looking at a run costs it.
+"""What recording a run and looking at it cost it.
 
-    scripts/live_cost.py STIGC [SCENE]
+    scripts/live_cost.py STIGC [SCENE [TURNS]]
 
-Runs a scene as fast as it goes, by turns without a client and with one that reads all events, and
-prints the time that the run's thread has worked, the least of three, and their ratio. Time of the
-processor, so that a machine with other work to do gives about the same.
+Runs a scene by turns with `stigc simulate` alone, with `--trace`, with `--trace-detail`, and with
+`stigc view --live` as fast as it goes, once without anybody who looks and once with one that reads all
+events. Prints the time that the run's thread has worked, without reading the scene, and the median
+of the ratios of each turn to the run alone. Time of the processor, so that a machine with other
+work to do gives about the same.
 """
 
 import json
 import os
 import signal
+import statistics
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import urllib.request
 
-TURNS = 3
+TURNS = 7
 
 
 def ask(address, token, **command):
@@ -33,21 +37,30 @@ def worked(process):
         return int(file.read().split()[0]) * 1e-9
 
 
-def read_events(address, token, seen):
+def read_events(address, token):
     try:
-        for line in urllib.request.urlopen(f"{address}events?token={token}", timeout=60):
-            seen[0] += len(line)
+        for _ in urllib.request.urlopen(f"{address}events?token={token}", timeout=60):
+            pass
     except OSError:
         pass  # the run has ended
 
 
-def turn(stigc, scene, clients):
+def simulated(stigc, scene, *more):
+    """Seconds that the first thread of a run without a page has worked."""
+    process = subprocess.Popen([stigc, "simulate", scene, "--quiet", *more],
+                               stdout=subprocess.DEVNULL)
+    os.waitid(os.P_PID, process.pid, os.WEXITED | os.WNOWAIT)
+    used = worked(process)
+    process.wait()
+    return used
+
+
+def live(stigc, scene, clients):
     process = subprocess.Popen([stigc, "view", "--live", scene, "--paused"], text=True,
                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     address, token = process.stdout.readline().strip().split("?token=")
-    seen = [0]
     for _ in range(clients):
-        threading.Thread(target=read_events, args=(address, token, seen), daemon=True).start()
+        threading.Thread(target=read_events, args=(address, token), daemon=True).start()
     time.sleep(0.5)
     ask(address, token, do="speed", times=None)
     before = worked(process)
@@ -60,20 +73,30 @@ def turn(stigc, scene, clients):
     process.send_signal(signal.SIGINT)
     used = last - before
     process.wait()
-    return used, seen[0]
+    return used
+
+
+def turn(stigc, scene, trace):
+    reading = simulated(stigc, scene, "--duration", "0.01")
+    out = {"alone": simulated(stigc, scene) - reading,
+           "--trace": simulated(stigc, scene, "--trace", trace) - reading,
+           "--trace-detail": simulated(stigc, scene, "--trace", trace, "--trace-detail") - reading,
+           "live": live(stigc, scene, 0), "live, one looks": live(stigc, scene, 1)}
+    print(", ".join(f"{name} {used:.2f} s" for name, used in out.items()), flush=True)
+    return out
 
 
 def main():
-    if len(sys.argv) not in (2, 3):
+    if len(sys.argv) not in (2, 3, 4):
         sys.exit(__doc__)
     scene = sys.argv[2] if len(sys.argv) > 2 else "scenes/crowd.yaml"
-    least = [float("inf")] * 2
-    for _ in range(TURNS):
-        for clients in (0, 1):
-            used, seen = turn(sys.argv[1], scene, clients)
-            least[clients] = min(least[clients], used)
-            print(f"{clients} clients: {used:.2f} s, {seen} bytes of events", flush=True)
-    print(f"with a client {least[1] / least[0]:.3f} times as long as without")
+    turns = int(sys.argv[3]) if len(sys.argv) > 3 else TURNS
+    with tempfile.TemporaryDirectory() as folder:
+        times = [turn(sys.argv[1], scene, f"{folder}/t.stigp") for _ in range(turns)]
+    print(f"\n| | times the run alone, median of {turns} (least to most) |\n|---|---|")
+    for name in list(times[0])[1:]:
+        ratios = sorted(one[name] / one["alone"] for one in times)
+        print(f"| {name} | {statistics.median(ratios):.3f} ({ratios[0]:.3f} to {ratios[-1]:.3f}) |")
 
 
 if __name__ == "__main__":

@@ -192,3 +192,22 @@ test('a block is dragged where the mouse leads it', async () => {
   await close();
   assert.equal(await end(), 0);
 });
+
+test('a program that does not load, or fails at work, is mended by saving it again', async () => {
+  const file = path.join(folder, 'hand.lua');
+  const {address, end} = await serve(['hand.yaml']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'running');
+  fs.writeFileSync(file, 'function step( end\n');
+  await until(page, () => window.stigLive.now.trouble.includes('hand.lua'));
+  assert.equal((await state(page)).run, 1);
+  fs.writeFileSync(file, 'function step() error("no way on") end\n');
+  await until(page, () => window.stigLive.now.run === 2 && window.stigLive.now.broken[0] === 2);
+  assert.equal((await state(page)).trouble, '');
+  assert.match(await page.locator('.live .status').innerText(), /1 broken/);
+  fs.writeFileSync(file, kDrive);
+  await until(page, () => window.stigLive.now.run === 3 && window.stigLive.now.time > 0.1);
+  assert.equal((await state(page)).broken[0], 0);
+  await close();
+  assert.equal(await end(), 0);
+});

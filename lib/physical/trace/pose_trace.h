@@ -28,6 +28,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <map>
 #include <optional>
 #include <string>
@@ -130,7 +131,8 @@ class PoseTraceWriter {
   void finish(const TraceEnd& end);
 
  private:
-  void put_section(char tag, std::string_view payload);
+  void put_section(char tag, const std::string& frame);
+  void put_packed_chunk();
   void put_record(std::uint8_t tag, std::uint64_t tick);
   void put_value(const TraceValue& value);
   void flush();
@@ -146,6 +148,9 @@ class PoseTraceWriter {
   std::optional<std::uint32_t> log_;  ///< the channel whose values are happenings, not states
   std::string index_;
   std::uint64_t chunks_ = 0;
+  /// The chunk before, which a thread of its own packs while the run goes on, and its first tick.
+  std::future<std::string> packing_;
+  std::uint64_t packing_from_ = 0;
 };
 
 struct TraceChunk {

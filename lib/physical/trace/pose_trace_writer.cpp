@@ -111,7 +111,7 @@ PoseTraceWriter::PoseTraceWriter(const PoseTraceHeader& header, Sink sink)
     : sink_(std::move(sink)), channels_(header.channels) {
   sink_(kPoseTraceMagic);
   written_ = kPoseTraceMagic.size();
-  put_section(kHeaderTag, header_bytes(header));
+  put_section(kHeaderTag, packed(header_bytes(header)));
   log_ = channel("log");
 }
 
@@ -122,8 +122,7 @@ std::optional<std::uint32_t> PoseTraceWriter::channel(std::string_view name) con
 }
 
 // A section is a tag, the length of what follows, and a zstd frame: readers can pass over it.
-void PoseTraceWriter::put_section(char tag, std::string_view payload) {
-  const std::string frame = packed(payload);
+void PoseTraceWriter::put_section(char tag, const std::string& frame) {
   std::string out(1, tag);
   put(out, static_cast<std::uint32_t>(frame.size()));
   out += frame;
@@ -139,14 +138,24 @@ void PoseTraceWriter::put_record(std::uint8_t tag, std::uint64_t tick) {
   tick_ = tick;
 }
 
+/// Chunks are written one after the other, so the bytes do not depend on the threads.
+void PoseTraceWriter::put_packed_chunk() {
+  if (!packing_.valid()) return;
+  const std::string frame = packing_.get();
+  // Places of chunks, in bytes of the file, so that a reader finds a moment by bisection.
+  put_varint(index_, packing_from_);
+  put_varint(index_, written_);
+  ++chunks_;
+  put_section(kChunkTag, frame);
+}
+
 void PoseTraceWriter::flush() {
   assert(chunk_.empty() == (frames_ == 0));
   if (chunk_.empty()) return;
-  // Places of chunks, in bytes of the file, so that a reader finds a moment by bisection.
-  put_varint(index_, first_tick_);
-  put_varint(index_, written_);
-  ++chunks_;
-  put_section(kChunkTag, chunk_);
+  put_packed_chunk();
+  packing_ =
+      std::async(std::launch::async, [payload = std::move(chunk_)] { return packed(payload); });
+  packing_from_ = first_tick_;
   chunk_.clear();
   frames_ = 0;
 }
@@ -232,6 +241,7 @@ void PoseTraceWriter::hand(const TraceHand& hand) {
 
 void PoseTraceWriter::finish(const TraceEnd& end) {
   flush();
+  put_packed_chunk();
   std::string payload;
   put_varint(payload, end.ticks);
   payload.push_back(static_cast<char>(end.why));
@@ -241,7 +251,7 @@ void PoseTraceWriter::finish(const TraceEnd& end) {
   payload += index_;
   // The file's last bytes say where this section, with the index of chunks, begins.
   const std::uint64_t place = written_;
-  put_section(kEndTag, payload);
+  put_section(kEndTag, packed(payload));
   std::string trailer;
   put(trailer, place);
   sink_(trailer + std::string(kTrailerMagic));
