@@ -3,7 +3,7 @@
 // and the exponent that fits them. A search that found nothing was ended by its bound of effort,
 // so its time says nothing of growth and is left out of the fit.
 //
-//   bench_assembly_sizes [MOST_BRICKS]
+//   bench_assembly_sizes [MOST_BRICKS [KINDS]]
 #include <fmt/format.h>
 
 #include <cmath>
@@ -32,10 +32,11 @@ struct Trial {
   bool found = false;
 };
 
-Trial try_size(const Form& form, int size, const Abilities& robot) {
+Trial try_size(const Form& form, int size, const Abilities& robot, int kinds) {
   AssemblyTask task;
   task.target = form.of(size);
   task.robot = robot;
+  task.most_colours = kinds;
   task.wording = {"target", form.name, {}};
   const std::size_t bricks = task.target.cells.size();
   const std::clock_t before = std::clock();
@@ -63,7 +64,7 @@ double exponent(const std::vector<std::pair<double, double>>& points) {
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
-void measure_sizes(std::size_t most, const Abilities& robot) {
+void measure_sizes(std::size_t most, const Abilities& robot, int kinds) {
   const std::vector<Form> forms = {{"wall N×1×3",
                                     [](int n) {
                                       return box({n, 1, 3});
@@ -78,7 +79,7 @@ void measure_sizes(std::size_t most, const Abilities& robot) {
                                     [](int n) {
                                       return box({n, n, 1});
                                     },
-                                    {5, 7, 10, 14, 20, 28, 40, 57}}};
+                                    {5, 7, 10, 14, 20, 28, 40, 57, 77}}};
   std::cout << "form         bricks   seconds\n";
   for (const Form& form : forms) {
     std::vector<std::pair<double, double>> points;
@@ -86,7 +87,7 @@ void measure_sizes(std::size_t most, const Abilities& robot) {
     for (const int size : form.sizes) {
       const std::size_t bricks = form.of(size).cells.size();
       if (bricks > most) break;
-      const Trial trial = try_size(form, size, robot);
+      const Trial trial = try_size(form, size, robot, kinds);
       ++tried;
       if (trial.found) points.emplace_back(static_cast<double>(bricks), trial.seconds);
     }
@@ -102,5 +103,10 @@ void measure_sizes(std::size_t most, const Abilities& robot) {
 
 int main(int argc, char** argv) {
   const std::size_t most = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
-  stig::bench::measure_sizes(most, stig::bench::paper_robot());
+  const int kinds = argc > 2 ? std::atoi(argv[2]) : stig::kBlockColours;
+  if (kinds < 1 || kinds > stig::kMaxColours) {
+    std::cerr << "KINDS is a number from 1 to " << stig::kMaxColours << '\n';
+    return 2;
+  }
+  stig::bench::measure_sizes(most, stig::bench::paper_robot(), kinds);
 }

@@ -171,11 +171,9 @@ class Painter {
       colours_[i] = static_cast<Colour>(c);
     }
     done_.assign(cases_.cases.size(), {});
-    busy_.assign(cases_.cases.size(), false);
     for (std::uint32_t i = 0; i < cases_.cases.size(); ++i) {
       for (std::size_t c = 0; c < cases_.cases[i].choices.size(); ++c) {
         done_[i].push_back(solver_.val(choice(i, c)) > 0);
-        busy_[i] = busy_[i] || done_[i].back();
       }
     }
   }
@@ -248,7 +246,7 @@ class Painter {
   std::size_t add_lookalikes() {
     std::size_t added = 0;
     const std::uint64_t looked =
-        likenesses_.for_each(colours_, busy_, [&](const Likeness& likeness) {
+        likenesses_.for_each(colours_, done_, [&](const Likeness& likeness) {
           const std::vector<bool>& done = done_[likeness.a];
           for (std::size_t c = 0; c < done.size(); ++c) {
             if (done[c]) added += add_lookalike(likeness, c);
@@ -298,7 +296,6 @@ class Painter {
   std::map<BrickPair, int> differ_, equal_;
   std::vector<Colour> colours_;
   std::vector<std::vector<bool>> done_;  ///< by case and choice
-  std::vector<bool> busy_;               ///< by case: is something done?
 };
 
 }  // namespace

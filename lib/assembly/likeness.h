@@ -23,9 +23,11 @@ class Likenesses {
  public:
   explicit Likenesses(const std::vector<Case>& cases);
 
-  /// Visits pairs that no colours tell apart now; `busy`: by case, is something done there? Pairs
-  /// whose `a` is idle are left out. Until `visit` says no more; returns how much was looked at.
-  std::uint64_t for_each(const std::vector<Colour>& colours, const std::vector<bool>& busy,
+  /// Visits pairs that no colours tell apart now, though what is done in `a` is not among the
+  /// choices of `b`, in its colours; `done`: by case and choice. Until `visit` says no more;
+  /// returns how much was looked at.
+  std::uint64_t for_each(const std::vector<Colour>& colours,
+                         const std::vector<std::vector<bool>>& done,
                          const std::function<bool(const Likeness&)>& visit) const;
 
  private:

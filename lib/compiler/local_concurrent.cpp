@@ -121,12 +121,13 @@ class LocalChecker {
                       const std::vector<std::uint32_t>& missing) {
     if (has(ConflictKind::walled_in)) return;
     const Cell at = cell_from(side, stand);
-    BrickSet free = lane_to(target_, at, side, robot_);
+    const BrickSet lane = lane_to(target_, at, side, robot_);
+    BrickSet free = lane;
     for (const std::uint32_t brick : missing) free.add(brick);
     if (least.meets(free)) return;
     for (std::uint32_t brick = 0; brick < target_.bricks(); ++brick) {
-      const SideCell cell = seen_from(side, target_.cell(brick));
-      if (!in_lane(stand, cell, robot_) || !behind_robot(stand, cell, robot_)) continue;
+      if (!lane.has(brick)) continue;
+      if (!behind_robot(stand, seen_from(side, target_.cell(brick)), robot_)) continue;
       BrickSet state = before(brick);
       if (state.meets(free)) continue;
       state.add(least);
