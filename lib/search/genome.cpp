@@ -8,6 +8,7 @@
 #include <charconv>
 
 #include "base/hash.h"
+#include "base/led_name.h"
 #include "lattice/rgb.h"
 
 namespace stig::search {
@@ -119,6 +120,8 @@ RuleSet rule_set_of(const Genome& genome) {
   set.floor = genome.floor;
   set.conflicts = Conflicts::first;
   set.bricks = numbered_bricks(genome.colours);
+  // As blocks show them, so that a find can go to the compiler as it is.
+  for (std::size_t i = 0; i < set.bricks.size(); ++i) set.bricks[i].led = kLedNames[i + 1];
   set.start = {{Cell{}, genome.start}};
   for (const GeneRule& gene : genome.rules) {
     set.rules.push_back(rule_of(gene, set.rules.size() + 1));

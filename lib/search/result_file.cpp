@@ -7,9 +7,11 @@
 
 #include <cassert>
 #include <charconv>
+#include <cstdlib>
 #include <filesystem>
 
 #include "base/hash.h"
+#include "lattice/loaded_structure.h"
 #include "search/objectives.h"
 #include "search/sqlite_file.h"
 
@@ -94,6 +96,31 @@ std::string bricks_text(const std::vector<PlacedBrick>& bricks) {
         fmt::format("{}[{},{},{},{}]", text.size() > 1 ? "," : "", b.at.x, b.at.y, b.at.z, b.brick);
   }
   return text + "]";
+}
+
+/// What bricks_text wrote: numbers, four a brick, between whatever parts them. The file may be
+/// anyone's.
+std::optional<std::vector<PlacedBrick>> bricks_in(const std::string& text) {
+  std::vector<std::int64_t> numbers;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at < end;) {
+    std::int64_t value = 0;
+    const auto [rest, problem] = std::from_chars(at, end, value);
+    if (problem == std::errc()) numbers.push_back(value);
+    at = problem == std::errc() ? rest : at + 1;
+  }
+  if (numbers.empty() || numbers.size() % 4 != 0) return std::nullopt;
+  std::vector<PlacedBrick> bricks;
+  for (std::size_t i = 0; i < numbers.size(); i += 4) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (std::abs(numbers[i + k]) > kMaxCoordinate) return std::nullopt;
+    }
+    if (numbers[i + 3] < 1 || numbers[i + 3] > kMostGenomeColours) return std::nullopt;
+    const auto at = [&](std::size_t k) { return static_cast<std::int32_t>(numbers[i + k]); };
+    bricks.push_back({Cell{at(0), at(1), at(2)}, static_cast<Colour>(numbers[i + 3])});
+  }
+  if (find_problem(bricks)) return std::nullopt;
+  return bricks;
 }
 
 std::string find_columns() {
@@ -288,7 +315,32 @@ std::optional<StoredResults> read_results(const std::string& path, std::size_t m
       out.finds.push_back(find_in(rows));
       out.finds.back().times = rows.integer(static_cast<int>(7 + objectives().size()));
     }
+    SqliteStatement batches(
+        file,
+        "SELECT evaluated, structures, best, mean, deviation FROM batches ORDER BY evaluated");
+    while (batches.step()) {
+      out.batches.push_back({batches.integer(0), batches.integer(1), batches.number(2),
+                             batches.number(3), batches.number(4)});
+    }
     return out;
+  } catch (const SqliteFailure& failure) {
+    error = about(path, failure);
+    return std::nullopt;
+  }
+}
+
+std::optional<std::vector<PlacedBrick>> read_bricks(const std::string& path,
+                                                    std::uint64_t structure, std::string& error) {
+  try {
+    SqliteFile file = open_to_read(path);
+    check_format(file);
+    SqliteStatement row(file, "SELECT bricks FROM structures WHERE hash = ?");
+    const std::string hash = to_hex(structure);
+    if (!row.bind(std::string_view(hash)).step())
+      throw SqliteFailure{"it has no structure " + hash};
+    auto bricks = bricks_in(row.text(0));
+    if (!bricks) throw SqliteFailure{"the bricks of structure " + hash + " cannot be read"};
+    return bricks;
   } catch (const SqliteFailure& failure) {
     error = about(path, failure);
     return std::nullopt;

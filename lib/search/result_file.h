@@ -47,6 +47,11 @@ struct StoredFind {
   Genome genome;
 };
 
+struct StoredBatch {
+  std::uint64_t evaluated = 0, structures = 0;  ///< at its end
+  double best = 0, mean = 0, deviation = 0;     ///< of its scores
+};
+
 /// What a file of results holds, for those who look at it: nothing is written.
 struct StoredResults {
   std::string name;        ///< of the plan
@@ -54,11 +59,15 @@ struct StoredResults {
   std::uint64_t evaluated = 0, structures = 0, kept = 0;
   std::uint64_t content = 0;      ///< FindArchive::content_hash
   std::vector<StoredFind> finds;  ///< the best of each structure, by falling score
+  std::vector<StoredBatch> batches;
 };
 /// With `most` finds at most. Nothing with `error` set.
 std::optional<StoredResults> read_results(const std::string& path, std::size_t most,
                                           std::string& error);
 /// An individual by its number. Nothing with `error` set.
 std::optional<StoredFind> read_find(const std::string& path, std::uint64_t id, std::string& error);
+/// The bricks of a structure by its hash, in the order of cells. Nothing with `error` set.
+std::optional<std::vector<PlacedBrick>> read_bricks(const std::string& path,
+                                                    std::uint64_t structure, std::string& error);
 
 }  // namespace stig::search

@@ -95,4 +95,13 @@ TEST_CASE("law: the hash of a genome notices a change of any rule") {
   }));
 }
 
+TEST_CASE("bricks have the names that blocks show, as the compiler asks for") {
+  Genome genome;
+  genome.colours = 3;
+  const RuleSet set = rule_set_of(genome);
+  REQUIRE(set.bricks.size() == 3);
+  CHECK(set.bricks[0].led == "Q1");
+  CHECK(set.bricks[2].led == "Q3");
+}
+
 }  // namespace stig

@@ -76,6 +76,64 @@ TEST_CASE("a search that is killed goes on and ends as if it had not been") {
   CHECK(end.out == place.stigc({"search", "plan.yaml", "-o", "whole"}).out);
 }
 
+TEST_CASE("of two searches that write to one file one goes on, and nothing is lost") {
+  const Workplace place;
+  place.write("plan.yaml", plan(6400));
+  const pid_t first = place.start({"search", "plan.yaml", "-o", "both", "--threads", "1"});
+  Workplace::let_work(first);
+  const Outcome second = place.stigc({"search", "plan.yaml", "-o", "both", "--threads", "1"});
+  const Outcome other = place.finish(first);
+  CHECK((second.exit_code == 0 || other.exit_code == 0));
+  for (const Outcome& outcome : {second, other}) {
+    if (outcome.exit_code == 0) continue;
+    CHECK(outcome.exit_code == 3);
+    CHECK(outcome.err.find("another search has written to it meanwhile") != std::string::npos);
+  }
+  const Outcome whole = place.stigc({"search", "plan.yaml", "-o", "whole"});
+  CHECK(whole.out.find(content(place, "both")) != std::string::npos);
+}
+
+TEST_CASE("figures and a page of finds") {
+  const Workplace place;
+  place.write("plan.yaml", plan(256));
+  place.write("seed.yaml", plan(256) + "seed: 2\n");
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "a"}).exit_code == 0);
+  CHECK(place.stigc({"search", "seed.yaml", "-o", "b"}).exit_code == 0);
+  for (const std::string names : {"bricks", "bricks,height", "bricks,height,score"}) {
+    CHECK(place.stigc({"archive", "a", "--plot", names, "-o", names + ".svg"}).exit_code == 0);
+    CHECK(place.file(names + ".svg").rfind("<svg", 0) == 0);
+  }
+  CHECK(place.stigc({"archive", "a", "--beside", "b", "--plot", "evaluated,best", "-o", "c.svg"})
+            .exit_code == 0);
+  CHECK(place.file("c.svg").find("class=\"band\"") != std::string::npos);
+  CHECK(place.stigc({"archive", "a", "--pick", "0", "-o", "built.txt"}).exit_code == 0);
+  CHECK(place.stigc({"measure", "built.txt"}).exit_code == 0);
+  CHECK(place.stigc({"archive", "a", "--top", "3", "--gallery", "page.html"}).exit_code == 0);
+  const std::string page = place.file("page.html");
+  CHECK(page.find("data:image/svg+xml;base64,") != std::string::npos);
+  CHECK(page.find("drawn") != std::string::npos);
+  CHECK(page.find(content(place, "a")) != std::string::npos);
+}
+
+TEST_CASE("figures that cannot be are refused") {
+  const Workplace place;
+  place.write("plan.yaml", plan(64));
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "a"}).exit_code == 0);
+  const auto usage = [&](const std::string& line) {
+    CAPTURE(line);
+    CHECK(place.shell(line).exit_code == 2);
+  };
+  usage("stigc archive a --plot beauty -o x.svg");
+  usage("stigc archive a --plot bricks,score,id,times -o x.svg");
+  usage("stigc archive a --plot bricks");
+  usage("stigc archive a --plot bricks -o a");
+  usage("stigc archive a --gallery a");
+  usage("stigc archive a --plot bricks -o x.svg --gallery y.html");
+  usage("stigc archive a --beside a");
+  CHECK(place.stigc({"archive", "a", "--beside", "none", "--plot", "id", "-o", "x"}).exit_code ==
+        1);
+}
+
 TEST_CASE("a full disk ends a search with words, and what was reported stays") {
   const Workplace place;
   place.write("plan.yaml", plan(128));

@@ -4,8 +4,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "archive_pictures.h"
 #include "base/hash.h"
 #include "commands.h"
+#include "lattice/structure_files.h"
 #include "outputs.h"
 #include "report.h"
 #include "rules/rule_printer.h"
@@ -62,6 +64,25 @@ void print_table(const search::StoredResults& results, App& app) {
   }
 }
 
+/// What an individual built, in a structure's file or as a picture.
+int write_built(const ArchiveOptions& options, const search::StoredFind& find, const App& app) {
+  std::string error;
+  const auto bricks = search::read_bricks(options.results, find.structure, error);
+  if (!bricks) {
+    app.complain(printable(error));
+    return kFailed;
+  }
+  const RuleSet rules = rule_set_of(find.genome);
+  const std::string title = fmt::format("{}", find.id);
+  if (write_structure(*options.output, Structure(find.genome.lattice, *bricks), rules.bricks, title,
+                      find.genome.floor, error, Palette::okabe_ito)) {
+    app.say("wrote " + printable(*options.output));
+    return kOk;
+  }
+  app.complain(printable(error));
+  return kRunFailed;
+}
+
 int pick(const ArchiveOptions& options, App& app) {
   std::string error;
   const auto find =
@@ -70,26 +91,49 @@ int pick(const ArchiveOptions& options, App& app) {
     app.complain(printable(error));
     return kFailed;
   }
+  std::string unknown;
+  if (options.output && can_write_structure(*options.output, unknown)) {
+    return write_built(options, *find, app);
+  }
   const std::string rules = print_rule_set(rule_set_of(find->genome));
   if (options.output) return write_output(*options.output, rules, app);
   app.print(rules);
   return kOk;
 }
 
+/// An exit code: what is asked for goes together, and no results are written over.
+int check_use(const ArchiveOptions& options, const App& app) {
+  const int asked = (options.pick ? 1 : 0) + (options.plot ? 1 : 0) + (options.gallery ? 1 : 0);
+  std::string problem;
+  if (asked > 1) problem = "one of --pick, --plot and --gallery at a time";
+  if (options.plot && !options.output) problem = "--plot needs -o: the .svg that it writes";
+  if (options.output && !options.pick && !options.plot) {
+    problem = "-o is the file of rules that --pick takes out, or the figure of --plot";
+  }
+  if (!options.beside.empty() && !options.plot && !options.gallery) {
+    problem = "--beside is for --plot and --gallery";
+  }
+  if (!problem.empty()) {
+    app.complain(problem);
+    return kUsage;
+  }
+  // Results are no text that is read, and so not guarded by themselves.
+  std::vector<std::string> files;
+  if (options.output) files.push_back(*options.output);
+  if (options.gallery) files.push_back(*options.gallery);
+  if (files.empty()) return kOk;
+  files.push_back(options.results);
+  files.insert(files.end(), options.beside.begin(), options.beside.end());
+  return check_outputs(files, app);
+}
+
 }  // namespace
 
 int run(const ArchiveOptions& options, App& app) {
-  if (options.output && !options.pick) {
-    app.complain("-o is the file of rules that --pick takes out");
-    return kUsage;
-  }
-  if (options.output) {
-    // The results are no text that is read, and so not guarded by themselves.
-    if (const int code = check_outputs({*options.output, options.results}, app); code != kOk) {
-      return code;
-    }
-  }
+  if (const int code = check_use(options, app); code != kOk) return code;
   if (options.pick) return pick(options, app);
+  if (options.plot) return write_plot(options, app);
+  if (options.gallery) return write_gallery(options, app);
   std::string error;
   const auto results =
       search::read_results(options.results, static_cast<std::size_t>(options.top), error);

@@ -325,8 +325,11 @@ struct SearchFileOptions {
 struct ArchiveOptions {
   std::string results;
   std::int64_t top = 10;
-  std::optional<std::int64_t> pick;   ///< number of an individual
-  std::optional<std::string> output;  ///< of what is picked
+  std::vector<std::string> beside;     ///< further results, for figures
+  std::optional<std::int64_t> pick;    ///< number of an individual
+  std::optional<std::string> plot;     ///< names of what is on the axes
+  std::optional<std::string> gallery;  ///< .html
+  std::optional<std::string> output;   ///< of what is picked or plotted
   bool json = false;
 };
 

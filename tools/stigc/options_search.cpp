@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The options of the commands that look for rule sets and at what was found. What a search does is
 // said by its plan, so that its results can name it.
+#include "archive_pictures.h"
 #include "command_options.h"
 #include "option_kinds.h"
 
@@ -27,11 +28,27 @@ void add_archive(CLI::App& app, ArchiveOptions& o) {
               "  stigc archive spread.sqlite --top 5\n"
               "  stigc archive spread.sqlite --json > spread.json\n"
               "  stigc archive spread.sqlite --pick 0 -o found.yaml && stigc explore found.yaml "
-              "--motion event --box 20,20,20 --deposits 500\n");
+              "--motion event --box 20,20,20 --deposits 500\n"
+              "  stigc archive spread.sqlite --plot bricks,symmetry,score -o finds.svg\n"
+              "  stigc archive spread.sqlite --plot evaluated,best -o curve.svg\n"
+              "  stigc archive spread.sqlite --top 6 --gallery finds.html\n");
   file(sub, "FILE", o.results, "results of stigc search");
   integer(sub, "--top", o.top, 1, 1'000'000, "so many finds, by score (default: 10)");
   integer(sub, "--pick", o.pick, 0, kMostCount, "the rule set of the individual with this number");
-  path(sub, "-o,--output", o.output, "with --pick: the file of rules (default: standard output)");
+  parsed(sub, "--plot", "X[,Y[,COLOUR]]",
+         "a figure of the finds: a distribution, points, points with colours; or evaluated,best "
+         "or mean or structures: how the search went on",
+         [&o](const std::string& text) {
+           o.plot = text;
+           return plot_problem(text);
+         });
+  path(sub, "--gallery", o.gallery, "a page: curves, distributions, pictures of the --top finds");
+  repeated(sub, "--beside", o.beside, "FILE",
+           "further results in the figures, as of other seeds; curves then have a band of one "
+           "deviation");
+  path(sub, "-o,--output", o.output,
+       "with --pick: the file of rules (default: standard output), or by its ending what they "
+       "built: .txt .json .vox .png .svg; with --plot: the .svg");
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
