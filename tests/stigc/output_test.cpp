@@ -355,6 +355,10 @@ TEST_CASE("doctor has a line a finding, each with its health") {
   CHECK(outcome.out.starts_with("ok    program    stigc "));
   CHECK(outcome.out.find("ok    rule sets  1 checked, all good\n") != std::string::npos);
   CHECK(outcome.out.find("ok    physics    DART 6.") != std::string::npos);
+  // What came with this build: pages or what they take.
+  const std::string pages = outcome.out.substr(outcome.out.find("ok    pages      "));
+  CHECK(pages.substr(0, pages.find('\n')).find("viewer") != std::string::npos);
+  CHECK(pages.substr(0, pages.find('\n')).find("playground") != std::string::npos);
   CHECK(place.shell("stigc doctor sets/bad.yaml").exit_code == 1);
   CHECK(place.shell("TMPDIR=/nonexistent stigc doctor sets/line.yaml").exit_code == 1);
   CHECK(parsed(place.shell("stigc doctor --json sets/line.yaml"))["ok"] == true);

@@ -16,6 +16,7 @@
 #include "encoder.h"
 #include "lattice/picture.h"
 #include "mesh_input.h"
+#include "page_template.h"
 #include "physical/dynamics/stock_step.h"
 #include "report.h"
 #include "rules/rule_reader.h"
@@ -116,6 +117,15 @@ Finding meshes() {
           {}};
 }
 
+/// What `view` makes its pages of, and the playground; nothing else needs them.
+Finding pages() {
+  const bool viewer = shipped_page_template().has_value(), playground = !playground_path().empty();
+  const std::string found =
+      std::string(viewer ? "viewer" : "no viewer: it is built where there are node and npm") +
+      "; " + (playground ? playground_path() : "no playground: it takes Emscripten too");
+  return {Health::ok, "pages", printable(found), {}};
+}
+
 /// Legends are set in DejaVu Sans; with another font they look different.
 Finding fonts() {
   namespace fs = std::filesystem;
@@ -193,10 +203,19 @@ std::string coloured(Health health, bool color) {
 
 int run(const DoctorOptions& options, App& app) {
   // In the order in which things build upon each other.
-  const std::vector<Finding> findings = {
-      program(), libraries(),        physics(),     processor(),
-      memory(),  pictures(),         video(),       meshes(),
-      fonts(),   temporary_folder(), terminal(app), rule_sets(options.files)};
+  const std::vector<Finding> findings = {program(),
+                                         libraries(),
+                                         physics(),
+                                         processor(),
+                                         memory(),
+                                         pictures(),
+                                         video(),
+                                         meshes(),
+                                         pages(),
+                                         fonts(),
+                                         temporary_folder(),
+                                         terminal(app),
+                                         rule_sets(options.files)};
   Json json = Json::array();
   bool failed = false;
   for (const Finding& finding : findings) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "page_template.h"
 
+#include <filesystem>
+
 #include "base/file_io.h"
 #include "shipped_files.h"
 
@@ -27,6 +29,21 @@ std::optional<std::string> page_template(const App& app) {
       "this program was built without its viewer, which takes node and npm: install them (Debian: "
       "nodejs, npm), then configure and build again, with access to npm's packages");
   return std::nullopt;
+}
+
+// Installed beside the viewer. Where it was built it has a folder of its own, and in the viewer's
+// the name is that of a source.
+std::string playground_path() {
+  const std::string name = "/playground.html";
+  std::error_code ignored;
+  for (const std::string& folder : shipped_folders("playground")) {
+    if (std::filesystem::exists(folder + name, ignored)) return folder + name;
+  }
+  for (const std::string& folder : shipped_folders("viewer")) {
+    if (std::filesystem::exists(folder + "/package.json", ignored)) continue;
+    if (std::filesystem::exists(folder + name, ignored)) return folder + name;
+  }
+  return {};
 }
 
 }  // namespace stig::cli

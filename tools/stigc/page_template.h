@@ -16,4 +16,7 @@ std::optional<std::string> shipped_page_template();
 /// Likewise, which is complained of.
 std::optional<std::string> page_template(const App& app);
 
+/// Where the playground's page is; empty when it did not come with the program.
+std::string playground_path();
+
 }  // namespace stig::cli
