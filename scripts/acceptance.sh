@@ -5,8 +5,8 @@
 #
 #   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--against R] [PART…]
 #
-# Parts: against bench laws validate robots five assembly fuzz sanitizers; without one, all but robots
-# and assembly, which take hours. `against` sets the speed against that of revision R (e10fcc8). Each
+# Parts: against bench laws validate robots five viewer assembly fuzz sanitizers; without one, all but
+# robots and assembly, which take hours. `against` sets the speed against that of revision R (e10fcc8). Each
 # fuzz target runs for N seconds (600), J of them at a time (as many as there are cores). S is the
 # seed of the laws' random cases, of the fuzzers and of drawn targets (the time); the report begins
 # with it, for repeating.
@@ -19,7 +19,7 @@ while [[ $# -gt 0 ]]; do
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
     --against) against=${2:?--against needs a revision}; shift ;;
-    against | bench | laws | validate | robots | five | assembly | fuzz | sanitizers) parts+=("$1") ;;
+    against | bench | laws | validate | robots | five | viewer | assembly | fuzz | sanitizers) parts+=("$1") ;;
     -h | --help) sed -n '3,12s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
@@ -27,7 +27,7 @@ while [[ $# -gt 0 ]]; do
 done
 [[ $seed =~ ^[1-9][0-9]{0,8}$|^[1-3][0-9]{9}$ ]] ||
   die "--seed takes a number from 1 to 3999999999, not '$seed'"
-[[ ${#parts[@]} -gt 0 ]] || parts=(against bench laws validate five fuzz sanitizers)
+[[ ${#parts[@]} -gt 0 ]] || parts=(against bench laws validate five viewer fuzz sanitizers)
 
 failures=0
 mkdir -p out
@@ -174,6 +174,36 @@ five_part() {
   awk -v core="$(cat out/five/seconds)" '/^  end/ { for (i = 1; i < NF; i++) if ($i == "after") s = $(i + 1) }
     END { printf "- %.0f s simulated in %.0f s of a core: %.1f times real time\n", s, core, s / core }' \
     out/five/run.log
+}
+
+# Sizes of pages, how large ones open and turn, and what looking costs a run.
+viewer_part() {
+  printf '\n## The viewer\n\n| four robots at the pyramid for | trace, bytes | page, bytes |\n|---|---:|---:|\n'
+  scripts/install.sh build viewer >&2
+  configure_and_build dev stigc viewer >&2
+  local dir=out/viewer seconds
+  rm -rf "$dir"
+  mkdir -p "$dir"
+  # 1 says that nothing is built in 5 s, which is meant: the scene is wanted.
+  build/dev/stigc validate rulesets/stepped-pyramid.yaml --robots 4 --duration 5 -o "$dir/four" \
+    --quiet >&2 || [[ $? -eq 1 ]] || failures=$((failures + 1))
+  for seconds in 400 2400; do
+    build/dev/stigc simulate "$dir/four/scene.yaml" --duration "$seconds" --quiet \
+      --trace "$dir/$seconds.stigp" >&2 || failures=$((failures + 1))
+    build/dev/stigc view "$dir/$seconds.stigp" -o "$dir/$seconds.html" --quiet ||
+      failures=$((failures + 1))
+    printf '| %s s | %s | %s |\n' "$seconds" "$(stat -c %s "$dir/$seconds.stigp")" \
+      "$(stat -c %s "$dir/$seconds.html")"
+    [[ $(stat -c %s "$dir/$seconds.html") -lt $((seconds == 400 ? 3000000 : 10000000)) ]] ||
+      failures=$((failures + 1))
+  done
+  printf '\n'
+  tests/viewer/run.sh measure "$PWD/build/dev/viewer" "$PWD/build/dev/stigc" ||
+    failures=$((failures + 1))
+  printf '\n'
+  sed 's/^duration: .*/duration: 60/' "$dir/four/scene.yaml" >"$dir/four/minute.yaml"
+  scripts/live_cost.py build/dev/stigc "$dir/four/minute.yaml" | sed -n '/^|/p' ||
+    failures=$((failures + 1))
 }
 
 robots_part() {

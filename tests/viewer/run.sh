@@ -5,6 +5,7 @@
 #   run.sh sources BUILT             types, style and layers of its sources
 #   run.sh pages BUILT STIGC         pages in headless Chromium
 #   run.sh measure BUILT STIGC       a table of what large pages cost, which no test runs
+#   run.sh picture BUILT STIGC SCENE PNG   no test: the picture of a live run
 #
 # Exit status 77 (skipped) where something is missing, unless STIG_REQUIRE_READERS is set.
 set -euo pipefail
@@ -32,4 +33,5 @@ rm -rf tests
 cp -r "$tests" tests
 export STIGC=$3 BROWSER=$browser
 [[ $what == measure ]] && exec node tests/measure.mjs
+[[ $what == picture ]] && exec node tests/picture.mjs "$4" "$5"
 exec node --test --test-reporter=spec tests/*.test.mjs
