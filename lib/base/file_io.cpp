@@ -23,6 +23,7 @@
 #include <utility>
 
 #include "base/file_guard.h"
+#include "base/memory_file.h"
 #include "base/text.h"
 
 namespace stig {
@@ -183,6 +184,11 @@ std::optional<std::string> read_file(const std::string& path, std::size_t most, 
     note_open(STDIN_FILENO);
     if (!read_all(STDIN_FILENO, "standard input", most, out, error)) return std::nullopt;
     return out;
+  }
+  if (auto text = in_memory(path)) {
+    if (text->size() <= most) return text;
+    too_large(error, path, most);
+    return std::nullopt;
   }
   // Without O_NONBLOCK the open itself would wait for the writer of a pipe.
   const Descriptor fd(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));

@@ -17,7 +17,7 @@ struct FileError {
 
 /// The file's bytes, or nothing with `error` set. Files larger than `most` bytes
 /// are refused without being read; directories, devices and pipes too
-/// (except "-": standard input).
+/// (except "-": standard input). Files in memory (memory_file.h) come first.
 std::optional<std::string> read_file(const std::string& path, std::size_t most, FileError& error);
 
 /// False with `error` set when the file could not be written; the target is then

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -26,6 +27,7 @@ constexpr std::size_t kPiece = std::size_t{1} << 20;
 // Lock-free atomics of this kind may be touched by a signal handler (C++ standard,
 // [support.signal]).
 std::atomic<bool> stop_flag{false};
+std::atomic<bool> signals_are_others{false};
 static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
 
 /// As the signal would have ended the program by itself, but without half a file left behind. Only
@@ -80,6 +82,13 @@ std::string first_error(const Diagnostics& diagnostics) {
   return {};
 }
 
+void note_codes(const Diagnostics& diagnostics, std::vector<std::string>& codes) {
+  for (const Diagnostic* d : sorted_by_place(diagnostics)) {
+    const std::string name(info(d->code).name);
+    if (std::find(codes.begin(), codes.end(), name) == codes.end()) codes.push_back(name);
+  }
+}
+
 std::string styled(std::string_view code, std::string_view text, bool on) {
   return on ? fmt::format("\x1b[{}m{}\x1b[0m", code, text) : std::string(text);
 }
@@ -92,6 +101,9 @@ App::App(const GlobalOptions& options)
       color_err_(color_wanted(options.color, STDERR_FILENO)),
       progress_wanted_(!options.quiet && is_terminal(STDERR_FILENO)) {}
 
+App::App(const GlobalOptions& options, Captured& captured)
+    : options_(options), captured_(&captured) {}
+
 void App::print(std::string_view text) {
   out_ += text;
   // Before the piece grows further; what is kept is bounded so.
@@ -99,6 +111,11 @@ void App::print(std::string_view text) {
 }
 
 bool App::flush() {
+  if (captured_ != nullptr) {
+    captured_->out += out_;
+    out_.clear();
+    return true;
+  }
   if (!broken_ && !out_.empty() && stdout_is_read()) {
     broken_ = true;
     complain("cannot write to standard output: it is what is read");
@@ -111,23 +128,32 @@ bool App::flush() {
   return !broken_;
 }
 
+void App::talk(std::string_view text) const {
+  if (captured_ != nullptr) {
+    captured_->err += text;
+  } else {
+    write_all(STDERR_FILENO, text);
+  }
+}
+
 void App::say(std::string_view line) const {
-  if (!options_.quiet) write_all(STDERR_FILENO, fmt::format("{}\n", line));
+  if (!options_.quiet) talk(fmt::format("{}\n", line));
 }
 
 void App::complain(std::string_view line) const {
   // Messages are not kept: they appear where in time they belong, and also before a crash.
-  write_all(STDERR_FILENO, fmt::format("stigc: {}\n", line));
+  talk(fmt::format("stigc: {}\n", line));
 }
 
 void App::report(const Diagnostics& diagnostics) const {
   if (diagnostics.all().empty()) return;
+  if (captured_ != nullptr) note_codes(diagnostics, captured_->codes);
   if (options_.json_diagnostics) {
-    write_all(STDERR_FILENO, to_json(diagnostics));
+    talk(to_json(diagnostics));
   } else {
     TextStyle style;
     style.color = color_err_;
-    write_all(STDERR_FILENO, to_text(diagnostics, style));
+    talk(to_text(diagnostics, style));
     // One hint for all: the code that stands first on the screen.
     if (diagnostics.has_errors()) say("for more: stigc --explain " + first_error(diagnostics));
   }
@@ -190,9 +216,13 @@ void prepare_process() {
 }
 
 void stop_on_signals() {
+  if (signals_are_others) return;
   handle(SIGINT, on_signal);
   handle(SIGTERM, on_signal);
 }
+
+void leave_signals_alone() { signals_are_others = true; }
+void request_stop(bool stop) { stop_flag = stop; }
 
 const std::atomic<bool>& stop_requested() { return stop_flag; }
 

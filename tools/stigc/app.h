@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/diagnostic.h"
 #include "base/text.h"
@@ -25,9 +26,17 @@ inline constexpr int kFailed = 1;     ///< invalid input, or a property that doe
 inline constexpr int kUsage = 2;      ///< the command line is wrong
 inline constexpr int kRunFailed = 3;  ///< the work failed, ran out of budget, was interrupted
 
+/// What a command says where nobody but the program listens.
+struct Captured {
+  std::string out, err;
+  std::vector<std::string> codes;  ///< of the diagnostics that it reported, each once, in order
+};
+
 class App {
  public:
   explicit App(const GlobalOptions& options);
+  /// For a command within another's work: everything goes to `captured`, without colours.
+  App(const GlobalOptions& options, Captured& captured);
 
   const GlobalOptions& options() const { return options_; }
   bool color_out() const { return color_out_; }
@@ -53,7 +62,10 @@ class App {
   std::optional<RuleSet> read_rules(const std::string& path) const;
 
  private:
+  void talk(std::string_view text) const;
+
   GlobalOptions options_;
+  Captured* captured_ = nullptr;
   bool color_out_ = false, color_err_ = false, progress_wanted_ = false;
   bool broken_ = false;
   std::string out_;
@@ -74,8 +86,12 @@ std::string dim(std::string_view text, bool on);
 /// end the program take unfinished files away.
 void prepare_process();
 /// Turns SIGINT and SIGTERM into the flag below; a second signal ends the program at
-/// once. For commands that look at the flag: the others die of the first.
+/// once. For commands that look at the flag: the others die of the first. Does nothing in a process
+/// whose signals are somebody else's.
 void stop_on_signals();
+/// From now on this process's signals are somebody else's, who sets the flag by the next.
+void leave_signals_alone();
+void request_stop(bool stop);
 /// Set when the user asked to stop.
 const std::atomic<bool>& stop_requested();
 /// A stop was how the command is meant to end, and no failure: the flag is taken back.

@@ -11,6 +11,7 @@
 #include "robots/robot_reader.h"
 #include "rules/rule_schema.h"
 #include "search/plan_reader.h"
+#include "sweep_plan.h"
 
 namespace stig::cli {
 namespace {
@@ -25,6 +26,8 @@ std::string schema_of(FileForm form) {
       return block_schema();
     case FileForm::search:
       return search::plan_schema();
+    case FileForm::sweep:
+      return sweep_schema();
     case FileForm::rules:
       break;
   }

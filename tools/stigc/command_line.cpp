@@ -83,6 +83,8 @@ void build(CLI::App& app, Storage& s) {
   declare(app, s, add_compile);
   declare(app, s, add_validate);
   declare(app, s, add_build);
+  declare(app, s, add_sweep);
+  declare(app, s, add_merge);
   declare(app, s, add_view);
   declare(app, s, add_render);
   declare(app, s, add_completions);

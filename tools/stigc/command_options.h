@@ -31,6 +31,8 @@ void add_describe(CLI::App& app, DescribeOptions& o);
 void add_compile(CLI::App& app, CompileFileOptions& o);
 void add_validate(CLI::App& app, ValidateOptions& o);
 void add_build(CLI::App& app, BuildOptions& o);
+void add_sweep(CLI::App& app, SweepOptions& o);
+void add_merge(CLI::App& app, MergeOptions& o);
 void add_view(CLI::App& app, ViewOptions& o);
 void add_render(CLI::App& app, RenderOptions& o);
 void add_search(CLI::App& app, SearchFileOptions& o);

@@ -29,6 +29,8 @@ int run(const DescribeOptions& options, App& app);
 int run(const CompileFileOptions& options, App& app);
 int run(const ValidateOptions& options, App& app);
 int run(const BuildOptions& options, App& app);
+int run(const SweepOptions& options, App& app);
+int run(const MergeOptions& options, App& app);
 int run(const ViewOptions& options, App& app);
 int run(const RenderOptions& options, App& app);
 int run(const SearchFileOptions& options, App& app);

@@ -169,13 +169,32 @@ struct ValidateOptions {
   bool json = false;
 };
 
+/// The number-th of so many parts of a study.
+struct SliceOption {
+  std::uint64_t number = 1, of = 1;
+};
+
+struct SweepOptions {
+  std::string plan;
+  std::vector<std::string> outputs;
+  std::optional<std::uint64_t> run;  ///< this item alone
+  SliceOption slice;
+  int threads = 0;  ///< 0: all cores
+  bool json = false;
+};
+
+struct MergeOptions {
+  std::vector<std::string> files, outputs;
+  bool json = false;
+};
+
 struct DescribeOptions {
   std::string robot;
   std::optional<std::string> picture;  ///< .png
   bool json = false;
 };
 
-enum class FileForm : std::uint8_t { rules, scene, robot, block, search };
+enum class FileForm : std::uint8_t { rules, scene, robot, block, search, sweep };
 struct SchemaOptions {
   FileForm form = FileForm::rules;
   std::optional<std::string> symbols_of;  ///< a rule set whose symbols are offered
@@ -339,7 +358,7 @@ using CommandOptions =
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
                  BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions, SearchFileOptions,
-                 ArchiveOptions>;
+                 ArchiveOptions, SweepOptions, MergeOptions>;
 
 struct CommandLine {
   GlobalOptions global;

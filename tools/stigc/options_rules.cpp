@@ -183,17 +183,19 @@ void add_graph(CLI::App& app, GraphOptions& o) {
 }
 
 void add_schema(CLI::App& app, SchemaOptions& o) {
-  CLI::App* sub = command(
-      app, "schema", "print the JSON Schema of rule set, scene, robot, block or search files",
-      "  stigc schema > stigc.schema.json\n"
-      "  stigc schema --symbols-of rulesets/staircase.yaml > staircase.schema.json\n"
-      "  stigc schema scene > scene.schema.json\n");
+  CLI::App* sub =
+      command(app, "schema",
+              "print the JSON Schema of rule set, scene, robot, block, search or study files",
+              "  stigc schema > stigc.schema.json\n"
+              "  stigc schema --symbols-of rulesets/staircase.yaml > staircase.schema.json\n"
+              "  stigc schema scene > scene.schema.json\n");
   choice(sub, "FORM", o.form,
          {{"rules", FileForm::rules},
           {"scene", FileForm::scene},
           {"robot", FileForm::robot},
           {"block", FileForm::block},
-          {"search", FileForm::search}},
+          {"search", FileForm::search},
+          {"sweep", FileForm::sweep}},
          "what kind of file (default: rules)");
   path(sub, "--symbols-of", o.symbols_of,
        "a rule set, finished or not, whose symbols editors shall offer where one is wanted");

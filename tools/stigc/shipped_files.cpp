@@ -22,7 +22,8 @@ fs::path program_folder() {
   return error ? fs::path() : program.parent_path();
 }
 
-constexpr const char* kKinds[] = {"rulesets", "scenes", "robots", "blocks", "programs", "plans"};
+constexpr const char* kKinds[] = {"rulesets", "scenes", "robots", "blocks",
+                                  "programs", "plans",  "studies"};
 
 /// Where the shipped file of this name is; nothing when there is none, or the name leads to
 /// something already.
@@ -76,6 +77,7 @@ struct Finder {
   void operator()(ViewOptions& o) const {
     if (o.live) find(o.files);
   }
+  void operator()(SweepOptions& o) const { find(o.plan); }
   /// Structures and traces do not come with the program.
   template <class Other>
   void operator()(Other&) const {}
@@ -104,6 +106,8 @@ std::vector<std::string> shipped_folders(const std::string& kind) {
   return {(program / ".." / "share" / "stig" / kind).string(),
           (program / ".." / ".." / kind).string(), (program / kind).string()};
 }
+
+std::string shipped_name(const std::string& name) { return shipped_file(name).value_or(name); }
 
 void find_shipped_files(CommandOptions& options, const App& app) {
   std::visit(Finder{app}, options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Files that come with the program: rulesets/, scenes/, robots/, blocks/ and programs/.
+// Files that come with the program: rulesets/, scenes/, robots/, blocks/, programs/ and studies/.
 //
 // They are found from any folder by the names that the documentation has for them, such as
 // rulesets/staircase.yaml. A file of that name in the working directory comes first, and the name
@@ -17,6 +17,9 @@ namespace stig::cli {
 
 /// Where files of a kind ("robots") may be: installed beside the program, or in its sources.
 std::vector<std::string> shipped_folders(const std::string& kind);
+
+/// The name of the shipped file that a name means, or the name itself.
+std::string shipped_name(const std::string& name);
 
 /// Names of files that the command reads, and that are not there, become those of shipped files
 /// where there are such; a remark says which is read.
