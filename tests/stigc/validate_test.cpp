@@ -284,4 +284,27 @@ TEST_CASE("validate writes over its own earlier results, and over no others") {
   CHECK(place.file("out/notes.txt") == "kept\n");
 }
 
+TEST_CASE("a validation that is killed again and again ends in the report of one that was not") {
+  const Workplace place;
+  const std::string line = "validate " STIG_SOURCE_DIR
+                           "/rulesets/staircase.yaml --runs 6 "
+                           "--duration 30 --json -q -o ";
+  const Outcome whole = place.shell("stigc " + line + "whole");
+  CHECK(whole.exit_code == 1);
+  for (const char* seconds : {"0.4", "0.8", "1.2"}) {
+    place.shell("timeout -s KILL " + std::string(seconds) + " " STIGC_PROGRAM " " + line + "some");
+  }
+  const Outcome again = place.shell("stigc " + line + "some --threads 1");
+  CHECK(again.exit_code == 1);
+  CHECK(again.out == whole.out);
+  CHECK(place.shell("diff -r -x '*.tmp' whole some").out.empty());
+  CHECK_FALSE(place.has("some/runs.journal"));
+  // One of them alone is the same run.
+  const Outcome alone = place.shell("stigc validate " STIG_SOURCE_DIR
+                                    "/rulesets/staircase.yaml --duration 30 --run 4 --json");
+  CHECK(nlohmann::json::parse(alone.out).at("runs").at(0) ==
+        nlohmann::json::parse(whole.out).at("runs").at(4));
+  CHECK(place.shell("stigc " + line + "whole --run 1").exit_code == 2);
+}
+
 }  // namespace stig

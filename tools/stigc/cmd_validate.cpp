@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "base/file_io.h"
+#include "base/hash.h"
 #include "commands.h"
 #include "compile_report.h"
 #include "compiler/compile.h"
@@ -27,6 +28,7 @@
 #include "report.h"
 #include "report_player.h"
 #include "robot_input.h"
+#include "rules/rule_printer.h"
 #include "rules/worked_from.h"
 #include "runtime_input.h"
 #include "scene_input.h"
@@ -63,8 +65,11 @@ class Validation {
     // The report plays the runs; without the viewer it has pictures of them.
     const auto player = options_.output ? shipped_page_template() : std::nullopt;
     const bool pictures = options_.output && !player;
+    if (options_.output && !journal_.open(*options_.output, work_hash(pictures), app_)) {
+      return kRunFailed;
+    }
     // Runs share the scene and differ by their seeds alone.
-    TrialBatch batch = run_trials(target_, *scene_, options_, duration_, pictures, app_);
+    TrialBatch batch = run_trials(target_, *scene_, options_, duration_, pictures, journal_, app_);
     if (batch.diagnostics.has_errors()) {
       app_.report(batch.diagnostics);
       return kFailed;
@@ -86,10 +91,13 @@ class Validation {
           return trial.end == TrialEnd::interrupted || trial.end == TrialEnd::diverged;
         });
     // 3 where a run broke off or a file is missing, 1 where robots have built something else.
-    if (broken || written != kOk ||
+    if (stop_requested() || written != kOk || !batch.journalled ||
         report.trials.size() < static_cast<std::size_t>(options_.runs)) {
+      if (journal_.is_open()) app_.say("runs that are over are kept; the same command goes on");
       return kRunFailed;
     }
+    if (journal_.is_open()) journal_.remove();
+    if (broken) return kRunFailed;
     return all_complete(report) ? kOk : kFailed;
   }
 
@@ -222,6 +230,7 @@ class Validation {
   /// Every file that is written into the folder.
   std::vector<std::string> output_names() const {
     std::vector<std::string> names(kReportFiles.begin(), kReportFiles.end());
+    names.push_back(kTrialJournal);
     for (const SceneFile* file : written_scene_files()) names.push_back(written_name(*file));
     // Traces are named by their seeds.
     for (int run = 0; run < options_.runs; ++run) {
@@ -265,10 +274,22 @@ class Validation {
     report_conflict(*rules_, compiled_, diagnostics);
   }
 
+  /// Of all that runs depend on but their seeds. Files have the programs in them.
+  std::uint64_t work_hash(bool pictures) const {
+    std::uint64_t sum = combine(hash_text("validate"), rule_set_hash(*rules_));
+    for (const SceneFile& file : scene_->files) {
+      sum = combine(combine(sum, hash_text(file.name)), hash_text(file.text));
+    }
+    const std::string rest =
+        fmt::format("{} {} {} {}", duration_, options_.detail, pictures, options_.seed);
+    return combine(sum, hash_text(rest));
+  }
+
   int prepare_folder() const {
-    // An earlier report marks the folder as this command's own.
+    // An earlier report or journal marks the folder as this command's own.
     std::error_code ignored;
-    const bool ours = fs::exists(*options_.output + "/" + kReport, ignored);
+    const bool ours = fs::exists(*options_.output + "/" + kReport, ignored) ||
+                      fs::exists(*options_.output + "/" + kTrialJournal, ignored);
     return cli::prepare_folder({*options_.output, output_names(), ours, "validation"}, app_);
   }
 
@@ -310,11 +331,22 @@ class Validation {
   CompiledRules compiled_;
   std::optional<Scene> scene_;
   BuildTarget target_;
+  TrialJournal journal_;
   double duration_ = kMostBuildTime;
 };
 
 }  // namespace
 
-int run(const ValidateOptions& options, App& app) { return Validation(options, app).run(); }
+int run(const ValidateOptions& options, App& app) {
+  if (!options.run) return Validation(options, app).run();
+  if (options.runs > 1) {
+    app.complain("--run is one of --runs by itself: leave one of them out");
+    return kUsage;
+  }
+  // Runs are told apart by their seeds, one after the other.
+  ValidateOptions alone = options;
+  alone.seed += static_cast<std::uint64_t>(*options.run);
+  return Validation(alone, app).run();
+}
 
 }  // namespace stig::cli

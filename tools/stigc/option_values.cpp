@@ -73,6 +73,7 @@ Json values(const SynthOptions& o) {
           {"order", o.family ? Json(static_cast<int>(*o.family)) : Json("all")},
           {"strict", o.strict},
           {"exact", o.exact},
+          {"kinds", maybe(o.kinds)},
           {"scaffold", o.scaffold},
           {"effort", o.effort},
           {"budget", o.seconds}};

@@ -163,6 +163,7 @@ struct ValidateOptions {
   std::optional<double> duration;  ///< s
   std::uint64_t seed = 1;          ///< of the first run
   int runs = 1;
+  std::optional<int> run;             ///< this one of several alone
   int threads = 0;                    ///< 0: all cores
   std::optional<std::string> output;  ///< folder
   bool detail = false;                ///< of its traces, as above

@@ -119,6 +119,8 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
       "fixed: each robot has its own sides (default); dynamic: who is obstructed goes to another");
   path(sub, "--scene", o.scene, "a scene with fixed start bricks, in place of the usual set-up");
   integer(sub, "--runs", o.runs, 1, 10'000, "runs, with one seed after the other (default: 1)");
+  integer(sub, "--run", o.run, 0, 10'000 - 1,
+          "the run of that number alone, as --runs has it, from 0");
   parsed(sub, "--seed", "N", "seed of the first run (default: 1)",
          [&o](const std::string& text) { return parse_seed(text, o.seed); });
   seconds(sub, "--duration", o.duration,

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/file_guard.h"
 #include "base/parallel.h"
 #include "progress.h"
 #include "trace_file.h"
@@ -23,18 +24,21 @@ struct Slot {
   std::optional<Trial> trial;
   Diagnostics diagnostics;
   TraceFile trace;
-  bool traced = false, good = true;
+  bool traced = false, good = true, journalled = true;
+  std::string trace_path;
 };
 
 class Batch {
  public:
   Batch(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
-        double duration, bool pictures, const App& app)
+        double duration, bool pictures, TrialJournal& journal, const App& app)
       : target_(target),
         scene_(scene),
         options_(options),
         duration_(duration),
         pictures_(pictures),
+        journal_(journal),
+        app_(app),
         progress_(app),
         slots_(static_cast<std::size_t>(options.runs)),
         shares_(slots_.size()) {}
@@ -51,6 +55,11 @@ class Batch {
   void one(std::size_t i) {
     Slot& slot = slots_[i];
     const std::uint64_t seed = options_.seed + i;
+    if (take_earlier(slot, seed)) {
+      shares_[i] = 1;
+      ++done_;
+      return;
+    }
     const auto placed = place_scene(scene_, seed, slot.diagnostics);
     if (!placed) return;
     TrialSettings settings;
@@ -60,7 +69,8 @@ class Batch {
     settings.pictures = !pictures_ || i >= kMostEndsDrawn ? -1 : i == 0 ? kPicturesOnTheWay : 0;
     if (options_.output) {
       slot.traced = true;
-      slot.good = slot.trace.open(*options_.output + "/" + trace_name(seed));
+      slot.trace_path = *options_.output + "/" + trace_name(seed);
+      slot.good = slot.trace.open(slot.trace_path);
       if (slot.good) {
         settings.trace = &slot.trace.begin(trace_header(scene_, *placed, options_.detail));
       }
@@ -70,8 +80,22 @@ class Batch {
     hooks.progress = [this, i](double time, std::size_t bricks) { show(i, time, bricks); };
     slot.trial = run_trial(target_, scene_, *placed, settings, hooks);
     if (settings.trace != nullptr) slot.good = slot.trace.commit();
+    // The trace first: a run that is in the journal has one.
+    const bool over = slot.good && slot.trial->end != TrialEnd::interrupted;
+    if (over && journal_.is_open()) slot.journalled = journal_.add(*slot.trial, app_);
     shares_[i] = 1;
     ++done_;
+  }
+
+  /// What an earlier command did, unless its trace was taken away meanwhile.
+  bool take_earlier(Slot& slot, std::uint64_t seed) {
+    const auto found = journal_.earlier().find(seed);
+    if (found == journal_.earlier().end() || !options_.output) return false;
+    slot.trace_path = *options_.output + "/" + trace_name(seed);
+    if (!file_number(slot.trace_path)) return false;
+    slot.trial = found->second;
+    slot.traced = true;
+    return true;
   }
 
   /// How far a run is: by bricks or by time, whichever is more.
@@ -95,10 +119,11 @@ class Batch {
       if (slot.diagnostics.has_errors() && !out.diagnostics.has_errors()) {
         out.diagnostics = slot.diagnostics;
       }
+      out.journalled = out.journalled && slot.journalled;
       if (slot.trial) out.trials.push_back(std::move(*slot.trial));
       if (!slot.traced) continue;
       if (slot.good) {
-        out.written.push_back(slot.trace.path());
+        out.written.push_back(slot.trace_path);
       } else {
         out.complaints.push_back(slot.trace.error());
       }
@@ -111,6 +136,8 @@ class Batch {
   const ValidateOptions& options_;
   double duration_;
   bool pictures_;
+  TrialJournal& journal_;
+  const App& app_;
   Progress progress_;
   std::vector<Slot> slots_;
   std::vector<std::atomic<double>> shares_;
@@ -122,8 +149,8 @@ class Batch {
 std::string trace_name(std::uint64_t seed) { return fmt::format("run-{}.stigp", seed); }
 
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
-                      double duration, bool pictures, const App& app) {
-  return Batch(target, scene, options, duration, pictures, app).run();
+                      double duration, bool pictures, TrialJournal& journal, const App& app) {
+  return Batch(target, scene, options, duration, pictures, journal, app).run();
 }
 
 }  // namespace stig::cli

@@ -9,6 +9,7 @@
 #include "app.h"
 #include "base/diagnostic.h"
 #include "physical/scene/scene.h"
+#include "trial_journal.h"
 #include "uses.h"
 #include "validate/trial.h"
 
@@ -19,14 +20,15 @@ struct TrialBatch {
   Diagnostics diagnostics;              ///< of those that could not
   std::vector<std::string> written;     ///< traces
   std::vector<std::string> complaints;  ///< of traces that could not be written
+  bool journalled = true;               ///< all that are over are in the journal, if there is one
 };
 
 /// The name that a run's trace has in the folder.
 std::string trace_name(std::uint64_t seed);
 
 /// Traces go to the folder of `options` as run-SEED.stigp, when there is one. Pictures are drawn
-/// only where they are wanted.
+/// only where they are wanted. Runs that an open journal has are not done again.
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
-                      double duration, bool pictures, const App& app);
+                      double duration, bool pictures, TrialJournal& journal, const App& app);
 
 }  // namespace stig::cli
