@@ -14,8 +14,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path& other_program_folder() {
+  static fs::path folder;
+  return folder;
+}
+
 /// Where this program's file is; empty when the system does not say.
 fs::path program_folder() {
+  if (!other_program_folder().empty()) return other_program_folder();
   std::error_code error;
   // Linux says so; elsewhere nothing is found, and names must lead somewhere themselves.
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
@@ -98,6 +104,8 @@ struct Finder {
 };
 
 }  // namespace
+
+void set_program_folder(const std::string& folder) { other_program_folder() = folder; }
 
 std::vector<std::string> shipped_folders(const std::string& kind) {
   const fs::path program = program_folder();

@@ -15,6 +15,10 @@
 
 namespace stig::cli {
 
+/// The folder of the program beside which files that ship are; otherwise this process's own. For
+/// processes that are no stigc. Before any other of these is called.
+void set_program_folder(const std::string& folder);
+
 /// Where files of a kind ("robots") may be: installed beside the program, or in its sources.
 std::vector<std::string> shipped_folders(const std::string& kind);
 
