@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages that packages.txt lists for the given purposes:
 #
-#   scripts/install.sh [PURPOSE…]      build test viewer playground python tidy
+#   scripts/install.sh [PURPOSE…]      build test viewer playground python cluster tidy
 #                                 docs bench fuzz coverage
 #
 # Without a purpose: build and test. What is there already is left alone, so running

@@ -7,6 +7,7 @@
 
 #include "commands.h"
 #include "help.h"
+#include "last_words.h"
 #include "shipped_files.h"
 
 namespace stig::cli {
@@ -63,6 +64,18 @@ int run_captured(Parsed& parsed, Captured& captured) {
   const int code = run_parsed(parsed, app);
   app.flush();
   return code;
+}
+
+int run_main(int argc, const char* const* argv) {
+  prepare_process();
+  prepare_last_words();
+  Parsed parsed = parse_command_line(argc, argv);
+  App app(parsed.line ? parsed.line->global : GlobalOptions{});
+  const int code = run_parsed(parsed, app);
+  const bool flushed = app.flush();
+  // Asked for after the last look at the flag, while measuring or writing, a stop counts
+  // all the same.
+  return flushed && !stop_requested() ? code : kRunFailed;
 }
 
 }  // namespace stig::cli

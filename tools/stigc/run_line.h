@@ -11,6 +11,10 @@
 
 namespace stig::cli {
 
+/// A program's main: streams and signals, last words, arguments, the command, its exit code.
+/// Exceptions that nobody caught end the program (last_words.h).
+int run_main(int argc, const char* const* argv);
+
 /// Runs what was said; an exit code. Names of files that ship are looked up in it.
 int run_parsed(Parsed& parsed, App& app);
 

@@ -1,0 +1,72 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: MIT
+# A study by MPI ends in the bytes of the same study by threads: with 2 and 4 ranks, after a worker
+# was killed, and after rank 0 was.
+#
+#     mpi_test.sh STIGC STIGC_MPI MPIRUN
+set -euo pipefail
+stigc=$1 mpi=$2 mpirun=$3
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+# As root in a container, more ranks than cores.
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OMPI_MCA_btl_vader_single_copy_mechanism=none OMPI_MCA_rmaps_base_oversubscribe=1
+export OMPI_MCA_hwloc_base_binding_policy=none
+
+cat >plan.yaml <<'PLAN'
+stigc_sweep: 1
+command: explore
+file: rulesets/wall.yaml
+options: {agents: 1, box: [60, 60, 60], steps: 200000}
+vary: {seed: 1..100}
+PLAN
+
+same() {
+  cmp whole.jsonl "$1.jsonl" || { printf 'not the same: %s\n' "$1" >&2; exit 1; }
+  [[ ! -e $1.jsonl.journal ]] || { printf 'a journal is left: %s\n' "$1" >&2; exit 1; }
+}
+ranks() {
+  "$mpirun" -n "$1" "$mpi" sweep plan.yaml -q -o "$2.jsonl" >/dev/null
+}
+
+"$stigc" sweep plan.yaml -q -o whole.jsonl >/dev/null
+for n in 1 2 4; do
+  ranks "$n" "of-$n"
+  same "of-$n"
+done
+
+# Kills the FIRST or LAST rank of a study that goes on, and begins it again.
+killed() {
+  local name=$1 which=$2 pids=() ended=0
+  ranks 3 "$name" >/dev/null 2>&1 &
+  local job=$!
+  # Once something is in the journal.
+  until [[ $({ wc -l <"$name.jsonl.journal"; } 2>/dev/null || echo 0) -gt 3 ]]; do
+    kill -0 "$job" 2>/dev/null || { ended=1; break; }
+    sleep 0.05
+  done
+  mapfile -t pids < <(pgrep -f "^$mpi sweep plan.yaml -q -o $name.jsonl" | sort -n)
+  if [[ $ended -eq 0 && ${#pids[@]} -gt 0 ]] && kill -9 "${pids[$which]}"; then
+    printf 'killed: %s\n' "$name"
+  else
+    printf 'ended before it could be killed: %s\n' "$name"
+  fi
+  wait "$job" || true
+  # The rest of the ranks end by themselves, or by MPI's hand; the journal is free then.
+  for _ in {1..100}; do
+    ranks 2 "$name" 2>error.txt && break
+    grep -q 'in use' error.txt || { cat error.txt >&2; exit 1; }
+    sleep 0.1
+  done
+  same "$name"
+}
+killed worker -1
+killed leader 0
+
+# A plan that is none ends on all ranks, with the same status.
+code=0
+printf 'stigc_sweep: 1\n' >bad.yaml
+"$mpirun" -n 2 "$mpi" sweep bad.yaml -o bad.jsonl 2>/dev/null || code=$?
+[[ $code -eq 1 ]] || { printf 'a bad plan ends with %s\n' "$code" >&2; exit 1; }
+printf 'all the same\n'
