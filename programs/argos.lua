@@ -8,12 +8,16 @@
 local argos = { robot = {}, math = setmetatable({}, { __index = math }) }
 local robot = argos.robot
 
+local TICK = 0.2               -- s, as the experiment has it
+local RAMP = 0.04              -- m/s², of the rims
+
 -- Takes our BuilderBot's description for the one that ARGoS has. The four magnets lie 3.06 mm behind the
--- end effector's middle, the wheels' motors know no ramp, and the field of the magnets vanishes at 10 V. Places
--- are counted from the axle, about which it turns; its base's middle is 20 mm behind.
+-- end effector's middle, and the field of the magnets vanishes at 10 V. Places are counted from the axle, about
+-- which it turns; its base's middle is 20 mm behind. The wheels' motors know no ramp and slip when they start,
+-- so commands are ramped here.
 function argos.describe(description)
    description.magnets.ahead, description.magnets.neutral = 0.095025, 10
-   description.drive.acceleration, description.drive.pivot = 10, 0
+   description.drive.acceleration, description.drive.pivot = RAMP, 0
    description.body.front, description.body.back = 0.045, 0.085
    description.camera.anchor = { x = 0.0980875, y = 0, z = 0.055 }
    description.rangefinders.left.x, description.rangefinders.right.x = 0.0637875, 0.0637875
@@ -21,19 +25,32 @@ function argos.describe(description)
 end
 
 -- Finders that look where ours of that name does, or nearest to it: ours begin in front and go round
--- to the left by 30 degrees, ARGoS's begin behind on the left side.
+-- to the left by 30 degrees, ARGoS's begin behind on the left side. Between ahead and aside it has one, at 45
+-- degrees: what that sees is beside the robot, and not in its way; likewise behind.
 local RING = {
-   ['1'] = { '6', '7' }, ['2'] = { '5' }, ['3'] = { '5' }, ['4'] = { '3', '4' },
-   ['5'] = { '2' }, ['6'] = { '2' }, ['7'] = { '1', '12' }, ['8'] = { '11' },
-   ['9'] = { '11' }, ['10'] = { '9', '10' }, ['11'] = { '8' }, ['12'] = { '8' },
+   ['1'] = { '6', '7' }, ['2'] = {}, ['3'] = { '5' }, ['4'] = { '3', '4' },
+   ['5'] = { '2' }, ['6'] = {}, ['7'] = { '1', '12' }, ['8'] = {},
+   ['9'] = { '11' }, ['10'] = { '9', '10' }, ['11'] = { '8' }, ['12'] = {},
 }
 -- How far they lie inside the end effector, behind the face that ours begin at; m.
 local INSIDE = { front = 0.0085375, underneath = 0.0010, left = 0, right = 0 }
 local RING_RADIUS = 0.065      -- m
 local REACH = 0.05             -- m; what they say when nothing is nearer
+local SUPPORT = 0.05           -- m, the lift's position below which the end effector's support hides what is ahead
+local AHEAD = { ['6'] = true, ['7'] = true }  -- finders that it hides that from
 
 local host                     -- ARGoS's table
 local flip                     -- a tag's z axis points into its block there
+local wanted, sent, before     -- speeds of the rims: commanded here, there, and there in the step before, m/s
+
+-- One step of the ramp on from the step before.
+local function drive_on()
+   local change = RAMP * TICK
+   for i = 1, 2 do
+      sent[i] = math.max(before[i] - change, math.min(before[i] + change, wanted[i]))
+   end
+   host.differential_drive.set_target_velocity(sent[1], sent[2])
+end
 
 -- As in Lua, from the generator that the experiment's seed is for.
 function argos.math.random(low, high)
@@ -48,8 +65,15 @@ function argos.start()
    flip = quaternion(math.pi, vector3(1, 0, 0))
    local camera, lift = host.camera_system, host.lift_system
    robot.id, robot.params, robot.system = host.id, host.params, host.system
-   robot.differential_drive, robot.electromagnet_system = host.differential_drive, host.electromagnet_system
-   robot.simple_radios = host.simple_radios
+   robot.electromagnet_system, robot.simple_radios = host.electromagnet_system, host.simple_radios
+   wanted, sent, before = { 0, 0 }, { 0, 0 }, { 0, 0 }
+   robot.differential_drive = {
+      encoders = host.differential_drive.encoders,
+      set_target_velocity = function(left, right)
+         wanted[1], wanted[2] = left, right
+         drive_on()
+      end,
+   }
    robot.lift_system = {
       set_position = lift.set_position, stop = lift.stop, calibrate = lift.calibrate, limit_switches = {},
    }
@@ -75,6 +99,9 @@ function argos.start()
 end
 
 function argos.sense()
+   before[1], before[2] = sent[1], sent[2]
+   drive_on()
+   robot.differential_drive.encoders = host.differential_drive.encoders
    local lift = host.lift_system
    robot.lift_system.state, robot.lift_system.position = lift.state, lift.position
    for _, name in ipairs { 'top', 'bottom' } do
@@ -92,7 +119,11 @@ function argos.sense()
    robot.camera_system.tags, robot.camera_system.timestamp = tags, host.camera_system.timestamp
    for name, theirs in pairs(RING) do
       local nearest = REACH
-      for _, one in ipairs(theirs) do nearest = math.min(nearest, host.rangefinders[one].proximity) end
+      for _, one in ipairs(theirs) do
+         if not (AHEAD[one] and lift.position < SUPPORT) then
+            nearest = math.min(nearest, host.rangefinders[one].proximity)
+         end
+      end
       robot.rangefinders[name].proximity = nearest
    end
    for name, inside in pairs(INSIDE) do

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 #include "base/text.h"
 #include "robots/device_kinds.h"
@@ -18,9 +19,15 @@
 namespace stig::validate {
 namespace {
 
-constexpr double kMargin = 0.3;  ///< m, of the arena round the outermost block
-// Blocks lie in rows of three behind the cache, near enough to be found from there.
-constexpr int kInRow = 3;
+// m, of the arena round the outermost block: ARGoS ends where something leaves it.
+constexpr double kMargin = 2;
+// Where loose blocks lie, in units of kBlocksApart from the cache: outwards, to the left. Three,
+// then two behind their gaps, and so on.
+constexpr double kLoosePlaces[][2] = {{0, 0}, {0, 1}, {0, -1}, {1, 0.5}, {1, -0.5}};
+constexpr double kLooseRows = 2;
+
+// Its robots turn slowly, since they slip otherwise.
+constexpr double kSlower = 2;
 
 constexpr const char* kBlockDevices = R"(      <actuators>
         <directional_leds implementation="default"/>
@@ -32,10 +39,10 @@ constexpr const char* kBlockDevices = R"(      <actuators>
 )";
 
 constexpr const char* kPhysicsAndMedia = R"(  <physics_engines>
-    <dynamics3d id="dyn3d" iterations="25">
+    <dynamics3d id="dyn3d" iterations="100">
       <floor/>
       <gravity g="9.8"/>
-      <srocs/>
+      <srocs disable_block_magnets_during_manipulation="true"/>
     </dynamics3d>
   </physics_engines>
 
@@ -92,11 +99,10 @@ std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
     const int dx = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
     const int dy = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
     for (std::size_t i = 0; i < each; ++i) {
-      const int number = static_cast<int>(i % kInRow);  // the middle, then left, then right
-      const double left = kBlocksApart * (number == 1 ? 1 : number == 2 ? -1 : 0);
-      const std::size_t row = i / kInRow;
-      // Further rows lie outwards, away from the structure and from robots at the cache.
-      const double out_by = kBlocksApart * static_cast<double>(row);
+      const std::size_t group = i / std::size(kLoosePlaces);
+      const auto& [row, beside] = kLoosePlaces[i % std::size(kLoosePlaces)];
+      const double out_by = kBlocksApart * (row + kLooseRows * static_cast<double>(group));
+      const double left = kBlocksApart * beside;
       out.push_back(
           {cache.at.x + dx * out_by - dy * left, cache.at.y + dy * out_by + dx * left, 0});
     }
@@ -137,9 +143,8 @@ std::string block_element(const std::string& id, const char* attributes, const c
 std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRequest& request,
                   const std::vector<Vec3>& loose) {
   double half = layout.arena;
-  // Further out than the layout's arena when there are many blocks.
   for (const Vec3& at : loose) half = std::max({half, std::abs(at.x), std::abs(at.y)});
-  if (half > layout.arena) half += kMargin;
+  half += kMargin;
   std::string out = fmt::format(
       "  <arena size=\"{0:g},{0:g},2\" center=\"0,0,0.5\"\n"
       "         positional_index=\"grid\" positional_grid_size=\"1,1,1\">\n",
@@ -185,7 +190,7 @@ std::string argos_experiment(const RuleSet& rules, const CompiledRules& compiled
       "    <system threads=\"0\"/>\n"
       "    <experiment length=\"{:g}\" ticks_per_second=\"5\" random_seed=\"1\"/>\n"
       "  </framework>\n\n",
-      most_build_time(compiled));
+      kSlower * most_build_time(compiled));
   return out + controllers(layout, scripts) + arena(rules, layout, request, loose) +
          kPhysicsAndMedia;
 }

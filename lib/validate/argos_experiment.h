@@ -2,8 +2,8 @@
 // The same set-up as an experiment file of ARGoS 3: its BuilderBot, its block, dynamics3d, media.
 //
 // What ARGoS has no plugin for is a cache that fills itself again; so every block that the
-// structure takes lies there from the beginning, and one more for each side: in rows before each
-// cache's place, kBlocksApart from each other, so that none is next to another.
+// structure takes lies there from the beginning, and one more for each side: behind each cache's
+// place, and so far apart that a robot fits between them.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@
 
 namespace stig::validate {
 
-inline constexpr double kBlocksApart = 0.2;  ///< m, centre to centre
+inline constexpr double kBlocksApart = 0.3;  ///< m, centre to centre
 
 /// Names of the programs' files, as the experiment's own folder has them; valid UTF-8 without
 /// control characters.

@@ -14,7 +14,7 @@ local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
 local LINKED = 1.25 * geometry.SIDE
 local LOOKS = 3                -- at the cache, with waits between
 
--- block: the one to be fetched. last_cache: that of the side before, until a block was seen at this
+-- block: the one to be fetched. refused: one that could not be come near. last_cache: that of the side before, until a block was seen at this
 -- side's. in_vain: searches one after the other.
 local BlockSupply = {}
 BlockSupply.__index = BlockSupply
@@ -77,11 +77,20 @@ function BlockSupply:look_at_caches()
    end
 end
 
+-- After one that could not be come near: another that is remembered, since what stands in the way may stay.
+function BlockSupply:another()
+   local refused = self.refused
+   self.refused = nil
+   return refused and self.tracker:recall(function(known)
+      return self:is_unused(known) and geometry.apart(known, refused) > LINKED
+   end)
+end
+
 -- Where the last one came from, then all about.
 function BlockSupply:search_block()
    local map, search = self.map, self.machine.search
    local function is_unused(known) return self:is_unused(known) end
-   self.block = self:look_at_caches()
+   self.block = self:another() or self:look_at_caches()
    if self.block then return 'found' end
    -- elsewhere it would be in others' way; as long as it knows no cache, that may be some way ahead
    if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
@@ -100,6 +109,7 @@ end
 function BlockSupply:approach_block()
    local near, seen = self.machine.pickup:approach_block(self.block)
    if near then self.block = seen return 'near' end
+   self.refused = { x = self.block.x, y = self.block.y }
    self.record:tally('aborted')
    return 'lost'
 end

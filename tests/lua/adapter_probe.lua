@@ -1,6 +1,6 @@
 -- SPDX-License-Identifier: MIT
 -- A controller's script below the adapter, in the world that check_argos.py sets up for it: a block
--- ahead of the chassis (the magnets draw it), one 30 mm to the left, one 40 mm behind, and an orange
+-- ahead of the chassis (the magnets draw it, and the support hides it), one 30 mm to the left, one 40 mm behind, and an orange
 -- one farther ahead, turned by 20 degrees.
 -- luacheck: read globals argos
 
@@ -16,7 +16,7 @@ end
 
 local function check_ranges()
    local function range(name) return robot.rangefinders[name].proximity end
-   near('ahead', range '1', robot.description.magnets.ahead - 0.0275 - 0.0440)
+   near('ahead, behind the support of the end effector', range '1', 0.05)
    near('to the left', range '4', 0.030)
    near('behind', range '7', 0.040)
    near('to the right', range '10', 0.05)

@@ -12,6 +12,7 @@ local FOCAL, WIDTH, HEIGHT, NEAR, FAR = 313.9, 320, 240, 0.025, 0.625
 local WIDEST = math.cos(math.pi / 3)
 local TAG, LED = 0.0235 / 2, 0.020
 local RANGE = 0.05
+local SUPPORT, SUPPORT_FOOT = 0.0549, 0.00575  -- the effector's support: its back, m ahead; its foot over the lift's position
 local NAMES = { magenta = 1, orange = 2, green = 3, blue = 4 }
 
 -- Outward normals, and the two axes of the tag's own frame.
@@ -209,6 +210,9 @@ function senses.range(robot, name)
    local nearest = 1
    for _, block in ipairs(senses.blocks) do
       nearest = math.min(nearest, enters(block, from, to) or 1)
+   end
+   if (name == '6' or name == '7') and SUPPORT_FOOT + robot.lift <= z then
+      nearest = math.min(nearest, (SUPPORT - x) / RANGE)
    end
    if to[3] < 0 then nearest = math.min(nearest, from[3] / (from[3] - to[3])) end
    return RANGE * nearest

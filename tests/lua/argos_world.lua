@@ -12,6 +12,7 @@ local turned, on_robot = senses.turned, senses.on_robot
 local SIDE, HALF = 0.055, 0.0275
 local TICK = 0.2
 local TRACK = 0.120
+local HOLDS = 0.012            -- m/s, by which rims may change a turn in a tick without slipping
 local GRIP, EFFECTOR, UNDER = 0.095025, 0.0980875, 0.055
 local RADIO = 0.020
 
@@ -102,7 +103,7 @@ end
 
 local function add_robot(one, program)
    local robot = {
-      id = one.id, x = one.x, y = one.y, yaw = math.rad(one.turn), left = 0, right = 0, travelled = 0,
+      id = one.id, x = one.x, y = one.y, yaw = math.rad(one.turn), left = 0, right = 0, spin = 0, travelled = 0,
       lift = 0, voltage = 0, mode = 'disable', watches = false, leds = {}, picked = 0,
    }
    robot.script = mock.load(program.script, program.devices, one.id, program.params, {
@@ -165,6 +166,7 @@ end
 local function step_robot(robot)
    local f = robot.script.fields
    local tags, leds = senses.look(robot)
+   if world.time < 1.5 * TICK then tags = {} end  -- ARGoS's camera says nothing in the first step
    robot.leds = leds
    f.camera_system.tags, f.camera_system.timestamp = tags, world.time
    f.encoders.left, f.encoders.right = robot.left, robot.right
@@ -177,9 +179,13 @@ local function step_robot(robot)
    robot.script.step()
 end
 
+-- The body takes up a turn only so fast: where the rims change theirs faster they slip, and encoders, which
+-- are the rims', say nothing of it.
 local function drive(robot)
    local left, right = robot.left, -robot.right
-   local ahead, turn = (left + right) / 2 * TICK, (right - left) / TRACK * TICK
+   local change = (right - left) / 2 - robot.spin
+   robot.spin = robot.spin + math.max(-HOLDS, math.min(HOLDS, change))
+   local ahead, turn = (left + right) / 2 * TICK, 2 * robot.spin / TRACK * TICK
    local dx, dy = turned(ahead, 0, robot.yaw + turn / 2)
    robot.x, robot.y, robot.yaw = robot.x + dx, robot.y + dy, robot.yaw + turn
    robot.travelled = robot.travelled + math.abs(ahead)
