@@ -123,7 +123,7 @@ std::uint64_t Likenesses::for_each(const std::vector<Colour>& colours,
         const auto found = alike.find(seen_in(cases_[a], both, colours));
         if (found == alike.end()) continue;
         const std::set<std::uint32_t>& choices = found->second.choices;
-        const auto harmless = [&](std::uint32_t one) { return intend.allowed(a, one); };
+        const auto harmless = [&](std::uint32_t choice) { return intend.allowed(a, choice); };
         // Long rows have thousands of cases that look alike and want the same.
         if (std::all_of(choices.begin(), choices.end(), harmless)) continue;
         for (const std::uint32_t b : found->second.cases) {

@@ -140,6 +140,13 @@ test('a block is moved by hand, a robot breaks and is mended, and all of it is i
   await until(page, () => window.stigView.views[0].run.tracks.at(0, 0).p[0] > -0.36);
   const moved = await placeOf();
   assert.ok(Math.hypot(moved[0] - x - 0.05, moved[1] - y, moved[2] - z) < 2e-3, String(moved));
+  // It is the farthest towards -x of all, and `f` fits what there is now.
+  const lowest = () => page.evaluate(() => window.stigView.views[0].bounds.low[0]);
+  assert.ok(Math.abs(await lowest() - (moved[0] - 0.0275)) < 1e-3, String(await lowest()));
+  const seenFrom = () => page.evaluate(() => window.stigView.viewpoint.numbers().join());
+  const before = await seenFrom();
+  await page.keyboard.press('f');
+  await page.waitForFunction(was => window.stigView.viewpoint.numbers().join() !== was, before);
   await press(page, 'checkpoint');
   await until(page, () => window.stigLive.now.checkpoints.length === 1);
   const robot = await page.evaluate(() => window.stigView.views[0].run.robots[0].bodies[0]);

@@ -195,7 +195,7 @@ test('LEDs are lit in the colours of the palette that is chosen', async () => {
   // The brick of the start shows Q3.
   const tint = () => page.evaluate(() => {
     const {run, meshes} = window.stigView.views[0];
-    const lit = run.bodies.findIndex(body => body.block && body.led === 3);
+    const lit = run.bodies.findIndex(body => body.block && body.led === '3');
     return {is: meshes[lit].material.color.getHexString(), own: run.bodies[lit].color};
   });
   const {is: before, own} = await tint();

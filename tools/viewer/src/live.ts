@@ -128,8 +128,12 @@ export class Live implements LiveLink {
     const {run, viewer} = this;
     const stopped = state.mode !== 'running' && this.now?.mode === 'running';
     this.now = state;
-    if (run.kind === 'poses') showBodies(run, state);
-    else this.grow(run, state);
+    if (run.kind === 'poses') {
+      showBodies(run, state);
+      viewer.measure();
+    } else {
+      this.grow(run, state);
+    }
     viewer.state.set({time: state.time});
     // Moved by a hand while it stands still.
     viewer.stage.draw();

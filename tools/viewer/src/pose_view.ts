@@ -31,7 +31,8 @@ function boundsOf(run: PoseRun): Bounds {
 
 export class PoseView {
   readonly scene = new three.Scene();
-  readonly bounds: Bounds;
+  /** Of what there is in the run, or at present in one that goes on. */
+  bounds: Bounds;
   private readonly shapes = new BodyShapes();
   private readonly meshes: (three.Mesh | null)[];
   private readonly leds: string[];
@@ -74,6 +75,11 @@ export class PoseView {
     sun.position.set(0.4, -0.7, 1);
     this.scene.add(new three.HemisphereLight(0xffffff, 0x8a8f98, 1.9), sun, this.floor, this.arrows,
                    this.marker, this.marks.object, this.marks.within);
+  }
+
+  /** In a run that goes on bodies have moved. */
+  measure(): void {
+    this.bounds = boundsOf(this.run);
   }
 
   update(choices: Readonly<Choices>, dark: boolean): void {

@@ -274,6 +274,12 @@ export class Viewer {
     return view instanceof PoseView ? planesOf(cut, cutAt, view.bounds) : [];
   }
 
+  /** What bodies of a run that goes on have come to be about, for `fit`. */
+  measure(): void {
+    for (const view of this.views) if (view instanceof PoseView) view.measure();
+    this.viewpoint.shown = boundsOf(this.views);
+  }
+
   private label({run}: View): HTMLElement {
     const out = element('div', {}, element('b', {text: run.name}));
     const other = this.otherThan(this.page.runs.indexOf(run));
