@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "compiler/precedence.h"
 #include "rules/rule_printer.h"
 
 namespace stig::compiler {
