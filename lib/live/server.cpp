@@ -75,6 +75,7 @@ struct LiveServer::State {
   LiveSession& session;
   std::string page_template, token;
   httplib::Server http;
+  socket_t listener = -1;  ///< of `http`, which keeps it to itself
   int port = 0;
   std::thread thread;
 
@@ -154,7 +155,8 @@ void LiveServer::State::set_up() {
   http.new_task_queue = [] { return new httplib::ThreadPool(kMostLookers + kThreadsForCommands); };
   // A connection is for one answer: an idle one would hold a thread.
   http.set_keep_alive_max_count(1);
-  http.set_socket_options([](socket_t socket) {
+  http.set_socket_options([this](socket_t socket) {
+    listener = socket;
     // Not SO_REUSEPORT, with which another program could share the port. What waits for somebody
     // who does not read is bounded.
     const int yes = 1;
@@ -200,7 +202,11 @@ std::optional<int> LiveServer::bind(int port) {
   } else {
     state_->port = state_->http.bind_to_port(kLoopback, port) ? port : -1;
   }
-  return state_->port > 0 ? std::optional(state_->port) : std::nullopt;
+  if (state_->port <= 0) return std::nullopt;
+  // The queue of httplib is 5 long. A crowd overflows it, and then the system may turn away clients
+  // that believe they are connected (SYN cookies).
+  ::listen(state_->listener, SOMAXCONN);
+  return state_->port;
 }
 
 void LiveServer::start() {
