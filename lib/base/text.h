@@ -37,6 +37,12 @@ std::string in_quotes(std::string_view text);
 /// As text or an attribute's value of XML or HTML.
 std::string escaped_markup(std::string_view text);
 
+/// As a field of CSV, in quotes where it needs them (RFC 4180).
+std::string csv_field(std::string_view text);
+
+/// In single quotes of bash, zsh and others of POSIX.
+std::string shell_quoted(std::string_view text);
+
 /// "1 brick", "2 bricks"; of words that take an s.
 std::string counted(std::uint64_t number, std::string_view one);
 

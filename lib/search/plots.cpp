@@ -11,12 +11,15 @@
 #include <iterator>
 #include <map>
 
+#include "base/round_step.h"
 #include "base/text.h"
 
 namespace stig::search {
 namespace {
 
 constexpr double kWidth = 640, kHeight = 420, kLeft = 72, kRight = 20, kTop = 34, kBottom = 50;
+
+constexpr double kLeastStep = 1e-9;  ///< of an axis
 
 /// From values to the drawing along one direction; from < to.
 struct Scale {
@@ -25,20 +28,13 @@ struct Scale {
   double at(double value) const { return begin + (value - from) / (to - from) * (end - begin); }
 };
 
-/// 1, 2 or 5 times a power of ten, at most `most` of them in a span.
-double step_of(double span, double most) {
-  double step = 1e-9;
-  for (int i = 0; step * most < span && i < 200; ++i) step *= i % 3 == 1 ? 2.5 : 2;
-  return step;
-}
-
 /// Whole steps around the values, so that no point lies on the frame's outside.
 Scale scale_over(double low, double high, double begin, double end) {
   if (!(low < high)) {
     low -= 0.5;
     high += 0.5;
   }
-  const double step = step_of(high - low, 6);
+  const double step = round_step(high - low, 6, kLeastStep);
   return {std::floor(low / step) * step, std::ceil(high / step) * step, begin, end};
 }
 
@@ -60,7 +56,7 @@ void text(std::string& out, double x, double y, std::string_view anchor, std::st
 /// Numbers of steps, so that a step of 0.1 is not added up to 0.30000000000000004.
 template <class Draw>
 void for_each_step(const Scale& scale, const Draw& draw) {
-  const double step = step_of(scale.to - scale.from, 8);
+  const double step = round_step(scale.to - scale.from, 8, kLeastStep);
   const auto first = static_cast<long>(std::ceil(scale.from / step - 1e-6));
   for (long k = first; static_cast<double>(k) * step <= scale.to + step * 1e-6; ++k) {
     draw(static_cast<double>(k) * step);
@@ -199,7 +195,7 @@ std::string histogram_svg(const std::string& name, std::vector<double> values) {
   if (values.empty()) return no_values();
   const auto [low, high] = std::minmax_element(values.begin(), values.end());
   const Scale across = scale_over(*low, *high, kLeft, kWidth - kRight);
-  const double step = step_of(across.to - across.from, 40);
+  const double step = round_step(across.to - across.from, 40, kLeastStep);
   std::map<long, int> bars;
   int most = 0;
   for (const double value : values) {

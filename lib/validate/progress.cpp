@@ -7,6 +7,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "base/round_step.h"
+
 namespace stig::validate {
 namespace {
 
@@ -45,14 +47,6 @@ void add_work(const std::vector<ProgressCurve>& curves, ProgressBand::Row& row) 
 }
 
 }  // namespace
-
-double round_step(double reach, double most) {
-  assert(most > 0);
-  double step = 1;
-  // 1, 2, 5, 10, 20, 50 …: the series of round numbers for axes.
-  for (int i = 0; step * most < reach; ++i) step *= i % 3 == 1 ? 2.5 : 2;
-  return step;
-}
 
 int ProgressCurve::at(double time) const { return value_at(steps, time); }
 

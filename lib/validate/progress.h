@@ -42,9 +42,6 @@ struct ProgressBand {
 };
 ProgressBand band_of(const std::vector<ProgressCurve>& curves);
 
-/// A round number such that there are at most `most` of it up to `reach`: for grids and axes.
-double round_step(double reach, double most);
-
 /// time,mean,deviation,least,most,sites,idle,busy and a column for each run; a line for each time.
 std::string progress_csv(const std::vector<ProgressCurve>& curves, const ProgressBand& band);
 

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "base/round_step.h"
+
 namespace stig::validate {
 namespace {
 

@@ -14,7 +14,8 @@ local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
 local LINKED = 1.25 * geometry.SIDE
 local LOOKS = 3                -- at the cache, with waits between
 
--- block: the one to be fetched. refused: one that could not be come near. last_cache: that of the side before, until a block was seen at this
+-- block: the one to be fetched. refused: one that could not be come near. last_cache: that of the
+-- side before, until a block was seen at this
 -- side's. in_vain: searches one after the other.
 local BlockSupply = {}
 BlockSupply.__index = BlockSupply

@@ -143,9 +143,8 @@ Finding fonts() {
           "install fonts-dejavu-core, or pictures' legends come out in another font"};
 }
 
-Finding temporary_folder() {
-  const char* named = std::getenv("TMPDIR");
-  const std::string folder = named != nullptr && *named != 0 ? named : "/tmp";
+Finding temporary() {
+  const std::string folder = temporary_folder();
   // The process number keeps two doctors apart.
   const std::string path = fmt::format("{}/stigc-doctor-{}", folder, getpid());
   FileError error;
@@ -213,7 +212,7 @@ int run(const DoctorOptions& options, App& app) {
                                          meshes(),
                                          pages(),
                                          fonts(),
-                                         temporary_folder(),
+                                         temporary(),
                                          terminal(app),
                                          rule_sets(options.files)};
   Json json = Json::array();

@@ -10,6 +10,7 @@
 #include <algorithm>
 
 #include "base/diagnostic.h"
+#include "base/text.h"
 #include "help.h"
 
 namespace stig::cli {
@@ -35,14 +36,6 @@ std::vector<std::string> words_of(const OptionInfo& option) {
     if (bar == std::string::npos) return words;
     rest.erase(0, bar + 1);
   }
-}
-
-/// Within single quotes of bash and zsh. A quote ends the quoted text, comes escaped, and begins it
-/// again.
-std::string shell_quoted(const std::string& text) {
-  std::string out = "'";
-  for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
 }
 
 /// Within single quotes of fish, where a backslash escapes.

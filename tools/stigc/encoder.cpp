@@ -3,10 +3,10 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -15,13 +15,11 @@
 #include <vector>
 
 #include "base/file_io.h"
-#include "child_process.h"
 
 namespace stig::cli {
 namespace {
 
 constexpr int kFilmDescriptor = 3;  ///< of the program
-constexpr std::size_t kMostWords = 600;
 
 /// What ffmpeg is told. Without metadata, which would name its version; sides of yuv420p are even.
 std::vector<std::string> arguments_of(const std::string& ending, double fps) {
@@ -49,36 +47,6 @@ std::vector<std::string> arguments_of(const std::string& ending, double fps) {
   }
   out.push_back(fmt::format("/dev/fd/{}", kFilmDescriptor));
   return out;
-}
-
-/// The program has the three files as its standard input and error, and as kFilmDescriptor. It is
-/// in a group of its own, so that Ctrl-C does not reach it before us.
-int spawn(const std::string& program, const std::vector<std::string>& arguments, int in, int film,
-          int words, pid_t& process) {
-  posix_spawn_file_actions_t files;
-  posix_spawnattr_t attributes;
-  posix_spawn_file_actions_init(&files);
-  posix_spawnattr_init(&attributes);
-  posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
-  posix_spawn_file_actions_adddup2(&files, words, STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&files, words, STDERR_FILENO);
-  posix_spawn_file_actions_adddup2(&files, film, kFilmDescriptor);
-  sigset_t usual;
-  sigemptyset(&usual);
-  for (const int signal : {SIGPIPE, SIGXFSZ, SIGINT, SIGTERM}) sigaddset(&usual, signal);
-  posix_spawnattr_setsigdefault(&attributes, &usual);
-  posix_spawnattr_setpgroup(&attributes, 0);
-  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETPGROUP);
-  std::vector<char*> argv;
-  for (const std::string& argument : arguments) {
-    argv.push_back(const_cast<char*>(argument.c_str()));
-  }
-  argv.push_back(nullptr);
-  const int error =
-      posix_spawn(&process, program.c_str(), &files, &attributes, argv.data(), environ);
-  posix_spawnattr_destroy(&attributes);
-  posix_spawn_file_actions_destroy(&files);
-  return error;
 }
 
 /// Copies beyond the descriptors that the program's own take, so that none is lost before it is
@@ -111,8 +79,8 @@ Encoder::~Encoder() {
 
 bool Encoder::start(const std::string& program, const std::string& ending, double fps,
                     std::string& problem) {
-  film_.reset(nameless_file());
-  words_.reset(nameless_file());
+  film_ = nameless_file();
+  words_ = nameless_file();
   std::array<int, 2> ends{-1, -1};
   if (!film_ || !words_ || pipe2(ends.data(), O_CLOEXEC) != 0) {
     problem = fmt::format("cannot make a temporary file: {}", strerror(errno));
@@ -123,7 +91,14 @@ bool Encoder::start(const std::string& program, const std::string& ending, doubl
   const std::array<int, 3> up = {moved_up(ends[0]), moved_up(fileno(film_.get())),
                                  moved_up(fileno(words_.get()))};
   close(ends[0]);
-  const int error = spawn(program, arguments_of(ending, fps), up[0], up[1], up[2], process_);
+  const ProgramStart begin{program,
+                           arguments_of(ending, fps),
+                           {{up[0], STDIN_FILENO},
+                            {up[2], STDOUT_FILENO},
+                            {up[2], STDERR_FILENO},
+                            {up[1], kFilmDescriptor}},
+                           true};
+  const int error = start_program(begin, process_);
   for (const int descriptor : up) close(descriptor);
   if (error == 0) return true;
   process_ = -1;
@@ -141,11 +116,9 @@ bool Encoder::add(std::string_view png, std::string& problem) {
 bool Encoder::finish(const std::string& path, std::string& problem) {
   close(pipe_);
   pipe_ = -1;
-  int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
-  }
+  const int code = exit_code_of(process_);
   process_ = -1;
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0) {
+  if (code != 0) {
     problem = "ffmpeg failed: " + words();
     return false;
   }
@@ -171,9 +144,7 @@ bool Encoder::finish(const std::string& path, std::string& problem) {
 }
 
 std::string Encoder::words() const {
-  std::string out(kMostWords, '\0');
-  std::rewind(words_.get());
-  out.resize(std::fread(out.data(), 1, out.size(), words_.get()));
+  std::string out = contents(words_.get(), kMostWords);
   while (!out.empty() && out.back() == '\n') out.pop_back();
   return out.empty() ? "it does not say why" : printable(out);
 }

@@ -7,13 +7,12 @@
 
 #include <sys/types.h>
 
-#include <cstdio>
-#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "app.h"
+#include "child_process.h"
 #include "uses.h"
 
 namespace stig::cli {
@@ -37,14 +36,9 @@ class Encoder {
   bool finish(const std::string& path, std::string& problem);
 
  private:
-  struct Close {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  using File = std::unique_ptr<std::FILE, Close>;
-
   std::string words() const;
 
-  File film_, words_;  ///< what the program writes, and what it says
+  OpenFile film_, words_;  ///< what the program writes, and what it says
   int pipe_ = -1;
   pid_t process_ = -1;
 };

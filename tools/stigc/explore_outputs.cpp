@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "base/file_io.h"
+#include "base/text.h"
 #include "lattice/structure_files.h"
 #include "outputs.h"
 #include "report.h"
@@ -18,14 +19,6 @@ namespace stig::cli {
 namespace {
 
 constexpr std::string_view kRun = "{run}";
-
-/// A field of a CSV file (RFC 4180): quoted when it must be.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + '"';
-}
 
 /// The kind of one path, and what is wrong with it in words.
 std::string classify(const std::string& path, bool ensemble, Output& output) {

@@ -11,6 +11,7 @@
 
 #include "base/hash.h"
 #include "base/memory_file.h"
+#include "base/text.h"
 #include "base/yaml_edit.h"
 #include "option_values.h"
 #include "report.h"
@@ -36,9 +37,7 @@ std::string shell_word(const std::string& word) {
   constexpr std::string_view kPlain =
       "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=,./:@";
   if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return word;
-  std::string out = "'";
-  for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return out + "'";
+  return shell_quoted(word);
 }
 
 std::string option_word(const std::string& name, const SweepValue& value) {

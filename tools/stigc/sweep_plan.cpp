@@ -75,9 +75,8 @@ const Form& sweep_form() {
 /// Fills a plan from a document whose keys are sound.
 class SweepReader {
  public:
-  SweepReader(const YamlDocument& document, SweepPlan& plan, Diagnostics& diagnostics,
-              const App& app)
-      : document_(document), plan_(plan), out_(diagnostics), app_(app) {}
+  SweepReader(const YamlDocument& document, SweepPlan& plan, Diagnostics& diagnostics)
+      : document_(document), plan_(plan), out_(diagnostics) {}
 
   void read() {
     const YamlNode& root = document_.root;
@@ -272,7 +271,6 @@ class SweepReader {
   const YamlDocument& document_;
   SweepPlan& plan_;
   Diagnostics& out_;
-  const App& app_;
   std::vector<const YamlNode*> keys_;  ///< of the axes
 };
 
@@ -286,7 +284,7 @@ std::optional<SweepPlan> read_sweep(const std::string& path, const App& app) {
   if (SourceRef source = load_source(path, YamlLimits().bytes, diagnostics)) {
     if (const auto document = parse_yaml(std::move(source), {}, diagnostics)) {
       check_form(*document, sweep_form(), diagnostics);
-      if (!diagnostics.has_errors()) SweepReader(*document, plan, diagnostics, app).read();
+      if (!diagnostics.has_errors()) SweepReader(*document, plan, diagnostics).read();
       sound = !diagnostics.has_errors();
     }
   }

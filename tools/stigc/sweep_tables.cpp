@@ -12,6 +12,7 @@
 
 #include "base/file_io.h"
 #include "base/hash.h"
+#include "base/text.h"
 #include "outputs.h"
 #include "report.h"
 
@@ -44,17 +45,9 @@ void each_value(const std::string& name, const Json& json,
   }
 }
 
-/// As RFC 4180 has it.
-std::string csv_cell(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == text.npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
 std::string csv_row(const std::vector<std::string>& cells) {
   std::string out;
-  for (std::size_t i = 0; i < cells.size(); ++i) out += (i > 0 ? "," : "") + csv_cell(cells[i]);
+  for (std::size_t i = 0; i < cells.size(); ++i) out += (i > 0 ? "," : "") + csv_field(cells[i]);
   return out + "\n";
 }
 
