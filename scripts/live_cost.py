@@ -8,11 +8,14 @@ Runs a scene by turns with `stigc simulate` alone, with `--trace`, with `--trace
 `stigc view --live` as fast as it goes, once without anybody who looks and once with one that reads all
 events. Prints the time that the run's thread has worked, without reading the scene, and the median
 of the ratios of each turn to the run alone. Time of the processor, so that a machine with other
-work to do gives about the same.
+work to do gives about the same. Then, by the clock, how long after a file is saved the run has begun
+again, as one that looks is told.
 """
 
 import json
 import os
+import queue
+import shutil
 import signal
 import statistics
 import subprocess
@@ -23,6 +26,7 @@ import time
 import urllib.request
 
 TURNS = 7
+SAVES = 9
 
 
 def ask(address, token, **command):
@@ -86,6 +90,56 @@ def turn(stigc, scene, trace):
     return out
 
 
+def told_runs(address, token, runs):
+    """Puts the number of each run that begins into a queue."""
+    known = 0
+    try:
+        for line in urllib.request.urlopen(f"{address}events?token={token}", timeout=600):
+            text = line.decode()
+            if text.startswith("data: {") and '"run":' in text:
+                run = json.loads(text[6:])["run"]
+                if run > known:
+                    known = run
+                    runs.put(run)
+    except OSError:
+        pass  # the program has ended
+
+
+def begun_again(stigc, file, saves):
+    """Seconds from saving the file until a run has begun with it, of each of the saves."""
+    process = subprocess.Popen([stigc, "view", "--live", file], text=True, stdout=subprocess.PIPE,
+                               stderr=subprocess.DEVNULL)
+    address, token = process.stdout.readline().strip().split("?token=")
+    runs = queue.Queue()
+    threading.Thread(target=told_runs, args=(address, token, runs), daemon=True).start()
+    runs.get(timeout=60)
+    taken = []
+    for save in range(saves):
+        time.sleep(1.5 + 0.13 * save)  # at other moments of the program's looks at the file
+        with open(file, "a", encoding="utf-8") as out:
+            out.write(f"# saved {save}\n")
+        saved = time.monotonic()
+        runs.get(timeout=60)
+        taken.append(time.monotonic() - saved)
+    process.send_signal(signal.SIGINT)
+    process.wait()
+    return taken
+
+
+def restarts(stigc, scene, folder):
+    # Beside the scene, since it names other files.
+    copied = os.path.join(os.path.dirname(scene), f"saved-{os.getpid()}.yaml")
+    rules = shutil.copy("rulesets/staircase.yaml", folder)
+    print("\n| saved | s until the run has begun again, median (least to most) |\n|---|---|")
+    try:
+        shutil.copy(scene, copied)
+        for name, file in (("the scene", copied), ("a rule set", rules)):
+            taken = sorted(begun_again(stigc, file, SAVES))
+            print(f"| {name} | {statistics.median(taken):.2f} ({taken[0]:.2f} to {taken[-1]:.2f}) |")
+    finally:
+        os.remove(copied)
+
+
 def main():
     if len(sys.argv) not in (2, 3, 4):
         sys.exit(__doc__)
@@ -97,6 +151,8 @@ def main():
     for name in list(times[0])[1:]:
         ratios = sorted(one[name] / one["alone"] for one in times)
         print(f"| {name} | {statistics.median(ratios):.3f} ({ratios[0]:.3f} to {ratios[-1]:.3f}) |")
+    with tempfile.TemporaryDirectory() as folder:
+        restarts(sys.argv[1], scene, folder)
 
 
 if __name__ == "__main__":

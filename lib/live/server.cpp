@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // A thin coat over httplib, in the one file that knows it. A client that listens for events has a
-// thread of the pool to itself; there are more threads than such clients, so that commands always
-// find one. Who does not read is dropped when the system's buffer is full and the time to write is
-// over.
+// thread of the pool to itself; there are more threads than such clients, so that commands find
+// one, also when a crowd sends requests a byte at a time. Who does not read is dropped when the
+// system's buffer is full and the time to write is over.
 #include "live/server.h"
 
 #include <httplib.h>
@@ -20,7 +20,7 @@ namespace stig::live {
 
 namespace {
 
-constexpr std::size_t kThreadsForCommands = 8;
+constexpr std::size_t kThreadsForCommands = 56;
 constexpr int kReadSeconds = 2, kWriteSeconds = 2;
 constexpr int kSendBuffer = 1 << 18;     ///< bytes, of each connection
 constexpr std::size_t kMostBody = 4096;  ///< bytes; more than any command

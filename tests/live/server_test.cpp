@@ -2,6 +2,9 @@
 // The server as those meet it who should not: without token, under another name, with too much, in
 // crowds, and without reading.
 #include <httplib.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include "live/server.h"
 #include "live_support.h"
@@ -168,6 +171,35 @@ TEST_CASE("fifty clients hold nothing up") {
   CHECK(got_in <= static_cast<int>(kMostLookers));
   served.server.stop();
   for (std::thread& one : crowd) one.join();
+}
+
+int connected(const Served& served) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(served.port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int out = socket(AF_INET, SOCK_STREAM, 0);
+  REQUIRE(connect(out, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0);
+  return out;
+}
+
+TEST_CASE("who sends a byte now and then holds nothing up, and has an answer in the end") {
+  Served served;
+  const std::string request =
+      "GET /?token=" + kToken + " HTTP/1.1\r\nHost: " + served.host() + "\r\n\r\n";
+  std::vector<int> slow;
+  for (int i = 0; i < 30; ++i) slow.push_back(connected(served));
+  for (const char c : request.substr(0, 20)) {
+    // One that has been too slow is gone by now.
+    for (const int one : slow) send(one, &c, 1, MSG_NOSIGNAL);
+    CHECK(served.post(R"({"do":"pause"})") == 200);
+  }
+  slow.push_back(connected(served));
+  for (const char c : request) REQUIRE(send(slow.back(), &c, 1, MSG_NOSIGNAL) == 1);
+  std::string answer(12, '\0');
+  CHECK(recv(slow.back(), answer.data(), answer.size(), MSG_WAITALL) == 12);
+  CHECK(answer == "HTTP/1.1 200");
+  for (const int one : slow) close(one);
 }
 
 TEST_CASE("tokens are long, differ, and are compared whole") {

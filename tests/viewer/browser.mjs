@@ -75,8 +75,8 @@ async function openAt(address, {width = 900, height = 620, dark = false, hash = 
 }
 
 /** Waits until a function is true in the page. The page's policy forbids the driver's own way. */
-export async function until(page, wanted) {
-  for (let tries = 0; !await page.evaluate(wanted); ++tries) {
+export async function until(page, wanted, given) {
+  for (let tries = 0; !await page.evaluate(wanted, given); ++tries) {
     assert.ok(tries < kPatience / 50, `never came true: ${wanted}`);
     await page.waitForTimeout(50);
   }

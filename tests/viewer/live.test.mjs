@@ -5,7 +5,7 @@ import {spawn} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import {after, before, test} from 'node:test';
-import {folder, openAddress, startBrowser, stigc, stopBrowser, until} from './browser.mjs';
+import {folder, openAddress, startBrowser, stigc, still, stopBrowser, until} from './browser.mjs';
 
 const kTower = `stigc: 1
 name: tower
@@ -146,7 +146,7 @@ test('a block is moved by hand, a robot breaks and is mended, and all of it is i
   const seenFrom = () => page.evaluate(() => window.stigView.viewpoint.numbers().join());
   const before = await seenFrom();
   await page.keyboard.press('f');
-  await page.waitForFunction(was => window.stigView.viewpoint.numbers().join() !== was, before);
+  await until(page, was => window.stigView.viewpoint.numbers().join() !== was, before);
   await press(page, 'checkpoint');
   await until(page, () => window.stigLive.now.checkpoints.length === 1);
   const robot = await page.evaluate(() => window.stigView.views[0].run.robots[0].bodies[0]);
@@ -172,32 +172,80 @@ test('a block is moved by hand, a robot breaks and is mended, and all of it is i
   assert.ok(fs.statSync(path.join(folder, 'hand.stigk')).size > 100);
 });
 
+/** Where a body stands, and where on the page that is drawn. */
+const drawnAt = (page, number) => page.evaluate(body => {
+  const {views, viewpoint, stage} = window.stigView;
+  const {camera} = viewpoint;
+  const p = views[0].run.tracks.at(body, 0).p;
+  const place = camera.position.clone().fromArray(p).project(camera);
+  const box = stage.canvas.getBoundingClientRect();
+  return {p, x: box.left + (place.x + 1) / 2 * box.width, y: box.top + (1 - place.y) / 2 * box.height};
+}, number);
+
+async function drag(page, {x, y}, right) {
+  await press(page, 'hand');
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  await page.mouse.move(x + right, y, {steps: 4});
+  await page.mouse.up();
+}
+
+const kBlock = () => window.stigView.views[0].run.bodies.findIndex(one => one.block);
+
 test('a block is dragged where the mouse leads it', async () => {
   const {address, end} = await serve(['hand.yaml', '--paused']);
   const {page, close} = await openAddress(address);
   await until(page, () => window.stigLive.now?.mode === 'paused');
-  const at = await page.evaluate(() => {
-    const {views, viewpoint, stage} = window.stigView;
-    const {run} = views[0];
-    const {camera} = viewpoint;
-    const body = run.bodies.findIndex(one => one.block);
-    const place = camera.position.clone().fromArray(run.tracks.at(body, 0).p).project(camera);
-    const box = stage.canvas.getBoundingClientRect();
-    return {body, place: run.tracks.at(body, 0).p, x: box.left + (place.x + 1) / 2 * box.width,
-            y: box.top + (1 - place.y) / 2 * box.height};
-  });
-  await press(page, 'hand');
-  await page.mouse.move(at.x, at.y);
-  await page.mouse.down();
-  await page.mouse.move(at.x + 30, at.y, {steps: 4});
-  await page.mouse.up();
+  const block = await page.evaluate(kBlock);
+  const at = await drawnAt(page, block);
+  await drag(page, at, 30);
   await until(page, () => window.stigView.views[0].run.tracks.at(0, 0).p[1] !== 0);
-  const now = await page.evaluate(body => window.stigView.views[0].run.tracks.at(body, 0).p,
-                                  at.body);
-  assert.ok(Math.hypot(now[0] - at.place[0], now[1] - at.place[1]) > 0.01, String(now));
-  assert.ok(Math.abs(now[2] - at.place[2]) < 2e-3);
+  const now = await drawnAt(page, block);
+  assert.ok(Math.hypot(now.p[0] - at.p[0], now.p[1] - at.p[1]) > 0.01, String(now.p));
+  assert.ok(Math.abs(now.p[2] - at.p[2]) < 2e-3);
   await close();
   assert.equal(await end(), 0);
+});
+
+test('a block is taken off the robot that carries it', async () => {
+  const {address, end} = await serve(['scenes/robot-fetch.yaml', '--paused', '--trace',
+                                      'carried.stigp']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'paused');
+  await page.getByRole('combobox', {name: 'speed', exact: true}).selectOption('max');
+  await press(page, 'run or pause (space)');
+  // Until a block is away from the cache.
+  await until(page, () => window.stigView.views[0].run.bodies.some((body, i) => {
+    const at = body.block && i > 0 && window.stigView.views[0].run.tracks.at(i, 0);
+    return at && Math.hypot(at.p[0] - 0.35, at.p[1]) > 0.1;
+  }));
+  await press(page, 'run or pause (space)');
+  await until(page, () => window.stigLive.now.mode === 'paused');
+  const {block, robot} = await page.evaluate(() => {
+    const {run} = window.stigView.views[0];
+    const places = run.bodies.map((body, i) => run.tracks.at(i, 0)?.p);
+    const far = i => places[i] && run.bodies[i].block ? places[i][0] : -Infinity;
+    const numbers = [...places.keys()];
+    return {block: numbers.reduce((best, i) => far(i) > far(best) ? i : best, 0),
+            robot: run.robots[0].bodies[0]};
+  });
+  await page.locator('canvas').focus();
+  await page.keyboard.press('f');
+  await still(page);
+  const at = await drawnAt(page, block), carrier = await drawnAt(page, robot);
+  assert.ok(at.p[2] > 0.04, `it is not held up: ${at.p}`);
+  await drag(page, at, 150);
+  await until(page, ([body, was]) =>
+    window.stigView.views[0].run.tracks.at(body, 0).p[1] !== was, [block, at.p[1]]);
+  const now = await drawnAt(page, block);
+  assert.ok(Math.hypot(now.p[0] - at.p[0], now.p[1] - at.p[1]) > 0.05, String(now.p));
+  assert.deepEqual((await drawnAt(page, robot)).p, carrier.p);
+  // Nothing holds it now.
+  await press(page, 'run or pause (space)');
+  await until(page, body => window.stigView.views[0].run.tracks.at(body, 0).p[2] < 0.03, block);
+  await close();
+  assert.equal(await end(), 0);
+  assert.match(stigc(['replay', '--verify', 'carried.stigp']), /identical/);
 });
 
 test('a program that does not load, or fails at work, is mended by saving it again', async () => {
