@@ -53,6 +53,10 @@ class NodeChecks {
   /// that is known.
   template <class Check>
   bool check_keys(const YamlNode& node, const Form& form, Check check);
+  /// A mapping of another form, and all that is in it.
+  bool check_part(const YamlNode& node, const Form& form) {
+    return check_form(document_, node, form, out_, bad_);
+  }
   /// Entries of a list or mapping.
   bool check_size(const YamlNode& node, std::string_view key, std::size_t size, std::size_t least,
                   std::size_t most);

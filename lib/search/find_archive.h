@@ -27,6 +27,7 @@ struct Individual {
   std::uint64_t structure = 0;      ///< shape_hash of the bricks
   std::vector<double> values;       ///< of objectives(), by their numbers
   double score = 0;
+  std::string problem;  ///< why there is no score; empty: there is
 };
 
 class FindArchive {

@@ -35,6 +35,8 @@ double extra_bricks(const Outcome& o) { return o.trials.extra_bricks; }
 double coordinated(const Outcome& o) { return is_coordinated(o.coordination) ? 1 : 0; }
 double verdict(const Outcome& o) { return static_cast<double>(o.coordination); }
 double distance(const Outcome& o) { return o.distance; }
+double robots(const Outcome& o) { return o.work.robots; }
+double refusal(const Outcome& o) { return o.work.refusal; }
 
 double parallelism(const Outcome& o) {
   return share(static_cast<double>(o.run.open_sites), static_cast<double>(o.run.placed.size()));
@@ -121,6 +123,10 @@ constexpr std::array kObjectives = {
     Objective{"verdict", "how that was decided, as a number", kOwn, verdict},
     Objective{"distance", "share of cells in the structure or the target that are not in both",
               kJaccard, distance},
+    Objective{"robots", "robots that may work at once, by `stigc compile`; 0 where it refuses",
+              kOwn, robots},
+    Objective{"refusal", "number of the diagnostic P7xx by which it refuses, else 0", kOwn,
+              refusal},
 };
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "lattice/measures.h"
 #include "search/coordination.h"
 #include "search/genome.h"
+#include "search/judges.h"
 #include "search/screen.h"
 #include "search/trials.h"
 #include "search/uses.h"
@@ -27,6 +28,7 @@ struct Outcome {
   Trials trials{};
   Coordination coordination = Coordination::not_asked;
   double distance = 1;  ///< to the plan's target (shapes.h)
+  RobotWork work{};     ///< of the plan's robot
 };
 
 struct Objective {

@@ -9,6 +9,7 @@
 
 #include "base/form.h"
 #include "base/load.h"
+#include "base/node_checks.h"
 #include "base/yaml.h"
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
@@ -84,6 +85,45 @@ const Form& score_form() {
   return kForm;
 }
 
+constexpr std::size_t kMostTerms = 20;
+
+/// A list of parts, or the name of a program.
+bool check_score(NodeChecks& checks, const YamlNode& node, const FormKey& key) {
+  if (node.kind == YamlKind::scalar) {
+    if (!checks.check_name(node)) return false;
+    return node.text.ends_with(".lua") ||
+           checks.wrong(node, "a list of objectives, or a file of Lua whose name ends in .lua");
+  }
+  if (!checks.expect(node, YamlKind::sequence, "a list of objectives, or a file of Lua")) {
+    return false;
+  }
+  bool sound = checks.check_size(node, key.name, node.items.size(), 1, kMostTerms);
+  if (node.items.size() > kMostTerms) return sound;
+  for (const YamlNode& item : node.items) sound = checks.check_part(item, score_form()) && sound;
+  return sound || checks.mark(node);
+}
+
+std::string score_schema() {
+  std::string names;
+  for (const Objective& objective : objectives()) {
+    names += fmt::format("{}\"{}\"", names.empty() ? "" : ",", objective.name);
+  }
+  return fmt::format(
+      R"({{"oneOf":[{{"type":"string","pattern":"[.]lua$"}},{{"type":"array","minItems":1,)"
+      R"("maxItems":{},"items":{{"type":"object","additionalProperties":false,)"
+      R"("required":["objective"],"properties":{{"objective":{{"enum":[{}]}},)"
+      R"("weight":{{"type":"number","minimum":-1e6,"maximum":1e6}}}}}}}}]}})",
+      kMostTerms, names);
+}
+
+FormKey score_key(std::string_view doc) {
+  static const std::string kSchema = score_schema();
+  static const ValueKind kScore{check_score, kSchema};
+  FormKey out = key("score", FormKind::own, doc);
+  out.own = &kScore;
+  return out;
+}
+
 const Form& axis_form() {
   static const Form kForm{
       "axis",
@@ -99,7 +139,7 @@ const Form& plan_form() {
       {needed(number("stigc_search", "Version of the format: 1.", 0, 1, FormKind::version)),
        needed(key("name", FormKind::name, "A short name.")),
        needed(choice("method", "How candidates are chosen.", method_names())),
-       needed(parts("score", "What is better: the sum of these.", score_form(), 1, 20)),
+       needed(score_key("What is better: the sum of these, or what a program in Lua says.")),
        parts("axes", "The grid of map-elites: two or three.", axis_form(), 2, 3),
        whole("evaluations", "Candidates in all, rounded up to whole batches; 10000 without it.", 1,
              1e12),
@@ -121,6 +161,7 @@ const Form& plan_form() {
              1000),
        whole("faults", "Times that a brick is lost, and one too many; 0 without it.", 0, 1000),
        whole("proof", "Steps of the verifier for a candidate; 0 without it: no proofs.", 0, 1e12),
+       key("robot", FormKind::name, "The file of a robot that is to build finds; needs a proof."),
        key("target", FormKind::text, "A drawing of the shape that distance is measured to.")}};
   return kForm;
 }
@@ -167,6 +208,8 @@ SearchPlan read_plan(const FormView& root) {
   plan.evaluations = count(root, "evaluations", plan.evaluations);
   plan.batch = small(root, "batch", plan.batch);
   plan.population = small(root, "population", plan.population);
+  plan.robot = root.text("robot");
+  plan.score_program = root.text("score");
   for (const FormView& term : root.forms("score")) {
     plan.score.push_back({*objective_number(term.text("objective")), term.number("weight", 1)});
   }
@@ -207,14 +250,22 @@ void read_target(const YamlDocument& document, SearchPlan& plan, Diagnostics& ou
   }
 }
 
-void check_distance(const YamlDocument& document, const SearchPlan& plan, Diagnostics& out) {
-  const std::size_t distance = *objective_number("distance");
-  const auto names_it = [&](const auto& part) { return part.objective == distance; };
+/// What an objective needs of the plan, where the score or an axis names it.
+void check_needed(const YamlDocument& document, const SearchPlan& plan, std::string_view objective,
+                  std::string_view needed, std::string_view what, Diagnostics& out) {
+  const std::size_t number = *objective_number(objective);
+  const auto names_it = [&](const auto& part) { return part.objective == number; };
   const bool named = std::any_of(plan.score.begin(), plan.score.end(), names_it) ||
                      std::any_of(plan.axes.begin(), plan.axes.end(), names_it);
-  if (!named || document.root.find("target") != nullptr) return;
+  if (!named || document.root.find(needed) != nullptr) return;
   out.add(Code::R102, document.head(*document.root.find("score")),
-          "the objective distance needs a 'target': the drawing of a shape");
+          fmt::format("the objective {} needs a '{}': {}", objective, needed, what));
+}
+
+void check_robot(const YamlDocument& document, const SearchPlan& plan, Diagnostics& out) {
+  if (plan.robot.empty() || plan.proof > 0) return;
+  out.add(Code::R102, document.head(*document.root.find("robot")),
+          "a robot needs a 'proof' above 0: it is asked about what is proved alone");
 }
 
 }  // namespace
@@ -228,7 +279,10 @@ std::optional<SearchPlan> read_search_plan(SourceRef source, Diagnostics& diagno
     if (plan) {
       check_axes(*document, *plan, own);
       read_target(*document, *plan, own);
-      check_distance(*document, *plan, own);
+      check_needed(*document, *plan, "distance", "target", "the drawing of a shape", own);
+      check_needed(*document, *plan, "robots", "robot", "the file of one", own);
+      check_needed(*document, *plan, "refusal", "robot", "the file of one", own);
+      check_robot(*document, *plan, own);
     }
   }
   diagnostics.append(own);

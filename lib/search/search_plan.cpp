@@ -62,6 +62,7 @@ std::uint64_t plan_hash(const SearchPlan& plan) {
     sum.add_objective(term.objective);
     sum.add(term.weight);
   }
+  if (plan.outside != 0) sum.add(plan.outside);
   for (const GridAxis& axis : plan.axes) {
     sum.add_objective(axis.objective);
     sum.add(axis.from);

@@ -42,6 +42,9 @@ struct SearchPlan {
   int batch = 256;      ///< candidates that are made from what was found before all of them
   int population = 64;  ///< of the genetic algorithm
   std::vector<ScoreTerm> score;
+  std::string score_program;   ///< a file of Lua in place of these; empty: none
+  std::string robot;           ///< the file of a robot that is to build finds; empty: none
+  std::uint64_t outside = 0;   ///< of the contents of these files, by whoever reads them; 0: none
   std::vector<GridAxis> axes;  ///< two or three under map_elites
 };
 

@@ -82,8 +82,45 @@ Genome child_of(const SearchPlan& plan, std::uint64_t hash, const Individual& pa
   return mutate(plan.draw, {crossed, run}, random);
 }
 
-void make(const SearchPlan& plan, std::uint64_t hash, const FindArchive& archive,
-          Screener& screener, Individual& out) {
+/// The compiler walks all that robots could build; what is not proved it refuses unseen.
+RobotWork work_of(const SearchPlan& plan, const Judges& judges, const Genome& genome,
+                  Coordination coordination) {
+  if (plan.robot.empty() || !judges.compile) return {};
+  if (!is_coordinated(coordination)) return {0, kNotProved};
+  return judges.compile(genome);
+}
+
+void set_score(const SearchPlan& settings, const Judges& judges, Individual& out) {
+  if (judges.score) {
+    const auto score = judges.score({out.id, out.values, out.bricks}, out.problem);
+    out.score = score.value_or(0);
+    return;
+  }
+  for (const ScoreTerm& term : settings.score)
+    out.score += term.weight * out.values[term.objective];
+}
+
+/// Calls `each(place, screener)` for so many, with a screener for some at a time.
+template <class Each>
+bool in_parts(const SearchPlan& plan, std::size_t count, int threads, Stop stop, const Each& each) {
+  const auto stopped = [&] { return stop != nullptr && stop->load(); };
+  run_parallel((count + kPart - 1) / kPart, threads,
+               [&](std::size_t part) {
+                 Screener screener(plan.screen);
+                 for (std::size_t i = part * kPart; i < std::min(count, (part + 1) * kPart); ++i) {
+                   each(i, screener);
+                 }
+               },
+               stopped);
+  return !stopped();
+}
+
+}  // namespace
+
+Individual make_candidate(const SearchPlan& plan, std::uint64_t hash, const FindArchive& archive,
+                          std::uint64_t id, Screener& screener) {
+  Individual out;
+  out.id = id;
   Random random(seed_of(hash, out.id), 0, kDrawing, 0, 0);
   const Choice choice = choose_parents(plan, archive, random);
   if (!choice.parent) {
@@ -91,39 +128,43 @@ void make(const SearchPlan& plan, std::uint64_t hash, const FindArchive& archive
     draw_genome(plan.draw, random, drawn);
     out.genome = std::move(drawn.genome);
     out.origin = "drawn";
-    return;
+    return out;
   }
   const Individual& parent = archive.kept()[*choice.parent];
   const Individual* other = choice.other ? &archive.kept()[*choice.other] : nullptr;
   out.genome = child_of(plan, hash, parent, other, screener, random, out.origin);
   out.parent = parent.id;
   if (other) out.other_parent = other->id;
+  return out;
 }
 
-}  // namespace
-
-Individual evaluate(const SearchPlan& settings, std::uint64_t plan, const FindArchive& archive,
-                    std::uint64_t id, Screener& screener) {
-  Individual out;
-  out.id = id;
-  make(settings, plan, archive, screener, out);
-  const std::uint64_t seed = seed_of(plan, id);
+void measure_candidate(const SearchPlan& settings, std::uint64_t plan, const Judges& judges,
+                       Screener& screener, Individual& out) {
+  const std::uint64_t seed = seed_of(plan, out.id);
   const Screening run = screener.run(out.genome, seed);
   out.bricks = built(out.genome, run);
   out.structure = shape_hash(out.genome.lattice, out.bricks);
   const Measures shape = measure(Structure(out.genome.lattice, out.bricks));
   const TrialCounts counts{settings.orders, settings.faults};
   const Trials trials = try_again(counts, out.genome, run, out.bricks, seed, screener);
+  const Coordination coordination =
+      coordination_of(out.genome, run, counts, trials, settings.proof);
   const Outcome outcome{out.genome,
                         run,
                         out.bricks,
                         shape,
                         trials,
-                        coordination_of(out.genome, run, counts, trials, settings.proof),
-                        shape_distance(out.genome.lattice, out.bricks, settings.target)};
+                        coordination,
+                        shape_distance(out.genome.lattice, out.bricks, settings.target),
+                        work_of(settings, judges, out.genome, coordination)};
   for (const Objective& objective : objectives()) out.values.push_back(objective.value(outcome));
-  for (const ScoreTerm& term : settings.score)
-    out.score += term.weight * out.values[term.objective];
+  set_score(settings, judges, out);
+}
+
+Individual evaluate(const SearchPlan& settings, std::uint64_t plan, const FindArchive& archive,
+                    std::uint64_t id, Screener& screener, const Judges& judges) {
+  Individual out = make_candidate(settings, plan, archive, id, screener);
+  measure_candidate(settings, plan, judges, screener, out);
   return out;
 }
 
@@ -132,21 +173,26 @@ std::uint64_t evaluations_of(const SearchPlan& plan) {
   return (plan.evaluations + batch - 1) / batch * batch;
 }
 
-std::optional<SearchBatch> run_batch(const SearchPlan& plan, SearchState& state, int threads,
-                                     const std::atomic<bool>* stop) {
+std::vector<Individual> make_batch(const SearchPlan& plan, const SearchState& state,
+                                   std::size_t count, int threads, Stop stop) {
   const std::uint64_t hash = plan_hash(plan);
-  const auto stopped = [&] { return stop != nullptr && stop->load(); };
-  std::vector<Individual> made(static_cast<std::size_t>(plan.batch));
-  run_parallel((made.size() + kPart - 1) / kPart, threads,
-               [&](std::size_t part) {
-                 Screener screener(plan.screen);
-                 for (std::size_t i = part * kPart; i < std::min(made.size(), (part + 1) * kPart);
-                      ++i) {
-                   made[i] = evaluate(plan, hash, state.archive, state.evaluated + i, screener);
-                 }
-               },
-               stopped);
-  if (stopped()) return std::nullopt;
+  std::vector<Individual> made(count);
+  in_parts(plan, count, threads, stop, [&](std::size_t i, Screener& screener) {
+    made[i] = make_candidate(plan, hash, state.archive, state.evaluated + i, screener);
+  });
+  return made;
+}
+
+bool measure_batch(const SearchPlan& plan, std::vector<Individual>& made, const Judges& judges,
+                   int threads, Stop stop) {
+  const std::uint64_t hash = plan_hash(plan);
+  return in_parts(plan, made.size(), threads, stop, [&](std::size_t i, Screener& screener) {
+    measure_candidate(plan, hash, judges, screener, made[i]);
+  });
+}
+
+SearchBatch take_batch(SearchState& state, std::vector<Individual> made) {
+  assert(!made.empty());
   SearchBatch batch;
   batch.first_kept = state.archive.kept().size();
   batch.best = made.front().score;
@@ -164,6 +210,21 @@ std::optional<SearchBatch> run_batch(const SearchPlan& plan, SearchState& state,
   state.evaluated += made.size();
   batch.evaluated = state.evaluated;
   return batch;
+}
+
+const Individual* first_unscored(const std::vector<Individual>& measured) {
+  const auto it = std::find_if(measured.begin(), measured.end(),
+                               [](const Individual& one) { return !one.problem.empty(); });
+  return it == measured.end() ? nullptr : &*it;
+}
+
+std::optional<SearchBatch> run_batch(const SearchPlan& plan, SearchState& state, int threads,
+                                     Stop stop, const Judges& judges) {
+  std::vector<Individual> made =
+      make_batch(plan, state, static_cast<std::size_t>(plan.batch), threads, stop);
+  if (!measure_batch(plan, made, judges, threads, stop)) return std::nullopt;
+  if (first_unscored(made) != nullptr) return std::nullopt;
+  return take_batch(state, std::move(made));
 }
 
 }  // namespace stig::search

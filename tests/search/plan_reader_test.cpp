@@ -54,6 +54,19 @@ TEST_CASE("the least plan has the defaults, and each key changes its member") {
   CHECK(plan_hash(*longer) == hash);  // goes on from the same file
 }
 
+TEST_CASE("a plan names files, whose contents count") {
+  auto plan = read(
+      "stigc_search: 1\nname: a\nmethod: random\nscore: taste.lua\nproof: 9\n"
+      "robot: bebot.yaml\n");
+  REQUIRE(plan.has_value());
+  CHECK(plan->score_program == "taste.lua");
+  CHECK(plan->robot == "bebot.yaml");
+  CHECK(plan->score.empty());
+  const std::uint64_t hash = plan_hash(*plan);
+  plan->outside = 5;
+  CHECK(plan_hash(*plan) != hash);
+}
+
 TEST_CASE("what is wrong with a plan is said with its code") {
   std::string said;
   const auto refused = [&](const std::string& text, const char* code) {
@@ -69,6 +82,13 @@ TEST_CASE("what is wrong with a plan is said with its code") {
           "R105");
   refused("stigc_search: 1\nname: a\nmethod: random\nscore: [{objective: beauty}]\n", "R104");
   refused("stigc_search: 1\nname: a\nmethod: random\nscore: [{objective: distance}]\n", "R102");
+  refused("stigc_search: 1\nname: a\nmethod: random\nscore: [{objective: robots}]\n", "R102");
+  refused(kLeast + std::string("robot: bebot.yaml\n"), "R102");
+  refused("stigc_search: 1\nname: a\nmethod: random\nscore: taste.txt\n", "R103");
+  refused("stigc_search: 1\nname: a\nmethod: random\nscore: []\n", "R107");
+  refused("stigc_search: 1\nname: a\nmethod: random\nscore: {objective: bricks}\n", "R103");
+  refused("stigc_search: 1\nname: a\nmethod: random\nscore: [3, {objective: bricks, x: 1}]\n",
+          "R101");
   refused(kLeast + std::string("target: \". .\"\n"), "R105");
   refused(kLeast + std::string("target: \"1 ?\"\n"), "the target's drawing");
 }

@@ -77,6 +77,53 @@ TEST_CASE("children name their parents, and an evaluation can be done alone") {
   }
 }
 
+TEST_CASE("robots are asked about what is proved alone, and all else is refused as not proved") {
+  SearchPlan plan = small_plan(SearchMethod::random);
+  plan.proof = 1'000'000;
+  plan.draw.rules = 2;
+  plan.batch = 100;
+  plan.robot = "some.yaml";
+  Judges judges;
+  judges.compile = [](const Genome& genome) {
+    return RobotWork{static_cast<int>(genome.rules.size()), 0};
+  };
+  SearchState state(plan);
+  REQUIRE(run_batch(plan, state, 2, nullptr, judges));
+  int asked = 0;
+  for (const Individual& one : state.archive.kept()) {
+    const bool coordinated = one.values[*objective_number("coordinated")] == 1;
+    CHECK(one.values[*objective_number("robots")] == (coordinated ? plan.draw.rules : 0));
+    CHECK(one.values[*objective_number("refusal")] == (coordinated ? 0 : kNotProved));
+    asked += coordinated ? 1 : 0;
+  }
+  CHECK(asked > 0);
+}
+
+TEST_CASE("a score from outside takes the place of the sum, and one that is missing ends a batch") {
+  const SearchPlan plan = small_plan(SearchMethod::genetic);
+  Judges judges;
+  judges.score = [](const Scored& one, std::string&) {
+    return std::optional(static_cast<double>(one.bricks.size()) + one.values[0]);
+  };
+  SearchState state(plan);
+  REQUIRE(run_batch(plan, state, 2, nullptr, judges));
+  for (const Individual& one : state.archive.kept()) {
+    CHECK(one.score == 2 * static_cast<double>(one.bricks.size()));
+  }
+  const std::uint64_t before = state.archive.content_hash();
+  judges.score = [](const Scored& one, std::string& problem) {
+    if (one.id >= 45) problem = "none";
+    return one.id < 45 ? std::optional(1.0) : std::nullopt;
+  };
+  auto made = make_batch(plan, state, 40, 1);
+  REQUIRE(measure_batch(plan, made, judges, 2));
+  REQUIRE(first_unscored(made) != nullptr);
+  CHECK(first_unscored(made)->id == 45);
+  CHECK_FALSE(run_batch(plan, state, 2, nullptr, judges));
+  CHECK(state.evaluated == 40);
+  CHECK(state.archive.content_hash() == before);
+}
+
 TEST_CASE("a search that is stopped leaves the state as it was") {
   const SearchPlan plan = small_plan(SearchMethod::random);
   SearchState state(plan);

@@ -93,6 +93,63 @@ TEST_CASE("of two searches that write to one file one goes on, and nothing is lo
   CHECK(whole.out.find(content(place, "both")) != std::string::npos);
 }
 
+TEST_CASE("a program in Lua scores, the same on any number of threads") {
+  const Workplace place;
+  std::string text = plan(256);
+  text.replace(text.find("score:"), text.find("axes:") - text.find("score:"), "score: tall.lua\n");
+  place.write("plan.yaml", text);
+  place.write("tall.lua", "function score(one)\n  return one.height * 100 + #one.cells\nend\n");
+  const Outcome one = place.stigc({"search", "plan.yaml", "-o", "one", "--threads", "1"});
+  CHECK(one.exit_code == 0);
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "two", "--threads", "2"}).out == one.out);
+  for (const Json& find : Json::parse(place.stigc({"archive", "one", "--json"}).out).at("finds")) {
+    const Json& values = find.at("objectives");
+    CHECK(find.at("score") ==
+          values.at("height").get<double>() * 100 + values.at("bricks").get<double>());
+  }
+  // The file's contents are the plan's.
+  place.write("tall.lua", "function score(one)\n  while true do end\nend\n");
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "one"}).exit_code == 3);
+  hold(place, "search-endless", "stigc search plan.yaml -o three");
+  place.write("tall.lua", "function score(one)\n  return 'tall'\nend\n");
+  hold(place, "search-no-number", "stigc search plan.yaml -o four");
+  CHECK(place.shell("rm tall.lua; stigc search plan.yaml -o five").exit_code == 1);
+}
+
+TEST_CASE("what compile says of finds is what the command says") {
+  const Workplace place;
+  place.write("plan.yaml",
+              "stigc_search: 1\nname: robots\nmethod: genetic\nfloor: true\n"
+              "score: [{objective: robots}, {objective: coordinated}]\nrobot: bebot.yaml\n"
+              "rules: 4\nbox: 7\ndeposits: 20\nproof: 1000000\nbatch: 64\nevaluations: 256\n");
+  CHECK(place.stigc({"search", "plan.yaml", "-o", "found"}).exit_code == 0);
+  const Json all = Json::parse(place.stigc({"archive", "found", "--top", "300", "--json"}).out);
+  int built = 0, refused = 0;
+  for (const Json& find : all.at("finds")) {
+    const double robots = find.at("objectives").at("robots");
+    const int code = find.at("objectives").at("refusal");
+    CHECK((robots > 0) == (code == 0));
+    if (code == 701) continue;
+    if (code == 0 ? built++ > 1 : refused++ > 3) continue;
+    const std::string id = find.at("id").dump();
+    CHECK(place.stigc({"archive", "found", "--pick", id, "-o", "r.yaml"}).exit_code == 0);
+    const Outcome compiled = place.stigc({"compile", "r.yaml"});
+    CAPTURE(compiled.err);
+    CHECK((compiled.exit_code == 0) == (code == 0));
+    if (code > 0) {
+      CHECK(compiled.err.find("error[P" + std::to_string(code) + "]") != std::string::npos);
+    } else {
+      CHECK((compiled.out.find("any number at once") != std::string::npos) == (robots > 1));
+    }
+  }
+  CHECK(built > 0);
+  CHECK(refused > 0);
+  std::string text = place.file("plan.yaml");
+  text.replace(text.find("bebot"), 5, "nobot");
+  place.write("other.yaml", text);
+  CHECK(place.stigc({"search", "other.yaml", "-o", "other"}).exit_code == 1);
+}
+
 TEST_CASE("figures and a page of finds") {
   const Workplace place;
   place.write("plan.yaml", plan(256));

@@ -13,8 +13,8 @@
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
-#include "search/plan_reader.h"
 #include "search/result_file.h"
+#include "search_judges.h"
 
 namespace stig::cli {
 namespace {
@@ -34,28 +34,49 @@ void print_summary(const search::SearchPlan& plan, const search::SearchState& st
   app.print(line("content", to_hex(archive.content_hash())));
 }
 
+/// The next batch, measured; nothing, with the exit code, when it ends here.
+std::optional<std::vector<search::Individual>> measured_batch(const SearchTask& task,
+                                                              const search::SearchState& state,
+                                                              int threads, Progress& progress,
+                                                              const App& app, int& code) {
+  const search::SearchPlan& plan = task.plan;
+  auto made =
+      make_batch(plan, state, static_cast<std::size_t>(plan.batch), threads, &stop_requested());
+  if (!measure_batch(plan, made, judges_of(task), threads, &stop_requested())) {
+    progress.clear();
+    app.complain(fmt::format("interrupted after {} of {} evaluations; the same command goes on",
+                             state.evaluated, evaluations_of(plan)));
+    code = kRunFailed;
+    return std::nullopt;
+  }
+  if (const search::Individual* one = first_unscored(made)) {
+    progress.clear();
+    report_unscored(task, *one, app);
+    code = kFailed;
+    return std::nullopt;
+  }
+  return made;
+}
+
 /// An exit code. What was done when it ends early is in the file.
-int work(const search::SearchPlan& plan, search::ResultFile& file, search::SearchState& state,
-         int threads, const App& app) {
+int work(const SearchTask& task, search::ResultFile& file, search::SearchState& state, int threads,
+         const App& app) {
   Progress progress(app);
-  const std::uint64_t begun = state.evaluated, all = search::evaluations_of(plan);
+  const std::uint64_t begun = state.evaluated, all = search::evaluations_of(task.plan);
   while (state.evaluated < all) {
-    const auto batch = search::run_batch(plan, state, threads, &stop_requested());
-    if (!batch) {
-      progress.clear();
-      app.complain(fmt::format("interrupted after {} of {} evaluations; the same command goes on",
-                               state.evaluated, all));
-      return kRunFailed;
-    }
+    int code = kOk;
+    auto made = measured_batch(task, state, threads, progress, app, code);
+    if (!made) return code;
+    const search::SearchBatch batch = take_batch(state, std::move(*made));
     std::string error;
-    if (!file.add(*batch, state.archive, error)) {
+    if (!file.add(batch, state.archive, error)) {
       progress.clear();
       app.complain(printable(error));
       return kRunFailed;
     }
     progress.show(static_cast<double>(state.evaluated - begun) / static_cast<double>(all - begun),
                   fmt::format("{} evaluations, {} structures, best of the batch {:.4g}",
-                              state.evaluated, state.archive.structures(), batch->best));
+                              state.evaluated, state.archive.structures(), batch.best));
   }
   return kOk;
 }
@@ -63,14 +84,12 @@ int work(const search::SearchPlan& plan, search::ResultFile& file, search::Searc
 }  // namespace
 
 int run(const SearchFileOptions& options, App& app) {
-  Diagnostics diagnostics;
-  const auto plan = search::read_search_plan_file(options.plan, diagnostics);
-  app.report(diagnostics);
-  if (!plan || app.invalid(diagnostics)) return kFailed;
+  const auto task = read_search_task(options.plan, app);
+  if (!task) return kFailed;
   if (const int code = check_outputs({options.output}, app); code != kOk) return code;
-  search::SearchState state(*plan);
+  search::SearchState state(task->plan);
   std::string error;
-  auto file = search::ResultFile::go_on(options.output, *plan, state, error);
+  auto file = search::ResultFile::go_on(options.output, task->plan, state, error);
   if (!file) {
     app.complain(printable(error));
     return kRunFailed;
@@ -79,8 +98,8 @@ int run(const SearchFileOptions& options, App& app) {
     app.say(fmt::format("going on after {} evaluations", state.evaluated));
   }
   stop_on_signals();
-  const int code = work(*plan, *file, state, thread_count(options.threads), app);
-  if (code == kOk) print_summary(*plan, state, app);
+  const int code = work(*task, *file, state, thread_count(options.threads), app);
+  if (code == kOk) print_summary(task->plan, state, app);
   return code;
 }
 
