@@ -11,6 +11,7 @@
 
 #include "lattice/rgb.h"
 #include "lattice/swarm.h"
+#include "rules/published_table.h"
 #include "synthesis/synthesise.h"
 #include "uses.h"
 #include "validate/set_up.h"
@@ -217,6 +218,12 @@ struct VoxeliseOptions {
   bool json = false;
 };
 
+struct ImportOptions {
+  std::string table;
+  TableReading reading;
+  std::optional<std::string> output;  ///< otherwise standard output
+};
+
 struct MeasureOptions {
   std::string structure;
   std::optional<Lattice> lattice;  ///< of a file that does not say it
@@ -359,7 +366,7 @@ using CommandOptions =
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
                  BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions, SearchFileOptions,
-                 ArchiveOptions, SweepOptions, MergeOptions>;
+                 ArchiveOptions, SweepOptions, MergeOptions, ImportOptions>;
 
 struct CommandLine {
   GlobalOptions global;

@@ -201,6 +201,32 @@ void add_schema(CLI::App& app, SchemaOptions& o) {
        "a rule set, finished or not, whose symbols editors shall offer where one is wanted");
 }
 
+void add_import(CLI::App& app, ImportOptions& o) {
+  CLI::App* sub =
+      command(app, "import", "turn a published table of rules into a rule set",
+              "  printf '0,0,0,0,0,0,1 0,0,0,0,0,0 0,0,0,0,0,0,0 2 1.0\\n' > mast.txt\n"
+              "  printf '0,0,0,0,0,0,2 0,0,0,0,0,0 0,0,0,0,0,0,0 1 1.0\\n' >> mast.txt\n"
+              "  stigc import mast.txt -o mast.yaml && stigc explore mast.yaml --box 5,5,9\n"
+              "  stigc import mast.txt --symmetry none --inversion | stigc check -\n");
+  file(sub, "TABLE", o.table, "the table as text; - is standard input");
+  choice(sub, "--format", o.reading.form,
+         {{"matrices", TableForm::matrices},
+          {"slices", TableForm::slices},
+          {"lines", TableForm::lines}},
+         "how it is written: three slices side by side, a line for each slice, or a line for each "
+         "rule (default: by its first line)");
+  choice(sub, "--lattice", o.reading.matrices_of,
+         {{"cubic", Lattice::cubic}, {"hexagonal", Lattice::hexagonal}},
+         "of matrices; the other forms are hexagonal (default: cubic)");
+  choice(sub, "--symmetry", o.reading.symmetry,
+         {{"none", Symmetry::none},
+          {"rotations", Symmetry::rotations},
+          {"rotations+mirrors", Symmetry::rotations_mirrors}},
+         "turns in which every rule holds (default: rotations)");
+  sub->add_flag("--inversion", o.reading.inversion, "every rule holds upside down too");
+  path(sub, "-o,--output", o.output, "rule set to write (default: standard output)");
+}
+
 void add_voxelise(CLI::App& app, VoxeliseOptions& o) {
   CLI::App* sub =
       command(app, "voxelise", "turn a mesh into bricks",
