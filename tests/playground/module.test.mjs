@@ -23,6 +23,11 @@ const named = name => ({name: path.basename(name), text: read(name)});
 const yamlIn = folder => fs.readdirSync(path.join(ROOT, folder)).filter(f => f.endsWith('.yaml'))
                              .sort().map(f => `${folder}/${f}`);
 
+/** Every rule set in the folders of the tests, whatever it is there for. */
+const ruleSetsOfTests = () => fs.readdirSync(path.join(ROOT, 'tests'), {recursive: true})
+    .filter(file => file.endsWith('.yaml')).sort().map(file => `tests/${file}`)
+    .filter(name => /^stigc:/m.test(read(name)) && /^rules:/m.test(read(name)));
+
 function stigc(args, input = '') {
   const done = spawnSync(STIGC, args, {cwd: ROOT, encoding: 'utf8', input, maxBuffer: 1 << 28});
   assert.ok(done.status <= 3, `stigc ${args.join(' ')}: ${done.stderr}`);
@@ -79,17 +84,33 @@ for (const [motion, limit] of [['walk', {steps: 30000}], ['teleport', {steps: 30
 test('structures and traces are files that the program takes for its own', () => {
   const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'stig-playground-'));
   const {files} = ask({do: 'explore', ...named('rulesets/stepped-pyramid.yaml'), seed: 3});
-  const made = {json: files.json, vox: Buffer.from(files.vox, 'base64'),
-                stigt: Buffer.from(files.stigt, 'base64')};
-  for (const ending of ['json', 'vox']) {
+  const made = {json: files.json, stigt: Buffer.from(files.stigt, 'base64')};
+  const target = {name: 'a', text: files.json};
+  for (const ending of ['json', 'vox', 'txt', 'stl', 'ply', 'glb']) {
     const own = path.join(folder, `own.${ending}`);
     stigc(['explore', 'rulesets/stepped-pyramid.yaml', '--seed', '3', '-o', own]);
-    assert.deepEqual(Buffer.from(made[ending]), fs.readFileSync(own));
+    made[ending] ??= Buffer.from(ask({do: 'structure', target, ending}).file, 'base64');
+    assert.deepEqual(Buffer.from(made[ending]), fs.readFileSync(own), ending);
   }
+  assert.ok(ask({do: 'structure', target, ending: 'svg'}).problem);
   const trace = path.join(folder, 'page.stigt');
   fs.writeFileSync(trace, made.stigt);
   assert.match(stigc(['replay', trace]), /identical/);
   fs.rmSync(folder, {recursive: true});
+});
+
+test('a run takes the options of stigc explore, and says as it does what is wrong with them', () => {
+  const name = 'rulesets/stepped-pyramid.yaml';
+  for (const given of [{moves: 6, box: '9,9,9'}, {moves: 18, steps: 500}, {deposits: 7},
+                       {motion: 'event', box: 'none', deposits: 12}]) {
+    const options = Object.entries(given).flatMap(([key, value]) => [`--${key}`, `${value}`]);
+    const {run} = ask({do: 'explore', ...named(name), ...given});
+    assert.deepEqual(run, JSON.parse(stigc(['explore', name, '--json', ...options])));
+  }
+  for (const box of ['1e9,1,1', '9,9', '999999999,9,9', 'none', '0,0,0', '3,3,3,3', '\0']) {
+    assert.ok(ask({do: 'explore', ...named(name), box}).problem, box);
+  }
+  assert.ok(ask({do: 'explore', ...named(name), moves: 7}).problem);
 });
 
 test('verdicts of every shipped set are those of stigc verify', () => {
@@ -143,14 +164,13 @@ test('rules of one colour are synthesised and proved; more colours take the prog
 });
 
 test('what is wrong with a file is found where the program finds it, in the same words', () => {
-  for (const folder of ['rulesets', 'tests/bad']) {
-    for (const name of yamlIn(folder)) {
-      const text = read(name);
-      // Bytes that are no text never get into an editor.
-      if (!Buffer.from(text).equals(fs.readFileSync(path.join(ROOT, name)))) continue;
-      const [page, program] = verdicts(text);
-      assert.equal(said(page), said(program), name);
-    }
+  const all = [...yamlIn('rulesets'), ...yamlIn('tests/bad'), ...ruleSetsOfTests()];
+  for (const name of new Set(all)) {
+    const text = read(name);
+    // Bytes that are no text never get into an editor.
+    if (!Buffer.from(text).equals(fs.readFileSync(path.join(ROOT, name)))) continue;
+    const [page, program] = verdicts(text);
+    assert.equal(said(page), said(program), name);
   }
 });
 
@@ -178,8 +198,17 @@ test('what is no question is no crash', () => {
 });
 
 test('a set in an address comes back as it was', () => {
-  const shared = {text: read('rulesets/coral.yaml'), motion: 'event', agents: 4, seed: 12};
-  assert.deepEqual(sharedOfHash(hashOfShared(shared)), shared);
+  const usual = {motion: 'walk', box: '', agents: 10, seed: 1, moves: null, steps: null,
+                 deposits: null, effort: 1};
+  const text = read('rulesets/coral.yaml');
+  for (const given of [{}, {motion: 'event', agents: 4, seed: 12, deposits: 9, box: 'none'},
+                       {moves: 6, box: '8,8,9', steps: 1000, effort: 3}]) {
+    const shared = {...usual, ...given, text};
+    assert.deepEqual(sharedOfHash(hashOfShared(shared)), shared);
+  }
+  // What makes no sense is as usual.
+  const odd = `${hashOfShared({...usual, text})}&agents=-1&moves=99&steps=1e999&effort=x&seed=1.5`;
+  assert.deepEqual(sharedOfHash(odd), {...usual, text});
   for (const hash of ['', '#', '#set=', '#set=%%%', '#set=AAAA', '#t=3']) {
     assert.equal(sharedOfHash(hash), null, hash);
   }

@@ -27,6 +27,16 @@ async function choose(page, set) {
   }
 }
 
+/** The file that the page hands out. */
+async function saved(page, what, ending) {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.locator('select[aria-label="save"]').selectOption(what)]);
+  const file = path.join(folder, `saved-${what}.${ending}`);
+  await download.saveAs(file);
+  return file;
+}
+
 /** The editor with the cursor behind a line that begins so. */
 async function goToEndOf(page, line) {
   await page.evaluate(wanted => {
@@ -152,21 +162,112 @@ test('compile says what a robot does, or shows the brick in the way', async () =
 test('rules, structure and trace are saved as files of the program', async () => {
   const {page, close} = await start();
   await waitForText(page, '.said', /^staircase:/);
-  const saved = async ending => {
-    const [download] = await Promise.all([
-      page.waitForEvent('download'),
-      page.locator('select[aria-label="save"]').selectOption(ending)]);
-    const file = path.join(folder, `saved.${ending}`);
-    await download.saveAs(file);
-    return file;
-  };
-  stigc(['check', await saved('yaml')]);
-  stigc(['explore', 'rulesets/staircase.yaml', '-o', 'own.json', '-o', 'own.vox']);
-  for (const ending of ['json', 'vox']) {
-    assert.deepEqual(fs.readFileSync(await saved(ending)),
-                     fs.readFileSync(path.join(folder, `own.${ending}`)));
+  stigc(['check', await saved(page, 'yaml', 'yaml')]);
+  for (const ending of ['json', 'vox', 'txt', 'stl', 'ply', 'glb']) {
+    stigc(['explore', 'rulesets/staircase.yaml', '-o', `own.${ending}`]);
+    assert.deepEqual(fs.readFileSync(await saved(page, ending, ending)),
+                     fs.readFileSync(path.join(folder, `own.${ending}`)), ending);
   }
-  assert.match(stigc(['replay', await saved('stigt')]), /identical/);
+  assert.match(stigc(['replay', await saved(page, 'stigt', 'stigt')]), /identical/);
+  await close();
+});
+
+test('a picture is saved of what is on show', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await still(page);
+  const bytes = fs.readFileSync(await saved(page, 'png', 'png'));
+  assert.equal(bytes.subarray(1, 4).toString(), 'PNG');
+  // Sizes as the canvas has them, and more in it than one colour.
+  const size = await page.evaluate(() => [window.stigView.stage.canvas.width,
+                                          window.stigView.stage.canvas.height]);
+  assert.deepEqual([bytes.readUInt32BE(16), bytes.readUInt32BE(20)], size);
+  assert.ok(bytes.length > 2000, `${bytes.length} bytes`);
+  await close();
+});
+
+test('the two runs of a verdict of no are traces that the program replays', async () => {
+  const {page, close} = await start();
+  await choose(page, 'order-dependent');
+  // Before there is a second one, the page says so.
+  await page.locator('select[aria-label="save"]').selectOption('second');
+  await waitForText(page, '.said', /one run alone/);
+  await press(page, 'Verify');
+  await waitForText(page, '.said', /REFUTED/);
+  const placed = await page.evaluate(() => window.stigView.views.map(v => v.run.bricks.count - 1));
+  for (const [i, which] of ['stigt', 'second'].entries()) {
+    const file = await saved(page, which, 'stigt');
+    const {events, identical} = JSON.parse(stigc(['replay', file, '--json']));
+    assert.deepEqual([events, identical], [placed[i], true], which);
+  }
+  await close();
+});
+
+test('how a set is run is asked in fields, kept in the address and taken from it', async () => {
+  const first = await start();
+  await waitForText(first.page, '.said', /^staircase:/);
+  await first.page.locator('.more summary').click();
+  for (const [name, value] of [['box', '9,9,9'], ['moves', '6'], ['deposits', '4']]) {
+    await first.page.locator(`input[aria-label=${name}]`).fill(value);
+    await first.page.locator(`input[aria-label=${name}]`).press('Tab');
+  }
+  await until(first.page, () => window.stigView.views[0].run.bricks.count === 5);
+  const hash = await first.page.evaluate(() => location.hash);
+  assert.match(hash, /moves=6.*deposits=4.*box=9%2C9%2C9/);
+  await first.page.locator('input[aria-label=box]').fill('1e9');
+  await first.page.keyboard.press('Tab');
+  await waitForText(first.page, '.said', /box: three integers parted by commas/);
+  await first.close();
+  const second = await start({hash});
+  await until(second.page, () => window.stigView.views[0].run.bricks.count === 5);
+  assert.ok(await second.page.locator('input[aria-label=box]').isVisible(), 'it is not hidden');
+  assert.equal(await second.page.locator('input[aria-label=box]').inputValue(), '9,9,9');
+  await second.close();
+});
+
+test('keys do what buttons do, and a sheet lists them', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await page.locator('h1').first().click();
+  await page.keyboard.press('?');
+  await waitForText(page, '.playground > .sheet', /verify/);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.locator('.playground > .sheet').count(), 0);
+  await page.keyboard.press('v');
+  await waitForText(page, '.said', /PROVED/i);
+  // In the editor letters are letters.
+  await page.keyboard.press('e');
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.type('#?v');
+  assert.ok(await page.evaluate(() => window.stigPlayground.text.startsWith('#?v')));
+  assert.equal(await page.locator('.playground > .sheet').count(), 0);
+  await page.keyboard.press('Control+Enter');
+  await waitForText(page, '.words h2', /Run/);
+  await close();
+});
+
+for (const [what, text] of [
+  ['many lines', '# no more than this\n'.repeat(100_000)],
+  ['deep nesting', `name: ${'['.repeat(20_000)}`],
+  ['bytes of zero', 'stigc: 1\nname: a\0b\n'],
+  ['a huge box', 'stigc: 1\nname: a\nlattice: cubic\nbox: {size: [1000000000, 9, 9]}\n'],
+]) {
+  test(`${what}: the page says what is wrong, and stays awake`, async () => {
+    const {page, close} = await start();
+    await waitForText(page, '.said', /^staircase:/);
+    await page.evaluate(given => {
+      const {editor} = window.stigPlayground;
+      editor.dispatch({changes: {from: 0, to: editor.state.doc.length, insert: given}});
+    }, text);
+    await until(page, () => window.stigPlayground.answers.get('check').diagnostics.length > 0);
+    await choose(page, 'wall');
+    await close();
+  });
+}
+
+test('an address of garbage opens the page as one of nothing', async () => {
+  const {page, close} = await start({hash: '#set=%00%ff&agents=1e99&box=<b>&motion=x'});
+  await waitForText(page, '.said', /^staircase:/);
   await close();
 });
 

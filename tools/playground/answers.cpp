@@ -15,9 +15,9 @@ namespace stig::playground {
 namespace {
 
 constexpr std::pair<std::string_view, Json (*)(const Json&)> kAnswers[] = {
-    {"schema", schema_answer},   {"check", check_answer},   {"explore", explore_answer},
-    {"explain", explain_answer}, {"verify", verify_answer}, {"compile", compile_answer},
-    {"synth", synth_answer},
+    {"schema", schema_answer},   {"check", check_answer},         {"explore", explore_answer},
+    {"explain", explain_answer}, {"verify", verify_answer},       {"compile", compile_answer},
+    {"synth", synth_answer},     {"structure", structure_answer},
 };
 
 Json answer_json(const Json& question) {

@@ -7,11 +7,13 @@
 //
 //   schema    {}                                the JSON Schema of rule sets
 //   check     {text}                            what is wrong with a rule set
-//   explore   {text, motion, agents, seed, …}   a run, as the viewer shows it, and its files
+//   explore   {text, motion, agents, seed, …}   a run, as the viewer shows it, and its files; the
+//                                             options of the program by their names
+//   structure {target, ending}                a structure as another kind of file, in base64
 //   explain   {text, at, bricks}                rule by rule, why it fires at a site or why not
 //   verify    {text, effort}                    the verdict, and the runs that show it
 //   compile   {text, robot, block}              what a robot does where, or why it cannot
-//   synth     {target, name}                    rules that build a structure
+//   synth     {target, name, effort}            rules that build a structure
 //
 // Every answer to a `text` has `diagnostics`; where these are errors, it has nothing else.
 #pragma once
@@ -33,6 +35,7 @@ std::string answer(std::string_view question);
 Json schema_answer(const Json& question);
 Json check_answer(const Json& question);
 Json explore_answer(const Json& question);
+Json structure_answer(const Json& question);
 Json explain_answer(const Json& question);
 Json verify_answer(const Json& question);
 Json compile_answer(const Json& question);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // A run, by the program's own defaults for whatever the page does not say.
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 
 #include "answers.h"
 #include "base/hash.h"
 #include "explore_config.h"
+#include "lattice/structure_json.h"
+#include "numbers.h"
 #include "report.h"
 #include "rules_text.h"
 #include "shown_runs.h"
@@ -30,16 +34,21 @@ std::optional<Number> number_at(const Json& question, const char* key) {
   return static_cast<Number>(value);
 }
 
-ExploreOptions options_of(const Json& question) {
+ExploreOptions options_of(const Json& question, std::string& problem) {
   ExploreOptions options;
   options.motion = motion_of(question.value("motion", ""));
-  if (options.motion != Motion::event) options.agents = number_at<int>(question, "agents");
+  if (options.motion != Motion::event) {
+    options.agents = number_at<int>(question, "agents");
+    options.moves = number_at<int>(question, "moves");
+  }
   options.seed = number_at<std::uint64_t>(question, "seed").value_or(1);
   options.steps = number_at<std::uint64_t>(question, "steps");
   options.deposits = number_at<std::uint64_t>(question, "deposits");
-  const auto size = question.find("box");
-  if (size != question.end() && size->is_array() && size->size() == 3) {
-    options.world.box = BoxOption{Offset{(*size)[0], (*size)[1], (*size)[2]}};
+  const std::string size = question.value("box", "");
+  if (!size.empty()) {
+    BoxOption& box = options.world.box.emplace();
+    if (size != "none") problem = parse_size(size, box.size.emplace());
+    if (!problem.empty()) problem = fmt::format("box: {}", problem);
   }
   return options;
 }
@@ -51,7 +60,13 @@ Json explore_answer(const Json& question) {
   const std::optional<RuleSet> rules = read_rules_text(question, out);
   if (!rules) return out;
   const RuleTable table(*rules);
-  const ExploreConfig config = explore_config(*rules, table, options_of(question));
+  std::string problem;
+  const ExploreOptions options = options_of(question, problem);
+  if (!problem.empty()) {
+    out["problem"] = problem;
+    return out;
+  }
+  const ExploreConfig config = explore_config(*rules, table, options);
   if (!config.problem.empty()) {
     out["problem"] = config.problem;
     return out;
@@ -71,8 +86,8 @@ Json explore_answer(const Json& question) {
   out["run"] = run_json(*rules, config.swarm, result);
   out["text"] = run_lines(*rules, config.swarm, result, false);
   out["stage"] = result.stage;
-  out["files"] = structure_files(result.structure, rules->bricks);
-  out["files"]["stigt"] = trace_file(*rules, trace);
+  out["files"] = {{"json", print_structure_json(result.structure, rules->bricks)},
+                  {"stigt", trace_file(*rules, trace)}};
   return out;
 }
 

@@ -31,4 +31,12 @@ std::optional<RuleSet> read_rules_text(const Json& question, Json& out) {
   return rules;
 }
 
+double effort_of(const Json& question) {
+  constexpr double kMost = 1e6;
+  const auto found = question.find("effort");
+  if (found == question.end() || !found->is_number()) return 1;
+  const double effort = found->get<double>();
+  return effort > 0 && effort <= kMost ? effort : 1;
+}
+
 }  // namespace stig::playground

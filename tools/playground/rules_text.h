@@ -19,6 +19,9 @@ std::optional<RuleSet> read_rules_text(const Json& question, Json& out);
 /// A file that comes with the question under a key: {name, text}. Null when it is not there.
 SourceRef source_of(const Json& question, const char* key);
 
+/// The question's `effort`, as --effort of verify and synth; 1 where it has none that makes sense.
+double effort_of(const Json& question);
+
 /// Adds `diagnostics` to an answer, as the program's --diagnostics json has them.
 void add_diagnostics(const Diagnostics& diagnostics, Json& out);
 

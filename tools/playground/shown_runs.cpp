@@ -4,8 +4,6 @@
 #include <nlohmann/json.hpp>
 
 #include "base/base64.h"
-#include "lattice/structure_json.h"
-#include "lattice/vox.h"
 #include "rules/rule_printer.h"
 
 namespace stig::playground {
@@ -25,11 +23,6 @@ Trace given_order(const RuleSet& rules, const std::optional<Box>& box,
 
 void add_view(const PageContent& page, Json& out) {
   out["view"] = {{"json", page.json()}, {"columns", base64(page.columns().bytes())}};
-}
-
-Json structure_files(const Structure& structure, const std::vector<Brick>& bricks) {
-  return {{"json", print_structure_json(structure, bricks)},
-          {"vox", base64(print_vox(structure, bricks))}};
 }
 
 std::string trace_file(const RuleSet& rules, const Trace& trace) {

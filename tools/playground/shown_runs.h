@@ -19,9 +19,6 @@ Trace given_order(const RuleSet& rules, const std::optional<Box>& box,
 /// Adds `view` to an answer: the data of a page (view/page_data.h), the columns in base64.
 void add_view(const PageContent& page, Json& out);
 
-/// A structure's files: `json` as text, `vox` in base64.
-Json structure_files(const Structure& structure, const std::vector<Brick>& bricks);
-
 /// Bytes of a trace file in base64, which the program's replay and view read.
 std::string trace_file(const RuleSet& rules, const Trace& trace);
 

@@ -49,6 +49,7 @@ Json synth_answer(const Json& question) {
   const Target target = target_of(*loaded, ColourUse::free);
   SynthesisOptions options;
   options.floor = question.value("floor", false);
+  options.effort = effort_of(question);
   const Synthesis result = synthesise(target, options);
   if (result.best) {
     add_rules(question.value("name", "structure"), *result.best, target, out);

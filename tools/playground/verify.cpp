@@ -51,7 +51,7 @@ Json verify_answer(const Json& question) {
   if (!rules) return out;
   VerifyOptions settings;
   settings.box = file_box(*rules);
-  const double effort = question.value("effort", 1.0);
+  const double effort = effort_of(question);
   settings.work = static_cast<std::uint64_t>(effort * static_cast<double>(settings.work));
   const VerifyResult result = verify::verify(*rules, settings);
   FindingOptions limits;

@@ -31,4 +31,12 @@ inline from_chars_result from_chars(const char* first, const char* last, double&
   return {first + length, errc()};
 }
 
+/// Without exponents, which end the number.
+inline from_chars_result from_chars(const char* first, const char* last, double& value,
+                                    chars_format) {
+  const string_view text(first, static_cast<size_t>(last - first));
+  const size_t length = text.find_first_not_of("0123456789.-");
+  return from_chars(first, length == string_view::npos ? last : first + length, value);
+}
+
 }  // namespace std

@@ -13,8 +13,9 @@ export interface KeyAction {
 
 /** Does an element take letters for itself? */
 function takesText(target: EventTarget | null): boolean {
-  return target instanceof HTMLInputElement && target.type === 'text' ||
-      target instanceof HTMLSelectElement;
+  return target instanceof HTMLInputElement && ['text', 'number'].includes(target.type) ||
+      target instanceof HTMLSelectElement ||
+      target instanceof HTMLElement && target.isContentEditable;
 }
 
 /** Keys of a slider or a button with the focus stay its own. */
@@ -32,7 +33,9 @@ export function listen(target: Document | HTMLElement, actions: readonly KeyActi
   const byKey = new Map(actions.flatMap(action => action.keys.map(key => [key, action] as const)));
   target.addEventListener('keydown', given => {
     const event = given as KeyboardEvent;
-    if (event.ctrlKey || event.metaKey || event.altKey || isItsOwn(event)) return;
+    // A part of the page may have taken it.
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (isItsOwn(event)) return;
     const action = byKey.get(event.key);
     if (!action) return;
     event.preventDefault();

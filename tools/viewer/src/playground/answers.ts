@@ -34,7 +34,9 @@ export interface Answer {
   view?: ViewData;
   /** Of a run: the stage that it reached. */
   stage?: number;
-  files?: {json: string; vox: string; stigt: string};
+  files?: {json: string; stigt: string};
+  /** Of structure: in base64. */
+  file?: string;
   traces?: {name: string; stigt: string}[];
   certificate?: string;
   /** Of compile. */

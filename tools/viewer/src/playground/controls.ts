@@ -2,6 +2,8 @@
 // The bar above the editor: which set, how it is run, and what is done with it.
 import {button, element, select} from '../elements.js';
 import type {NamedText} from './files.js';
+import {kMotions, kNumbers, settingsFrom, unusual, type NumberField, type Settings} from
+  './settings.js';
 
 export interface Deeds {
   start: (set: NamedText) => void;
@@ -11,31 +13,32 @@ export interface Deeds {
   synth: () => void;
   stop: () => void;
   link: () => void;
-  /** The ending of a file: yaml, json, vox, stigt or cert. */
+  help: () => void;
+  /** One of kSaved. */
   save: (ending: string) => void;
-}
-
-export interface Settings {
-  motion: string;
-  agents: number;
-  seed: number;
 }
 
 const kSaved = [
   {value: 'yaml', text: 'rules (.yaml)'},
-  {value: 'json', text: 'structure (.json)'},
-  {value: 'vox', text: 'structure (.vox)'},
+  ...['json', 'vox', 'txt', 'stl', 'ply', 'glb'].map(
+      ending => ({value: ending, text: `structure (.${ending})`})),
   {value: 'stigt', text: 'trace (.stigt)'},
+  {value: 'second', text: 'trace of the other run (.stigt)'},
   {value: 'cert', text: 'certificate of the proof'},
+  {value: 'png', text: 'picture (.png)'},
 ];
 
-function numberField(label: string, value: number, most: number, onChange: () => void):
+function numberField({key, title, usual, least, most}: NumberField, onChange: () => void):
     HTMLInputElement {
-  const out = element('input', {type: 'number', label, title: label, value: String(value)});
-  out.min = label === 'agents' ? '1' : '0';
-  out.max = String(most);
+  const out = element('input', {type: 'number', label: key, title,
+                                value: usual === null ? '' : String(usual)});
+  [out.min, out.max, out.placeholder] = [String(least), String(most), 'auto'];
   out.addEventListener('change', onChange);
   return out;
+}
+
+function named(name: string, field: HTMLElement): HTMLLabelElement {
+  return element('label', {}, `${name} `, field);
 }
 
 /** A list whose first line is what it is for, and which is back there after every choice. */
@@ -51,8 +54,10 @@ function menu(text: string, choices: {value: string; text: string}[],
 export class Controls {
   readonly bar: HTMLElement;
   private readonly motion: HTMLSelectElement;
-  private readonly agents: HTMLInputElement;
-  private readonly seed: HTMLInputElement;
+  private readonly box = element('input', {type: 'text', label: 'box', value: '', title:
+      'size of the world of runs: X,Y,Z, or none with event motion; the file’s where left out'});
+  private readonly numbers = new Map<string, HTMLInputElement>();
+  private readonly more = element('details', {class: 'more'});
   private readonly stop: HTMLButtonElement;
 
   constructor(sets: readonly NamedText[], deeds: Deeds) {
@@ -62,36 +67,59 @@ export class Controls {
       if (set) deeds.start(set);
     });
     const again = (): void => {
-      this.agents.disabled = this.motion.value === 'event';
+      this.suitMotion();
       deeds.run();
     };
-    this.motion = select('motion', ['walk', 'teleport', 'event'].map(m => ({value: m, text: m})),
-                         again);
-    this.agents = numberField('agents', 10, 10_000, again);
-    this.seed = numberField('seed', 1, 1e9, again);
+    this.motion = select('motion', kMotions.map(m => ({value: m, text: m})), again);
+    this.box.placeholder = 'auto';
+    this.box.addEventListener('change', again);
+    for (const field of kNumbers) this.numbers.set(field.key, numberField(field, again));
+    this.more.append(element('summary', {text: 'more', title: 'more options'}),
+                     named('box', this.box), ...this.labels(false));
     this.stop = button('Stop', 'end what is being worked on', deeds.stop);
     this.stop.disabled = true;
     this.bar = element('header', {class: 'bar'}, element('h1', {text: 'stigc playground'}), start,
-        this.motion, element('label', {}, 'agents ', this.agents),
-        element('label', {}, 'seed ', this.seed),
-        button('Run', 'let the agents build', deeds.run),
+        this.motion, ...this.labels(true), this.more,
+        button('Run', 'let the agents build (Ctrl+Enter)', deeds.run),
         button('Verify', 'does every order of events end alike?', deeds.verify),
         button('Compile', 'what a robot would do where', deeds.compile),
         button('Synthesise', 'rules of one colour for the structure on show', deeds.synth),
         this.stop, menu('save', kSaved, deeds.save),
-        button('Link', 'an address that holds this rule set', deeds.link));
+        button('Link', 'an address that holds this rule set', deeds.link),
+        button('?', 'keys of the page (?)', deeds.help));
+  }
+
+  private labels(always: boolean): HTMLLabelElement[] {
+    return kNumbers.filter(field => (field.always ?? false) === always)
+        .map(({key}) => named(key, this.field(key)));
+  }
+
+  private field(key: string): HTMLInputElement {
+    const found = this.numbers.get(key);
+    if (!found) throw new Error(`there is no field '${key}'`);
+    return found;
+  }
+
+  /** Events have no agents that could move. */
+  private suitMotion(): void {
+    for (const key of ['agents', 'moves']) this.field(key).disabled = this.motion.value === 'event';
   }
 
   get settings(): Settings {
-    return {motion: this.motion.value, agents: Math.max(1, Math.round(Number(this.agents.value))),
-            seed: Math.max(0, Math.round(Number(this.seed.value)))};
+    const texts: Record<string, string> = {motion: this.motion.value, box: this.box.value};
+    return settingsFrom(name => texts[name] ?? this.field(name).value);
   }
 
-  set settings({motion, agents, seed}: Settings) {
-    this.motion.value = motion;
-    this.agents.value = String(agents);
-    this.seed.value = String(seed);
-    this.agents.disabled = motion === 'event';
+  set settings(settings: Settings) {
+    this.motion.value = settings.motion;
+    this.box.value = settings.box;
+    for (const {key} of kNumbers) this.field(key).value = String(settings[key] ?? '');
+    const hidden: string[] = kNumbers.filter(field => !field.always).map(({key}) => key);
+    // What is not as usual is not hidden.
+    if (unusual(settings).some(([name]) => name === 'box' || hidden.includes(name))) {
+      this.more.open = true;
+    }
+    this.suitMotion();
   }
 
   set busy(yes: boolean) {

@@ -4,7 +4,7 @@ import {autocompletion, completionKeymap} from '@codemirror/autocomplete';
 import {defaultKeymap, history, historyKeymap, indentWithTab} from '@codemirror/commands';
 import {yaml} from '@codemirror/lang-yaml';
 import {bracketMatching, syntaxHighlighting} from '@codemirror/language';
-import {EditorState} from '@codemirror/state';
+import {EditorState, Prec} from '@codemirror/state';
 import {EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers} from
   '@codemirror/view';
 import {classHighlighter} from '@lezer/highlight';
@@ -17,13 +17,15 @@ export interface EditorWishes {
   schema: () => Schema | null;
   /** After every change of the text. */
   onChange: () => void;
+  onRun: () => void;
 }
 
-export function makeEditor({parent, schema, onChange}: EditorWishes): EditorView {
+export function makeEditor({parent, schema, onChange, onRun}: EditorWishes): EditorView {
   const label = EditorView.contentAttributes.of({'aria-label': 'rule set', 'spellcheck': 'false'});
   const changes = EditorView.updateListener.of(update => {
     if (update.docChanged) onChange();
   });
+  const run = Prec.highest(keymap.of([{key: 'Mod-Enter', run: () => (onRun(), true)}]));
   return new EditorView({
     parent,
     state: EditorState.create({
@@ -31,7 +33,7 @@ export function makeEditor({parent, schema, onChange}: EditorWishes): EditorView
         lineNumbers(), history(), drawSelection(), highlightActiveLine(), bracketMatching(), yaml(),
         syntaxHighlighting(classHighlighter), autocompletion({override: [completer(schema)]}),
         keymap.of([...completionKeymap, ...defaultKeymap, ...historyKeymap, indentWithTab]),
-        messages, changes, label,
+        messages, changes, label, run,
       ],
     }),
   });

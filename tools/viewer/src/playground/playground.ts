@@ -3,14 +3,16 @@
 // said of a text that has changed since is dropped.
 import type {EditorView} from '@codemirror/view';
 import {element} from '../elements.js';
-import {bytesOfBase64} from '../packed_data.js';
+import {keySheet, listen, type KeyAction} from '../keys.js';
 import type {Answer, Question} from './answers.js';
 import {Controls, type Deeds} from './controls.js';
 import {makeEditor, setText} from './editor.js';
 import {Engine} from './engine.js';
-import {save, type NamedText, type Shipped} from './files.js';
+import type {NamedText, Shipped} from './files.js';
 import {showMessages} from './messages.js';
+import {Saving} from './saving.js';
 import type {Schema} from './schema_path.js';
+import {runOptions} from './settings.js';
 import {hashOfShared, sharedOfHash} from './share.js';
 import {Show, type Asked} from './show.js';
 
@@ -31,10 +33,12 @@ export class Playground {
   private typing = 0;
   /** Grows with every change of the text. */
   private version = 0;
+  private sheet: HTMLElement | null = null;
+  private readonly saving: Saving;
   /** The rule set whose camera is kept. */
   private shownSet = '';
 
-  constructor(root: HTMLElement, private readonly engine: Engine,
+  constructor(private readonly root: HTMLElement, private readonly engine: Engine,
               private readonly shipped: Shipped) {
     this.said.setAttribute('role', 'status');
     this.controls = new Controls(shipped.sets, this.deeds());
@@ -46,7 +50,11 @@ export class Playground {
     root.replaceChildren(this.controls.bar, element('main', {}, text, seen));
     this.show = new Show(view, asked => void this.explain(asked));
     this.editor = makeEditor({parent: text, schema: () => this.schema,
-                              onChange: () => this.changed()});
+                              onChange: () => this.changed(), onRun: () => void this.run(false)});
+    this.saving = new Saving({text: () => this.text, show: this.show,
+                              say: words => this.say('Save', words),
+                              ask: question => this.engine.ask(question)});
+    listen(document, this.keys());
   }
 
   async begin(): Promise<void> {
@@ -69,8 +77,41 @@ export class Playground {
       synth: () => void this.synth(),
       stop: () => this.engine.stop(),
       link: () => this.link(),
-      save: ending => this.save(ending),
+      help: () => this.showSheet(),
+      save: ending => void this.saving.save(ending),
     };
+  }
+
+  /** Where no letter is typed; the view has its own, while it has the focus. */
+  private keys(): KeyAction[] {
+    const deeds = this.deeds();
+    return [
+      {keys: ['e'], shown: 'e', does: 'to the editor (back: Escape, then Tab)',
+       run: () => this.editor.focus()},
+      {keys: ['r'], shown: 'r', does: 'run (in the editor: Ctrl+Enter)', run: deeds.run},
+      {keys: ['v'], shown: 'v', does: 'verify', run: deeds.verify},
+      {keys: ['c'], shown: 'c', does: 'compile', run: deeds.compile},
+      {keys: ['y'], shown: 'y', does: 'synthesise', run: deeds.synth},
+      {keys: ['.'], shown: '.', does: 'stop', run: deeds.stop},
+      {keys: ['k'], shown: 'k', does: 'a link to this set', run: deeds.link},
+      {keys: ['3'], shown: '3', does: 'to the 3-D view, whose ? lists its own keys',
+       run: () => this.show.focus()},
+      {keys: ['?'], shown: '?', does: 'this sheet', run: deeds.help},
+      {keys: ['Escape'], shown: 'Escape', does: 'close', run: () => this.closeSheet()},
+    ];
+  }
+
+  private showSheet(): void {
+    const open = this.sheet !== null;
+    this.closeSheet();
+    if (open) return;
+    this.sheet = keySheet(this.keys(), () => this.closeSheet());
+    this.root.append(this.sheet);
+  }
+
+  private closeSheet(): void {
+    this.sheet?.remove();
+    this.sheet = null;
   }
 
   private start({text}: NamedText): void {
@@ -81,9 +122,12 @@ export class Playground {
   /** Takes over what the address says; false where it says nothing. */
   private follow(): boolean {
     const shared = sharedOfHash(location.hash);
-    if (!shared || shared.text === this.text) return shared !== null;
+    if (!shared) return false;
+    const again = hashOfShared({...shared, text: ''}) !==
+        hashOfShared({...this.controls.settings, text: ''});
     this.controls.settings = shared;
-    setText(this.editor, shared.text);
+    if (shared.text !== this.text) setText(this.editor, shared.text);
+    else if (again) void this.run(false);
     return true;
   }
 
@@ -146,13 +190,17 @@ export class Playground {
   }
 
   async run(atOnce: boolean): Promise<void> {
-    const settings = this.controls.settings;
+    const {settings} = this.controls;
     this.keepInAddress();
-    const most = settings.motion === 'event' ? {deposits: kDepositsAtOnce} : {steps: kStepsAtOnce};
-    const answer = await this.ask({do: 'explore', ...settings, ...atOnce && most});
+    const {steps, deposits} = settings;
+    const most = settings.motion === 'event'
+        ? {deposits: Math.min(deposits ?? kDepositsAtOnce, kDepositsAtOnce)}
+        : {steps: Math.min(steps ?? kStepsAtOnce, kStepsAtOnce)};
+    const answer = await this.ask({do: 'explore', ...runOptions(settings), ...atOnce && most});
     if (!answer) return;
     const name = /^name: *(.*)$/m.exec(this.text)?.[1] ?? '';
     this.tell('Run', answer, name === this.shownSet);
+    this.saving.ran(answer);
     this.shownSet = name;
   }
 
@@ -164,8 +212,10 @@ export class Playground {
 
   private async verify(): Promise<void> {
     this.say('Verify', 'at work…');
-    const answer = await this.ask({do: 'verify'});
-    if (answer) this.tell('Verify', answer, false);
+    const answer = await this.ask({do: 'verify', effort: this.controls.settings.effort});
+    if (!answer) return;
+    this.tell('Verify', answer, false);
+    this.saving.verified(answer);
     this.shownSet = '';
   }
 
@@ -184,22 +234,9 @@ export class Playground {
     this.say('Synthesise', 'at work…');
     const floor = /^floor: *true/m.test(this.text);
     const answer = await this.ask({do: 'synth', target: {name: 'structure.json', text: json ?? ''},
-                                   floor});
+                                   floor, effort: this.controls.settings.effort});
     if (!answer) return;
     if (answer.rules) setText(this.editor, answer.rules);
     else this.tell('Synthesise', answer, true);
-  }
-
-  private save(ending: string): void {
-    const name = /^name: *"?([\w.-]+)/m.exec(this.text)?.[1] ?? 'rules';
-    const files = this.answers.get('explore')?.files;
-    const certificate = this.answers.get('verify')?.certificate;
-    if (ending === 'yaml') save(`${name}.yaml`, [this.text]);
-    else if (ending === 'cert' && certificate) save(`${name}.cert`, [certificate]);
-    else if (ending === 'cert') this.say('Save', 'there is no certificate: nothing is proved yet');
-    else if (!files) this.say('Save', 'there is no run yet');
-    else if (ending === 'json') save(`${name}.json`, [files.json]);
-    else if (ending === 'vox') save(`${name}.vox`, [bytesOfBase64(files.vox)]);
-    else save(`${name}.stigt`, [bytesOfBase64(files.stigt)]);
   }
 }

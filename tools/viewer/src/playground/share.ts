@@ -2,28 +2,20 @@
 // A rule set, and how it is run, as the part of an address behind '#': a link is all that it takes
 // to hand on either.
 import {deflateSync, inflateSync, strFromU8, strToU8} from 'fflate';
+import {settingsFrom, unusual, type Settings} from './settings.js';
 
-export interface Shared {
-  text: string;
-  motion: string;
-  agents: number;
-  seed: number;
-}
+export type Shared = Settings & {text: string};
 
 /** A text of no more than what a rule file may have; a link can hold anything. */
 const kMost = 1 << 20;
 
-export function hashOfShared({text, motion, agents, seed}: Shared): string {
+export function hashOfShared({text, ...settings}: Shared): string {
   const packed = deflateSync(strToU8(text), {level: 9});
   let binary = '';
   for (const byte of packed) binary += String.fromCharCode(byte);
   const set = btoa(binary).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
-  return `#set=${set}&motion=${motion}&agents=${agents}&seed=${seed}`;
-}
-
-function whole(text: string | null, usual: number, most: number): number {
-  const value = Number(text ?? usual);
-  return Number.isInteger(value) && value >= 0 && value <= most ? value : usual;
+  const others = unusual(settings).map(([name, value]) => `&${name}=${encodeURIComponent(value)}`);
+  return `#set=${set}&motion=${settings.motion}${others.join('')}`;
 }
 
 /** What an address says; null where it says nothing, or what makes no sense. */
@@ -35,12 +27,7 @@ export function sharedOfHash(hash: string): Shared | null {
     const binary = atob(set.replaceAll('-', '+').replaceAll('_', '/'));
     const bytes = inflateSync(Uint8Array.from(binary, c => c.charCodeAt(0)),
                               {out: new Uint8Array(kMost)});
-    return {
-      text: strFromU8(bytes),
-      motion: ['walk', 'teleport', 'event'].find(m => m === given.get('motion')) ?? 'walk',
-      agents: whole(given.get('agents'), 10, 1e6),
-      seed: whole(given.get('seed'), 1, Number.MAX_SAFE_INTEGER),
-    };
+    return {text: strFromU8(bytes), ...settingsFrom(name => given.get(name))};
   } catch {
     return null;
   }

@@ -45,6 +45,22 @@ export class Show {
     window.stigView = this.viewer;
   }
 
+  /** Keys are the view's from now on. */
+  focus(): void {
+    this.root.focus();
+  }
+
+  /** What is drawn now; null where nothing is. */
+  picture(): Promise<Blob | null> {
+    const stage = this.viewer?.stage;
+    if (!stage) return Promise.resolve(null);
+    stage.draw();
+    // A canvas is read while its frame is still there: in the turn in which it was drawn.
+    return new Promise(resolve => {
+      requestAnimationFrame(() => stage.canvas.toBlob(resolve, 'image/png'));
+    });
+  }
+
   private listen(viewer: Viewer): void {
     const {canvas} = viewer.stage;
     let pressed: [number, number] = [0, 0];
