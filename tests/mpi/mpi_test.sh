@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A study by MPI ends in the bytes of the same study by threads: with 2 and 4 ranks, after a worker
-# was killed, and after rank 0 was.
+# A study by MPI ends in the bytes of the same study by threads, and a search in the content of the
+# same search: with 2 and 4 ranks, after a worker was killed, and after rank 0 was.
 #
 #     mpi_test.sh STIGC STIGC_MPI MPIRUN
 set -euo pipefail
@@ -63,6 +63,72 @@ killed() {
 }
 killed worker -1
 killed leader 0
+
+# The same of a search.
+cat >search.yaml <<'PLAN'
+stigc_search: 1
+name: by-ranks
+method: genetic
+score: [{objective: modules, weight: 0.1}, {objective: same_ends}]
+rules: 10
+box: 12
+deposits: 200
+orders: 2
+proof: 100000
+batch: 128
+evaluations: 2560
+PLAN
+
+"$stigc" search search.yaml -q --threads 1 -o whole.sqlite >whole.txt
+grep -q content whole.txt
+alike() {
+  cmp whole.txt "$1.txt" || { printf 'another content: %s\n' "$1" >&2; exit 1; }
+}
+search() {
+  "$mpirun" -n "$1" "$mpi" search search.yaml -q -o "$2.sqlite" --color=never >"$2.txt"
+}
+"$stigc" search search.yaml -q --threads 2 -o threads.sqlite >threads.txt
+alike threads
+for n in 1 2 4; do
+  search "$n" "found-$n"
+  alike "found-$n"
+done
+
+killed_search() {
+  local name=$1 which=$2 pids=() ended=0
+  search 3 "$name" >/dev/null 2>&1 &
+  local job=$!
+  # Once a batch is in the file.
+  until "$stigc" archive "$name.sqlite" --json 2>/dev/null | grep -q '"evaluated": [1-9]'; do
+    kill -0 "$job" 2>/dev/null || { ended=1; break; }
+    sleep 0.05
+  done
+  mapfile -t pids < <(pgrep -f "^$mpi search search.yaml -q -o $name.sqlite" | sort -n)
+  if [[ $ended -eq 0 && ${#pids[@]} -gt 0 ]] && kill -9 "${pids[$which]}"; then
+    printf 'killed: %s\n' "$name"
+  else
+    printf 'ended before it could be killed: %s\n' "$name"
+  fi
+  wait "$job" || true
+  for _ in {1..100}; do
+    search 2 "$name" 2>error.txt && break
+    # One that is still at its last batch.
+    grep -qE 'meanwhile|locked' error.txt || { cat error.txt >&2; exit 1; }
+    sleep 0.1
+  done
+  alike "$name"
+}
+killed_search search-worker -1
+killed_search search-leader 0
+
+# A program that has no score ends on all ranks.
+code=0
+sed 's/^score:.*/score: none.lua/' search.yaml >unscored.yaml
+printf 'function score(one)\n  return one.id < 200 and 1 or nil\nend\n' >none.lua
+"$mpirun" -n 3 "$mpi" search unscored.yaml -o unscored.sqlite 2>unscored.txt || code=$?
+[[ $code -eq 1 ]] || { printf 'a score that is missing ends with %s\n' "$code" >&2; exit 1; }
+grep -q 'C501' unscored.txt && grep -q 'individual 200,' unscored.txt ||
+  { cat unscored.txt >&2; exit 1; }
 
 # A plan that is none ends on all ranks, with the same status.
 code=0

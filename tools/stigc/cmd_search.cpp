@@ -10,11 +10,13 @@
 #include "base/hash.h"
 #include "base/parallel.h"
 #include "commands.h"
+#include "item_work.h"
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
 #include "search/result_file.h"
 #include "search_judges.h"
+#include "search_lines.h"
 
 namespace stig::cli {
 namespace {
@@ -34,6 +36,37 @@ void print_summary(const search::SearchPlan& plan, const search::SearchState& st
   app.print(line("content", to_hex(archive.content_hash())));
 }
 
+DoItem measuring(const SearchTask& task) {
+  return [&task, hash = plan_hash(task.plan)](const std::string& line) {
+    std::vector<search::Individual> made = read_candidate_line(line);
+    search::Screener screener(task.plan.screen);
+    for (search::Individual& one : made) {
+      measure_candidate(task.plan, hash, judges_of(task), screener, one);
+    }
+    return measured_line(made);
+  };
+}
+
+/// By other processes, which are told of genomes alone: so none of them has to know the archive.
+bool measured_by_others(const SearchTask& task, std::vector<search::Individual>& made,
+                        int threads) {
+  std::size_t back = 0;
+  const auto take = [&](const std::vector<std::string>& measured) {
+    for (const std::string& line : measured) {
+      const auto some = read_measured_line(line, made);
+      if (!some) return false;
+      back += *some;
+    }
+    return true;
+  };
+  return workforce().share(candidate_lines(made), threads, measuring(task), take) &&
+         back == made.size();
+}
+
+bool measured_here(const SearchTask& task, std::vector<search::Individual>& made, int threads) {
+  return measure_batch(task.plan, made, judges_of(task), threads, &stop_requested());
+}
+
 /// The next batch, measured; nothing, with the exit code, when it ends here.
 std::optional<std::vector<search::Individual>> measured_batch(const SearchTask& task,
                                                               const search::SearchState& state,
@@ -42,7 +75,7 @@ std::optional<std::vector<search::Individual>> measured_batch(const SearchTask& 
   const search::SearchPlan& plan = task.plan;
   auto made =
       make_batch(plan, state, static_cast<std::size_t>(plan.batch), threads, &stop_requested());
-  if (!measure_batch(plan, made, judges_of(task), threads, &stop_requested())) {
+  if (!(workforce().others ? measured_by_others : measured_here)(task, made, threads)) {
     progress.clear();
     app.complain(fmt::format("interrupted after {} of {} evaluations; the same command goes on",
                              state.evaluated, evaluations_of(plan)));
@@ -86,6 +119,10 @@ int work(const SearchTask& task, search::ResultFile& file, search::SearchState& 
 int run(const SearchFileOptions& options, App& app) {
   const auto task = read_search_task(options.plan, app);
   if (!task) return kFailed;
+  if (!workforce().leads) {
+    workforce().share({}, options.threads, measuring(*task), {});
+    return kOk;
+  }
   if (const int code = check_outputs({options.output}, app); code != kOk) return code;
   search::SearchState state(task->plan);
   std::string error;

@@ -50,7 +50,7 @@ class Study {
 
  private:
   DoItem work() const {
-    return [this](std::uint64_t item) { return item_record(plan_, item); };
+    return [this](const std::string& item) { return item_record(plan_, std::stoull(item)); };
   }
 
   bool open(const std::string& name) {
@@ -76,11 +76,11 @@ class Study {
   bool mine(std::uint64_t item) const {
     return item % options_.slice.of == options_.slice.number - 1;
   }
-  std::vector<std::uint64_t> left() {
-    std::vector<std::uint64_t> items;
+  std::vector<std::string> left() {
+    std::vector<std::string> items;
     for (std::uint64_t item = options_.slice.number - 1; item < plan_.items;
          item += options_.slice.of) {
-      if (done_.count(item) == 0) items.push_back(item);
+      if (done_.count(item) == 0) items.push_back(std::to_string(item));
     }
     all_ = items.size() + done_.size();
     before_ = count_ = done_.size();

@@ -47,7 +47,7 @@ class Basket {
 
 }  // namespace
 
-bool share_among_threads(const std::vector<std::uint64_t>& items, int threads, const DoItem& work,
+bool share_among_threads(const std::vector<std::string>& items, int threads, const DoItem& work,
                          const TakeLines& take) {
   Basket basket(take);
   std::atomic<bool> stopped{false};
