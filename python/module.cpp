@@ -9,14 +9,12 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <atomic>
-#include <chrono>
-#include <future>
 #include <nlohmann/json.hpp>
 
 #include "base/memory_file.h"
 #include "base/yaml_edit.h"
 #include "explore_config.h"
+#include "interruptible.h"
 #include "lattice/structure_files.h"
 #include "module.h"
 #include "report.h"
@@ -28,28 +26,6 @@ namespace {
 
 namespace py = pybind11;
 using namespace stig::cli;
-
-/// Calls what takes long in a thread of its own, while this one looks for signals.
-template <class Work>
-auto interruptible(Work work) {
-  auto result = std::async(std::launch::async, std::move(work));
-  bool interrupted = false;
-  while (true) {
-    std::future_status status;
-    {
-      const py::gil_scoped_release others;
-      status = result.wait_for(std::chrono::milliseconds(interrupted ? 1000 : 100));
-    }
-    if (status == std::future_status::ready) break;
-    if (!interrupted && PyErr_CheckSignals() != 0) {
-      interrupted = true;
-      request_stop(true);
-    }
-  }
-  request_stop(false);
-  if (interrupted) throw py::error_already_set();
-  return result.get();
-}
 
 struct Said {
   int status = kOk;
@@ -179,4 +155,6 @@ PYBIND11_MODULE(_stigc, module) {
       .def_property_readonly("path", &stig::MemoryFile::path);
   bind_growth(module);
   bind_scene(module);
+  bind_search(module);
+  bind_traces(module);
 }

@@ -9,5 +9,7 @@ class module_;
 namespace stig::python {
 
 void bind_scene(pybind11::module_& module);
+void bind_search(pybind11::module_& module);
+void bind_traces(pybind11::module_& module);
 
 }  // namespace stig::python

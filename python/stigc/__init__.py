@@ -41,12 +41,19 @@ from ._commands import (  # noqa: E402  (after the folder is known)
 )
 from ._rules import RuleSet, StigcError  # noqa: E402
 from ._scene import Scene  # noqa: E402
+from ._search import Candidate, Genome, Search  # noqa: E402
+from ._traces import DepositTrace, PoseTrace, read_trace  # noqa: E402
 
 __version__ = _stigc.version
 __all__ = [
+    "Candidate",
+    "DepositTrace",
+    "Genome",
     "Growth",
+    "PoseTrace",
     "RuleSet",
     "Scene",
+    "Search",
     "StigcError",
     "Synthesis",
     "certify",
@@ -54,6 +61,7 @@ __all__ = [
     "compile",
     "explore",
     "read_structure",
+    "read_trace",
     "simulate",
     "synth",
     "validate",
