@@ -27,10 +27,10 @@ TEST_CASE("help of the program and of every command") {
   hold(place, "help", "stigc --help");
   std::set<std::string> commands;
   for (const char* command :
-       {"check",    "fmt",      "explore",  "explain", "test",        "verify", "certify",
-        "graph",    "replay",   "schema",   "measure", "draw",        "synth",  "simulate",
-        "describe", "compile",  "validate", "build",   "completions", "doctor", "view",
-        "render",   "voxelise", "search",   "archive", "sweep",       "merge",  "import"}) {
+       {"check",    "fmt",    "explore",     "explain", "test",  "verify",   "certify",  "graph",
+        "replay",   "schema", "measure",     "draw",    "synth", "simulate", "describe", "compile",
+        "validate", "build",  "completions", "doctor",  "view",  "render",   "voxelise", "search",
+        "archive",  "sweep",  "merge",       "import",  "init"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
     commands.insert(command);
   }

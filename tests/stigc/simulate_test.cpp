@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // stigc simulate and what reads its files.
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <signal.h>
 
 #include <nlohmann/json.hpp>
@@ -141,6 +142,35 @@ TEST_CASE("simulate's usage errors") {
        "echo \"stigc simulate $words\"; stigc simulate $words; echo \"  exit $?\"; done; } 2>&1");
   REQUIRE(place.stigc({"explore", "sets/line.yaml", "--trace", "l.stigt"}).exit_code == 0);
   CHECK(place.stigc({"replay", "l.stigt", "--at", "1"}).exit_code == 2);
+}
+
+TEST_CASE("a trace's poses become a table that others read") {
+  const Workplace place;
+  REQUIRE(place
+              .shell("stigc simulate scenes/robot-fetch.yaml --duration 0.5 --trace f.stigp && "
+                     "stigc replay f.stigp -o f.csv -o f.png --at 0.2")
+              .exit_code == 0);
+  CHECK(place.file("f.csv").starts_with("time,body,kind,x,y,z,qw,qx,qy,qz,awake\n0.000000,"));
+  const Outcome read = place.shell("python3 " STIG_SOURCE_DIR "/tests/readers/pose_table.py f.csv");
+  CHECK_MESSAGE(read.exit_code == 0, read.err);
+  // The cache drops its block in the first tick.
+  for (const std::string rows : {"bebot 1/lower chassis (robot): 26 rows, 0.5 s, ",
+                                 "cache block 1 (block): 25 rows, 0.5 s, "}) {
+    CHECK_MESSAGE(read.out.find(rows) != std::string::npos, read.out);
+  }
+  CHECK(read.out.find("\nblock 1") == std::string::npos);  // fixed
+  // The last rows are what the trace's end is, as JSON has it.
+  const auto end =
+      nlohmann::json::parse(place.stigc({"replay", "f.stigp", "--at", "9", "--json"}).out);
+  for (const auto& body : end["moment"]["bodies"]) {
+    if (body["name"] == "block 1") continue;  // fixed
+    CAPTURE(body["name"].get<std::string>());
+    const std::string at = fmt::format("{:.5f} {:.5f} {:.5f}\n", body["at"][0].get<double>(),
+                                       body["at"][1].get<double>(), body["at"][2].get<double>());
+    CHECK(read.out.find(at) != std::string::npos);
+  }
+  CHECK(place.shell("stigc replay f.stigp -o f.csv -o f.csv").exit_code == 2);
+  CHECK(place.stigc({"replay", "f.stigp", "-o", "f.svg"}).exit_code == 2);
 }
 
 TEST_CASE("the schema of scenes") {

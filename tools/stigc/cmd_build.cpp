@@ -139,7 +139,7 @@ class BuildWork {
   int draw_built() const {
     ReplayOptions wanted;
     wanted.trace = in_folder(trace_name(options_.seed));
-    wanted.picture = in_folder(kBuilt);
+    wanted.outputs = {in_folder(kBuilt)};
     // A second App, whose output is never flushed.
     App drawing(app_.options());
     return cli::run(wanted, drawing);

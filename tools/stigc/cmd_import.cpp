@@ -69,8 +69,8 @@ int run(const ImportOptions& options, App& app) {
   const std::optional<RuleSet> rules = read_table(options, app);
   if (!rules) return kFailed;
   const std::string text = print_rule_set(*rules);
-  const std::string name = options.output.value_or("<imported>");
-  if (!sound(name, text, app)) return kFailed;
+  // The file is not there yet, and will not be if this fails.
+  if (!sound("<imported rules>", text, app)) return kFailed;
   if (!options.output) {
     app.print(text);
     return kOk;

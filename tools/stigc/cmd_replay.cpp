@@ -51,7 +51,7 @@ int run(const ReplayOptions& options, App& app) {
   if (!bytes) return kFailed;
   // The two kinds of traces are told apart by their first bytes, as `file` would.
   if (bytes->starts_with(kPoseTraceMagic)) return replay_poses(options, std::move(*bytes), app);
-  if (options.at || options.picture) {
+  if (options.at || !options.outputs.empty()) {
     app.complain("--at and -o are for traces of stigc simulate");
     return kUsage;
   }

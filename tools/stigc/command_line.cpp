@@ -72,6 +72,7 @@ void build(CLI::App& app, Storage& s) {
   declare(app, s, add_graph);
   declare(app, s, add_replay);
   declare(app, s, add_schema);
+  declare(app, s, add_init);
   declare(app, s, add_import);
   declare(app, s, add_voxelise);
   declare(app, s, add_search);

@@ -22,6 +22,7 @@ void add_certify(CLI::App& app, CertifyOptions& o);
 void add_graph(CLI::App& app, GraphOptions& o);
 void add_replay(CLI::App& app, ReplayOptions& o);
 void add_schema(CLI::App& app, SchemaOptions& o);
+void add_init(CLI::App& app, InitOptions& o);
 void add_import(CLI::App& app, ImportOptions& o);
 void add_voxelise(CLI::App& app, VoxeliseOptions& o);
 void add_measure(CLI::App& app, MeasureOptions& o);

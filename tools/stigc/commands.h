@@ -18,6 +18,7 @@ int run(const CertifyOptions& options, App& app);
 int run(const GraphOptions& options, App& app);
 int run(const ReplayOptions& options, App& app);
 int run(const SchemaOptions& options, App& app);
+int run(const InitOptions& options, App& app);
 int run(const ImportOptions& options, App& app);
 int run(const VoxeliseOptions& options, App& app);
 int run(const MeasureOptions& options, App& app);

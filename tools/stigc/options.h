@@ -115,8 +115,8 @@ struct GraphOptions {
 struct ReplayOptions {
   std::string trace;
   bool verify = false;
-  std::optional<double> at;            ///< s
-  std::optional<std::string> picture;  ///< .png
+  std::optional<double> at;          ///< s
+  std::vector<std::string> outputs;  ///< .png or .csv
   bool json = false;
 };
 
@@ -216,6 +216,10 @@ struct VoxeliseOptions {
   MeshOptions mesh;
   std::vector<std::string> outputs;
   bool json = false;
+};
+
+struct InitOptions {
+  std::string folder;
 };
 
 struct ImportOptions {
@@ -366,7 +370,7 @@ using CommandOptions =
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
                  BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions, SearchFileOptions,
-                 ArchiveOptions, SweepOptions, MergeOptions, ImportOptions>;
+                 ArchiveOptions, SweepOptions, MergeOptions, ImportOptions, InitOptions>;
 
 struct CommandLine {
   GlobalOptions global;

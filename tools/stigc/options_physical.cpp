@@ -18,14 +18,17 @@ void add_replay(CLI::App& app, ReplayOptions& o) {
       app, "replay", "look at a recorded run, or run it again and compare",
       "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc replay run.stigt\n"
       "  stigc simulate scenes/drop.yaml --trace drop.stigp && stigc replay drop.stigp\n"
-      "  stigc replay drop.stigp --at 1.5 -o drop.png\n"
+      "  stigc replay drop.stigp --at 1.5 -o drop.png -o drop.csv\n"
       "  stigc replay drop.stigp --verify\n");
   file(sub, "TRACE", o.trace, "trace of explore, which is run again, or of simulate");
   sub->add_flag("--verify", o.verify,
                 "run the scene again and compare the hashes of its states; traces of explore "
                 "always are");
   moment(sub, "--at", o.at, "the moment to show, in simulated seconds (default: the end)");
-  path(sub, "-o,--output", o.picture, "draw that moment (.png), as stigc render does");
+  repeated(
+      sub, "-o,--output", o.outputs, "FILE",
+      "of a trace of simulate: .png draws that moment, as stigc render does; .csv has all poses "
+      "as a table; may be repeated");
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 

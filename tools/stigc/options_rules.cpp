@@ -201,6 +201,15 @@ void add_schema(CLI::App& app, SchemaOptions& o) {
        "a rule set, finished or not, whose symbols editors shall offer where one is wanted");
 }
 
+void add_init(CLI::App& app, InitOptions& o) {
+  CLI::App* sub = command(app, "init", "start a project of one's own in a folder",
+                          "  stigc init mine && cat mine/README.md\n"
+                          "  cd mine && stigc check rules.yaml scene.yaml\n");
+  sub->add_option("FOLDER", o.folder, "where its files go; made if it is not there")
+      ->type_name("FOLDER")
+      ->required();
+}
+
 void add_import(CLI::App& app, ImportOptions& o) {
   CLI::App* sub =
       command(app, "import", "turn a published table of rules into a rule set",

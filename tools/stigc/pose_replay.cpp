@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/file_io.h"
 #include "base/hash.h"
 #include "outputs.h"
 #include "physical/simulation/verify_trace.h"
@@ -16,6 +17,7 @@
 #include "progress.h"
 #include "report.h"
 #include "simulate_report.h"
+#include "view/pose_csv.h"
 #include "view/trace_picture.h"
 
 namespace stig::cli {
@@ -171,33 +173,57 @@ int verify(const ReplayOptions& options, const PoseTrace& trace, App& app) {
 }
 
 /// As stigc render draws it.
-int draw(const ReplayOptions& options, PoseTrace trace, double time, const App& app) {
+int draw(const std::string& path, const std::string& trace_name,
+         const std::shared_ptr<const PoseTrace>& trace, double time, const App& app) {
   RenderOptions picture;
-  picture.file = options.trace;
-  picture.output = *options.picture;
+  picture.file = trace_name;
+  picture.output = path;
   int code = kOk;
-  const auto film =
-      pose_film(with_size(picture), std::make_shared<const PoseTrace>(std::move(trace)), app, code);
-  return film ? write_output(*options.picture, film->picture(time, 0), app) : code;
+  const auto film = pose_film(with_size(picture), trace, app, code);
+  return film ? write_output(path, film->picture(time, 0), app) : code;
+}
+
+/// All poses, which may be more than fits into memory, row by row.
+int write_table(const std::string& path, const PoseTrace& trace, const App& app) {
+  GrowingFile file;
+  FileError error;
+  bool good = file.open(path, error);
+  if (good) {
+    write_pose_csv(trace, [&](std::string_view rows) { return good = file.append(rows, error); });
+  }
+  if (!good || !file.commit(error)) {
+    app.complain(error.message);
+    return kRunFailed;
+  }
+  app.say("wrote " + printable(path));
+  return kOk;
+}
+
+bool is_picture(const std::string& path) { return path.ends_with(".png"); }
+
+int check_names(const ReplayOptions& options, const App& app) {
+  for (const std::string& path : options.outputs) {
+    if (is_picture(path) || path.ends_with(".csv")) continue;
+    app.complain(
+        fmt::format("'{}': pictures of scenes are .png, tables of poses .csv", printable(path)));
+    return kUsage;
+  }
+  return kOk;
 }
 
 }  // namespace
 
 int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
-  if (options.picture && !options.picture->ends_with(".png")) {
-    app.complain(fmt::format("'{}': pictures of scenes are .png", printable(*options.picture)));
-    return kUsage;
-  }
+  if (const int code = check_names(options, app); code != kOk) return code;
   Diagnostics diagnostics;
-  auto trace = read_pose_trace(options.trace, std::move(bytes), diagnostics);
-  if (!trace) {
+  auto read = read_pose_trace(options.trace, std::move(bytes), diagnostics);
+  if (!read) {
     app.report(diagnostics);
     return kFailed;
   }
+  const auto trace = std::make_shared<const PoseTrace>(std::move(*read));
   // Before anything is worked out: a name that cannot be written is said at once.
-  if (options.picture) {
-    if (const int code = check_outputs({*options.picture}, app); code != kOk) return code;
-  }
+  if (const int code = check_outputs(options.outputs, app); code != kOk) return code;
   if (options.verify) return verify(options, *trace, app);
   const double end = static_cast<double>(trace->end.ticks) * trace->header.step;
   // Beyond the end is the end.
@@ -211,7 +237,12 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   } else {
     app.print(summary_lines(*trace) + (options.at ? frame_lines(*trace, frame) : ""));
   }
-  return options.picture ? draw(options, std::move(*trace), at, app) : kOk;
+  for (const std::string& path : options.outputs) {
+    const int code = is_picture(path) ? draw(path, options.trace, trace, at, app)
+                                      : write_table(path, *trace, app);
+    if (code != kOk) return code;
+  }
+  return kOk;
 }
 
 }  // namespace stig::cli
