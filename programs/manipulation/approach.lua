@@ -289,7 +289,8 @@ function states.dock(self, run)
    local to = -self.description.magnets.ahead + (run.target.short or 0)
    local met = false
    local function ends()
-      met = met or run.target.clear and self:next_cell_filled()
+      met = met or run.target.clear and self:next_cell_filled() or
+            run.target.contested and run.target.contested(line)
       return met or stop and stop()
    end
    self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)

@@ -11,6 +11,7 @@ local ASIDE = 0.002            -- from a neighbour beside, which draws the block
 local DRAWN_OFF = 0.005        -- ahead in the gripper: neighbours have drawn the block into its place
 local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
+local CONTESTED = 0.12         -- m, likewise at any height, on the last way to the site
 local TAKEN = 0.6 * SIDE       -- from a site's middle, where a block is that fills it
 local SEEN_LATELY = 2          -- s
 local SEEN_NOW = 0.7           -- s, in which a tag in sight was seen
@@ -75,6 +76,17 @@ function Placement:held_near(x, y, within)
    return false
 end
 
+-- Whether another robot's block is in sight about a place, on its way there or next to it: two that looked in
+-- the same second meet there.
+function Placement:is_contested(x, y)
+   for _, known in ipairs(self.tracker.tracks) do
+      local dx, dy = known.x - x, known.y - y
+      if known.colour == self.transport and self.odometry.time - known.time < SEEN_NOW and
+         dx * dx + dy * dy < CONTESTED ^ 2 then return true end
+   end
+   return false
+end
+
 -- Whether a place that is to be filled is free as far as the camera has seen.
 function Placement:is_free(x, y, level)
    if self:held_near(x, y, CARRIED) then return false end
@@ -106,7 +118,9 @@ function Placement:target(block, where, level, back, options)
          return self:is_free(line.x, line.y, level) and
                 (not raise or self.odometry.time - top.top_time < SEEN_NOW)
       end,
-      alone = options.alone, clear = options.clear, begin = self:before_docking(raise, options),
+      alone = options.alone,
+      contested = options.alone and function(line) return self:is_contested(line.x, line.y) end or nil,
+      clear = options.clear, begin = self:before_docking(raise, options),
    }
 end
 

@@ -8,7 +8,7 @@ local Navigation = require 'motion.navigation'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
-local PEEK_FROM, PEEK = 0.17, 0.8  -- m from a site, rad to each side
+local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
 local PEEK_RIM = 0.05          -- m/s, of that turn: a robot stands across several measurements
 local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
 local PEEK_TIME = 0.6          -- s
@@ -19,6 +19,7 @@ local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to
 local EXPLORES = 3             -- rounds in vain after which it looks beyond the rows it knows, each time
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
+local QUEUE, QUEUES = 4, 5     -- s, the longest wait after another's work was seen to end; so often at most
 local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
 local ASIDE, ASKEW = 0.015, 0.5  -- m and rad off a row's line, beyond which it is driven to anew
 local TOO_FAR = 0.20           -- m, likewise, from where it looks
@@ -181,9 +182,25 @@ function SiteWork:stand_for(column, look)
    return true
 end
 
+-- Whether somebody is seen to hold a block near the structure.
+function SiteWork:sees_held()
+   local known = self.map.known
+   return known ~= nil and self.placement:held_near(known.x, known.y, known.reach + AT_WORK)
+end
+
+-- Stays while somebody is seen at work, and a random while longer: whoever else waits has seen the same.
+function SiteWork:queue()
+   for _ = 1, QUEUES do
+      if not self.process:wait_until(function() return self:sees_held() end, 0.2) then return end
+      self.process:wait_until(function() return not self:sees_held() end, BUSY)
+      self.process:wait(QUEUE * math.random())
+   end
+end
+
 -- Sees the column from one place. Whether nobody is in the way.
 function SiteWork:look_from(column, look)
    if not self:stand_for(column, look) then return false end
+   if self.task.delay > 0 then self:queue() end
    local start = self.odometry.time
    while self.odometry.time - start < LOOK_TIME do
       coroutine.yield()
