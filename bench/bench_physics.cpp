@@ -61,6 +61,12 @@ bool chosen(const Trial& trial, int argc, char** argv) {
   return argc == 1 || std::any_of(argv + 1, argv + argc, names);
 }
 
+/// Rows that are held to nothing are measured for what is decided by them.
+const char* mark_of(const Row& row) {
+  if (row.held_to.empty()) return "";
+  return row.held ? "held" : "**not held**";
+}
+
 int run(int argc, char** argv) {
   Diagnostics diagnostics;
   const auto block = read_block_file(STIG_SOURCE_DIR "/blocks/stigmergic.yaml", diagnostics);
@@ -75,7 +81,7 @@ int run(int argc, char** argv) {
       if (!chosen(trial, argc, argv)) continue;
       for (const Row& row : trial.run(*block)) {
         fmt::print("| `{}` | {} | {} | {} | {} | {} |\n", trial.name, row.what, row.held_to,
-                   row.measured, row.stock, row.held ? "held" : "**not held**");
+                   row.measured, row.stock, mark_of(row));
         std::fflush(stdout);
         held = held && row.held;
       }

@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "base/random.h"
+#include "physical/let_down.h"
 #include "physical/trials.h"
 #include "physics_rows.h"
 #include "support/uses.h"
@@ -98,6 +99,32 @@ Rows alignment(const BlockModel& block) {
   return {{fmt::format("dropped 4 mm and 5° off onto a column, from 1 to 20 mm, μ {}", chosen),
            "1.1 mm, 1°", fmt::format("{}, {}", in_mm(way), in_degrees(yaw)), "",
            way < 1.1e-3 && yaw < kDegree}};
+}
+
+/// What a mound would ask for; nothing is held to it, see docs/compiler.md.
+Rows let_down(const BlockModel& block) {
+  constexpr int kTrials = 100;
+  constexpr double kAside = 6e-3, kNear = 2e-3;
+  const std::pair<Surroundings, const char*> places[] = {
+      {Surroundings::floor_beside, "beside a column"},
+      {Surroundings::floor_beside_behind, "beside a column, one behind"},
+      {Surroundings::top_beside_behind, "beside a column, one behind, on a block"}};
+  Rows rows;
+  for (const auto& [where, name] : places) {
+    for (const SceneFriction& friction : {kUsualFriction, kFrictionOfFile}) {
+      const std::vector<LetDown> ends = let_down_aside(block, where, kAside, friction, kTrials);
+      const auto near = std::count_if(ends.begin(), ends.end(),
+                                      [](const LetDown& end) { return end.way < kNear; });
+      rows.push_back({fmt::format("let down 6 mm aside {}, μ {} of blocks, {} of the floor", name,
+                                  friction.blocks, friction.floor),
+                      "",
+                      fmt::format("{} of {} within 2 mm; half {}, 9 of 10 {}, all {}", near,
+                                  kTrials, in_mm(ends[kTrials / 2 - 1].way),
+                                  in_mm(ends[kTrials * 9 / 10 - 1].way), in_mm(ends.back().way)),
+                      "", true});
+    }
+  }
+  return rows;
 }
 
 Rows sliding(const BlockModel& block) {
@@ -237,13 +264,11 @@ Rows same_bytes(const BlockModel& block) {
 }  // namespace
 
 const std::vector<Trial> kFigureTrials = {
-    {"axial-force", axial_force}, {"click", clicks},
-    {"nine-bodies", nine_bodies}, {"alignment", alignment},
-    {"sliding", sliding},         {"motion", motion},
-    {"newton", newton},           {"ten-minutes", ten_minutes},
-    {"columns", columns},         {"pushing", pushing},
-    {"breaking", breaking},       {"snagging", snagging},
-    {"same-bytes", same_bytes},
+    {"axial-force", axial_force}, {"click", clicks},          {"nine-bodies", nine_bodies},
+    {"alignment", alignment},     {"let-down", let_down},     {"sliding", sliding},
+    {"motion", motion},           {"newton", newton},         {"ten-minutes", ten_minutes},
+    {"columns", columns},         {"pushing", pushing},       {"breaking", breaking},
+    {"snagging", snagging},       {"same-bytes", same_bytes},
 };
 
 }  // namespace stig::bench

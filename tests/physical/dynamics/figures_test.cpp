@@ -3,6 +3,7 @@
 // benchmark bench_physics prints them all.
 #include <thread>
 
+#include "physical/let_down.h"
 #include "physical/support.h"
 #include "support/uses.h"
 
@@ -96,6 +97,18 @@ TEST_CASE("a block dropped 4 mm and 5 degrees off onto a column is aligned by it
   }
   // The paper's friction keeps it where it lands.
   CHECK(dropped_on_column(paper_block(), 0.002, kPaper).p.x > 2e-3);
+}
+
+TEST_CASE("a block let down 6 mm aside is drawn in, unless friction holds it before") {
+  constexpr int kTrials = 10;
+  const auto worst = [](Surroundings where, const SceneFriction& friction) {
+    return let_down_aside(paper_block(), where, 6e-3, friction, kTrials).back().way;
+  };
+  CHECK(worst(Surroundings::floor_beside, kUsualFriction) < 2e-3);
+  CHECK(worst(Surroundings::top_beside_behind, kUsualFriction) < 2e-3);
+  CHECK(worst(Surroundings::floor_beside, kFrictionOfFile) < 2e-3);
+  // Between a block beside and one behind, friction holds it before it is there.
+  CHECK(worst(Surroundings::floor_beside_behind, kFrictionOfFile) > 2e-3);
 }
 
 TEST_CASE("a sliding block stops where friction says, in every direction") {
