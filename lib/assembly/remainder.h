@@ -10,10 +10,18 @@
 //     If two bricks or more remain, no order of work builds the structure.
 //
 // For in every order one of them comes last, and is no start then; the others stand, and bar it
-// from every side. The remainder says nothing of holds: where none is left, there may still be no
-// order.
+// from every side. The remainder says nothing of what bears a brick: where none is left, there may
+// still be no order.
+//
+// One thing more can be asked. Bricks are put next to others, so that what stands hangs together,
+// face to face. A brick without which two others would not, even in the whole structure, has to be
+// there before one of them, so it cannot be put last while both stand; with fewer bricks there are
+// no more ways from the one to the other.
 #pragma once
 
+#include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "assembly/sequence.h"
@@ -28,7 +36,9 @@ struct Bar {
 };
 struct BarredBrick {
   std::uint32_t brick = 0;
-  std::vector<Bar> bars;  ///< from each side
+  std::vector<Bar> bars;  ///< from each side; empty where it joins others
+  /// Two that hang together through it alone.
+  std::optional<std::pair<std::uint32_t, std::uint32_t>> joins;
 };
 
 struct Remainder {

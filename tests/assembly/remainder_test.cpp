@@ -4,6 +4,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <set>
+
 #include "assembly/oracle.h"
 #include "assembly/targets.h"
 #include "compiler/support.h"
@@ -39,6 +42,30 @@ TEST_CASE("a mound is left whole by an effector that is wider than a block") {
   Builders narrow = from_everywhere();
   narrow.robot.effector_half_width = narrow.robot.block.side / 2;
   CHECK(find_remainder(mound, narrow, std::nullopt).barred.empty());
+}
+
+TEST_CASE("a wall whose ends roll in is left whole: none of them could be the last") {
+  // With gaps wide enough for the robot, but from an end no straight way leads out.
+  const std::vector<std::pair<int, int>> corners = {{4, 6},   {6, 6},  {6, 0},  {0, 0},  {0, 12},
+                                                    {18, 12}, {18, 0}, {12, 0}, {12, 6}, {14, 6}};
+  std::set<Cell> cells;
+  for (std::size_t i = 1; i < corners.size(); ++i) {
+    const auto [x0, x1] = std::minmax(corners[i - 1].first, corners[i].first);
+    const auto [y0, y1] = std::minmax(corners[i - 1].second, corners[i].second);
+    for (int x = x0; x <= x1; ++x) {
+      for (int y = y0; y <= y1; ++y) cells.insert({x, y, 0});
+    }
+  }
+  const TargetBricks rolled = bricks_of({cells.begin(), cells.end()});
+  const Remainder left = find_remainder(rolled, from_everywhere(), std::nullopt);
+  CHECK(left.bricks == rolled.whole());
+  REQUIRE(left.barred.size() == rolled.bricks());
+  for (const BarredBrick& one : left.barred) CHECK(one.bars.size() == (one.joins ? 0 : 4));
+  // With one end that does not, it is built from the other.
+  std::erase_if(cells, [](Cell cell) { return cell.x >= 12 && cell.x < 18 && cell.y == 6; });
+  for (int y = 1; y < 6; ++y) cells.erase({12, y, 0});
+  const TargetBricks open = bricks_of({cells.begin(), cells.end()});
+  CHECK(find_remainder(open, from_everywhere(), std::nullopt).barred.empty());
 }
 
 TEST_CASE("an order of work is within reach, step by step, and remainders leave none") {

@@ -140,6 +140,11 @@ std::string remainder_lines(const Target& target, const Remainder& remainder) {
     for (const Bar& bar : one.bars) {
       out += fmt::format("    from {}: {}\n", to_string(bar.side), explain(bar.why));
     }
+    if (one.joins) {
+      out += fmt::format("    the bricks at {} and {} hang together through it alone\n",
+                         cell_text(target.cells[one.joins->first]),
+                         cell_text(target.cells[one.joins->second]));
+    }
   }
   // Others are barred for reasons of the same kind.
   if (remainder.barred.size() > kMostBarred) {
@@ -217,6 +222,9 @@ Json obstacle_json(const Target& target, const AssemblyObstacle& obstacle) {
     Json bars = Json::object();
     for (const Bar& bar : one.bars) bars[std::string(to_string(bar.side))] = explain(bar.why);
     out["barred"].push_back({{"at", to_json(target.cells[one.brick])}, {"from", std::move(bars)}});
+    if (!one.joins) continue;
+    out["barred"].back()["joins"] = {to_json(target.cells[one.joins->first]),
+                                     to_json(target.cells[one.joins->second])};
   }
   return out;
 }
@@ -332,7 +340,7 @@ std::string assembly_json(const SynthOptions& options, const Target& target, con
     json["verdict"] = "impossible";
     json.update(obstacle_json(target, *made.obstacle));
   } else {
-    json["verdict"] = made.cut_short ? "out-of-time" : "not-found";
+    json["verdict"] = made.too_many ? "unknown" : made.cut_short ? "out-of-time" : "not-found";
   }
   if (!made.plan) {
     json["remedies"] = Json::array();
