@@ -4,9 +4,12 @@
 // so its time says nothing of growth and is left out of the fit.
 //
 //   bench_assembly_sizes [MOST_BRICKS [KINDS]]
+//   bench_assembly_sizes named [KINDS]
+//
+// With `named`: targets that were to be synthesised in a given time, or refused with a reason that
+// is proved; the exit status is 1 when one of them is not.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <cstdlib>
 #include <ctime>
 #include <iostream>
@@ -14,6 +17,8 @@
 #include <vector>
 
 #include "assembly/assemble.h"
+#include "assembly_named.h"
+#include "growth.h"
 #include "paper_robot.h"
 #include "support/uses.h"
 #include "synthesis/shapes.h"
@@ -50,20 +55,6 @@ Trial try_size(const Form& form, int size, const Abilities& robot, int kinds) {
   return {seconds, made.plan.has_value()};
 }
 
-/// The slope of the line through the logarithms, by least squares.
-double exponent(const std::vector<std::pair<double, double>>& points) {
-  double x = 0, y = 0, xx = 0, xy = 0;
-  for (const auto& [bricks, seconds] : points) {
-    const double a = std::log(bricks), b = std::log(std::max(seconds, 1e-3));
-    x += a;
-    y += b;
-    xx += a * a;
-    xy += a * b;
-  }
-  const auto n = static_cast<double>(points.size());
-  return (n * xy - x * y) / (n * xx - x * x);
-}
-
 void measure_sizes(std::size_t most, const Abilities& robot, int kinds) {
   const std::vector<Form> forms = {{"wall N×1×3",
                                     [](int n) {
@@ -93,7 +84,7 @@ void measure_sizes(std::size_t most, const Abilities& robot, int kinds) {
     }
     if (points.size() > 2) {
       std::cout << fmt::format("{:12} time ~ bricks^{:.1f}, {} of {} found\n", form.name,
-                               exponent(points), points.size(), tried);
+                               growth_of(points).exponent, points.size(), tried);
     }
   }
 }
@@ -102,11 +93,13 @@ void measure_sizes(std::size_t most, const Abilities& robot, int kinds) {
 }  // namespace stig::bench
 
 int main(int argc, char** argv) {
-  const std::size_t most = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 1000;
+  const bool named = argc > 1 && std::string(argv[1]) == "named";
+  const std::size_t most = argc > 1 && !named ? std::strtoull(argv[1], nullptr, 10) : 1000;
   const int kinds = argc > 2 ? std::atoi(argv[2]) : stig::kBlockColours;
   if (kinds < 1 || kinds > stig::kMaxColours) {
     std::cerr << "KINDS is a number from 1 to " << stig::kMaxColours << '\n';
     return 2;
   }
+  if (named) return stig::bench::measure_named(stig::bench::paper_robot(), kinds) ? 0 : 1;
   stig::bench::measure_sizes(most, stig::bench::paper_robot(), kinds);
 }

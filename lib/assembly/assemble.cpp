@@ -13,6 +13,7 @@
 #include "assembly/local_cases.h"
 #include "assembly/rules.h"
 #include "base/hash.h"
+#include "compiler/precedence.h"
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
 
@@ -68,19 +69,13 @@ class Assembler {
             std::make_shared<Visibility>(task.robot, window_levels(task.robot, bricks_.levels()))) {
     if (task.sides.empty()) widest_.sides.assign(kAllSides.begin(), kAllSides.end());
     if (task.start) start_ = bricks_.brick_at(*task.start);
-    const std::vector<Liking> rounds = round_likings(bricks_);
-    if (!small()) regular_ = regular_likings();
-    regular_.insert(regular_.begin(), rounds.begin(), rounds.end());
-    if (!large()) return;
-    std::stable_partition(regular_.begin(), regular_.end(),
-                          [](const Liking& one) { return one.spine != Liking::Spine::none; });
-    const std::vector<Liking> swept = swept_likings(bricks_, task_.most_colours);
-    regular_.insert(regular_.begin(), swept.begin(), swept.end());
   }
 
   Assembly run() {
     out_.obstacle = find_obstacle(bricks_, widest_, start_, task_.most_colours);
-    if (out_.obstacle) return result();
+    out_.too_many = !out_.obstacle && bricks_.bricks() > kMostOrderedBricks;
+    if (out_.obstacle || out_.too_many) return result();
+    set_likings();
     std::vector<Sides> sides = choices_of_sides(task_);
     // A set of sides from which even a robot that knows all could not build is left out for good.
     std::erase_if(sides, [&](const Sides& some) {
@@ -116,6 +111,17 @@ class Assembler {
   }
 
  private:
+  void set_likings() {
+    if (!small()) regular_ = regular_likings();
+    const std::vector<Liking> rounds = round_likings(bricks_);
+    regular_.insert(regular_.begin(), rounds.begin(), rounds.end());
+    if (!large()) return;
+    std::stable_partition(regular_.begin(), regular_.end(),
+                          [](const Liking& one) { return one.spine != Liking::Spine::none; });
+    const std::vector<Liking> swept = swept_likings(bricks_, task_.most_colours);
+    regular_.insert(regular_.begin(), swept.begin(), swept.end());
+  }
+
   Assembly result() {
     out_.cut_short = effort_.cut_short();
     return std::move(out_);

@@ -67,6 +67,8 @@ struct AssemblyPlan {
 struct Assembly {
   std::optional<AssemblyPlan> plan;
   std::optional<AssemblyObstacle> obstacle;  ///< no robot of this kind builds it from these sides
+  /// More bricks than rules are looked for; that there is no obstacle says nothing then.
+  bool too_many = false;
   AssemblyCounts counts;
   bool cut_short = false;
 };

@@ -6,11 +6,15 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+
+#include "assembly/large_targets.h"
 #include "assembly/oracle.h"
 #include "assembly/targets.h"
 #include "compiler/lattice_walk.h"
 #include "lattice/structure_text.h"
 #include "support/uses.h"
+#include "synthesis/shapes.h"
 
 namespace stig {
 namespace {
@@ -166,6 +170,27 @@ TEST_CASE("targets by chance: what is made compiles and completes, what is impos
     }
     if (made.obstacle && !takes_more_colours(*made.obstacle)) RC_ASSERT(!possible);
   }));
+}
+
+TEST_CASE("of targets that are too large for rules it is said whether they are impossible") {
+  const Assembly town = assemble(task_for(paved_town_target(7000, 1)), 1);
+  REQUIRE(town.obstacle.has_value());
+  CHECK(town.obstacle->kind == AssemblyObstacle::Kind::remainder);
+  CHECK_FALSE(town.too_many);
+  const Assembly plate = assemble(task_for(box({80, 80, 1})), 1);
+  CHECK(plate.too_many);
+  CHECK_FALSE(plate.plan.has_value());
+  CHECK_FALSE(plate.obstacle.has_value());
+}
+
+TEST_CASE("a maze is left by no straight way, and is refused with as many kinds of brick") {
+  AssemblyTask task = task_for(maze_target(500, 3, 1));
+  task.most_colours = kMaxColours;
+  const Assembly made = assemble(task, 1);
+  REQUIRE(made.obstacle.has_value());
+  REQUIRE(made.obstacle->kind == AssemblyObstacle::Kind::remainder);
+  const auto& barred = made.obstacle->remainder.barred;
+  CHECK(std::any_of(barred.begin(), barred.end(), [](const auto& one) { return one.joins; }));
 }
 
 }  // namespace

@@ -21,6 +21,9 @@
 namespace stig::cli {
 namespace {
 
+/// More are not even asked whether robots could build them.
+constexpr std::size_t kMostBricks = 200'000;
+
 /// Kinds of brick that there may be.
 int kinds_of(const SynthOptions& options) { return options.kinds.value_or(kBlockColours); }
 
@@ -49,10 +52,9 @@ std::string usage_problem(const SynthOptions& o) {
 std::string target_problem(const SynthOptions& options, const Target& target) {
   if (target.cells.empty()) return "the target has no cells";
   if (target.cells.size() == 1) return "the target is a single brick, the start: there is no work";
-  if (target.cells.size() > kMostOrderedBricks) {
-    // The bound of the compiler (compiler/precedence.h), which would refuse more.
+  if (target.cells.size() > kMostBricks) {
     return fmt::format("the target has {} bricks, and --robot takes {} at most",
-                       target.cells.size(), kMostOrderedBricks);
+                       target.cells.size(), kMostBricks);
   }
   if (target.lattice != Lattice::cubic) {
     return "blocks are cubes: robots build on the cubic lattice alone";
@@ -141,6 +143,19 @@ int write_plan(const SynthOptions& options, const AssemblyPlan& plan, App& app,
   return kRunFailed;
 }
 
+/// A search that ended is no proof that there is nothing.
+std::string why_not_found(const Target& target, const Assembly& made) {
+  if (made.too_many) {
+    // What comes before what is kept as a bit for each pair of bricks (compiler/precedence.h).
+    return fmt::format(
+        "unknown: nothing was found that rules {} out, and rules for more than {} are not looked "
+        "for",
+        counted(target.cells.size(), "brick"), kMostOrderedBricks);
+  }
+  if (made.cut_short) return fmt::format("not found: {}", ended_early());
+  return fmt::format("not found: {}; --effort allows more", counts_in_words(made.counts));
+}
+
 /// An exit code.
 int report(const SynthOptions& options, const Target& target, const Assembly& made,
            const std::vector<AssemblyRemedy>& remedies, App& app,
@@ -164,10 +179,7 @@ int report(const SynthOptions& options, const Target& target, const Assembly& ma
     return kFailed;
   }
   if (!options.json) {
-    // A search that ran out is no proof that there is nothing: exit code 3.
-    app.complain(made.cut_short ? fmt::format("not found: {}", ended_early())
-                                : fmt::format("not found: {}; --effort allows more",
-                                              counts_in_words(made.counts)));
+    app.complain(why_not_found(target, made));
     app.print(remedy_lines(remedies));
   }
   return kRunFailed;
@@ -200,7 +212,7 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   const Assembly made = assemble(task, options.effort, hooks);
   std::vector<AssemblyRemedy> remedies;
   // Other robots are tried only when the one that was named cannot: as a remedy.
-  if (!made.plan) {
+  if (!made.plan && !made.too_many) {
     progress.show(0, "what would help");
     remedies = find_remedies(task, made, other_robots(*options.robot, app), options.effort, hooks);
   }
