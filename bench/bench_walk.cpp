@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Agent-steps per second of the walk engine around a finished nest of architecture-4n,
-// with and without vector instructions, beside the baseline in the same run. A brick far
-// from the nest keeps one site enabled, and rules fire too rarely to matter, so that no
-// run saturates and all walk the same number of steps.
+// with and without vector instructions, beside the baseline in the same run, and of teleport
+// motion, which does not make most of its jumps. A brick far from the nest keeps one site
+// enabled, and rules fire too rarely to matter, so that no run saturates and all do the same
+// number of steps.
 #include <benchmark/benchmark.h>
 
 #include <vector>
@@ -59,12 +60,13 @@ void baseline(benchmark::State& state) {
   report(state);
 }
 
-void engine(benchmark::State& state, bool vectorise) {
+void engine(benchmark::State& state, bool vectorise, Motion motion = Motion::walk) {
   const RuleSet rules = around_a_nest();
   const RuleTable table(rules);
   SwarmConfig config =
       config_for(rules, static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   config.vectorise = vectorise;
+  config.motion = motion;
   for (auto _ : state) {
     SwarmResult result = run_swarm(table, rules.start, config);
     if (result.steps != *config.max_steps) state.SkipWithError("the run ended early");
@@ -73,6 +75,7 @@ void engine(benchmark::State& state, bool vectorise) {
 }
 void engine_scalar(benchmark::State& state) { engine(state, false); }
 void engine_vector(benchmark::State& state) { engine(state, true); }
+void teleport(benchmark::State& state) { engine(state, true, Motion::teleport); }
 
 const std::vector<std::vector<std::int64_t>> kCases{{20, 100}, {100, 1000}};
 
@@ -85,6 +88,10 @@ BENCHMARK(engine_scalar)
     ->ArgNames({"side", "agents"})
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(engine_vector)
+    ->ArgsProduct(kCases)
+    ->ArgNames({"side", "agents"})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(teleport)
     ->ArgsProduct(kCases)
     ->ArgNames({"side", "agents"})
     ->Unit(benchmark::kMillisecond);

@@ -3,8 +3,10 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 
 #include "rules/rule_reader.h"
 #include "support/uses.h"
@@ -19,6 +21,15 @@ RuleSet shipped(const std::string& name) {
     std::exit(1);
   }
   return *std::move(rules);
+}
+
+std::vector<std::string> shipped_names() {
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(STIG_SOURCE_DIR "/rulesets")) {
+    if (file.path().extension() == ".yaml") names.push_back(file.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 double peak_megabytes() {

@@ -16,6 +16,9 @@ class RunLog {
 
   /// The number of the step that begins, 1-based.
   std::uint64_t begin_step() { return ++result_.steps; }
+  /// The same for an engine that passes over steps in which nothing happens: begins that step,
+  /// later than the last, unless a limit is reached before it.
+  bool go_to_step(std::uint64_t step);
   void record(const Deposit& deposit);
 
   bool deposits_spent() const { return config_->max_deposits == result_.deposits; }
@@ -36,7 +39,8 @@ class RunLog {
 };
 
 SwarmResult run_event(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
-/// walk and teleport; the config has a box.
-SwarmResult run_agents(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
+/// The config has a box, here and in run_teleport.
+SwarmResult run_walk(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
+SwarmResult run_teleport(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
 
 }  // namespace stig::lattice

@@ -145,6 +145,15 @@ bool RunLog::limit_reached(std::uint64_t work) {
   return true;
 }
 
+bool RunLog::go_to_step(std::uint64_t step) {
+  assert(step > result_.steps);
+  const std::uint64_t passed = step - 1;
+  result_.steps = config_->max_steps ? std::min(passed, *config_->max_steps) : passed;
+  if (limit_reached()) return false;
+  result_.steps = step;
+  return true;
+}
+
 SwarmResult RunLog::finish(LatticeWorld& world, Terminated terminated, std::uint64_t enabled_left,
                            std::uint64_t out_of_reach) {
   result_.terminated = terminated;
@@ -175,8 +184,15 @@ SwarmResult run_swarm(const RuleTable& rules, const std::vector<PlacedBrick>& st
                       const SwarmConfig& config, const SwarmHooks& hooks) {
   assert(config_problem(rules, start, config).empty());
   LatticeWorld world(rules, start, config.box);
-  return config.motion == Motion::event ? run_event(std::move(world), config, hooks)
-                                        : run_agents(std::move(world), config, hooks);
+  switch (config.motion) {
+    case Motion::walk:
+      return run_walk(std::move(world), config, hooks);
+    case Motion::teleport:
+      return run_teleport(std::move(world), config, hooks);
+    case Motion::event:
+      break;
+  }
+  return run_event(std::move(world), config, hooks);
 }
 
 std::vector<SwarmResult> run_ensemble(const RuleTable& rules, const std::vector<PlacedBrick>& start,

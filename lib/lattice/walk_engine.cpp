@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Walk and teleport motion in a box: agents and enabled sites live in one dense
+// Walk motion in a box: agents and enabled sites live in one dense
 // array of flag bytes, padded by a cell all round (solid sides, or portals to the
 // other side); the structure itself stays in the world.
 #include <algorithm>
 #include <cassert>
-#include <numeric>
 
+#include "lattice/agent_orders.h"
 #include "lattice/engines.h"
 #include "lattice/walk_kernel.h"
 
@@ -32,23 +32,6 @@ struct Field {
   std::int32_t step(Offset o) const { return o.z * slice + o.y * row + o.x; }
 };
 
-/// Numbers coprime to `count`: all below it, or 4096 spread over the range where it is
-/// large. A stride coprime to the number of agents visits each agent once, so an order is
-/// two numbers and not a permutation. 4096 strides are random enough, and all of them would
-/// be a long list for a million agents.
-std::vector<std::uint32_t> coprimes(std::uint32_t count) {
-  constexpr std::uint32_t kEnough = 4096;
-  if (count == 1) return {0};
-  const std::uint32_t stride = std::max(1U, count / kEnough);
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t from = 1; from < count; from += stride) {
-    std::uint32_t i = from;
-    while (i < from + stride && std::gcd(i, count) != 1) ++i;
-    if (i < from + stride && i < count) all.push_back(i);
-  }
-  return all;
-}
-
 Moves moves_of(const Field& field, const Neighbourhood& n, int count) {
   Moves moves;
   for (std::size_t i = 0; i < static_cast<std::size_t>(n.size); ++i) {
@@ -59,33 +42,9 @@ Moves moves_of(const Field& field, const Neighbourhood& n, int count) {
   return moves;
 }
 
-/// The empty cells of the box, for teleport: a list, and each cell's place in it. Swap with
-/// the last: the order of the list depends on the history alone.
-class EmptyCells {
+class WalkRun {
  public:
-  void add(std::int32_t cell, std::size_t field_size) {
-    if (place_.empty()) place_.resize(field_size);
-    place_[static_cast<std::size_t>(cell)] = static_cast<std::uint32_t>(list_.size());
-    list_.push_back(cell);
-  }
-  void remove(std::int32_t cell) {
-    assert(list_[place_[static_cast<std::size_t>(cell)]] == cell);
-    const std::uint32_t at = place_[static_cast<std::size_t>(cell)];
-    list_[at] = list_.back();
-    place_[static_cast<std::size_t>(list_.back())] = at;
-    list_.pop_back();
-  }
-  std::size_t size() const { return list_.size(); }
-  std::int32_t operator[](std::size_t i) const { return list_[i]; }
-
- private:
-  std::vector<std::int32_t> list_;
-  std::vector<std::uint32_t> place_;
-};
-
-class AgentRun {
- public:
-  AgentRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
+  WalkRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
   SwarmResult run();
 
  private:
@@ -97,12 +56,9 @@ class AgentRun {
   void fill();
 
   Terminated steps();
-  void draw_order(std::uint64_t step);
-  bool sweep_walk();
-  bool sweep_teleport();
+  bool sweep();
   bool stimulate(std::uint32_t agent);
   void walk(std::uint32_t agent);
-  void jump(std::uint32_t agent);
   bool ended() const { return enabled_ == 0 || log_.deposits_spent() || world_.stage_spent(); }
 
   std::uint8_t& flags(std::int32_t index) { return flags_[static_cast<std::size_t>(index)]; }
@@ -125,30 +81,26 @@ class AgentRun {
   std::vector<std::int32_t> position_;
   std::array<std::vector<std::int32_t>, 4> steps_;  ///< moves of four steps, by agent
   const std::int32_t* move_ = nullptr;              ///< of this step, by agent
-  std::vector<std::uint32_t> strides_;
-  std::array<std::uint32_t, 4> order_words_{};
+  AgentOrders orders_;
   WalkOrder order_;
-  EmptyCells empty_;                 ///< teleport only
-  std::size_t agents_in_empty_ = 0;  ///< agents whose cell holds no brick
-  std::uint64_t enabled_ = 0;        ///< number of enabled cells
+  std::uint64_t enabled_ = 0;  ///< number of enabled cells
   std::uint64_t step_ = 0;
 };
 
-AgentRun::AgentRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks)
+WalkRun::WalkRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks)
     : world_(std::move(world)),
       config_(&config),
       log_(config, hooks, world_.rules().rule_count()),
       field_(*config.box),
       moves_(moves_of(field_, world_.rules().neighbours(), config.moves)),
       flags_(static_cast<std::size_t>(field_.size) + 4),
-      strides_(coprimes(static_cast<std::uint32_t>(config.agents))) {
+      orders_(config.seed, config.run, static_cast<std::uint32_t>(config.agents)) {
   for (auto& steps : steps_) steps.resize(static_cast<std::size_t>(config.agents));
-  order_.count = static_cast<std::uint32_t>(config.agents);
   mark_sides();
   place_agents();
 }
 
-void AgentRun::mark_sides() {
+void WalkRun::mark_sides() {
   const Box& box = field_.box;
   const bool floor = world_.rules().floor();
   std::int32_t i = 0;
@@ -163,21 +115,17 @@ void AgentRun::mark_sides() {
     }
   }
   world_.structure().for_each([&](Cell cell, Colour) { flags(field_.index(cell)) = kSolidCell; });
-  if (config_->motion != Motion::teleport) return;
-  for (i = 0; i < field_.size; ++i) {
-    if (flags(i) == 0) empty_.add(i, static_cast<std::size_t>(field_.size));
-  }
 }
 
 /// The flag of a cell of the padding, or of one below the floor. A portal stands for the
 /// cell across a periodic side.
-std::uint8_t AgentRun::side_flag(Cell cell) const {
+std::uint8_t WalkRun::side_flag(Cell cell) const {
   const Cell inside = world_.wrap(cell);
   const bool below_floor = world_.rules().floor() && cell.z < 0;
   return below_floor || !field_.box.contains(inside) ? kSolidCell : kPortalCell;
 }
 
-void AgentRun::place_agents() {
+void WalkRun::place_agents() {
   position_.reserve(static_cast<std::size_t>(config_->agents));
   for (const Cell cell : config_->agents_at) put_agent(field_.index(cell));
   for (auto a = position_.size(); a < static_cast<std::size_t>(config_->agents); ++a) {
@@ -185,15 +133,14 @@ void AgentRun::place_agents() {
   }
 }
 
-void AgentRun::put_agent(std::int32_t cell) {
+void WalkRun::put_agent(std::int32_t cell) {
   assert(flags(cell) == 0);
   flags(cell) = kAgentCell;
   position_.push_back(cell);
-  ++agents_in_empty_;
 }
 
 /// Uniform over the cells without brick and agent.
-std::int32_t AgentRun::random_free_cell(std::uint32_t agent) const {
+std::int32_t WalkRun::random_free_cell(std::uint32_t agent) const {
   Random random(config_->seed, config_->run, Purpose::start, agent, 0);
   const Box& box = field_.box;
   const auto below = [&](std::int32_t size) {
@@ -216,14 +163,14 @@ std::int32_t AgentRun::random_free_cell(std::uint32_t agent) const {
   return cell;
 }
 
-void AgentRun::set_enabled(std::int32_t index, bool enabled) {
+void WalkRun::set_enabled(std::int32_t index, bool enabled) {
   if (is(index, kEnabledCell) == enabled) return;
   flags(index) = static_cast<std::uint8_t>(flags(index) ^ kEnabledCell);
   enabled ? ++enabled_ : --enabled_;
 }
 
 /// Enables the sites of the present stage, or of the next that has any.
-void AgentRun::fill() {
+void WalkRun::fill() {
   do {
     // Every enabled flag is cleared by searching until none is left; stages are few.
     for (std::int32_t i = 0; enabled_ > 0; ++i) set_enabled(i, false);
@@ -231,40 +178,26 @@ void AgentRun::fill() {
   } while ((enabled_ == 0 || world_.stage_spent()) && world_.next_stage());
 }
 
-SwarmResult AgentRun::run() {
+SwarmResult WalkRun::run() {
   fill();
   const Terminated end = steps();
   const std::uint64_t left = enabled_;
   return log_.finish(world_, end, left, left == 0 ? 0 : unreachable());
 }
 
-Terminated AgentRun::steps() {
+Terminated WalkRun::steps() {
   const auto agents = static_cast<std::uint64_t>(config_->agents);
   while (true) {
     if (enabled_ == 0) return Terminated::saturated;
     if (log_.deposits_spent() || world_.stage_spent()) return Terminated::deposits;
     if (log_.limit_reached(agents)) return log_.why();
     step_ = log_.begin_step();
-    draw_order(step_);
-    config_->motion == Motion::walk ? sweep_walk() : sweep_teleport();
+    order_ = orders_.of_step(step_);
+    sweep();
   }
 }
 
-void AgentRun::draw_order(std::uint64_t step) {
-  // Four words of one Philox block serve the orders of two steps.
-  if (step % 2 == 0 || step == 1) {
-    order_words_ = philox(random_address(config_->run, Purpose::order, 0, step / 2),
-                          random_key(config_->seed));
-  }
-  const std::size_t half = step % 2 * 2;
-  const auto below = [](std::uint32_t word, std::size_t bound) {
-    return static_cast<std::uint32_t>((std::uint64_t{word} * bound) >> 32);
-  };
-  order_.base = below(order_words_[half], order_.count);
-  order_.stride = strides_[below(order_words_[half + 1], strides_.size())];
-}
-
-bool AgentRun::sweep_walk() {
+bool WalkRun::sweep() {
   if (step_ % 4 == 0 || step_ == 1) {
     draw_moves(config_->seed, config_->run, step_ / 4, moves_, config_->vectorise, steps_);
   }
@@ -282,17 +215,8 @@ bool AgentRun::sweep_walk() {
   return false;
 }
 
-bool AgentRun::sweep_teleport() {
-  std::uint32_t agent = order_.base;
-  for (std::uint32_t done = 0; done < order_.count; ++done, agent = order_.next(agent)) {
-    if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
-    jump(agent);
-  }
-  return false;
-}
-
 /// The agent's site matches: deposit, with the rule's probability. True when the run ends.
-bool AgentRun::stimulate(std::uint32_t agent) {
+bool WalkRun::stimulate(std::uint32_t agent) {
   const std::int32_t index = position_[agent];
   const Cell site = field_.cell(index);
   Random random(config_->seed, config_->run, Purpose::deposit, agent, step_);
@@ -302,8 +226,6 @@ bool AgentRun::stimulate(std::uint32_t agent) {
   const Colour colour = world_.rules().place(match.rule);
   set_enabled(index, false);
   flags(index) = static_cast<std::uint8_t>(flags(index) | kSolidCell);
-  if (config_->motion == Motion::teleport) empty_.remove(index);
-  --agents_in_empty_;
   world_.deposit(site, colour, [&](Cell neighbour, const View& view) {
     set_enabled(field_.index(neighbour), world_.rules().enabled(view, neighbour.z, world_.stage()));
   });
@@ -312,7 +234,7 @@ bool AgentRun::stimulate(std::uint32_t agent) {
   return ended();
 }
 
-void AgentRun::walk(std::uint32_t agent) {
+void WalkRun::walk(std::uint32_t agent) {
   const std::int32_t from = position_[agent];
   std::int32_t to = from + move_[agent];
   if (is(to, kPortalCell)) to = portal(to);
@@ -322,28 +244,9 @@ void AgentRun::walk(std::uint32_t agent) {
   position_[agent] = to;
 }
 
-/// Jumps are drawn by rejection among empty cells; staying put is allowed, so the loop ends
-/// even if agents fill all of them.
-void AgentRun::jump(std::uint32_t agent) {
-  const std::int32_t from = position_[agent];
-  const bool in_brick = is(from, kSolidCell);
-  if (in_brick && agents_in_empty_ == empty_.size()) return;  // nowhere to go
-  Random random(config_->seed, config_->run, Purpose::move, agent, step_);
-  std::int32_t to = from;
-  do {
-    to = empty_[random.below(empty_.size())];
-  } while (to != from && is(to, kAgentCell));
-  if (to == from) return;
-  flags(from) = static_cast<std::uint8_t>(flags(from) & ~kAgentCell);
-  flags(to) = static_cast<std::uint8_t>(flags(to) | kAgentCell);
-  position_[agent] = to;
-  if (in_brick) ++agents_in_empty_;
-}
-
 /// Enabled cells that no agent can get to: a flood from each until it meets an agent.
 /// Agents are many and near, so most floods are short.
-std::uint64_t AgentRun::unreachable() const {
-  if (config_->motion == Motion::teleport) return 0;
+std::uint64_t WalkRun::unreachable() const {
   std::vector<std::uint8_t> seen(static_cast<std::size_t>(field_.size));  // 1 + reached
   std::uint64_t found = 0;
   for (std::int32_t site = 0; site < field_.size; ++site) {
@@ -356,7 +259,7 @@ std::uint64_t AgentRun::unreachable() const {
 
 /// Floods the open cells around a site; true when an agent, or a region known to be
 /// reached, is met. Marks the region 2 if so and 1 if not.
-bool AgentRun::flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& seen) const {
+bool WalkRun::flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& seen) const {
   std::vector<std::int32_t> region;
   bool met = false;
   const auto visit = [&](std::int32_t cell) {
@@ -380,8 +283,8 @@ bool AgentRun::flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& s
 
 }  // namespace
 
-SwarmResult run_agents(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks) {
-  return AgentRun(std::move(world), config, hooks).run();
+SwarmResult run_walk(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks) {
+  return WalkRun(std::move(world), config, hooks).run();
 }
 
 }  // namespace stig::lattice
