@@ -73,7 +73,8 @@ void check_format(SqliteFile& file) {
 }
 
 void create(SqliteFile& file, const SearchPlan& plan) {
-  SqliteTransaction all(file);
+  SqliteTransaction all(file, SqliteTransaction::Use::write);
+  if (has_tables(file)) return;  // another search was first
   file.run(schema());
   SqliteStatement put(file, "INSERT INTO meta VALUES(?, ?)");
   const auto add = [&](std::string_view key, const std::string& value) {
@@ -264,6 +265,8 @@ std::optional<ResultFile> ResultFile::go_on(const std::string& path, const Searc
     if (meta(file, "plan") != to_hex(plan_hash(plan))) {
       throw SqliteFailure{"its results are of another plan"};
     }
+    // Another search may be adding a batch: what is counted and what was kept must agree.
+    const SqliteTransaction all(file, SqliteTransaction::Use::read);
     load(file, state.archive);
     state.evaluated = connection->evaluated = evaluated_of(file);
     return ResultFile(std::move(connection));
@@ -275,7 +278,7 @@ std::optional<ResultFile> ResultFile::go_on(const std::string& path, const Searc
 
 bool ResultFile::add(const SearchBatch& batch, const FindArchive& archive, std::string& error) {
   try {
-    SqliteTransaction all(connection_->file);
+    SqliteTransaction all(connection_->file, SqliteTransaction::Use::write);
     connection_->advance(batch, archive.structures());
     connection_->add_structures(batch, archive);
     std::string marks;
@@ -298,6 +301,7 @@ std::optional<StoredResults> read_results(const std::string& path, std::size_t m
                                           std::string& error) {
   try {
     SqliteFile file = open_to_read(path);
+    const SqliteTransaction all(file, SqliteTransaction::Use::read);
     check_format(file);
     StoredResults out;
     out.name = meta(file, "name");
@@ -333,6 +337,7 @@ std::optional<std::vector<PlacedBrick>> read_bricks(const std::string& path,
                                                     std::uint64_t structure, std::string& error) {
   try {
     SqliteFile file = open_to_read(path);
+    const SqliteTransaction all(file, SqliteTransaction::Use::read);
     check_format(file);
     SqliteStatement row(file, "SELECT bricks FROM structures WHERE hash = ?");
     const std::string hash = to_hex(structure);

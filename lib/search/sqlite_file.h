@@ -69,10 +69,14 @@ class SqliteStatement {
   int bound_ = 0;
 };
 
-/// Undone unless it is committed.
+/// Undone unless it is committed. All that is read in one is of the same moment, whoever else
+/// writes meanwhile.
 class SqliteTransaction {
  public:
-  explicit SqliteTransaction(SqliteFile& file) : file_(file) { file_.run("BEGIN IMMEDIATE"); }
+  enum class Use : std::uint8_t { read, write };
+  SqliteTransaction(SqliteFile& file, Use use) : file_(file) {
+    file_.run(use == Use::write ? "BEGIN IMMEDIATE" : "BEGIN");
+  }
   ~SqliteTransaction();
   SqliteTransaction(const SqliteTransaction&) = delete;
   SqliteTransaction& operator=(const SqliteTransaction&) = delete;

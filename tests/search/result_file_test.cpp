@@ -2,9 +2,11 @@
 // Files of results: broken off and gone on with, refused where they must be.
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "search/plans.h"
 #include "search/result_file.h"
@@ -86,6 +88,28 @@ TEST_CASE("two searches into one file: the second to write says so, and nothing 
   CHECK_FALSE(second->add(*same, two.archive, error));
   CHECK(error == path + ": another search has written to it meanwhile");
   CHECK(read_results(path, 1, error)->content == one.archive.content_hash());
+}
+
+TEST_CASE("what is read while another search writes is of one moment") {
+  const Folder folder;
+  SearchPlan plan = small_plan(SearchMethod::random);
+  plan.evaluations = 4000;
+  const std::string path = folder.file("results");
+  go_on(path, plan, 1, 1);
+  std::atomic<bool> done{false};
+  std::thread writer([&] {
+    go_on(path, plan, 60, 1);
+    done = true;
+  });
+  // A batch is one transaction: whoever reads has it whole or not at all.
+  while (!done) {
+    std::string error;
+    const auto read = read_results(path, 1, error);
+    REQUIRE_MESSAGE(read, error);
+    CHECK(read->evaluated == read->batches.back().evaluated);
+    CHECK(read->structures == read->batches.back().structures);
+  }
+  writer.join();
 }
 
 TEST_CASE("a file of another plan, of something else or out of reach is refused in words") {
