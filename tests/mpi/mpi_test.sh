@@ -36,33 +36,39 @@ for n in 1 2 4; do
   same "of-$n"
 done
 
-# Kills the FIRST or LAST rank of a study that goes on, and begins it again.
+# killed NAME WHICH RUN BEGUN COMMAND IN_USE COMPARE
+#
+# Begins `RUN 3 NAME`, and kills rank WHICH (0; -1: the last) of COMMAND once `BEGUN NAME` is true. Goes on with
+# `RUN 2 NAME` as soon as that no longer says IN_USE, and compares.
 killed() {
-  local name=$1 which=$2 pids=() ended=0
-  ranks 3 "$name" >/dev/null 2>&1 &
+  local name=$1 which=$2 run=$3 begun=$4 command=$5 in_use=$6 compare=$7
+  local pids=() ended=0
+  "$run" 3 "$name" >/dev/null 2>&1 &
   local job=$!
-  # Once something is in the journal.
-  until [[ $({ wc -l <"$name.jsonl.journal"; } 2>/dev/null || echo 0) -gt 3 ]]; do
+  until "$begun" "$name"; do
     kill -0 "$job" 2>/dev/null || { ended=1; break; }
     sleep 0.05
   done
-  mapfile -t pids < <(pgrep -f "^$mpi sweep plan.yaml -q -o $name.jsonl" | sort -n)
+  mapfile -t pids < <(pgrep -f "^$mpi $command -q -o $name\\." | sort -n)
   if [[ $ended -eq 0 && ${#pids[@]} -gt 0 ]] && kill -9 "${pids[$which]}"; then
     printf 'killed: %s\n' "$name"
   else
     printf 'ended before it could be killed: %s\n' "$name"
   fi
   wait "$job" || true
-  # The rest of the ranks end by themselves, or by MPI's hand; the journal is free then.
+  # The rest of the ranks end by themselves, or by MPI's hand.
   for _ in {1..100}; do
-    ranks 2 "$name" 2>error.txt && break
-    grep -q 'in use' error.txt || { cat error.txt >&2; exit 1; }
+    "$run" 2 "$name" 2>error.txt && break
+    grep -qE "$in_use" error.txt || { cat error.txt >&2; exit 1; }
     sleep 0.1
   done
-  same "$name"
+  "$compare" "$name"
 }
-killed worker -1
-killed leader 0
+
+sweep_begun() { [[ $({ wc -l <"$1.jsonl.journal"; } 2>/dev/null || echo 0) -gt 3 ]]; }
+sweep_killed() { killed "$1" "$2" ranks sweep_begun 'sweep plan.yaml' 'in use' same; }
+sweep_killed worker -1
+sweep_killed leader 0
 
 # The same of a search.
 cat >search.yaml <<'PLAN'
@@ -94,32 +100,10 @@ for n in 1 2 4; do
   alike "found-$n"
 done
 
-killed_search() {
-  local name=$1 which=$2 pids=() ended=0
-  search 3 "$name" >/dev/null 2>&1 &
-  local job=$!
-  # Once a batch is in the file.
-  until "$stigc" archive "$name.sqlite" --json 2>/dev/null | grep -q '"evaluated": [1-9]'; do
-    kill -0 "$job" 2>/dev/null || { ended=1; break; }
-    sleep 0.05
-  done
-  mapfile -t pids < <(pgrep -f "^$mpi search search.yaml -q -o $name.sqlite" | sort -n)
-  if [[ $ended -eq 0 && ${#pids[@]} -gt 0 ]] && kill -9 "${pids[$which]}"; then
-    printf 'killed: %s\n' "$name"
-  else
-    printf 'ended before it could be killed: %s\n' "$name"
-  fi
-  wait "$job" || true
-  for _ in {1..100}; do
-    search 2 "$name" 2>error.txt && break
-    # One that is still at its last batch.
-    grep -qE 'meanwhile|locked' error.txt || { cat error.txt >&2; exit 1; }
-    sleep 0.1
-  done
-  alike "$name"
-}
-killed_search search-worker -1
-killed_search search-leader 0
+search_begun() { "$stigc" archive "$1.sqlite" --json 2>/dev/null | grep -q '"evaluated": [1-9]'; }
+search_killed() { killed "$1" "$2" search search_begun 'search search.yaml' 'meanwhile|locked' alike; }
+search_killed search-worker -1
+search_killed search-leader 0
 
 # A program that has no score ends on all ranks.
 code=0
