@@ -202,7 +202,7 @@ viewer_part() {
     failures=$((failures + 1))
   printf '\n'
   sed 's/^duration: .*/duration: 60/' "$dir/four/scene.yaml" >"$dir/four/minute.yaml"
-  scripts/live_cost.py build/dev/stigc "$dir/four/minute.yaml" | sed -n '/^|/p' ||
+  scripts/live_cost.py build/dev/stigc "$dir/four/minute.yaml" | sed -n '/^|/p; /^$/p' ||
     failures=$((failures + 1))
 }
 
