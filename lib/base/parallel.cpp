@@ -62,11 +62,12 @@ void run_parallel(std::size_t count, int threads, const std::function<void(std::
   const tbb::global_control stack(tbb::global_control::thread_stack_size, kStackBytes);
   tbb::task_arena arena(static_cast<int>(most));
   std::size_t next = 0;
+  Order order;
   const auto begin = [&](tbb::flow_control& control) {
+    const Piece piece(order);
     if (next == count || (stop && stop())) control.stop();
     return next++;
   };
-  Order order;
   const auto run = [&](std::size_t i) {
     const Piece piece(order);
     work(i);
