@@ -18,6 +18,7 @@ using namespace stig;
 /// A trace of three bodies whose one chunk is `payload`.
 std::string around(const std::string& payload) {
   PoseTraceHeader header;
+  header.channels = {"leds", "log"};
   header.bodies.resize(3);
   for (TraceBody& body : header.bodies) body.shape = Shape::box({1, 1, 1});
   std::string bytes;

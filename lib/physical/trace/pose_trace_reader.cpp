@@ -45,9 +45,9 @@ void hand_over(const std::function<void(Record)>& sink, std::decay_t<Record> rec
 // Poses are kept as differences to the frame before, from zero at the chunk's start.
 class ChunkDecoder {
  public:
-  ChunkDecoder(std::string_view payload, std::size_t bodies, const RecordSinks& sinks)
-      : in_(payload), sinks_(sinks) {
-    frame_.bodies.resize(bodies);
+  ChunkDecoder(std::string_view payload, const PoseTraceHeader& header, const RecordSinks& sinks)
+      : in_(payload), channels_(header.channels.size()), sinks_(sinks) {
+    frame_.bodies.resize(header.bodies.size());
     frame_.tick = in_.varint();
     tick_ = frame_.tick;
   }
@@ -155,7 +155,7 @@ class ChunkDecoder {
   bool value() {
     const std::uint64_t channel = in_.varint(), body = in_.varint();
     const std::string_view bytes = in_.block();
-    if (channel > 0xffff || body >= frame_.bodies.size()) return false;
+    if (channel >= channels_ || body >= frame_.bodies.size()) return false;
     hand_over(sinks_.value, {tick_, static_cast<std::uint32_t>(channel),
                              static_cast<std::uint32_t>(body), std::string(bytes)});
     return true;
@@ -182,6 +182,7 @@ class ChunkDecoder {
   }
 
   ByteReader in_;
+  std::size_t channels_ = 0;
   const RecordSinks& sinks_;
   std::uint64_t tick_ = 0;
   bool begun_ = false;
@@ -253,7 +254,7 @@ class Reader {
     sinks.hash = [this](TraceHash hash) { trace_.hashes.push_back(hash); };
     sinks.value = [this](TraceValue value) { trace_.values.push_back(std::move(value)); };
     sinks.hand = [this](TraceHand hand) { trace_.hands.push_back(hand); };
-    ChunkDecoder decoder(*payload, trace_.header.bodies.size(), sinks);
+    ChunkDecoder decoder(*payload, trace_.header, sinks);
     const std::uint64_t first = decoder.first_tick();
     // Ticks rise from chunk to chunk, as frame_at's search needs.
     const bool ordered = trace_.chunks.empty() || first > trace_.chunks.back().first_tick;
@@ -297,7 +298,7 @@ class Reader {
 void decode(const PoseTrace& trace, const TraceChunk& chunk, const RecordSinks& sinks) {
   const auto payload = unpacked(
       std::string_view(trace.bytes).substr(chunk.begin, chunk.end - chunk.begin), kMostChunkBytes);
-  if (payload) ChunkDecoder(*payload, trace.header.bodies.size(), sinks).decode();
+  if (payload) ChunkDecoder(*payload, trace.header, sinks).decode();
 }
 
 }  // namespace

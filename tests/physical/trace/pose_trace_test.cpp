@@ -126,6 +126,17 @@ TEST_CASE("a pose comes back to 10 µm and 0.01 degrees") {
   }
 }
 
+TEST_CASE("a value of a channel that the header has not is refused") {
+  for (const std::uint32_t channel : {0U, 1U, 0xffffU}) {
+    std::string bytes;
+    PoseTraceWriter writer(small_header(1), [&](std::string_view b) { bytes += b; });
+    writer.frame({0, {trace_state({})}});
+    writer.value({1, channel, 0, "on"});
+    writer.finish({2, RunEnd::duration, 0, ""});
+    CHECK(read(bytes).has_value() == (channel == 0));
+  }
+}
+
 TEST_CASE("a damaged trace is refused, wherever the damage is") {
   const std::string good = write(3, 4, 300).bytes;
   const auto whole = read(good);
