@@ -8,6 +8,7 @@
 
 #include "program.h"
 #include "support/golden.h"
+#include "support/mcap.h"
 #include "support/uses.h"
 
 namespace stig {
@@ -171,6 +172,26 @@ TEST_CASE("a trace's poses become a table that others read") {
   }
   CHECK(place.shell("stigc replay f.stigp -o f.csv -o f.csv").exit_code == 2);
   CHECK(place.stigc({"replay", "f.stigp", "-o", "f.svg"}).exit_code == 2);
+}
+
+TEST_CASE("a trace becomes an MCAP file when it is whole, and none when it is not") {
+  const Workplace place;
+  REQUIRE(place
+              .shell("stigc simulate scenes/robot-fetch.yaml --duration 0.5 --trace f.stigp && "
+                     "stigc replay f.stigp -o f.mcap -o again.mcap")
+              .exit_code == 0);
+  const McapContent content = mcap_content(place.file("f.mcap"));
+  CHECK(place.file("f.mcap") == place.file("again.mcap"));
+  CHECK(content.of("/tf").size() == 26);
+  CHECK(content.facts.at("title") == "A robot fetches a block");
+  place.shell("head -c 3000 f.stigp > half.stigp; head -c 40 f.stigp > cut.stigp");
+  for (const char* name : {"half.stigp", "cut.stigp"}) {
+    const Outcome bad = place.stigc({"replay", name, "-o", "bad.mcap"});
+    CHECK(bad.exit_code == 1);
+    CHECK(bad.err.find("error[F480]: not a readable trace of poses") != std::string::npos);
+    CHECK(!place.has("bad.mcap"));
+  }
+  CHECK(place.stigc({"replay", "f.stigp", "-o", "no/such/f.mcap"}).exit_code != 0);
 }
 
 TEST_CASE("the schema of scenes") {

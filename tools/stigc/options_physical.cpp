@@ -19,6 +19,7 @@ void add_replay(CLI::App& app, ReplayOptions& o) {
       "  stigc explore rulesets/staircase.yaml --trace run.stigt && stigc replay run.stigt\n"
       "  stigc simulate scenes/drop.yaml --trace drop.stigp && stigc replay drop.stigp\n"
       "  stigc replay drop.stigp --at 1.5 -o drop.png -o drop.csv\n"
+      "  stigc replay drop.stigp -o drop.mcap\n"
       "  stigc replay drop.stigp --verify\n");
   file(sub, "TRACE", o.trace, "trace of explore, which is run again, or of simulate");
   sub->add_flag("--verify", o.verify,
@@ -28,7 +29,8 @@ void add_replay(CLI::App& app, ReplayOptions& o) {
   repeated(
       sub, "-o,--output", o.outputs, "FILE",
       "of a trace of simulate: .png draws that moment, as stigc render does; .csv has all poses "
-      "as a table; may be repeated");
+      "as a table, .mcap all poses, shapes and log lines for viewers of robots' data; may be "
+      "repeated");
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 

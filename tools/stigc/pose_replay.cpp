@@ -18,6 +18,7 @@
 #include "report.h"
 #include "simulate_report.h"
 #include "view/pose_csv.h"
+#include "view/pose_mcap.h"
 #include "view/trace_picture.h"
 
 namespace stig::cli {
@@ -183,13 +184,14 @@ int draw(const std::string& path, const std::string& trace_name,
   return film ? write_output(path, film->picture(time, 0), app) : code;
 }
 
-/// All poses, which may be more than fits into memory, row by row.
-int write_table(const std::string& path, const PoseTrace& trace, const App& app) {
+/// All poses, which may be more than fits into memory, piece by piece.
+int write_poses(const std::string& path, const PoseTrace& trace, const App& app) {
   GrowingFile file;
   FileError error;
   bool good = file.open(path, error);
   if (good) {
-    write_pose_csv(trace, [&](std::string_view rows) { return good = file.append(rows, error); });
+    const auto write = path.ends_with(".mcap") ? write_pose_mcap : write_pose_csv;
+    write(trace, [&](std::string_view piece) { return good = file.append(piece, error); });
   }
   if (!good || !file.commit(error)) {
     app.complain(error.message);
@@ -203,9 +205,11 @@ bool is_picture(const std::string& path) { return path.ends_with(".png"); }
 
 int check_names(const ReplayOptions& options, const App& app) {
   for (const std::string& path : options.outputs) {
-    if (is_picture(path) || path.ends_with(".csv")) continue;
+    if (is_picture(path) || path.ends_with(".csv") || path.ends_with(".mcap")) continue;
     app.complain(
-        fmt::format("'{}': pictures of scenes are .png, tables of poses .csv", printable(path)));
+        fmt::format("'{}': pictures of scenes are .png, tables of poses .csv, poses for viewers "
+                    "of robots' data .mcap",
+                    printable(path)));
     return kUsage;
   }
   return kOk;
@@ -239,7 +243,7 @@ int replay_poses(const ReplayOptions& options, std::string bytes, App& app) {
   }
   for (const std::string& path : options.outputs) {
     const int code = is_picture(path) ? draw(path, options.trace, trace, at, app)
-                                      : write_table(path, *trace, app);
+                                      : write_poses(path, *trace, app);
     if (code != kOk) return code;
   }
   return kOk;
