@@ -39,6 +39,9 @@ class RunLog {
 };
 
 SwarmResult run_event(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
+/// The same run by the engine for all worlds, also where run_event has a faster one.
+SwarmResult run_event_anywhere(LatticeWorld world, const SwarmConfig& config,
+                               const SwarmHooks& hooks);
 /// The config has a box, here and in run_teleport.
 SwarmResult run_walk(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);
 SwarmResult run_teleport(LatticeWorld world, const SwarmConfig& config, const SwarmHooks& hooks);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sparse array of bricks in chunks of 8 x 8 x 8 bytes. Chunks lie in a deque and never
+// A sparse array of bricks in chunks of 8 x 8 x 8 bytes. Chunks never
 // move; an open-addressing index finds them. 512 bytes are eight cache lines, and growth
 // touches few chunks at a time; a hash entry for each brick would take several times the
 // memory of compact structures. Bricks are never removed, so there is no deletion.
@@ -82,8 +82,8 @@ const Structure::Chunk* Structure::find(Cell cell) const {
   const Cell origin = chunk_origin(cell);
   const std::size_t mask = index_.size() - 1;
   for (std::size_t slot = chunk_hash(origin) & mask; index_[slot] != 0; slot = (slot + 1) & mask) {
-    const Chunk& chunk = chunks_[index_[slot] - 1];
-    if (chunk.origin == origin) return &chunk;
+    const Chunk* chunk = chunks_[index_[slot] - 1].get();
+    if (chunk->origin == origin) return chunk;
   }
   return nullptr;
 }
@@ -93,20 +93,20 @@ Structure::Chunk& Structure::find_or_make(Cell cell) {
     // The cast saves a second copy of the search.
     return const_cast<Chunk&>(*chunk);  // of this object, which is not const here
   }
-  chunks_.push_back({chunk_origin(cell), {}});
+  chunks_.emplace_back(chunk_origin(cell));
   // At most half of the index is taken.
   if (chunks_.size() * 2 > index_.size()) {
     grow_index();
   } else {
     insert_in_index(chunks_.size());
   }
-  return chunks_.back();
+  return *chunks_.back();
 }
 
 void Structure::insert_in_index(std::size_t number) {
   assert(number >= 1 && number <= chunks_.size());
   const std::size_t mask = index_.size() - 1;
-  std::size_t slot = chunk_hash(chunks_[number - 1].origin) & mask;
+  std::size_t slot = chunk_hash(chunks_[number - 1]->origin) & mask;
   while (index_[slot] != 0) slot = (slot + 1) & mask;
   index_[slot] = static_cast<std::uint32_t>(number);
 }

@@ -5,7 +5,8 @@
 
 #include <array>
 #include <cstdint>
-#include <deque>
+#include <cstring>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -56,9 +57,13 @@ class Structure {
   /// structure grew: for sums and sets alone.
   template <class Visit>
   void for_each(const Visit& visit) const {
-    for (const Chunk& chunk : chunks_) {
-      for (std::size_t i = 0; i < chunk.states.size(); ++i) {
-        if (chunk.states[i] != kEmpty) visit(cell_in_chunk(chunk.origin, i), chunk.states[i]);
+    for (const OwnChunk& chunk : chunks_) {
+      for (std::size_t row = 0; row < chunk->states.size(); row += kChunkSide) {
+        std::uint64_t word = 0;  // most rows are empty
+        std::memcpy(&word, chunk->states.data() + row, kChunkSide);
+        for (std::size_t i = row; word != 0 && i < row + kChunkSide; ++i) {
+          if (chunk->states[i] != kEmpty) visit(cell_in_chunk(chunk->origin, i), chunk->states[i]);
+        }
       }
     }
   }
@@ -73,6 +78,16 @@ class Structure {
     Cell origin;  ///< lowest cell
     alignas(8) std::array<State, kChunkSide * kChunkSide * kChunkSide> states{};
   };
+  /// A chunk of its own: growth and moves of the list leave it where it is.
+  struct OwnChunk : std::unique_ptr<Chunk> {
+    explicit OwnChunk(Cell origin) : std::unique_ptr<Chunk>(new Chunk{origin, {}}) {}
+    OwnChunk(const OwnChunk& other) : std::unique_ptr<Chunk>(new Chunk(*other)) {}
+    OwnChunk(OwnChunk&&) noexcept = default;
+    OwnChunk& operator=(OwnChunk other) noexcept {
+      swap(other);
+      return *this;
+    }
+  };
   static constexpr Cell cell_in_chunk(Cell origin, std::size_t i) {
     const auto n = static_cast<std::int32_t>(i);
     return origin +
@@ -86,7 +101,7 @@ class Structure {
   Lattice lattice_;
   std::size_t size_ = 0;
   CellBounds bounds_{};
-  std::deque<Chunk> chunks_;
+  std::vector<OwnChunk> chunks_;
   std::vector<std::uint32_t> index_;  ///< open addressing: 1 + position in chunks_, 0 free
 };
 

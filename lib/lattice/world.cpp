@@ -117,18 +117,22 @@ Match LatticeWorld::choose(Cell site, Random& random) {
   look_at(site);
   const bool wraps = wraps_near(site);
   rules_->matches(wraps ? view(site) : view_within(around_, kCentre), site.z, stage_, matches_);
-  assert(!matches_.empty());
-  if (rules_->conflicts() != Conflicts::random || matches_.size() == 1) return matches_.front();
+  return chosen(*rules_, matches_, random);
+}
+
+Match chosen(const RuleTable& rules, const std::vector<Match>& matches, Random& random) {
+  assert(!matches.empty());
+  if (rules.conflicts() != Conflicts::random || matches.size() == 1) return matches.front();
   // Weights choose among the matches of one site; rounding may leave a rest of zero, and
   // the last match then takes it.
   double total = 0;
-  for (const Match& m : matches_) total += rules_->weight(m.rule);
+  for (const Match& m : matches) total += rules.weight(m.rule);
   double rest = random.unit() * total;
-  for (const Match& m : matches_) {
-    rest -= rules_->weight(m.rule);
+  for (const Match& m : matches) {
+    rest -= rules.weight(m.rule);
     if (rest < 0) return m;
   }
-  return matches_.back();
+  return matches.back();
 }
 
 }  // namespace stig::lattice

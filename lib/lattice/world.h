@@ -15,6 +15,10 @@
 
 namespace stig::lattice {
 
+/// Of the matches of a site, one or more, the one that acts (see swarm.h); draws from `random` only
+/// under `conflicts: random`.
+Match chosen(const RuleTable& rules, const std::vector<Match>& matches, Random& random);
+
 class LatticeWorld {
  public:
   LatticeWorld(const RuleTable& rules, const std::vector<PlacedBrick>& start,
@@ -41,10 +45,15 @@ class LatticeWorld {
   void deposit(Cell cell, Colour colour, const Site& site) {
     look_at(cell);
     around_.at[kCentre] = colour;
-    around_cell_.reset();
-    structure_.place(cell, colour);
-    ++deposits_in_stage_;
+    place(cell, colour);
     for_each_neighbour_view(cell, site);
+  }
+
+  /// Places a brick and no more: for engines that see the neighbours for themselves.
+  void place(Cell cell, Colour colour) {
+    structure_.place(cell, colour);
+    around_cell_.reset();
+    ++deposits_in_stage_;
   }
 
   /// Has the stage had its deposits?
@@ -56,8 +65,7 @@ class LatticeWorld {
   /// Sites that some rule of the present stage matches, in cell order.
   std::vector<Cell> enabled_sites() const;
 
-  /// The rule that acts at an enabled site (see swarm.h); draws from `random` only
-  /// under `conflicts: random`.
+  /// The rule that acts at an enabled site.
   Match choose(Cell site, Random& random);
 
  private:

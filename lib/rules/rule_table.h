@@ -12,6 +12,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "rules/rule_set.h"
@@ -32,6 +33,10 @@ struct Entry {
   Match source;
   Pattern pattern;
 };
+
+struct EntryIndex;     // entry_index.h
+struct OpeningFilter;  // standing_view.h
+struct StandingView;
 
 class RuleTable {
  public:
@@ -54,6 +59,19 @@ class RuleTable {
   /// All rules that match, by rising rule index, each once. `out` is cleared.
   void matches(const View& view, std::int32_t z, int stage, std::vector<Match>& out) const;
 
+  /// The same two of a view where it stands.
+  std::uint64_t open_stages(const StandingView& view, std::int32_t z, int from) const;
+  void matches(const StandingView& view, std::int32_t z, int stage, std::vector<Match>& out) const;
+  /// open_stages of a site that had none before this neighbour, which was empty, came to be a
+  /// brick: only those entries are looked at to which that can make the difference.
+  std::uint64_t newly_open_stages(const StandingView& view, std::size_t neighbour, std::int32_t z,
+                                  int from) const;
+  /// Good as long as the table is.
+  OpeningFilter opening_filter() const;
+  std::size_t floor_code() const;
+  /// Can a rule match where there is no brick around?
+  bool asks_for_none() const { return asks_for_none_; }
+
   /// Can the state of this neighbour ever decide whether a rule matches? Where not, a
   /// change there need not be looked at.
   bool sees(std::size_t neighbour) const { return sees_[neighbour]; }
@@ -75,11 +93,18 @@ class RuleTable {
     SiteCondition where;
     std::vector<CountCondition> counts;
   };
-  struct Index;
-
   bool counts_hold(const Action& action, const View& view) const;
   template <class Visit>
   bool visit(const View& view, const Visit& found) const;
+  template <class Visit>
+  bool visit(const StandingView& view, std::optional<std::size_t> change, const Visit& found) const;
+  template <class Visit>
+  bool visit_exact(std::uint64_t hash, const View& view, const Visit& found) const;
+  template <class Visit>
+  bool visit_loose(std::size_t word, std::uint64_t matching, const View& view,
+                   const Visit& found) const;
+  auto stage_finder(std::int32_t z, int from, std::uint64_t& open) const;
+  auto match_finder(std::int32_t z, int stage, std::vector<Match>& out) const;
 
   Lattice lattice_;
   bool floor_;
@@ -87,10 +112,11 @@ class RuleTable {
   Conflicts conflicts_;
   int size_;  ///< of the neighbourhood
   std::array<bool, kMaxNeighbours> sees_{};
+  bool asks_for_none_ = false;
   std::vector<Action> actions_;
   std::vector<Entry> entries_;
   std::vector<std::int64_t> stage_limits_;
-  std::unique_ptr<Index> index_;
+  std::unique_ptr<EntryIndex> index_;
 };
 
 /// Number of neighbours in view that show a state of the condition's set.
