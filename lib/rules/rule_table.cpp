@@ -9,7 +9,7 @@
 #include <cassert>
 #include <optional>
 
-#include "rules/entry_index.h"
+#include "rules/table_index.h"
 
 namespace stig::rules {
 namespace {
@@ -69,7 +69,7 @@ RuleTable::RuleTable(const RuleSet& rules)
       conflicts_(rules.conflicts),
       size_(neighbours().size),
       stage_limits_(static_cast<std::size_t>(stage_count_) + 1),
-      index_(std::make_unique<EntryIndex>()) {
+      index_(std::make_unique<TableIndex>()) {
   assert(stage_count_ <= kMaxStage);
   for (std::uint32_t r = 0; r < rules.rules.size(); ++r) {
     const Rule& rule = rules.rules[r];
@@ -118,7 +118,7 @@ std::int64_t RuleTable::stage_limit(int stage) const {
 /// rules sort.
 template <class Visit>
 bool RuleTable::visit(const View& view, const Visit& found) const {
-  const EntryIndex& index = *index_;
+  const TableIndex& index = *index_;
   if (!index.exact.empty() && visit_exact(kViewHash(view, size_), view, found)) return true;
   for (std::size_t w = 0; w < index.words; ++w) {
     std::uint64_t alive = index.all(w);
@@ -137,7 +137,7 @@ bool RuleTable::visit(const View& view, const Visit& found) const {
 template <class Visit>
 bool RuleTable::visit(const StandingView& view, std::optional<std::size_t> change,
                       const Visit& found) const {
-  const EntryIndex& index = *index_;
+  const TableIndex& index = *index_;
   if (!index.exact.empty() && index.find(view.hash) != 0 &&
       visit_exact(view.hash, index.gathered(view), found)) {
     return true;
@@ -165,7 +165,7 @@ bool RuleTable::visit(const StandingView& view, std::optional<std::size_t> chang
 
 template <class Visit>
 bool RuleTable::visit_exact(std::uint64_t hash, const View& view, const Visit& found) const {
-  const EntryIndex& index = *index_;
+  const TableIndex& index = *index_;
   const std::uint32_t first = index.find(hash);
   if (first == 0) return false;
   for (std::size_t i = first - 1; i < index.exact.size() && index.exact[i].hash == hash; ++i) {

@@ -34,7 +34,7 @@ struct Entry {
   Pattern pattern;
 };
 
-struct EntryIndex;     // entry_index.h
+struct TableIndex;     // table_index.h
 struct OpeningFilter;  // standing_view.h
 struct StandingView;
 
@@ -116,7 +116,7 @@ class RuleTable {
   std::vector<Action> actions_;
   std::vector<Entry> entries_;
   std::vector<std::int64_t> stage_limits_;
-  std::unique_ptr<EntryIndex> index_;
+  std::unique_ptr<TableIndex> index_;
 };
 
 /// Number of neighbours in view that show a state of the condition's set.

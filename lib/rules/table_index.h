@@ -14,7 +14,7 @@
 namespace stig::rules {
 
 /// Entries are numbered as in RuleTable::entries().
-struct EntryIndex {
+struct TableIndex {
   struct Exact {
     View view;
     std::uint64_t hash;

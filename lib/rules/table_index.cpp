@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "rules/entry_index.h"
+#include "rules/table_index.h"
 
 #include <algorithm>
 #include <cassert>
@@ -21,7 +21,7 @@ std::optional<View> as_view(const Pattern& pattern, int size) {
 
 }  // namespace
 
-void EntryIndex::add(const Entry& entry, std::uint32_t number, int size) {
+void TableIndex::add(const Entry& entry, std::uint32_t number, int size) {
   if (const auto view = as_view(entry.pattern, size)) {
     exact.push_back({*view, kViewHash(*view, size), number});
   } else {
@@ -29,7 +29,7 @@ void EntryIndex::add(const Entry& entry, std::uint32_t number, int size) {
   }
 }
 
-void EntryIndex::finish(const std::vector<Entry>& entries, const std::vector<bool>& counting,
+void TableIndex::finish(const std::vector<Entry>& entries, const std::vector<bool>& counting,
                         int size, int colours) {
   counts = std::find(counting.begin(), counting.end(), true) != counting.end();
   hash_exact();
@@ -44,7 +44,7 @@ void EntryIndex::finish(const std::vector<Entry>& entries, const std::vector<boo
 
 /// Exact entries of equal hash stand next to each other, by rising entry, and the slot
 /// points at the first.
-void EntryIndex::hash_exact() {
+void TableIndex::hash_exact() {
   std::sort(exact.begin(), exact.end(), [](const Exact& a, const Exact& b) {
     return std::tie(a.hash, a.entry) < std::tie(b.hash, b.entry);
   });
@@ -58,7 +58,7 @@ void EntryIndex::hash_exact() {
   }
 }
 
-void EntryIndex::lay_out_loose(const std::vector<Entry>& entries, std::size_t size) {
+void TableIndex::lay_out_loose(const std::vector<Entry>& entries, std::size_t size) {
   words = (loose.size() + 63) / 64;
   accept.assign(size * rows * words, 0);
   needs.assign(loose.size(), 0);
@@ -88,7 +88,7 @@ void EntryIndex::lay_out_loose(const std::vector<Entry>& entries, std::size_t si
 }
 
 /// Entries that accept a state and not emptiness; one with counts may match anew by any brick.
-void EntryIndex::find_asking(const std::vector<bool>& counting, std::size_t size) {
+void TableIndex::find_asking(const std::vector<bool>& counting, std::size_t size) {
   asking = accept;
   asked.assign(size * rows, 0);
   std::vector<std::uint64_t> counted(words);
@@ -105,7 +105,7 @@ void EntryIndex::find_asking(const std::vector<bool>& counting, std::size_t size
 }
 
 /// Does every entry accept every state of this neighbour?
-bool EntryIndex::accepts_anything(std::size_t neighbour) const {
+bool TableIndex::accepts_anything(std::size_t neighbour) const {
   for (std::size_t k = 0; k < loose.size() * rows; ++k) {
     const std::size_t entry = k / rows;
     if ((accepting(neighbour, k % rows, entry / 64) >> (entry % 64) & 1U) == 0) return false;
@@ -113,7 +113,7 @@ bool EntryIndex::accepts_anything(std::size_t neighbour) const {
   return true;
 }
 
-std::uint32_t EntryIndex::find(std::uint64_t hash) const {
+std::uint32_t TableIndex::find(std::uint64_t hash) const {
   for (std::size_t slot = hash & (slots.size() - 1); slots[slot] != 0;
        slot = (slot + 1) & (slots.size() - 1)) {
     if (exact[slots[slot] - 1].hash == hash) return slots[slot];
@@ -121,7 +121,7 @@ std::uint32_t EntryIndex::find(std::uint64_t hash) const {
   return 0;
 }
 
-View EntryIndex::gathered(const StandingView& view) const {
+View TableIndex::gathered(const StandingView& view) const {
   View out;
   for (std::uint32_t rest = view.occupied; rest != 0; rest &= rest - 1) {
     const auto i = static_cast<std::size_t>(std::countr_zero(rest));
