@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: MIT
 # Installs the Debian packages that packages.txt lists for the given purposes:
 #
-#   scripts/install.sh [PURPOSE…]      build test viewer playground python cluster tidy
-#                                 docs bench fuzz coverage
+#   scripts/install.sh [PURPOSE…]      build test viewer playground python cluster slurm
+#                                 tidy docs bench fuzz coverage
 #
 # Without a purpose: build and test. What is there already is left alone, so running
 # it twice costs nothing. STIG_SKIP_INSTALL=1 leaves everything to you.
