@@ -7,6 +7,7 @@
 #include <map>
 
 #include "base/hash.h"
+#include "search/repeated_parts.h"
 
 namespace stig::search {
 namespace {
@@ -89,6 +90,8 @@ double modules(const Outcome& o) {
                                            [](const auto& entry) { return entry.second > 1; }));
 }
 
+double repeated(const Outcome& o) { return repeated_parts(o.genome.lattice, o.bricks); }
+
 constexpr std::string_view kOwn = "this project";
 constexpr std::string_view kBonabeau = "after Bonabeau et al. 2000, BioSystems 56:13-32";
 
@@ -127,6 +130,9 @@ constexpr std::array kObjectives = {
               kOwn, robots},
     Objective{"refusal", "number of the diagnostic P7xx by which it refuses, else 0", kOwn,
               refusal},
+    Objective{"repeated_parts",
+              "kinds of part, two contacts around a brick, that are in two places apart", kBonabeau,
+              repeated},
 };
 
 }  // namespace

@@ -18,7 +18,7 @@
 namespace stig::search {
 namespace {
 
-constexpr const char* kFormat = "2";
+constexpr const char* kFormat = "3";
 
 std::uint64_t from_hex(const std::string& text) {
   std::uint64_t value = 0;

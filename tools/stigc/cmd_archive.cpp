@@ -53,14 +53,21 @@ void print_table(const search::StoredResults& results, App& app) {
   app.print(line("content", to_hex(results.content)));
   const std::size_t bricks = *search::objective_number("bricks");
   const std::size_t used = *search::objective_number("rules_used");
-  app.print(fmt::format("\n{:>10} {:>12} {:>8} {:>10} {:>8}  {:16}  {}\n", "id", "score", "bricks",
-                        "rules used", "times", "structure", "origin"));
+  const std::size_t robots = *search::objective_number("robots");
+  const std::size_t refusal = *search::objective_number("refusal");
+  app.print(fmt::format("\n{:>10} {:>12} {:>8} {:>10} {:>6} {:>7} {:>8}  {:16}  {}\n", "id",
+                        "score", "bricks", "rules used", "robots", "refusal", "times", "structure",
+                        "origin"));
   for (const search::StoredFind& find : results.finds) {
     const std::string origin =
         find.parent ? fmt::format("{} from {}", find.origin, *find.parent) : find.origin;
-    app.print(fmt::format("{:>10} {:>12.6g} {:>8} {:>9.0f}% {:>8}  {}  {}\n", find.id, find.score,
-                          find.values[bricks], find.values[used] * 100, find.times,
-                          to_hex(find.structure), printable(origin)));
+    // The code that `stigc codes` explains.
+    const double code = find.values[refusal];
+    const std::string refused = code > 0 ? fmt::format("P{:.0f}", code) : "-";
+    app.print(fmt::format("{:>10} {:>12.6g} {:>8} {:>9.0f}% {:>6} {:>7} {:>8}  {}  {}\n", find.id,
+                          find.score, find.values[bricks], find.values[used] * 100,
+                          find.values[robots], refused, find.times, to_hex(find.structure),
+                          printable(origin)));
   }
 }
 
