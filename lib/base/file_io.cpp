@@ -8,6 +8,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -139,6 +140,14 @@ void forget_unfinished(int slot) {
   unfinished[static_cast<std::size_t>(slot)].taken.store(false);
 }
 
+/// Locks a new file, so that remove_left_behind sees that its writer lives. False when that was
+/// quicker. File systems without locks have no such files taken away.
+bool keep(int fd) {
+  struct stat status {};
+  const bool locked = ::flock(fd, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
+  return locked && ::fstat(fd, &status) == 0 && status.st_nlink > 0;
+}
+
 /// Makes a file with a name of its own beside the target; -1 with errno set. The
 /// kernel applies the process's mask to the permissions. The name is noted first, since a signal
 /// may come in between.
@@ -147,8 +156,9 @@ int open_temporary(const std::string& target, std::string& name, int& slot) {
     name = fmt::format("{}.{}-{}.tmp", target, ::getpid(), attempt);
     slot = note_unfinished(name);
     const int fd = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (fd >= 0) return fd;
-    const int problem = errno;
+    if (fd >= 0 && keep(fd)) return fd;
+    if (fd >= 0) ::close(fd);
+    const int problem = fd >= 0 ? EEXIST : errno;
     forget_unfinished(std::exchange(slot, -1));
     errno = problem;
     if (problem != EEXIST) return fd;

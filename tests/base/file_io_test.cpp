@@ -2,11 +2,15 @@
 #include "base/file_io.h"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
+#include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
 
+#include "base/left_behind.h"
 #include "base/load.h"
 #include "support/uses.h"
 
@@ -59,6 +63,33 @@ TEST_CASE("unfinished files are taken away on demand, whole ones stay") {
   CHECK(folder.files() == 1);
   CHECK(read(folder / "whole").empty());
   CHECK_FALSE(half.commit(error));
+}
+
+TEST_CASE("what a killed writer left is taken away, and nothing that a living one writes") {
+  const Folder folder;
+  FileError error;
+  GrowingFile mine;
+  REQUIRE(mine.open(folder / "mine", error));
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    GrowingFile trace, other;
+    trace.open(folder / "trace", error);
+    other.open(folder / "other", error);
+    ::raise(SIGKILL);
+  }
+  int status = 0;
+  REQUIRE(::waitpid(child, &status, 0) == child);
+  REQUIRE(folder.files() == 3);
+  // Names that are no temporary file's, or of no writer.
+  for (const char* name : {"trace.tmp", "trace.7-.tmp", "trace.99999999-0", "trace.-1-0.tmp"}) {
+    REQUIRE(write_file(folder / name, "", error));
+  }
+  remove_left_behind(folder.path.string(), {"mine", "trace"});
+  CHECK(folder.files() == 6);  // all but the child's trace
+  CHECK_FALSE(std::filesystem::exists(folder.path / fmt::format("trace.{}-0.tmp", child)));
+  CHECK(mine.commit(error));
+  remove_left_behind((folder.path / "nowhere").string(), {"mine"});
 }
 
 TEST_CASE("permissions of a replaced file are kept") {

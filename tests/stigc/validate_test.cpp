@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
+#include <signal.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -291,13 +292,19 @@ TEST_CASE("a validation that is killed again and again ends in the report of one
                            "--duration 30 --json -q -o ";
   const Outcome whole = place.shell("stigc " + line + "whole");
   CHECK(whole.exit_code == 1);
-  for (const char* seconds : {"0.4", "0.8", "1.2"}) {
-    place.shell("timeout -s KILL " + std::string(seconds) + " " STIGC_PROGRAM " " + line + "some");
+  for (int k = 0; k < 3; ++k) {
+    const pid_t validate =
+        place.start({"validate", STIG_SOURCE_DIR "/rulesets/staircase.yaml", "--runs", "6",
+                     "--duration", "30", "--json", "-q", "-o", "some"});
+    Workplace::let_work(validate);
+    ::kill(validate, SIGKILL);
+    place.finish(validate);
   }
+  CHECK(place.has("some/runs.journal"));
   const Outcome again = place.shell("stigc " + line + "some --threads 1");
   CHECK(again.exit_code == 1);
   CHECK(again.out == whole.out);
-  CHECK(place.shell("diff -r -x '*.tmp' whole some").out.empty());
+  CHECK(place.shell("diff -r whole some").out.empty());
   CHECK_FALSE(place.has("some/runs.journal"));
   // One of them alone is the same run.
   const Outcome alone = place.shell("stigc validate " STIG_SOURCE_DIR

@@ -15,6 +15,7 @@
 
 #include "base/file_io.h"
 #include "base/hash.h"
+#include "base/left_behind.h"
 #include "commands.h"
 #include "compile_report.h"
 #include "compiler/compile.h"
@@ -68,6 +69,8 @@ class Validation {
     if (options_.output && !journal_.open(*options_.output, work_hash(pictures), app_)) {
       return kRunFailed;
     }
+    // Whoever has the journal is the only one to write here.
+    if (options_.output) remove_left_behind(*options_.output, output_names());
     // Runs share the scene and differ by their seeds alone.
     TrialBatch batch = run_trials(target_, *scene_, options_, duration_, pictures, journal_, app_);
     if (batch.diagnostics.has_errors()) {
