@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Walk motion in a box: agents and enabled sites live in one dense
 // array of flag bytes, padded by a cell all round (solid sides, or portals to the
-// other side); the structure itself stays in the world.
+// other side); the structure itself stays in the world. In large boxes the kernel has two bits a
+// cell beside the bytes, and agents are in these alone while they walk.
 #include <algorithm>
 #include <cassert>
 
@@ -11,6 +12,9 @@
 
 namespace stig::lattice {
 namespace {
+
+/// From so many cells on, with the padding, bits are faster than bytes.
+constexpr std::int32_t kPackedFrom = 1 << 18;
 
 /// Dense indices of a padded box.
 struct Field {
@@ -53,6 +57,8 @@ class WalkRun {
   void place_agents();
   std::int32_t random_free_cell(std::uint32_t agent) const;
   void put_agent(std::int32_t cell);
+  void pack();
+  void unpack();
   void fill();
 
   Terminated steps();
@@ -69,6 +75,13 @@ class WalkRun {
     return field_.index(world_.wrap(field_.cell(index)));
   }
   void set_enabled(std::int32_t index, bool enabled);
+  void set_bit(std::int32_t index, std::uint64_t bit, bool on);
+  std::int32_t cell_of_agent(std::uint32_t agent) const {
+    return packed_ ? static_cast<std::int32_t>(static_cast<std::uint32_t>(position_[agent]) / 2)
+                   : position_[agent];
+  }
+  bool occupied(std::int32_t index) const;
+  void move_agent(std::uint32_t agent, std::int32_t to);
   std::uint64_t unreachable() const;
   bool flood_meets_agent(std::int32_t site, std::vector<std::uint8_t>& seen) const;
 
@@ -77,8 +90,10 @@ class WalkRun {
   RunLog log_;
   Field field_;
   Moves moves_;
+  bool packed_;  ///< are bits_ in use?
   std::vector<std::uint8_t> flags_;
-  std::vector<std::int32_t> position_;
+  std::vector<std::uint64_t> bits_;
+  std::vector<std::int32_t> position_;              ///< indices; twice these where packed_
   std::array<std::vector<std::int32_t>, 4> steps_;  ///< moves of four steps, by agent
   const std::int32_t* move_ = nullptr;              ///< of this step, by agent
   AgentOrders orders_;
@@ -93,11 +108,13 @@ WalkRun::WalkRun(LatticeWorld world, const SwarmConfig& config, const SwarmHooks
       log_(config, hooks, world_.rules().rule_count()),
       field_(*config.box),
       moves_(moves_of(field_, world_.rules().neighbours(), config.moves)),
+      packed_(false),
       flags_(static_cast<std::size_t>(field_.size) + 4),
       orders_(config.seed, config.run, static_cast<std::uint32_t>(config.agents)) {
   for (auto& steps : steps_) steps.resize(static_cast<std::size_t>(config.agents));
   mark_sides();
   place_agents();
+  if (config.vectorise && field_.size >= kPackedFrom) pack();
 }
 
 void WalkRun::mark_sides() {
@@ -139,6 +156,31 @@ void WalkRun::put_agent(std::int32_t cell) {
   position_.push_back(cell);
 }
 
+/// Goes over to bits: of flags and agents, before any site is enabled.
+void WalkRun::pack() {
+  packed_ = true;
+  bits_.assign(static_cast<std::size_t>(field_.size) / 32 + 1, 0);
+  for (std::int32_t i = 0; i < field_.size; ++i) {
+    if (is(i, kSolidCell | kAgentCell)) set_bit(i, kOccupiedBit, true);
+    if (is(i, kPortalCell)) set_bit(i, kSpecialBit, true);
+  }
+  for (std::int32_t& position : position_) {
+    flags(position) = 0;
+    position = static_cast<std::int32_t>(static_cast<std::uint32_t>(position) * 2);
+  }
+  for (std::size_t m = 0; m < moves_.count; ++m) moves_.step[m] *= 2;
+}
+
+/// Back to bytes, for looks at the whole field.
+void WalkRun::unpack() {
+  for (std::uint32_t agent = 0; agent < position_.size(); ++agent) {
+    position_[agent] = cell_of_agent(agent);
+    flags(position_[agent]) = static_cast<std::uint8_t>(flags(position_[agent]) | kAgentCell);
+  }
+  for (std::size_t m = 0; m < moves_.count; ++m) moves_.step[m] /= 2;
+  packed_ = false;
+}
+
 /// Uniform over the cells without brick and agent.
 std::int32_t WalkRun::random_free_cell(std::uint32_t agent) const {
   Random random(config_->seed, config_->run, Purpose::start, agent, 0);
@@ -166,7 +208,14 @@ std::int32_t WalkRun::random_free_cell(std::uint32_t agent) const {
 void WalkRun::set_enabled(std::int32_t index, bool enabled) {
   if (is(index, kEnabledCell) == enabled) return;
   flags(index) = static_cast<std::uint8_t>(flags(index) ^ kEnabledCell);
+  if (packed_) set_bit(index, kSpecialBit, enabled);
   enabled ? ++enabled_ : --enabled_;
+}
+
+void WalkRun::set_bit(std::int32_t index, std::uint64_t bit, bool on) {
+  std::uint64_t& word = bits_[static_cast<std::size_t>(index) / 32];
+  const std::uint64_t mask = bit << (index % 32 * 2);
+  word = on ? word | mask : word & ~mask;
 }
 
 /// Enables the sites of the present stage, or of the next that has any.
@@ -181,6 +230,7 @@ void WalkRun::fill() {
 SwarmResult WalkRun::run() {
   fill();
   const Terminated end = steps();
+  if (packed_) unpack();
   const std::uint64_t left = enabled_;
   return log_.finish(world_, end, left, left == 0 ? 0 : unreachable());
 }
@@ -206,9 +256,10 @@ bool WalkRun::sweep() {
   for (std::uint32_t left = order_.count; left > 0; --left) {
     // The kernel moves agents until one is on an enabled site or at a portal; these two
     // cases are handled here, and the loop goes on.
-    left -= walk_some(flags_.data(), position_.data(), move_, order_, agent, left);
+    left -= packed_ ? walk_some_packed(bits_.data(), position_.data(), move_, order_, agent, left)
+                    : walk_some(flags_.data(), position_.data(), move_, order_, agent, left);
     if (left == 0) break;
-    if (is(position_[agent], kEnabledCell) && stimulate(agent)) return true;
+    if (is(cell_of_agent(agent), kEnabledCell) && stimulate(agent)) return true;
     walk(agent);
     agent = order_.next(agent);
   }
@@ -217,7 +268,7 @@ bool WalkRun::sweep() {
 
 /// The agent's site matches: deposit, with the rule's probability. True when the run ends.
 bool WalkRun::stimulate(std::uint32_t agent) {
-  const std::int32_t index = position_[agent];
+  const std::int32_t index = cell_of_agent(agent);
   const Cell site = field_.cell(index);
   Random random(config_->seed, config_->run, Purpose::deposit, agent, step_);
   const Match match = world_.choose(site, random);
@@ -226,6 +277,7 @@ bool WalkRun::stimulate(std::uint32_t agent) {
   const Colour colour = world_.rules().place(match.rule);
   set_enabled(index, false);
   flags(index) = static_cast<std::uint8_t>(flags(index) | kSolidCell);
+  if (packed_) set_bit(index, kSpecialBit, true);  // a brick with an agent in it
   world_.deposit(site, colour, [&](Cell neighbour, const View& view) {
     set_enabled(field_.index(neighbour), world_.rules().enabled(view, neighbour.z, world_.stage()));
   });
@@ -235,13 +287,29 @@ bool WalkRun::stimulate(std::uint32_t agent) {
 }
 
 void WalkRun::walk(std::uint32_t agent) {
-  const std::int32_t from = position_[agent];
-  std::int32_t to = from + move_[agent];
+  const std::int32_t step = packed_ ? move_[agent] / 2 : move_[agent];
+  std::int32_t to = cell_of_agent(agent) + step;
   if (is(to, kPortalCell)) to = portal(to);
-  if (is(to, kSolidCell | kAgentCell)) return;
-  flags(from) = static_cast<std::uint8_t>(flags(from) & ~kAgentCell);
-  flags(to) = static_cast<std::uint8_t>(flags(to) | kAgentCell);
-  position_[agent] = to;
+  if (!occupied(to)) move_agent(agent, to);
+}
+
+bool WalkRun::occupied(std::int32_t index) const {
+  if (!packed_) return is(index, kSolidCell | kAgentCell);
+  return (bits_[static_cast<std::size_t>(index) / 32] >> (index % 32 * 2) & kOccupiedBit) != 0;
+}
+
+void WalkRun::move_agent(std::uint32_t agent, std::int32_t to) {
+  const std::int32_t from = cell_of_agent(agent);
+  if (!packed_) {
+    flags(from) = static_cast<std::uint8_t>(flags(from) & ~kAgentCell);
+    flags(to) = static_cast<std::uint8_t>(flags(to) | kAgentCell);
+    position_[agent] = to;
+    return;
+  }
+  // A brick stays occupied, and is not special any more.
+  set_bit(from, is(from, kSolidCell) ? kSpecialBit : kOccupiedBit, false);
+  set_bit(to, kOccupiedBit, true);
+  position_[agent] = static_cast<std::int32_t>(static_cast<std::uint32_t>(to) * 2);
 }
 
 /// Enabled cells that no agent can get to: a flood from each until it meets an agent.

@@ -150,6 +150,32 @@ TEST_CASE("vector instructions change nothing") {
   }
 }
 
+TEST_CASE("two bits a cell, as large boxes have them, change nothing") {
+  for (const char* name : {"architecture-4c", "coral", "stepped-pyramid", "tiling", "plate"}) {
+    for (const bool periodic : {false, true}) {
+      RuleSet rules = shipped(name);
+      rules.rules[0].probability = 0.7;
+      SwarmConfig config = walkers(rules, 6, 120);
+      // Of 2^18 cells and more, and yet so narrow that agents meet sides, bricks and each other.
+      config.box = lay_box({{6, 6, 4200}, std::nullopt, periodic}, rules.start, rules.floor);
+      for (int i = 0; i < 90; ++i) {
+        const Offset o{i % 6, i / 6 % 6, rules.start.front().at.z - config.box->low.z + 3 + i / 36};
+        config.agents_at.push_back(config.box->low + o);
+      }
+      CAPTURE(name);
+      CAPTURE(periodic);
+      const Outcome packed = run(rules, config);
+      config.vectorise = false;
+      const Outcome bytes = run(rules, config);
+      CHECK(packed.log.size() >= 5);
+      CHECK(packed.log == bytes.log);
+      CHECK(packed.result.steps == bytes.result.steps);
+      CHECK(packed.result.enabled_left == bytes.result.enabled_left);
+      CHECK(packed.result.out_of_reach == bytes.result.out_of_reach);
+    }
+  }
+}
+
 TEST_CASE("moves are drawn from the random streams") {
   Moves moves;
   moves.count = 26;
