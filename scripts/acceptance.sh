@@ -5,11 +5,12 @@
 #
 #   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--against R] [PART…]
 #
-# Parts: against bench laws validate robots five viewer assembly fuzz sanitizers; without one, all but
-# robots and assembly, which take hours. `against` sets the speed against that of revision R (e10fcc8). Each
-# fuzz target runs for N seconds (600), J of them at a time (as many as there are cores). S is the
-# seed of the laws' random cases, of the fuzzers and of drawn targets (the time); the report begins
-# with it, for repeating.
+# Parts: against bench engines laws validate robots five viewer assembly fuzz sanitizers; without one,
+# all but robots and assembly, which take hours. `engines` sets what the lattice's engines do a
+# second beside what is aimed at, in a few minutes; `against` sets the speed against that of revision
+# R (e10fcc8). Each fuzz target runs for N seconds (600), J of them at a time (as many as there are
+# cores). S is the seed of the laws' random cases, of the fuzzers and of drawn targets (the time);
+# the report begins with it, for repeating.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) against=e10fcc8 parts=()
@@ -19,15 +20,15 @@ while [[ $# -gt 0 ]]; do
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
     --against) against=${2:?--against needs a revision}; shift ;;
-    against | bench | laws | validate | robots | five | viewer | assembly | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,12s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    against | bench | engines | laws | validate | robots | five | viewer | assembly | fuzz | sanitizers) parts+=("$1") ;;
+    -h | --help) sed -n '3,13s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
 done
 [[ $seed =~ ^[1-9][0-9]{0,8}$|^[1-3][0-9]{9}$ ]] ||
   die "--seed takes a number from 1 to 3999999999, not '$seed'"
-[[ ${#parts[@]} -gt 0 ]] || parts=(against bench laws validate five viewer fuzz sanitizers)
+[[ ${#parts[@]} -gt 0 ]] || parts=(against bench engines laws validate five viewer fuzz sanitizers)
 
 failures=0
 mkdir -p out
@@ -82,6 +83,13 @@ bench_part() {
   done < <(find build/release -name 'bench_*' -type f -executable | sort)
   rm -f out/bench.json
   [[ -n $found ]] || { printf '\nNo benchmark was built.\n'; failures=$((failures + 1)); }
+}
+
+engines_part() {
+  printf '\n## Engines of the lattice\n'
+  scripts/install.sh build bench >&2
+  configure_and_build release bench_search bench_event bench_walk >&2
+  scripts/engine_figures.py build/release || failures=$((failures + 1))
 }
 
 # Runs one test program on the laws' other cases; its log and result stand in out/.
