@@ -113,14 +113,6 @@ bool TableIndex::accepts_anything(std::size_t neighbour) const {
   return true;
 }
 
-std::uint32_t TableIndex::find(std::uint64_t hash) const {
-  for (std::size_t slot = hash & (slots.size() - 1); slots[slot] != 0;
-       slot = (slot + 1) & (slots.size() - 1)) {
-    if (exact[slots[slot] - 1].hash == hash) return slots[slot];
-  }
-  return 0;
-}
-
 View TableIndex::gathered(const StandingView& view) const {
   View out;
   for (std::uint32_t rest = view.occupied; rest != 0; rest &= rest - 1) {

@@ -40,7 +40,13 @@ struct TableIndex {
   void finish(const std::vector<Entry>& entries, const std::vector<bool>& counting, int size,
               int colours);
   /// 1 + the first exact entry with this hash, or 0.
-  std::uint32_t find(std::uint64_t hash) const;
+  std::uint32_t find(std::uint64_t hash) const {
+    for (std::size_t slot = hash & (slots.size() - 1); slots[slot] != 0;
+         slot = (slot + 1) & (slots.size() - 1)) {
+      if (exact[slots[slot] - 1].hash == hash) return slots[slot];
+    }
+    return 0;
+  }
   /// Of the bit sets over `loose`: all of a word.
   std::uint64_t all(std::size_t word) const {
     const std::size_t rest = loose.size() - word * 64;
