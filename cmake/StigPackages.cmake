@@ -45,7 +45,8 @@ set(CPACK_DEBIAN_LATTICE_PACKAGE_NAME libstig-lattice-dev)
 set(CPACK_DEBIAN_LATTICE_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_LATTICE_DESCRIPTION "stig's libraries but those of physics")
 string(JOIN ", " CPACK_DEBIAN_LATTICE_PACKAGE_DEPENDS libtbb-dev libfmt-dev libyaml-cpp-dev
-       zlib1g-dev pkg-config libzstd-dev libcairo2-dev libsqlite3-dev liblua5.4-dev libcadical-dev)
+       zlib1g-dev libpugixml-dev pkg-config libzstd-dev libcairo2-dev libsqlite3-dev liblua5.4-dev
+       libcadical-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libstig-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_COMPONENT_DEV_DESCRIPTION "all of stig's libraries")

@@ -50,6 +50,7 @@ VENDORS = [
     Vendor("nlohmann/", "nlohmann_json::nlohmann_json", in_headers=("nlohmann/json_fwd.hpp",)),
     Vendor("zstd", "PkgConfig::ZSTD"),
     Vendor("zlib.h", "ZLIB::ZLIB"),
+    Vendor("pugixml.hpp", "pugixml::pugixml", one_file=True),
     Vendor("sqlite3.h", "PkgConfig::SQLITE3", one_file=True),
     Vendor("cairo", "PkgConfig::CAIRO"),
     Vendor("boost/", "Boost::headers"),

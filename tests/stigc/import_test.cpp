@@ -48,5 +48,40 @@ TEST_CASE("what import prints and says") {
        "hexagonal; stigc import mast.txt --format line");
 }
 
+TEST_CASE("a robot in URDF and a world in SDF become files that are described and simulated") {
+  const Workplace place;
+  hold(place, "import-urdf",
+       "stigc import robots/rover.urdf -o rover.yaml -q && stigc check rover.yaml && "
+       "stigc describe rover.yaml");
+  hold(place, "import-sdf",
+       "stigc import scenes/yard.sdf -o yard.yaml -q && stigc check yard.yaml yard-*.yaml && "
+       "stigc simulate yard.yaml --duration 1 | sed '/speed/d; /hash/d'");
+  CHECK(place.stigc({"import", "robots/rover.urdf"}).out == place.file("rover.yaml"));
+}
+
+TEST_CASE("what import says of XML, and that nothing is written then") {
+  const Workplace place;
+  place.write("cut.urdf", project_file("robots/rover.urdf").substr(0, 900));
+  place.write("mesh.urdf",
+              "<robot name=\"m\"><link name=\"a\"><inertial><mass value=\"1\"/>\n"
+              "<inertia ixx=\"1\" iyy=\"1\" izz=\"1\"/></inertial>\n"
+              "<collision><geometry><mesh filename=\"a.stl\"/></geometry></collision>\n"
+              "</link></robot>\n");
+  place.write("warned.urdf",
+              "<robot name=\"m\"><link name=\"a\"><inertial><mass value=\"1\"/>\n"
+              "<inertia ixx=\"1\" iyy=\"1\" izz=\"1\"/></inertial>\n"
+              "<collision><geometry><sphere radius=\"1\"/></geometry></collision>\n"
+              "<contact/></link></robot>\n");
+  // Its bodies overlap, which placing the scene finds.
+  std::string yard = project_file("scenes/yard.sdf");
+  yard.replace(yard.find("0.6 0.1 0.1"), 11, "-.5 0.2 0.1");
+  place.write("on-top.sdf", yard);
+  hold(
+      place, "import-xml-bad",
+      "for f in cut.urdf mesh.urdf on-top.sdf; do stigc import $f -o out.yaml; echo $?; done; "
+      "stigc import warned.urdf -W error -o out.yaml; echo $?; stigc import warned.urdf | head -2; "
+      "stigc import scenes/yard.sdf -q; echo $?; stigc import none.urdf; echo $?; ls *.yaml");
+}
+
 }  // namespace
 }  // namespace stig

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// stigc import: from a published table of rules to a rule set.
+// stigc import: from a published table of rules to a rule set, and from URDF or SDF to a robot or a
+// scene (description_input.cpp).
 //
 // What is printed is read again before anybody gets it, so that a table whose rules contradict each
 // other under the symmetry is refused as a rule set would be.
@@ -10,10 +11,12 @@
 
 #include "base/load.h"
 #include "commands.h"
+#include "description_input.h"
 #include "lattice/rgb.h"
 #include "outputs.h"
 #include "rules/rule_printer.h"
 #include "rules/rule_reader.h"
+#include "urdf/import_robot.h"
 
 namespace stig::cli {
 namespace {
@@ -28,12 +31,10 @@ std::string name_from(const std::string& file) {
   return plain && !name.empty() && name != "-" ? name : "table";
 }
 
-std::optional<RuleSet> read_table(const ImportOptions& options, const App& app) {
+std::optional<RuleSet> read_table(const ImportOptions& options, SourceRef source, const App& app) {
   Diagnostics diagnostics;
-  std::optional<RuleSet> rules;
-  if (SourceRef source = load_source(options.table, kMaxRuleFileBytes, diagnostics)) {
-    rules = read_published_table(std::move(source), options.reading, diagnostics);
-  }
+  std::optional<RuleSet> rules =
+      read_published_table(std::move(source), options.reading, diagnostics);
   app.report(diagnostics);
   if (!rules) return std::nullopt;
   rules->name = name_from(options.table);
@@ -66,7 +67,14 @@ int run(const ImportOptions& options, App& app) {
     app.complain("--lattice is that of matrices; the other forms are hexagonal anyway");
     return kUsage;
   }
-  const std::optional<RuleSet> rules = read_table(options, app);
+  Diagnostics diagnostics;
+  SourceRef source = load_source(options.table, kMaxDescriptionBytes, diagnostics);
+  if (!source) {
+    app.report(diagnostics);
+    return kFailed;
+  }
+  if (is_description(source->text())) return import_described(options, source, app);
+  const std::optional<RuleSet> rules = read_table(options, std::move(source), app);
   if (!rules) return kFailed;
   const std::string text = print_rule_set(*rules);
   // The file is not there yet, and will not be if this fails.

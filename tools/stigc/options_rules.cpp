@@ -211,13 +211,17 @@ void add_init(CLI::App& app, InitOptions& o) {
 }
 
 void add_import(CLI::App& app, ImportOptions& o) {
-  CLI::App* sub =
-      command(app, "import", "turn a published table of rules into a rule set",
-              "  printf '0,0,0,0,0,0,1 0,0,0,0,0,0 0,0,0,0,0,0,0 2 1.0\\n' > mast.txt\n"
-              "  printf '0,0,0,0,0,0,2 0,0,0,0,0,0 0,0,0,0,0,0,0 1 1.0\\n' >> mast.txt\n"
-              "  stigc import mast.txt -o mast.yaml && stigc explore mast.yaml --box 5,5,9\n"
-              "  stigc import mast.txt --symmetry none --inversion | stigc check -\n");
-  file(sub, "TABLE", o.table, "the table as text; - is standard input");
+  CLI::App* sub = command(
+      app, "import",
+      "turn a published table of rules into a rule set, URDF or SDF into a robot or a scene",
+      "  printf '0,0,0,0,0,0,1 0,0,0,0,0,0 0,0,0,0,0,0,0 2 1.0\\n' > mast.txt\n"
+      "  printf '0,0,0,0,0,0,2 0,0,0,0,0,0 0,0,0,0,0,0,0 1 1.0\\n' >> mast.txt\n"
+      "  stigc import mast.txt -o mast.yaml && stigc explore mast.yaml --box 5,5,9\n"
+      "  stigc import mast.txt --symmetry none --inversion | stigc check -\n"
+      "  stigc import robots/rover.urdf -o rover.yaml && stigc describe rover.yaml\n"
+      "  stigc import scenes/yard.sdf -o yard.yaml && stigc simulate yard.yaml\n");
+  file(sub, "FILE", o.table,
+       "the table as text, or a robot or world as XML (.urdf, .sdf); - is standard input");
   choice(sub, "--format", o.reading.form,
          {{"matrices", TableForm::matrices},
           {"slices", TableForm::slices},
@@ -233,7 +237,9 @@ void add_import(CLI::App& app, ImportOptions& o) {
           {"rotations+mirrors", Symmetry::rotations_mirrors}},
          "turns in which every rule holds (default: rotations)");
   sub->add_flag("--inversion", o.reading.inversion, "every rule holds upside down too");
-  path(sub, "-o,--output", o.output, "rule set to write (default: standard output)");
+  path(sub, "-o,--output", o.output,
+       "file to write (default: standard output); robots and blocks of a world are written beside "
+       "it");
 }
 
 void add_voxelise(CLI::App& app, VoxeliseOptions& o) {

@@ -84,6 +84,7 @@ struct Finder {
     if (o.live) find(o.files);
   }
   void operator()(SweepOptions& o) const { find(o.plan); }
+  void operator()(ImportOptions& o) const { find(o.table); }
   /// Structures and traces do not come with the program.
   template <class Other>
   void operator()(Other&) const {}
