@@ -69,7 +69,8 @@ void put_readings(lua_State* state, const BlockSide& side, const BlockReadings& 
 // What programs of 2019 find besides, with `robot` on top:
 bool is_of_2019(lua_State* state);
 void open_robot_2019(lua_State* state, const RobotSide& side);
-/// robot.radios, which are the same tables as simple_radios, with what came as rx_data.
+/// robot.radios, which are the same tables as simple_radios, with what came as rx_data, and tx_data
+/// to send.
 void put_radios_2019(lua_State* state, const std::vector<int>& radios);
 void put_received_2019(lua_State* state, const std::vector<int>& radios);
 

@@ -147,6 +147,14 @@ void open_robot_2019(lua_State* state, const RobotSide& side) {
 void put_radios_2019(lua_State* state, const std::vector<int>& radios) {
   lua_getfield(state, -1, "simple_radios");
   put(state, "radios");
+  // Their function for sending has another name.
+  for (const int radio : radios) {
+    push_kept(state, radio);
+    lua_pushliteral(state, "send");
+    lua_rawget(state, -2);
+    put(state, "tx_data");
+    lua_pop(state, 1);
+  }
   put_received_2019(state, radios);
 }
 

@@ -94,6 +94,9 @@ TEST_CASE("radios and places are told as in 2019") {
   CHECK(told("function step() local m = robot.nfc.rx_data[1]\n"
              "print(#robot.nfc.rx_data, m[1], robot.radios.nfc.rx_data[1][2]) end") ==
         "1\t51\t120");
+  CHECK(
+      told("function step() print(robot.radios.nfc.tx_data == robot.simple_radios.nfc.send) end") ==
+      "true");
   const std::string places = told(
       "function step()\nfor _, name in ipairs { '1', '12', 'underneath' } do\n"
       "local t = robot.rangefinders[name].transform\n"
@@ -103,6 +106,36 @@ TEST_CASE("radios and places are told as in 2019") {
   CHECK(places ==
         "origin\t0.0640 -0.0175 0.0515\norigin\t0.0640 0.0175 0.0515\n"
         "end_effector\t0.0000 0.0000 0.0000\nend_effector\t0.075");
+}
+
+TEST_CASE("robots and blocks of 2019 answer by the radio that something came by") {
+  // Each byte one more, and a text after it.
+  const std::string answer = R"(
+function step()
+   for name, radio in pairs(robot.radios) do
+      for _, message in ipairs(radio.rx_data) do
+         for i, byte in ipairs(message) do message[i] = byte + 1 end
+         radio.tx_data(message)
+         radio.tx_data('from ' .. name)
+      end
+   end
+end)";
+  const RobotModel model = shipped_robot("builderbot-2019.yaml");
+  LuaController robot(of_2019(answer), model, settings_of());
+  RobotCommands commands;
+  REQUIRE(robot.init(commands).ok);
+  for (int i = 0; i < 2; ++i) REQUIRE(robot.step(readings_of(model), commands).error == "");
+  REQUIRE(commands.sends.size() == 1);
+  CHECK(commands.sends[0] == std::vector<Message>{"4y", "from nfc"});
+
+  LuaBlockController block(of_2019(answer), settings_of());
+  BlockCommands told_to;
+  BlockReadings heard;
+  heard.radios.resize(kBlockRadios);
+  heard.radios[2] = {Message("ab")};
+  REQUIRE(block.init(told_to).ok);
+  REQUIRE(block.step(heard, told_to).error == "");
+  CHECK(told_to.sends.at(2) == std::vector<Message>{"bc", "from south"});
 }
 
 TEST_CASE("arrows of robot.debug are those of robot.show") {
