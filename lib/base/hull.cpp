@@ -6,6 +6,7 @@
 #include "base/hull.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 
@@ -131,6 +132,52 @@ HullMass hull_mass(const std::vector<Vec3>& points) {
   out.squares = second - scaled(centre, centre) * out.volume;
   out.products = mixed - products(centre) * out.volume;
   return out;
+}
+
+namespace {
+
+/// A symmetric matrix with the diagonal d and, beside it, o = (yz, zx, xy).
+using Square = std::array<std::array<double, 3>, 3>;
+Square symmetric(const Vec3& d, const Vec3& o) {
+  return {{{d.x, o.z, o.y}, {o.z, d.y, o.x}, {o.y, o.x, d.z}}};
+}
+
+/// Turns the frame about one axis so that the product of the other two is gone (Jacobi).
+/// It is the smaller of the two angles that do so, by the formula that loses no digits (Golub and
+/// Van Loan, Matrix Computations, on Jacobi's method).
+void rotate_away(Square& m, Square& axes, std::size_t p, std::size_t q) {
+  if (m[p][q] == 0) return;
+  const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
+  const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+  const double c = 1 / std::sqrt(t * t + 1), s = t * c;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double a = m[k][p], b = m[k][q];
+    m[k][p] = c * a - s * b, m[k][q] = s * a + c * b;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double a = m[p][k], b = m[q][k];
+    m[p][k] = c * a - s * b, m[q][k] = s * a + c * b;
+  }
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double a = axes[k][p], b = axes[k][q];
+    axes[k][p] = c * a - s * b, axes[k][q] = s * a + c * b;
+  }
+}
+
+}  // namespace
+
+PrincipalFrame principal_frame(const Vec3& squares, const Vec3& products) {
+  Square m = symmetric(squares, products), axes = symmetric({1, 1, 1}, {});
+  // Three by three: a handful of sweeps converges to the last bit, twelve are plenty.
+  for (int sweep = 0; sweep < 12; ++sweep) {
+    rotate_away(m, axes, 0, 1);
+    rotate_away(m, axes, 0, 2);
+    rotate_away(m, axes, 1, 2);
+  }
+  const auto column = [&axes](std::size_t i) { return Vec3{axes[0][i], axes[1][i], axes[2][i]}; };
+  // The third axis by the cross product, so that the frame is right-handed.
+  const Vec3 x = normalised(column(0)), y = normalised(column(1));
+  return {quaternion_of({x, y, cross(x, y)}), {m[0][0], m[1][1], m[2][2]}};
 }
 
 }  // namespace stig

@@ -28,4 +28,11 @@ struct HullMass {
 };
 HullMass hull_mass(const std::vector<Vec3>& points);
 
+/// Axes along which the products of a distribution of mass vanish.
+struct PrincipalFrame {
+  Quat q;        ///< of these axes in the frame of what is given
+  Vec3 squares;  ///< integrals of x², y², z² along them
+};
+PrincipalFrame principal_frame(const Vec3& squares, const Vec3& products);
+
 }  // namespace stig

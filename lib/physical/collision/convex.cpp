@@ -5,7 +5,6 @@
 #include "physical/collision/convex.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 
 #include "base/hull.h"
@@ -67,34 +66,6 @@ void measure(Convex& out) {
   out.products = mass.products;
 }
 
-/// A symmetric matrix with the diagonal d and, beside it, o = (yz, zx, xy).
-using Square = std::array<std::array<double, 3>, 3>;
-Square symmetric(const Vec3& d, const Vec3& o) {
-  return {{{d.x, o.z, o.y}, {o.z, d.y, o.x}, {o.y, o.x, d.z}}};
-}
-
-/// Turns the frame about one axis so that the product of the other two is gone (Jacobi).
-/// It is the smaller of the two angles that do so, by the formula that loses no digits (Golub and
-/// Van Loan, Matrix Computations, on Jacobi's method).
-void rotate_away(Square& m, Square& axes, std::size_t p, std::size_t q) {
-  if (m[p][q] == 0) return;
-  const double theta = (m[q][q] - m[p][p]) / (2 * m[p][q]);
-  const double t = (theta < 0 ? -1 : 1) / (std::abs(theta) + std::sqrt(theta * theta + 1));
-  const double c = 1 / std::sqrt(t * t + 1), s = t * c;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double a = m[k][p], b = m[k][q];
-    m[k][p] = c * a - s * b, m[k][q] = s * a + c * b;
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double a = m[p][k], b = m[q][k];
-    m[p][k] = c * a - s * b, m[q][k] = s * a + c * b;
-  }
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double a = axes[k][p], b = axes[k][q];
-    axes[k][p] = c * a - s * b, axes[k][q] = s * a + c * b;
-  }
-}
-
 }  // namespace
 
 std::shared_ptr<const Convex> convex_of(const std::vector<Vec3>& points) {
@@ -137,21 +108,13 @@ std::shared_ptr<const Convex> stretched(const Convex& convex, const Vec3& by) {
 PrincipalHull principal_hull(const std::vector<Vec3>& points) {
   const HullMass mass = hull_mass(points);
   assert(mass.volume > 0);
-  Square m = symmetric(mass.squares, mass.products), axes = symmetric({1, 1, 1}, {});
-  // Three by three: a handful of sweeps converges to the last bit, twelve are plenty.
-  for (int sweep = 0; sweep < 12; ++sweep) {
-    rotate_away(m, axes, 0, 1);
-    rotate_away(m, axes, 0, 2);
-    rotate_away(m, axes, 1, 2);
-  }
-  const auto column = [&axes](std::size_t i) { return Vec3{axes[0][i], axes[1][i], axes[2][i]}; };
-  // The third axis by the cross product, so that the frame is right-handed.
-  const Vec3 x = normalised(column(0)), y = normalised(column(1));
+  const PrincipalFrame frame = principal_frame(mass.squares, mass.products);
   PrincipalHull out;
   out.volume = mass.volume;
-  out.X_PB = {mass.centre, quaternion_of({x, y, cross(x, y)})};
+  out.X_PB = {mass.centre, frame.q};
   // Moments of inertia from second moments: about x it is the sum of those along y and z.
-  out.inertia = {m[1][1] + m[2][2], m[0][0] + m[2][2], m[0][0] + m[1][1]};
+  const Vec3& m = frame.squares;
+  out.inertia = {m.y + m.z, m.x + m.z, m.x + m.y};
   const Pose back = inverse(out.X_PB);
   for (const Vec3& p : points) out.points.push_back(back * p);
   return out;
