@@ -20,8 +20,10 @@ void require(bool holds) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string text(data, data + size);
   stig::Diagnostics diagnostics;
-  const auto robot =
-      stig::read_robot(std::make_shared<stig::SourceFile>("input", text), diagnostics);
+  // A file that the robot names is the input once more, so that solids are read too.
+  const auto robot = stig::read_robot(
+      std::make_shared<stig::SourceFile>("input", text), diagnostics,
+      [&text](const std::string&, std::size_t, stig::FileError&) { return std::optional(text); });
   require(robot.has_value() != diagnostics.has_errors());
   stig::to_text(diagnostics);
   if (!robot) return 0;

@@ -7,134 +7,13 @@
 #include <numeric>
 
 #include "base/degree.h"
-#include "base/hull.h"
 #include "base/text.h"
+#include "robots/body_reader.h"
 #include "robots/robot_parts.h"
 
 namespace stig::robots {
 
 namespace {
-
-constexpr std::array<std::string_view, 4> kShapes = {"box", "cylinder", "sphere", "hull"};
-
-// Euler angles z, y', x'': yaw, then pitch, then roll, each about the axes that the ones before
-// have left.
-Quat turned(const Vec3& degrees_zyx) {
-  return rotation(Vec3{0, 0, 1} * (degrees_zyx.x * kDegree)) *
-         rotation(Vec3{0, 1, 0} * (degrees_zyx.y * kDegree)) *
-         rotation(Vec3{1, 0, 0} * (degrees_zyx.z * kDegree));
-}
-
-// Bodies are read even where the file has errors: a bad value has been reported, and a default in
-// its place lets the checks that follow find more in one go. The model itself is given out only
-// when nothing was reported. Hence defaults such as 1 for a length: they must not cause messages of
-// their own.
-class BodyReader {
- public:
-  BodyReader(const FormView& view, const RobotParts& parts) : view_(view), parts_(parts) {}
-
-  BodyModel read() {
-    body_.name = view_.text("name");
-    body_.place = parts_.document.head(view_.node());
-    body_.mass = view_.number("mass", 1);
-    body_.material = view_.text("material", "robot");
-    body_.rgb = parse_color(view_.text("color")).value_or(body_.rgb);
-    check_one(kShapes, "a shape: box, cylinder, sphere or hull");
-    check_one(std::array<std::string_view, 2>{"base", "center"}, "a place: base or center");
-    read_shape();
-    read_place();
-    read_inertia();
-    if (view_.has("axle")) body_.axle = parts_.direction(view_, "axle", {});
-    body_.axle_friction = view_.number("axle_friction", 1);
-    // The contact of a cylinder with the floor is a line, and with round wheels of finite width it
-    // resists turning on the spot; as a ball it touches in one point.
-    body_.rolls_as_sphere = view_.flag("rolls_as_sphere");
-    return std::move(body_);
-  }
-
- private:
-  /// A body has one shape and one place; looks at the node itself, since a bad value has been
-  /// reported already.
-  template <std::size_t N>
-  void check_one(const std::array<std::string_view, N>& keys, std::string_view what) {
-    std::vector<std::string_view> found;
-    for (const std::string_view key : keys) {
-      if (view_.node().find(key) != nullptr) found.push_back(key);
-    }
-    if (found.size() == 1) return;
-    parts_.out.add(Code::P604, body_.place,
-                   found.empty()
-                       ? fmt::format("this body has not {}", what)
-                       : fmt::format("this body has both '{}' and '{}'", found[0], found[1]));
-  }
-
-  void read_shape() {
-    if (view_.has("cylinder")) {
-      const FormView form = view_.form("cylinder");
-      // Sizes are edge lengths of the box about the shape for every shape.
-      const double d = 2 * form.number("radius", 1);
-      body_.shape = ShapeType::cylinder;
-      body_.size = {d, d, form.number("height", 1)};
-    } else if (view_.has("sphere")) {
-      body_.shape = ShapeType::sphere;
-      body_.size = Vec3{1, 1, 1} * (2 * view_.form("sphere").number("radius", 1));
-    } else if (view_.has("hull")) {
-      read_hull();
-    } else {
-      body_.size = view_.vector("box", {1, 1, 1});
-    }
-  }
-
-  void read_hull() {
-    body_.shape = ShapeType::hull;
-    for (const FormView& corner : view_.forms("hull")) {
-      body_.points.push_back(corner.vector("at"));
-    }
-    const HullMass solid = hull_mass(body_.points);
-    // In m³: a cube of a tenth of a millimetre. Four corners in a plane have next to none.
-    if (solid.volume <= 1e-12) {
-      parts_.out.add(Code::P614, parts_.document.head(*view_.find("hull")),
-                     "the corners of the hull enclose nothing");
-      return;
-    }
-    // The model's frame is that of the middle of mass.
-    body_.p_BO = -solid.centre;
-    Vec3 low = body_.points[0], high = low;
-    for (Vec3& p : body_.points) {
-      low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-      high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-      p -= solid.centre;
-    }
-    body_.size = high - low;
-  }
-
-  // X_RB is the pose of the centre of mass. "base" is the middle of the lower face, or a hull's own
-  // origin, from which its devices are measured as well; "center" is the centre itself.
-  void read_place() {
-    body_.X_RB = {view_.vector("base", view_.vector("center")), turned(view_.vector("turn"))};
-    if (view_.has("base") && body_.shape != ShapeType::hull) {
-      body_.p_BO = {0, 0, -body_.size.z / 2};
-    }
-    // The shift is in the body's frame: a body that is turned is turned about its base.
-    body_.X_RB = body_.X_RB * Pose{-body_.p_BO, {}};
-  }
-
-  void read_inertia() {
-    if (!view_.has("inertia")) return;
-    const Vec3 i = view_.vector("inertia");
-    body_.inertia = i;
-    // For any distribution of mass each principal moment is at most the sum of the other two.
-    // Rounding of figures in the file is forgiven.
-    const double most = std::max({i.x, i.y, i.z});
-    if (2 * most <= (i.x + i.y + i.z) * (1 + 1e-9)) return;
-    parts_.out.add(Code::P615, parts_.range(*view_.find("inertia")),
-                   "no body has such moments: one is more than the other two together");
-  }
-
-  const FormView& view_;
-  const RobotParts& parts_;
-  BodyModel body_;
-};
 
 ActuatorMode mode_of(const std::string& text) {
   return text == "velocity"   ? ActuatorMode::velocity
@@ -221,14 +100,43 @@ void check_count(const FormView& root, const RobotParts& parts) {
                             axes, kMostRobotAxes));
 }
 
+/// Pieces of a body, fixed to it.
+void fix_pieces(RobotModel& model, std::size_t whole, const std::vector<BodyModel>& pieces) {
+  for (const BodyModel& piece : pieces) {
+    JointModel joint;
+    joint.name = piece.name;
+    joint.parent = whole;
+    joint.child = model.bodies.size();
+    joint.X_RJ.p = piece.X_RB.p;
+    joint.place = piece.place;
+    model.joints.push_back(std::move(joint));
+    model.bodies.push_back(piece);
+  }
+}
+
+void read_wheel(const FormView& view, BodyModel& body, const RobotParts& parts) {
+  if (view.has("axle")) body.axle = parts.direction(view, "axle", {});
+  body.axle_friction = view.number("axle_friction", 1);
+  // The contact of a cylinder with the floor is a line, and with round wheels of finite width it
+  // resists turning on the spot; as a ball it touches in one point.
+  body.rolls_as_sphere = view.flag("rolls_as_sphere");
+}
+
 }  // namespace
 
 void read_bodies(const FormView& root, const RobotParts& parts) {
   std::vector<std::pair<std::string, SourceRange>> seen;
+  std::vector<std::pair<std::size_t, std::vector<BodyModel>>> pieces;
   for (const FormView& view : entries(root, "bodies", parts.bad)) {
     parts.claim_name(view, "bodies", seen);
-    parts.model.bodies.push_back(BodyReader(view, parts).read());
+    std::vector<BodyModel> read = read_body(view, {parts.document, parts.out, parts.load}, {});
+    read_wheel(view, read.front(), parts);
+    pieces.emplace_back(parts.model.bodies.size(),
+                        std::vector(std::next(read.begin()), read.end()));
+    parts.model.bodies.push_back(std::move(read.front()));
   }
+  // Last, so that what the file names has its places in the lists.
+  for (const auto& [whole, rest] : pieces) fix_pieces(parts.model, whole, rest);
 }
 
 void read_joints(const FormView& root, const RobotParts& parts) {

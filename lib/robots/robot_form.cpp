@@ -2,6 +2,7 @@
 // What a robot file may say: one table for the checker, its messages and the JSON Schema;
 // docs/robots.md explains the keys. Bounds keep out what cannot be meant, such as grams for
 // kilograms, and what the solver could not take.
+#include "robots/body_reader.h"
 #include "robots/form_keys.h"
 #include "robots/robot_forms.h"
 #include "robots/robot_model.h"
@@ -36,29 +37,18 @@ const Form& point_form() {
 }
 
 const Form& body_form() {
-  static const Form kForm{
-      "body",
-      {required(words("name", FormKind::name, "What joints and devices call it.")),
-       numbers("box", "Its edges along x, y and z, metres.", 3, 3, 1e-6, kFar),
-       part("cylinder", "Round about the body's z axis.", cylinder_form()),
-       part("sphere", "A ball.", sphere_form()),
-       parts("hull", "Corners of a convex body; its hull is taken.", point_form(), 4, 64),
-       required(above_zero("mass", "Kilograms.", kHeavy)),
-       numbers("inertia", "Principal moments about the body's axes, kg·m² (default: a solid's).", 3,
-               3, 1e-12, 1e9),
-       vector(
-           "base",
-           "Where the middle of its lower face is, metres, robot's frame; of a hull: its origin.",
-           kFar),
-       vector("center", "Where its middle is instead.", kFar),
-       vector("turn", "Degrees about z, then about the new y, then about the new x.", 360),
-       words("material", FormKind::name,
-             "Kind of surface, of the scene's table of friction (default: robot)."),
-       vector("axle", "Direction in which a wheel slides sideways, body's frame.", kFar),
-       number("axle_friction", "Part of the friction that acts along the axle (default: 1).", 0, 1),
-       words("rolls_as_sphere", FormKind::boolean,
-             "A cylinder that touches others as a ball of its radius: one point of contact."),
-       words("color", FormKind::colour, "For pictures, \"#rrggbb\".")}};
+  static const Form kForm = [] {
+    Form form{"body", shape_keys(kFar)};
+    form.keys.push_back(
+        vector("axle", "Direction in which a wheel slides sideways, body's frame.", kFar));
+    form.keys.push_back(number(
+        "axle_friction", "Part of the friction that acts along the axle (default: 1).", 0, 1));
+    form.keys.push_back(
+        words("rolls_as_sphere", FormKind::boolean,
+              "A cylinder that touches others as a ball of its radius: one point of contact."));
+    form.keys.front().required = true;  // its name
+    return form;
+  }();
   return kForm;
 }
 
@@ -116,6 +106,30 @@ Form make_robot_form() {
 }
 
 }  // namespace
+
+std::vector<FormKey> shape_keys(double far) {
+  return {
+      words("name", FormKind::name, "What joints, devices and reports call it."),
+      numbers("box", "Its edges along x, y and z, metres.", 3, 3, 1e-6, kFar),
+      part("cylinder", "Round about the body's z axis.", cylinder_form()),
+      part("sphere", "A ball.", sphere_form()),
+      parts("hull", "Corners of a convex body; its hull is taken.", point_form(), 4, 64),
+      words("solid", FormKind::name, "File of a solid, which stigc convex makes of a mesh."),
+      above_zero("mass", "Kilograms.", kHeavy),
+      above_zero("density", "kg/m³, in place of the mass.", 1e5),
+      numbers("inertia", "Principal moments about the body's axes, kg·m² (default: a solid's).", 3,
+              3, 1e-12, 1e9),
+      vector("base",
+             "Where the middle of its lower face is, metres, robot's frame; of a hull and a solid: "
+             "the origin.",
+             far),
+      vector("center", "Where its middle is instead.", far),
+      vector("turn", "Degrees about z, then about the new y, then about the new x.", 360),
+      words("material", FormKind::name,
+            "Kind of surface, of the scene's table of friction (default: robot; of obstacles: "
+            "obstacle)."),
+      words("color", FormKind::colour, "For pictures, \"#rrggbb\".")};
+}
 
 const Form& robot_form() {
   static const Form kForm = make_robot_form();

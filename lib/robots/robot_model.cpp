@@ -2,6 +2,7 @@
 #include "robots/robot_model.h"
 
 #include <cassert>
+#include <numbers>
 
 #include "base/hull.h"
 
@@ -31,6 +32,21 @@ std::size_t RobotModel::root() const {
   std::size_t root = 0;
   while (root < bodies.size() && carried[root]) ++root;
   return root;
+}
+
+double volume_of(const BodyModel& body) {
+  const double box = body.size.x * body.size.y * body.size.z;
+  switch (body.shape) {
+    case ShapeType::cylinder:
+      return box * std::numbers::pi / 4;
+    case ShapeType::sphere:
+      return box * std::numbers::pi / 6;
+    case ShapeType::hull:
+      return hull_mass(body.points).volume;
+    case ShapeType::box:
+      break;
+  }
+  return box;
 }
 
 Vec3 moments_of(const BodyModel& body) {

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "base/source.h"
 #include "base/vec.h"
 #include "robots/device_kinds.h"
+#include "robots/solid.h"
 #include "robots/uses.h"
 
 namespace stig::robots {
@@ -43,7 +45,8 @@ struct BodyModel {
   double axle_friction = 1;      ///< part of the friction that acts along the axle
   bool rolls_as_sphere = false;  ///< a cylinder that touches others as a ball of its radius
   Rgb rgb{0xb0, 0xb0, 0xb0};
-  SourceRange place;  ///< where the file says so
+  std::shared_ptr<const VisualMesh> visual;  ///< what is looked at in place of the shape; or null
+  SourceRange place;                         ///< where the file says so
 };
 
 enum class ActuatorMode : std::uint8_t { none, velocity, position, force };
@@ -80,6 +83,9 @@ struct RobotModel : DeviceKinds::Devices {
   /// The body that no joint carries.
   std::size_t root() const;
 };
+
+/// Of the shape, m³.
+double volume_of(const BodyModel& body);
 
 /// A solid's moments about its centre and the body's axes, or those that the file gives, kg·m².
 /// Principal moments; products of inertia of a hull that is askew are left out.

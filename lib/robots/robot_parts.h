@@ -20,6 +20,7 @@ struct RobotParts {
   const BadNodes& bad;
   Diagnostics& out;
   RobotModel& model;
+  const FileLoader& load;
 
   SourceRange range(const YamlNode& node) const { return document.range(node); }
   /// Adds the name when it is new in `seen`; otherwise says where it stood first.
@@ -36,7 +37,8 @@ struct RobotParts {
 /// Every mapping of a list, also those in which something is wrong.
 std::vector<FormView> entries(const FormView& view, std::string_view key, const BadNodes& bad);
 
-/// Bodies and joints; devices, which name them; and whether the joints make a tree.
+/// Bodies and joints; devices, which name them; and whether the joints make a tree. Pieces of
+/// bodies come after all bodies of the file, the joints that fix them before its joints.
 void read_bodies(const FormView& root, const RobotParts& parts);
 void read_joints(const FormView& root, const RobotParts& parts);
 void read_devices(const FormView& root, const RobotParts& parts);

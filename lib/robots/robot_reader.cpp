@@ -48,7 +48,8 @@ std::optional<std::size_t> named(const RobotParts& parts, const YamlNode& node, 
   return place;
 }
 
-RobotModel read_model(const YamlDocument& document, const BadNodes& bad, Diagnostics& out) {
+RobotModel read_model(const YamlDocument& document, const BadNodes& bad, Diagnostics& out,
+                      const FileLoader& load) {
   RobotModel model;
   const FormView root(document.root, bad);
   model.name = root.text("name");
@@ -56,7 +57,7 @@ RobotModel read_model(const YamlDocument& document, const BadNodes& bad, Diagnos
   model.source = root.text("source");
   model.control_period = root.number("control_period", model.control_period);
   model.program = root.text("program");
-  const RobotParts parts{document, bad, out, model};
+  const RobotParts parts{document, bad, out, model, load};
   read_bodies(root, parts);
   read_joints(root, parts);
   check_tree(parts);
@@ -115,14 +116,18 @@ std::vector<FormView> entries(const FormView& view, std::string_view key, const 
   return out;
 }
 
-std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics) {
+std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics,
+                                     const FileLoader& load) {
   assert(source != nullptr);
   Diagnostics own;
   std::optional<RobotModel> model;
   // Depth and number of nodes are bounded before anything is read: files come from anywhere.
   if (const auto document = parse_yaml(std::move(source), {kMaxRobotFileBytes, 12, 50'000}, own)) {
     const BadNodes bad = check_form(*document, robot_form(), own);
-    if (document->root.kind == YamlKind::mapping) model = read_model(*document, bad, own);
+    if (document->root.kind == YamlKind::mapping) {
+      model =
+          read_model(*document, bad, own, load ? load : loader_beside(document->source->path()));
+    }
   }
   diagnostics.append(own);
   return own.has_errors() ? std::nullopt : model;

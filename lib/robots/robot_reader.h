@@ -14,8 +14,10 @@ namespace stig::robots {
 
 inline constexpr std::size_t kMaxRobotFileBytes = std::size_t{1} << 20;
 
-/// The robot, or nothing when an error was reported.
-std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics);
+/// The robot, or nothing when an error was reported. Files that it names are looked for by `load`,
+/// without one beside the robot's.
+std::optional<RobotModel> read_robot(SourceRef source, Diagnostics& diagnostics,
+                                     const FileLoader& load = {});
 /// Reads the file first; a file that cannot be read is a diagnostic too.
 std::optional<RobotModel> read_robot_file(const std::string& path, Diagnostics& diagnostics);
 

@@ -24,13 +24,27 @@ std::array<float, 3> floats(const Vec3& v) {
   return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
+/// Of the surface that a body has to be looked at, or of its shape.
+std::vector<SolidFace> seen_faces(const TraceBody& body) {
+  if (!body.visual) return faces_of(body.shape);
+  std::vector<SolidFace> out;
+  for (const auto& [a, b, c] : body.visual->triangles) {
+    const auto& points = body.visual->points;
+    const Vec3 across = cross(points[b] - points[a], points[c] - points[a]);
+    // Without area it has no normal, and nothing to be seen.
+    if (!(squared(across) > 0)) continue;
+    out.push_back({{points[a], points[b], points[c]}, normalised(across), false});
+  }
+  return out;
+}
+
 GlbPrimitive surface_of(const TraceBody& body, Led led, const PoseLook& look) {
   GlbPrimitive out;
   const bool lit = body.block && led != Led::off;
   const auto glow = [&] { return look.glow ? look.glow(led) : rgb_of(led); };
   out.rgb = lit ? blend(body.rgb, glow(), 0.6) : body.rgb;
   out.material = to_color(out.rgb);
-  for (const SolidFace& face : faces_of(body.shape)) {
+  for (const SolidFace& face : seen_faces(body)) {
     const std::uint32_t first = out.vertices;
     for (const Vec3& corner : face.corners) out.add_vertex(floats(corner), floats(face.normal));
     // Faces are convex: a fan of triangles fills them.
@@ -151,7 +165,11 @@ struct Nodes {
     node.parent = 0;
     std::set<Led> leds;
     for (const LedChange& change : changes) leds.insert(change.led);
-    if (leds.size() == 1) node.primitives.push_back(surface_of(body, *leds.begin(), look));
+    if (leds.size() == 1) {
+      GlbPrimitive surface = surface_of(body, *leds.begin(), look);
+      // Pieces of a solid, the surface of which is another's, show nothing.
+      if (surface.vertices > 0) node.primitives.push_back(std::move(surface));
+    }
     const int number =
         add(std::move(node), {movement(track.keys, clock), presence(track.presences, clock)});
     if (leds.size() == 1) return;

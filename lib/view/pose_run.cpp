@@ -53,6 +53,11 @@ Json body_json(const TraceBody& body) {
   if (body.shape.kind == ShapeKind::hull) {
     for (const Vec3& p : body.shape.convex->points) out["points"].push_back({p.x, p.y, p.z});
   }
+  if (body.visual) {
+    Json& surface =
+        out["surface"] = {{"points", Json::array()}, {"triangles", body.visual->triangles}};
+    for (const Vec3& p : body.visual->points) surface["points"].push_back({p.x, p.y, p.z});
+  }
   return out;
 }
 

@@ -17,7 +17,7 @@ template <>
 struct MembersOf<BodyModel> {
   static auto of(const BodyModel& o) {
     const auto& [name, shape, size, points, mass, inertia, X_RB, p_BO, material, axle,
-                 axle_friction, rolls_as_sphere, rgb, place] = o;
+                 axle_friction, rolls_as_sphere, rgb, visual, place] = o;
     return std::tie(name, shape, size, points, mass, inertia, X_RB, p_BO, material, axle,
                     axle_friction, rolls_as_sphere, rgb);
   }
@@ -149,6 +149,7 @@ bodies:
   - {name: ball, sphere: {radius: 0.02}, mass: 0.01, base: [0.05, 0, 0]}
   - {name: wedge, mass: 0.02, base: [0.1, 0.01, 0.02],
      hull: [{at: [0.01, 0.02, 0.03]}, {at: [0.05, 0.01, 0.02]}, {at: [0.01, 0.06, 0.01]}, {at: [0.02, 0.01, 0.07]}]}
+  - {name: shell, solid: solid.yaml, density: 700, base: [0.1, 0.01, 0.02]}
   - {name: carriage, box: [0.02, 0.02, 0.02], mass: 0.1, base: [0.1, 0, 0.05]}
   - {name: hand, box: [0.02, 0.02, 0.02], mass: 0.1, base: [0.2, 0, 0.05]}
   - {name: tail, box: [0.02, 0.02, 0.02], mass: 0.1, base: [-0.2, 0, 0.05]}
@@ -157,6 +158,7 @@ joints:
   - {name: right axle, parent: deck, child: right wheel, axes: [{turn: [0.1, 1, 0.2], actuator: velocity, most_force: 1}]}
   - {name: spare axle, parent: deck, child: spare wheel, axes: [{turn: [0.1, 1, 0.2], actuator: velocity, most_force: 1}]}
   - {parent: deck, child: ball}
+  - {name: hood, parent: deck, child: shell}
   - {name: foot, parent: deck, child: wedge, at: [0.1, 0.02, 0.03]}
   - {name: mast, parent: deck, child: carriage, axes: [{slide: [0.1, 0.2, 1], limits: [-0.01, 0.1],
      actuator: velocity, most_force: 20, damping: 0.1}]}
@@ -216,9 +218,21 @@ radios: {depth: 0.005, range: 0.02}
 program: full.lua
 )";
 
+std::string solid_of_size(double a) {
+  return fmt::format(
+      "stigc_solid: 1\nname: corner\nvolume: 0.01\ncenter: [0, 0, 0]\ninertia: [1, 1, 1]\npieces:\n"
+      "  - corners: [0, 0, 0, {0}, 0, 0, 0, {0}, 0, 0, 0, {0}]\n",
+      a);
+}
+
 std::optional<std::string> shown_robot(const std::string& text) {
   Diagnostics diagnostics;
-  const auto robot = read_robot(std::make_shared<SourceFile>("r.yaml", text), diagnostics);
+  const FileLoader load = [](const std::string& name, std::size_t, FileError&) {
+    return name == "solid.yaml"   ? std::optional(solid_of_size(0.1))
+           : name == "other.yaml" ? std::optional(solid_of_size(0.2))
+                                  : std::nullopt;
+  };
+  const auto robot = read_robot(std::make_shared<SourceFile>("r.yaml", text), diagnostics, load);
   if (!robot) return std::nullopt;
   std::string out = shown_all(robot->name, robot->title, robot->source, robot->control_period,
                               robot->bodies, robot->joints, robot->program);
@@ -241,7 +255,7 @@ std::string lines_of(const std::vector<std::string>& texts) {
 TEST_CASE("every key of a robot's file is read, and is on the page of robots") {
   // A body is carried once, and a calibration has coefficients of its own number: neither can be
   // changed alone.
-  CHECK(lines_of(unread_keys({kRobot, kPlainRobot}, robot_form(), {}, shown_robot)) ==
+  CHECK(lines_of(unread_keys({kRobot, kPlainRobot}, robot_form(), {"other.yaml"}, shown_robot)) ==
         "joints/child takes no other value in the files of this test\n"
         "rangefinders/calibration takes no other value in the files of this test");
   CHECK(lines_of(keys_missing_on(project_file("docs/robots.md"), robot_form())) == "");

@@ -43,7 +43,8 @@ TEST_CASE("every bad robot is told exactly what its comments say") {
     covered.insert(name.substr(0, 4));
   }
   for (const CodeInfo& code : all_codes()) {
-    if (code.name.substr(0, 2) == "P6")
+    // Files of solids are another format: solid_test.cpp.
+    if (code.name.substr(0, 2) == "P6" && code.name != "P618")
       CHECK_MESSAGE(covered.count(std::string(code.name)) == 1, code.name);
   }
 }

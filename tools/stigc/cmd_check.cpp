@@ -34,6 +34,9 @@ void check_file(const std::string& path, Diagnostics& diagnostics) {
     case FileContent::block:
       read_block(std::move(source), diagnostics);
       break;
+    case FileContent::solid:
+      read_solid(std::move(source), diagnostics);
+      break;
     case FileContent::rules:
       if (const auto rules = read_rule_set(std::move(source), diagnostics)) {
         check_rules_fire(*rules, diagnostics);

@@ -31,7 +31,7 @@ std::optional<RobotModel> read_own_robot(const char* name, const App& app) {
   const SourceRef source = find_source(name, own_loader(), app);
   if (!source) return std::nullopt;
   Diagnostics diagnostics;
-  auto robot = read_robot(source, diagnostics);
+  auto robot = read_robot(source, diagnostics, own_loader());
   app.report(diagnostics);
   return robot;
 }
@@ -45,7 +45,8 @@ std::optional<Builder> read_builder(const BuilderFiles& files, const App& app) {
   const SourceRef block_source = source(files.block, kBlock);
   if (!robot_source || !block_source) return std::nullopt;
   Diagnostics diagnostics;
-  auto robot = read_robot(robot_source, diagnostics);
+  auto robot = read_robot(robot_source, diagnostics,
+                          files.robot ? scene_loader(*files.robot) : own_loader());
   auto block = read_block(block_source, diagnostics);
   app.report(diagnostics);
   // Both are reported before either ends it.

@@ -33,6 +33,7 @@ FileContent content_of(std::string_view text) {
   // The key that gives the format's version is the only one that all files of a kind have.
   if (has_key("stigc_scene:")) return FileContent::scene;
   if (has_key("stigc_robot:")) return FileContent::robot;
+  if (has_key("stigc_solid:")) return FileContent::solid;
   return has_key("stigc_block:") ? FileContent::block : FileContent::rules;
 }
 

@@ -13,8 +13,8 @@
 
 namespace stig::cli {
 
-/// What a data file is, by its key stigc, stigc_scene, stigc_robot or stigc_block.
-enum class FileContent : std::uint8_t { rules, scene, robot, block };
+/// What a data file is, by its key stigc, stigc_scene, stigc_robot, stigc_block or stigc_solid.
+enum class FileContent : std::uint8_t { rules, scene, robot, block, solid };
 FileContent content_of(std::string_view text);
 
 /// Finds blocks and robots beside the scene, in the folders blocks/ and robots/ next to the

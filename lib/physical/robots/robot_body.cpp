@@ -143,6 +143,24 @@ RobotBody add_robot(WorldConfig& config, const RobotModel& robot, const Pose& X_
   return out;
 }
 
+void add_fixed_together(WorldConfig& config, const std::vector<BodyModel>& bodies, bool to_world,
+                        Materials& materials) {
+  assert(!bodies.empty());
+  const auto first = static_cast<std::uint32_t>(config.bodies.size());
+  for (const BodyModel& body : bodies) {
+    if (!to_world && &body != &bodies.front()) {
+      JointDef joint;
+      joint.parent = first;
+      joint.child = static_cast<std::uint32_t>(config.bodies.size());
+      joint.X_PJ = inverse(bodies.front().X_RB) * Pose{body.X_RB.p, {}};
+      joint.X_CJ = inverse(body.X_RB) * Pose{body.X_RB.p, {}};
+      config.joints.push_back(joint);
+    }
+    config.bodies.push_back(body_def(body, {}, materials));
+    config.bodies.back().fixed = to_world;
+  }
+}
+
 void command(RobotDevices& devices, const RobotModel& robot, const RobotCommands& commands) {
   if (robot.drive && commands.wheels) {
     command(devices.drive, *robot.drive, commands.wheels->first, commands.wheels->second);

@@ -46,6 +46,10 @@ struct RobotBody {
 RobotBody add_robot(WorldConfig& config, const RobotModel& robot, const Pose& X_WR,
                     Materials& materials);
 
+/// Adds bodies in their places in the world: fixed to it, or as one body, fixed to the first.
+void add_fixed_together(WorldConfig& config, const std::vector<BodyModel>& bodies, bool to_world,
+                        Materials& materials);
+
 /// The states of a robot's devices.
 struct RobotDevices {
   DriveState drive;

@@ -14,7 +14,7 @@
 
 #include <array>
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -69,6 +69,13 @@ struct RobotSpawn {
   static constexpr std::size_t kNoProgram = SIZE_MAX;
 };
 
+/// A body that is neither block nor robot.
+struct ObstacleSpawn {
+  std::vector<BodyModel> bodies;  ///< the body, and pieces that are fixed to it; robot frame: world
+  bool fixed = true;              ///< it has no mass, and nothing moves it
+  SourceRange range;
+};
+
 /// A place where blocks come from: when none lies within `radius`, a new one is dropped.
 struct CacheSpawn {
   Vec3 at;  ///< where it is dropped; the radius is measured on the floor
@@ -100,6 +107,7 @@ struct Scene {
   std::vector<BlockSpawn> blocks;
   std::vector<RobotModel> robot_models;
   std::vector<RobotSpawn> robots;
+  std::vector<ObstacleSpawn> obstacles;
   std::vector<CacheSpawn> caches;
   InterfaceLevel interface = InterfaceLevel::of_2021;  ///< that its programs were written for
   std::vector<LuaProgram> programs;
@@ -118,9 +126,11 @@ struct Scene {
 struct SceneBody {
   std::string name;
   Led colour = Led::off;
-  std::size_t entry = 0;   ///< in Scene::blocks, or Scene::robots
-  bool block = true;       ///< otherwise part of a robot
-  Rgb rgb{176, 180, 186};  ///< of a robot's part
+  std::size_t entry = 0;   ///< in Scene::blocks, Scene::robots or Scene::obstacles
+  bool block = true;       ///< otherwise part of a robot or an obstacle
+  Rgb rgb{176, 180, 186};  ///< of such a part
+  bool obstacle = false;
+  std::shared_ptr<const VisualMesh> visual = {};  ///< what is looked at, in place of the shape
 };
 
 struct PlacedScene {
@@ -136,8 +146,7 @@ struct PlacedScene {
 std::size_t block_model(const Scene& scene, const PlacedScene& placed, std::size_t body);
 
 /// Finds the text of a file by the name that a scene has for it.
-using SceneLoader = std::function<std::optional<std::string>(const std::string& name,
-                                                             std::size_t most, FileError& error)>;
+using SceneLoader = FileLoader;
 /// Looks beside the scene, then in the folders given.
 SceneLoader disk_loader(std::string scene_folder, std::vector<std::string> folders);
 /// Knows these files and no others.

@@ -29,7 +29,7 @@ std::optional<std::size_t> NamedFiles::robot_model_of(const YamlNode& key) {
   }
   std::optional<std::size_t> model;
   if (auto source = load(key, key.text)) {
-    if (auto robot = read_robot(std::move(source), out_)) {
+    if (auto robot = read_robot(std::move(source), out_, loader_from(key.text))) {
       model = scene_.robot_models.size();
       scene_.robot_models.push_back(std::move(*robot));
     }
@@ -67,15 +67,29 @@ void NamedFiles::add_params(std::size_t program, const RobotSpawn& spawn) {
   add_searched(scene_.programs[program], written_[program]);
 }
 
+FileLoader NamedFiles::loader_from(const std::string& from) {
+  return [this, folder = std::filesystem::path(from).parent_path()](
+             const std::string& name, std::size_t most, FileError& error) {
+    const std::string path = (folder / name).lexically_normal().string();
+    auto text = load_(path, most, error);
+    if (text) keep(path, *text);
+    return text;
+  };
+}
+
+void NamedFiles::keep(const std::string& name, const std::string& text) {
+  const bool kept = std::any_of(scene_.files.begin(), scene_.files.end(),
+                                [&](const SceneFile& file) { return file.name == name; });
+  if (!kept) scene_.files.push_back({name, text});
+}
+
 /// The text of a module's file, which comes with the scene; nothing where there is no such file.
 std::optional<std::string> NamedFiles::module_text(const std::string& path) {
   FileError error;
   // Not `load`: a file that is missing here is no error.
   auto text = load_(path, kMostLuaSource, error);
   if (!text) return std::nullopt;
-  const bool kept = std::any_of(scene_.files.begin(), scene_.files.end(),
-                                [&](const SceneFile& file) { return file.name == path; });
-  if (!kept) scene_.files.push_back({path, *text});
+  keep(path, *text);
   return text;
 }
 

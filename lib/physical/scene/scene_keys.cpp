@@ -7,6 +7,7 @@
 #include "base/node_checks.h"
 #include "physical/dynamics/world_settings.h"
 #include "physical/scene/scene.h"
+#include "robots/body_reader.h"
 
 namespace stig::physics {
 
@@ -198,6 +199,11 @@ const Form& robot_keys() {
   return kKeys;
 }
 
+const Form& obstacle_keys() {
+  static const Form kKeys{"obstacle", shape_keys(kFar)};
+  return kKeys;
+}
+
 const Form& cache_keys() {
   static const Form kKeys{
       "block cache",
@@ -248,6 +254,11 @@ std::vector<FormKey> content_keys() {
        .kind = forms,
        .doc = "Robots and their programs.",
        .form = &robot_keys(),
+       .most = 1000},
+      {.name = "obstacles",
+       .kind = forms,
+       .doc = "Bodies by themselves; those without a mass are fixed.",
+       .form = &obstacle_keys(),
        .most = 1000},
       {.name = "caches",
        .kind = forms,

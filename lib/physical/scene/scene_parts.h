@@ -26,12 +26,15 @@ class NamedFiles {
   std::optional<std::size_t> model_of(const FormView& node);
   /// Among Scene::robot_models.
   std::optional<std::size_t> robot_model_of(const YamlNode& key);
+  /// For files that those of the scene name: relative to `from`, kept like all others.
+  FileLoader loader_from(const std::string& from);
   /// Among Scene::programs; RobotSpawn::kNoProgram after an error.
   std::size_t program_of(const YamlNode& node, const std::string& name);
   /// Brings the modules that a robot's parameters name, of programs of 2019.
   void add_params(std::size_t program, const RobotSpawn& spawn);
 
  private:
+  void keep(const std::string& name, const std::string& text);
   void add_modules(LuaProgram& program, const std::string& text);
   void add_searched(LuaProgram& program, WrittenModules& written);
   std::optional<std::string> module_text(const std::string& path);
@@ -55,6 +58,7 @@ struct SceneParts {
 void read_settings(const FormView& root, SceneParts& parts);
 void check_friction(const FormView& table, const SceneParts& parts);
 void read_blocks(const FormView& root, SceneParts& parts);
+void read_obstacles(const FormView& root, SceneParts& parts);
 void read_caches(const FormView& root, SceneParts& parts);
 void read_robots(const FormView& root, SceneParts& parts);
 void read_noise(const FormView& node, Scene& scene);

@@ -58,6 +58,7 @@ Scene read_parts(const YamlDocument& document, const BadNodes& bad, const SceneL
   read_settings(root, parts);
   read_blocks(root, parts);
   read_robots(root, parts);
+  read_obstacles(root, parts);
   read_caches(root, parts);
   check_friction(root.form("friction"), parts);
   read_script(root, parts);

@@ -73,9 +73,12 @@ void read_settings(const FormView& root, SceneParts& parts) {
 /// Names of materials that nothing in the scene is made of are slips.
 void check_friction(const FormView& table, const SceneParts& parts) {
   // Materials that robots of the scene do not have are still known names.
-  std::set<std::string_view> made{"block", "floor", "robot", "wheel", "caster"};
+  std::set<std::string_view> made{"block", "floor", "robot", "wheel", "caster", "obstacle"};
   for (const RobotModel& robot : parts.scene.robot_models) {
     for (const BodyModel& body : robot.bodies) made.insert(body.material);
+  }
+  for (const ObstacleSpawn& obstacle : parts.scene.obstacles) {
+    made.insert(obstacle.bodies.front().material);
   }
   const std::vector<std::string_view> known(made.begin(), made.end());
   // By set: the order of the two does not matter.

@@ -62,6 +62,7 @@ PoseTraceHeader trace_header(const Scene& scene, const PlacedScene& placed, bool
     body.block = from.block;
     body.led = from.colour;
     body.rgb = from.rgb;
+    body.visual = from.visual;
     if (i < placed.config.bodies.size()) {
       body.shape = placed.config.bodies[i].shape;
       body.fixed = placed.config.bodies[i].fixed;

@@ -5,8 +5,8 @@
 // Layout, version 1: the 8 bytes "stigpos1", then sections of a tag byte, the size as
 // u32, and one zstd frame with a checksum each:
 //   H  header, once: JSON with title, seed, step, frame_every, hash_every, channels and
-//      bodies (name, shape, half extents, block, LEDs, colour, fixed, points of a hull), then the
-//      files of the scene
+//      bodies (name, shape, half extents, block, LEDs, colour, fixed, points of a hull, surface to
+//      look at), then the files of the scene
 //   C  a chunk of records, which can be decoded alone. A record is a tag byte and the ticks
 //      since the record before as varint, then
 //        1 frame   number of bodies that changed; of each: distance of its number from the
@@ -55,6 +55,7 @@ struct TraceBody {
   Led led = Led::off;
   Rgb rgb{176, 180, 186};
   bool fixed = false;
+  std::shared_ptr<const VisualMesh> visual = {};  ///< what is looked at, in place of the shape
 };
 
 struct PoseTraceHeader {

@@ -3,7 +3,9 @@
 // nothing is made of a list before its length is.
 #include "physical/trace/pose_trace_header.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -44,6 +46,26 @@ Shape shape_from(const nlohmann::json& json, const Vec3& half) {
   return hull;
 }
 
+std::shared_ptr<const VisualMesh> visual_from(const nlohmann::json& json) {
+  auto out = std::make_shared<VisualMesh>();
+  for (const auto& p : json.at("points").get<std::vector<std::array<double, 3>>>()) {
+    if (!(std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}) <= 1000)) {
+      throw std::range_error("points");
+    }
+    out->points.push_back({p[0], p[1], p[2]});
+  }
+  for (const auto& corners : json.at("triangles")) {
+    std::array<std::uint32_t, 3> triangle{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint64_t corner = whole(corners.at(i));
+      if (corner >= out->points.size()) throw std::range_error("triangles");
+      triangle[i] = static_cast<std::uint32_t>(corner);
+    }
+    out->triangles.push_back(triangle);
+  }
+  return out;
+}
+
 TraceBody body_from(const nlohmann::json& json) {
   TraceBody body;
   body.name = json.at("name").get<std::string>();
@@ -59,6 +81,7 @@ TraceBody body_from(const nlohmann::json& json) {
   body.rgb = *rgb;
   body.block = json.at("block").get<bool>();
   body.fixed = json.at("fixed").get<bool>();
+  if (json.contains("surface")) body.visual = visual_from(json["surface"]);
   return body;
 }
 

@@ -35,6 +35,20 @@ struct MembersOf<RobotSpawn> {
   }
 };
 template <>
+struct MembersOf<BodyModel> {
+  static auto of(const BodyModel& o) {
+    return std::tie(o.name, o.shape, o.size, o.points, o.mass, o.inertia, o.X_RB, o.material,
+                    o.rgb);
+  }
+};
+template <>
+struct MembersOf<ObstacleSpawn> {
+  static auto of(const ObstacleSpawn& o) {
+    const auto& [bodies, fixed, range] = o;
+    return std::tie(bodies, fixed);
+  }
+};
+template <>
 struct MembersOf<CacheSpawn> {
   static auto of(const CacheSpawn& o) {
     const auto& [at, radius, yaw, jitter, turn_jitter, model, stock, range] = o;
@@ -80,11 +94,11 @@ template <>
 struct MembersOf<Scene> {
   static auto of(const Scene& o) {
     const auto& [source, title, seed, duration, stop_asleep, stop_failed, settings, magnets,
-                 materials, models, blocks, robot_models, robots, caches, interface, programs,
-                 program_keys, block_programs, script, stock, stock_model, lights, camera_noise,
-                 range_noise, files] = o;
+                 materials, models, blocks, robot_models, robots, obstacles, caches, interface,
+                 programs, program_keys, block_programs, script, stock, stock_model, lights,
+                 camera_noise, range_noise, files] = o;
     return std::tie(title, seed, duration, stop_asleep, stop_failed, settings, magnets, materials,
-                    models, blocks, robot_models, robots, caches, interface, programs,
+                    models, blocks, robot_models, robots, obstacles, caches, interface, programs,
                     block_programs, script, stock, stock_model, lights, camera_noise, range_noise);
   }
 };
@@ -123,6 +137,13 @@ robots:
   - {file: robot.yaml, name: first, at: [0.1, 0.2], heading: 30, jitter: 0.01, turn_jitter: 2, program: program.lua,
      params: {side: left}}
   - {file: robot.yaml, at: [0, 3], grid: [2, 3], pitch: 0.5}
+obstacles:
+  - {name: ramp, hull: [{at: [0, 0, 0]}, {at: [0.1, 0, 0]}, {at: [0, 0.1, 0]}, {at: [0, 0, 0.1]}],
+     base: [0.5, 0.6, 0], turn: [10, 20, 30], material: ice, color: "#112233"}
+  - {box: [0.1, 0.2, 0.3], center: [1, 2, 3], mass: 2, inertia: [0.01, 0.011, 0.012]}
+  - {cylinder: {radius: 0.1, height: 0.2}, base: [1, 3, 3], density: 700}
+  - {sphere: {radius: 0.1}, base: [1, 4, 3]}
+  - {solid: solid.yaml, base: [1, 5, 3]}
 caches:
   - {at: [0.1, 0.2, 0.3], radius: 0.3, yaw: 10, jitter: 0.01, turn_jitter: 2, file: block.yaml, stock: 5}
 robot_program: program.lua
@@ -143,6 +164,13 @@ std::string block_named(const std::string& name) {
   return "stigc_block: 1\nname: " + name + "\nbody: {side: 0.05, mass: 0.1, friction: 0.5}\n";
 }
 
+std::string solid_of_size(double a) {
+  return fmt::format(
+      "stigc_solid: 1\nname: corner\nvolume: 0.01\ncenter: [0, 0, 0]\ninertia: [1, 1, 1]\npieces:\n"
+      "  - corners: [0, 0, 0, {0}, 0, 0, 0, {0}, 0, 0, 0, {0}]\n",
+      a);
+}
+
 std::optional<std::string> shown_scene(const std::string& text) {
   const std::string program = "function step() end";
   Diagnostics diagnostics;
@@ -152,6 +180,8 @@ std::optional<std::string> shown_scene(const std::string& text) {
                                                {"other-block.yaml", block_named("other")},
                                                {"robot.yaml", robot_text("robot")},
                                                {"other-robot.yaml", robot_text("other")},
+                                               {"solid.yaml", solid_of_size(0.1)},
+                                               {"other-solid.yaml", solid_of_size(0.2)},
                                                {"poses.csv", "0,0,1,0,0,0\n"},
                                                {"other.csv", "0,0,2,0,0,0\n"},
                                                {"program.lua", program},
@@ -167,8 +197,13 @@ std::string on_lines(const std::vector<std::string>& texts) {
 }  // namespace
 
 TEST_CASE("every key of a scene's file is read, and is on the page of simulations") {
-  const std::vector<std::string> words{
-      "other-block.yaml", "other-robot.yaml", "other.csv", "other.lua", "wheel", "2021"};
+  const std::vector<std::string> words{"other-block.yaml",
+                                       "other-robot.yaml",
+                                       "other-solid.yaml",
+                                       "other.csv",
+                                       "other.lua",
+                                       "wheel",
+                                       "2021"};
   CHECK(on_lines(unread_keys({kScene}, scene_keys(), words, shown_scene)) == "");
   FileError error;
   const auto page = read_file(STIG_SOURCE_DIR "/docs/simulate.md", 1 << 20, error);

@@ -19,7 +19,12 @@ const kTagHalf = 0.52, kInkHalf = 0.436, kLedPlace = 0.727, kLedHalf = 0.11;
 const kTagPaper: Rgb = [238, 240, 242], kTagInk: Rgb = [32, 36, 42];
 const kLift = 0.006;
 
-function geometryOf({shape, half, points}: Body): three.BufferGeometry {
+function geometryOf({shape, half, points, surface}: Body): three.BufferGeometry {
+  if (surface) {
+    const places = surface.triangles.flatMap(corners => corners.flatMap(i => surface.points[i]));
+    return new three.BufferGeometry()
+        .setAttribute('position', new three.Float32BufferAttribute(places, 3));
+  }
   const [x, y, z] = half;
   switch (shape) {
     case 'sphere':
@@ -89,7 +94,7 @@ export class BodyShapes {
   private readonly materials = new Map<string, three.Material>();
 
   mesh(body: Body): three.Mesh {
-    const key = JSON.stringify([body.shape, body.half, body.points]);
+    const key = JSON.stringify([body.shape, body.half, body.points, body.surface]);
     const out = new three.Mesh(this.geometry(key, () => geometryOf(body)),
                                this.material(body.color));
     if (body.block) {

@@ -9,6 +9,11 @@ export interface Body {
   /** Half the edges of the box around it, in m. */
   half: readonly [number, number, number];
   points?: readonly (readonly [number, number, number])[];
+  /** What is looked at in place of the shape; without triangles, nothing. */
+  surface?: {
+    points: readonly (readonly [number, number, number])[];
+    triangles: readonly (readonly [number, number, number])[];
+  };
   color: string;
   block: boolean;
   /** At the start, as the channel has LEDs: a digit for all, or one for each. */
