@@ -30,7 +30,7 @@ TEST_CASE("help of the program and of every command") {
        {"check",    "fmt",    "explore",     "explain", "test",  "verify",   "certify",  "graph",
         "replay",   "schema", "measure",     "draw",    "synth", "simulate", "describe", "compile",
         "validate", "build",  "completions", "doctor",  "view",  "render",   "voxelise", "search",
-        "archive",  "sweep",  "merge",       "import",  "init"}) {
+        "archive",  "sweep",  "merge",       "import",  "init",  "convex"}) {
     hold(place, std::string("help-") + command, std::string("stigc ") + command + " --help");
     commands.insert(command);
   }

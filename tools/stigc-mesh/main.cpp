@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// stigc-mesh MODEL solid|shell AXIS side|bricks NUMBER: what stigc asks of a model, as JSON on
-// standard output. People use `stigc voxelise`.
+// stigc-mesh MODEL solid|shell AXIS side|bricks NUMBER, or MODEL convex AXIS pieces NUMBER: what
+// stigc asks of a model, as JSON on standard output. People use `stigc voxelise` and `stigc
+// convex`.
 //
 // Models come from others, and their readers are not ours: this process is bounded in memory and
 // time, and has nothing to lose.
@@ -13,6 +14,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "convex.h"
 #include "voxelise.h"
 
 namespace {
@@ -22,6 +24,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr rlim_t kMostMemory = rlim_t{8} << 30;  // bytes
 constexpr rlim_t kMostSeconds = 600;             // of processor time
+constexpr std::size_t kMostSeen = 2000;          // triangles that are looked at
 
 void bound(int resource, rlim_t most) {
   rlimit limit{};
@@ -34,6 +37,7 @@ struct Request {
   std::string model;
   Grid grid;
   std::optional<std::size_t> bricks;
+  std::optional<std::size_t> pieces;
 };
 
 bool read_request(int count, char** words, Request& out) {
@@ -44,10 +48,13 @@ bool read_request(int count, char** words, Request& out) {
   if (*end != 0 || !(number > 0) || !std::isfinite(number)) return false;
   const std::string letter = axis.substr(axis.starts_with('-') ? 1 : 0);
   if (letter.size() != 1 || letter[0] < 'x' || letter[0] > 'z') return false;
-  if ((fill != "solid" && fill != "shell") || (what != "side" && what != "bricks")) return false;
+  const bool convex = fill == "convex" && what == "pieces";
+  if (!convex && fill != "solid" && fill != "shell") return false;
+  if (!convex && what != "side" && what != "bricks") return false;
   out.model = words[1];
   out.grid = {letter[0] - 'x', axis.starts_with('-'), number,
               fill == "solid" ? Fill::solid : Fill::shell};
+  if (convex) out.pieces = static_cast<std::size_t>(std::min(number, 1e3));
   if (what == "bricks") out.bricks = static_cast<std::size_t>(number);
   return true;
 }
@@ -70,31 +77,66 @@ int fail(const std::string& problem) {
   return 1;
 }
 
+/// The axes of the frame in which `up` is z, right-handed, as of cells.
+void turn_up(Soup& soup, const Grid& grid) {
+  std::array<std::size_t, 3> axes{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    axes[k] = (static_cast<std::size_t>(grid.up) + 1 + k) % 3;
+  }
+  if (grid.down) std::swap(axes[0], axes[1]);
+  for (Point& p : soup.points) {
+    p = {p[axes[0]], p[axes[1]], grid.down ? -p[axes[2]] : p[axes[2]]};
+  }
+}
+
+int print(const Json& answer) {
+  std::cout << answer.dump() << std::endl;
+  return std::cout.good() ? 0 : 3;
+}
+
+int run_convex(const Model& model, const Repairs& repairs, std::size_t faces, std::size_t most) {
+  std::string problem;
+  Pieces pieces;
+  if (!decompose(model, most, pieces, problem)) return fail(problem);
+  const MassSums mass = mass_of(model);
+  const Model seen = simplified(model, kMostSeen);
+  return print({{"faces", faces},
+                {"repairs", repairs_json(repairs)},
+                {"volume", mass.volume},
+                {"center", mass.centre},
+                {"squares", mass.squares},
+                {"products", mass.products},
+                {"pieces", pieces.corners},
+                {"pieces_volume", pieces.volume},
+                {"off", pieces.off},
+                {"points", seen.points},
+                {"triangles", seen.triangles}});
+}
+
 int run(const Request& request) {
   Soup soup;
   std::string problem;
   if (!read_model(request.model, soup, problem)) return fail(problem);
   const std::size_t faces = soup.faces.size();
+  if (request.pieces) turn_up(soup, request.grid);
   Model model;
   Repairs repairs;
   if (!repair(std::move(soup), model, repairs, problem)) return fail(problem);
+  if (request.pieces) return run_convex(model, repairs, faces, *request.pieces);
   Cells cells;
   const bool good = request.bricks ? voxelise_to(model, request.grid, *request.bricks,
                                                  repairs.volume, cells, problem)
                                    : voxelise(model, request.grid, cells, problem);
   if (!good) return fail(problem);
-  std::cout << Json{{"faces", faces},
-                    {"repairs", repairs_json(repairs)},
-                    {"side", cells.side},
-                    {"joined", cells.joined},
-                    {"parts_left_out", cells.parts_left_out},
-                    {"cells_left_out", cells.cells_left_out},
-                    {"on_floor", cells.on_floor},
-                    {"overhanging", cells.overhanging},
-                    {"cells", cells.cells}}
-                   .dump()
-            << std::endl;
-  return std::cout.good() ? 0 : 3;
+  return print({{"faces", faces},
+                {"repairs", repairs_json(repairs)},
+                {"side", cells.side},
+                {"joined", cells.joined},
+                {"parts_left_out", cells.parts_left_out},
+                {"cells_left_out", cells.cells_left_out},
+                {"on_floor", cells.on_floor},
+                {"overhanging", cells.overhanging},
+                {"cells", cells.cells}});
 }
 
 }  // namespace
@@ -107,7 +149,8 @@ int main(int count, char** words) {
   Request request;
   if (!read_request(count, words, request)) {
     std::cerr << "stigc-mesh MODEL solid|shell [-]x|y|z side|bricks NUMBER\n"
-                 "This program works for stigc: see stigc voxelise --help.\n";
+                 "stigc-mesh MODEL convex [-]x|y|z pieces NUMBER\n"
+                 "This program works for stigc: see stigc voxelise and convex --help.\n";
     return 2;
   }
   try {

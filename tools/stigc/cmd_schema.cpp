@@ -24,6 +24,8 @@ std::string schema_of(FileForm form) {
       return robot_schema();
     case FileForm::block:
       return block_schema();
+    case FileForm::solid:
+      return solid_schema();
     case FileForm::search:
       return search::plan_schema();
     case FileForm::sweep:

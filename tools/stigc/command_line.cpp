@@ -75,6 +75,7 @@ void build(CLI::App& app, Storage& s) {
   declare(app, s, add_init);
   declare(app, s, add_import);
   declare(app, s, add_voxelise);
+  declare(app, s, add_convex);
   declare(app, s, add_search);
   declare(app, s, add_archive);
   declare(app, s, add_measure);

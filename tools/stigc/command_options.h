@@ -25,6 +25,7 @@ void add_schema(CLI::App& app, SchemaOptions& o);
 void add_init(CLI::App& app, InitOptions& o);
 void add_import(CLI::App& app, ImportOptions& o);
 void add_voxelise(CLI::App& app, VoxeliseOptions& o);
+void add_convex(CLI::App& app, ConvexOptions& o);
 void add_measure(CLI::App& app, MeasureOptions& o);
 void add_draw(CLI::App& app, DrawOptions& o);
 void add_synth(CLI::App& app, SynthOptions& o);

@@ -21,6 +21,7 @@ int run(const SchemaOptions& options, App& app);
 int run(const InitOptions& options, App& app);
 int run(const ImportOptions& options, App& app);
 int run(const VoxeliseOptions& options, App& app);
+int run(const ConvexOptions& options, App& app);
 int run(const MeasureOptions& options, App& app);
 int run(const DrawOptions& options, App& app);
 int run(const CompletionsOptions& options, App& app);

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "base/file_guard.h"
@@ -18,12 +19,15 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostPrinted = std::size_t{1} << 28;
 
+/// An absolute name is no option, whatever it begins with.
+std::string absolute_name(const std::string& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).string();
+}
+
 /// What a mesh is measured in; the program for meshes knows none.
 std::vector<std::string> arguments_for(const std::string& path, const MeshOptions& options) {
-  // An absolute name is no option, whatever it begins with.
-  std::error_code ignored;
-  std::vector<std::string> out{fs::absolute(path, ignored).string(),
-                               options.shell ? "shell" : "solid", options.up};
+  std::vector<std::string> out{absolute_name(path), options.shell ? "shell" : "solid", options.up};
   if (options.side) {
     out.insert(out.end(), {"side", fmt::format("{}", *options.side / options.unit)});
   } else {
@@ -33,9 +37,9 @@ std::vector<std::string> arguments_for(const std::string& path, const MeshOption
 }
 
 /// The answer as JSON, or nothing with `problem` set.
-std::optional<Json> ask(const std::string& program, const std::string& path,
-                        const MeshOptions& options, std::string& problem) {
-  const auto finished = run_program(program, arguments_for(path, options), kMostPrinted, problem);
+std::optional<Json> ask(const std::string& program, const std::vector<std::string>& arguments,
+                        std::string& problem) {
+  const auto finished = run_program(program, arguments, kMostPrinted, problem);
   if (!finished) return std::nullopt;
   Json answer = Json::parse(finished->out, nullptr, false);
   if (finished->exit_code > 1 || finished->exit_code < 0 || !answer.is_object()) {
@@ -88,12 +92,7 @@ std::string repairs_in_words(const Json& repairs) {
 
 }  // namespace
 
-bool is_mesh(const std::string& path) {
-  std::string ending = fs::path(path).extension().string();
-  for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  constexpr std::string_view kEndings[] = {".stl", ".obj", ".off", ".ply"};
-  return std::find(std::begin(kEndings), std::end(kEndings), ending) != std::end(kEndings);
-}
+bool is_mesh(const std::string& path) { return is_mesh_name(path); }
 
 std::optional<std::string> find_mesh_program() {
   std::error_code error;
@@ -104,23 +103,43 @@ std::optional<std::string> find_mesh_program() {
   return program;
 }
 
-std::optional<Voxels> voxelise(const std::string& path, const MeshOptions& options,
-                               const App& app) {
+namespace {
+
+/// What stigc-mesh says of a mesh; problems are complained of.
+std::optional<Json> answer_of(const std::string& path, const std::vector<std::string>& arguments,
+                              const App& app) {
   const auto program = find_mesh_program();
   if (!program) {
     app.complain(fmt::format(
-        "'{}' is a mesh, which the program stigc-mesh reads; it is not here: install libcgal-dev "
-        "and build again",
+        "'{}' is a mesh, which the program stigc-mesh reads; it is not here: install the package "
+        "stigc-mesh, or install libcgal-dev and build again",
         printable(path)));
     return std::nullopt;
   }
   if (const auto number = file_number(path)) note_read(*number);
   std::string problem;
-  auto answer = ask(*program, path, options, problem);
-  if (!answer) {
-    app.complain(fmt::format("'{}' {}", printable(path), problem));
-    return std::nullopt;
-  }
+  auto answer = ask(*program, arguments, problem);
+  if (!answer) app.complain(fmt::format("'{}' {}", printable(path), problem));
+  return answer;
+}
+
+/// Three numbers, of lengths to the power of `power`.
+Vec3 vec_from(const Json& json, double unit) {
+  return Vec3{json[0].get<double>(), json[1].get<double>(), json[2].get<double>()} * unit;
+}
+
+/// From the file's unit to metres; divided last, so that whole millimetres stay short numbers.
+Vec3 place_from(const Json& json, double unit) {
+  const Vec3 p = vec_from(json, unit);
+  return {p.x / 1000, p.y / 1000, p.z / 1000};
+}
+
+}  // namespace
+
+std::optional<Voxels> voxelise(const std::string& path, const MeshOptions& options,
+                               const App& app) {
+  auto answer = answer_of(path, arguments_for(path, options), app);
+  if (!answer) return std::nullopt;
   Voxels out{structure_of((*answer)["cells"]), std::move(*answer)};
   out.report.erase("cells");
   out.report["side"] = out.report["side"].get<double>() * options.unit;
@@ -129,17 +148,60 @@ std::optional<Voxels> voxelise(const std::string& path, const MeshOptions& optio
   return out;
 }
 
+std::optional<Solid> read_mesh_solid(const ConvexOptions& options, const App& app) {
+  auto answer = answer_of(
+      options.model,
+      {absolute_name(options.model), "convex", options.up, "pieces", std::to_string(options.parts)},
+      app);
+  if (!answer) return std::nullopt;
+  const double unit = options.unit, cube = unit * unit * unit;
+  Solid out;
+  SolidModel& solid = out.model;
+  const fs::path path(options.model);
+  solid.name = printable(path.stem().string());
+  solid.source = printable(path.filename().string());
+  const auto volume = (*answer)["volume"].get<double>();
+  solid.volume = volume * cube / 1e9;
+  solid.centre = place_from((*answer)["center"], unit);
+  const double square = unit * unit / (volume * 1e6);
+  solid.squares = vec_from((*answer)["squares"], square);
+  solid.products = vec_from((*answer)["products"], square);
+  for (const Json& piece : (*answer)["pieces"]) {
+    solid.pieces.emplace_back();
+    for (const Json& corner : piece) solid.pieces.back().push_back(place_from(corner, unit));
+  }
+  for (const Json& p : (*answer)["points"]) solid.surface.points.push_back(place_from(p, unit));
+  for (const Json& t : (*answer)["triangles"]) {
+    solid.surface.triangles.push_back(t.get<std::array<std::uint32_t, 3>>());
+  }
+  (*answer)["repairs"]["volume"] = (*answer)["repairs"]["volume"].get<double>() * cube;
+  out.report = {{"faces", (*answer)["faces"]},
+                {"repairs", (*answer)["repairs"]},
+                {"volume", volume * cube},
+                {"pieces", solid.pieces.size()},
+                {"pieces_volume", (*answer)["pieces_volume"].get<double>() * cube},
+                {"off", (*answer)["off"].get<double>() * unit},
+                {"triangles", solid.surface.triangles.size()}};
+  return out;
+}
+
+std::string repair_lines(const Json& report) {
+  const Json& repairs = report["repairs"];
+  const auto solids = repairs["solids"].get<std::size_t>();
+  const auto hollows = repairs["hollows"].get<std::size_t>();
+  std::string out = line("faces", std::to_string(report["faces"].get<std::size_t>()));
+  out += line("repaired", repairs_in_words(repairs));
+  std::string parts = counted(solids, "solid", "solids");
+  if (hollows > 0) parts += ", " + counted(hollows, "hollow", "hollows");
+  return out +
+         line("surfaces", fmt::format("{}, {:.6g} mm³", parts, repairs["volume"].get<double>()));
+}
+
 std::string mesh_lines(const Voxels& voxels) {
   const Json& report = voxels.report;
   const Json& repairs = report["repairs"];
   const auto count = [&](const char* key) { return report[key].get<std::size_t>(); };
-  const auto solids = repairs["solids"].get<std::size_t>();
-  const auto hollows = repairs["hollows"].get<std::size_t>();
-  std::string out = line("faces", std::to_string(count("faces")));
-  out += line("repaired", repairs_in_words(repairs));
-  std::string parts = counted(solids, "solid", "solids");
-  if (hollows > 0) parts += ", " + counted(hollows, "hollow", "hollows");
-  out += line("surfaces", fmt::format("{}, {:.6g} mm³", parts, repairs["volume"].get<double>()));
+  std::string out = repair_lines(report);
   if (const auto crossing = repairs["crossing_faces"].get<std::size_t>(); crossing > 0) {
     out += line("crossing", counted(crossing, "pair of faces", "pairs of faces") +
                                 " cross or touch: what any surface encloses is filled");

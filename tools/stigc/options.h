@@ -196,7 +196,7 @@ struct DescribeOptions {
   bool json = false;
 };
 
-enum class FileForm : std::uint8_t { rules, scene, robot, block, search, sweep };
+enum class FileForm : std::uint8_t { rules, scene, robot, block, solid, search, sweep };
 struct SchemaOptions {
   FileForm form = FileForm::rules;
   std::optional<std::string> symbols_of;  ///< a rule set whose symbols are offered
@@ -215,6 +215,15 @@ struct VoxeliseOptions {
   std::string model;
   MeshOptions mesh;
   std::vector<std::string> outputs;
+  bool json = false;
+};
+
+struct ConvexOptions {
+  std::string model;
+  int parts = 16;   ///< convex pieces, at most
+  double unit = 1;  ///< mm, of the file's numbers
+  std::string up = "z";
+  std::optional<std::string> output;
   bool json = false;
 };
 
@@ -369,8 +378,9 @@ using CommandOptions =
                  VerifyFileOptions, CertifyOptions, SynthOptions, GraphOptions, ReplayOptions,
                  SchemaOptions, MeasureOptions, DrawOptions, CompletionsOptions, DoctorOptions,
                  SimulateOptions, DescribeOptions, CompileFileOptions, ValidateOptions,
-                 BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions, SearchFileOptions,
-                 ArchiveOptions, SweepOptions, MergeOptions, ImportOptions, InitOptions>;
+                 BuildOptions, ViewOptions, RenderOptions, VoxeliseOptions, ConvexOptions,
+                 SearchFileOptions, ArchiveOptions, SweepOptions, MergeOptions, ImportOptions,
+                 InitOptions>;
 
 struct CommandLine {
   GlobalOptions global;

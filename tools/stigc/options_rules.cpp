@@ -194,6 +194,7 @@ void add_schema(CLI::App& app, SchemaOptions& o) {
           {"scene", FileForm::scene},
           {"robot", FileForm::robot},
           {"block", FileForm::block},
+          {"solid", FileForm::solid},
           {"search", FileForm::search},
           {"sweep", FileForm::sweep}},
          "what kind of file (default: rules)");
@@ -242,6 +243,19 @@ void add_import(CLI::App& app, ImportOptions& o) {
        "it");
 }
 
+namespace {
+
+void frame_of_mesh(CLI::App* sub, double& unit, std::string& up) {
+  choice(sub, "--unit", unit, {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}},
+         "what the file's numbers are in (default: mm)");
+  choice<std::string, std::string>(
+      sub, "--up", up,
+      {{"x", "x"}, {"y", "y"}, {"z", "z"}, {"-x", "-x"}, {"-y", "-y"}, {"-z", "-z"}},
+      "the file's axis that points up (default: z)");
+}
+
+}  // namespace
+
 void add_voxelise(CLI::App& app, VoxeliseOptions& o) {
   CLI::App* sub =
       command(app, "voxelise", "turn a mesh into bricks",
@@ -255,12 +269,7 @@ void add_voxelise(CLI::App& app, VoxeliseOptions& o) {
          "side of a brick in mm, or as 5.5cm, 0.055m, 2in; in place of --bricks",
          [&o](const std::string& text) { return parse_length(text, o.mesh.side); })
       ->excludes("--bricks");
-  choice(sub, "--unit", o.mesh.unit, {{"mm", 1.0}, {"cm", 10.0}, {"m", 1000.0}, {"in", 25.4}},
-         "what the file's numbers are in (default: mm)");
-  choice<std::string, std::string>(
-      sub, "--up", o.mesh.up,
-      {{"x", "x"}, {"y", "y"}, {"z", "z"}, {"-x", "-x"}, {"-y", "-y"}, {"-z", "-z"}},
-      "the file's axis that points up (default: z)");
+  frame_of_mesh(sub, o.mesh.unit, o.mesh.up);
   CLI::Option* solid = sub->add_flag_callback(
       "--solid", [&o] { o.mesh.shell = false; }, "bricks whose middle is in the model (default)");
   sub->add_flag("--shell", o.mesh.shell, "bricks that the model's surface passes through")
@@ -268,6 +277,20 @@ void add_voxelise(CLI::App& app, VoxeliseOptions& o) {
   repeated(sub, "-o,--output", o.outputs, "FILE",
            "structure to write, in the format of its ending; may be repeated")
       ->required();
+  sub->add_flag("--json", o.json, "print one JSON object");
+}
+
+void add_convex(CLI::App& app, ConvexOptions& o) {
+  CLI::App* sub =
+      command(app, "convex", "turn a mesh into a solid for robots and scenes",
+              "  stigc explore rulesets/stepped-pyramid.yaml -o pyramid.stl\n"
+              "  stigc convex pyramid.stl --unit cm -o pyramid.yaml && stigc check pyramid.yaml\n"
+              "  stigc convex pyramid.stl --parts 1 --up z -o hull.yaml --json\n");
+  file(sub, "MODEL", o.model, "a mesh (.stl .obj .off .ply)");
+  integer(sub, "--parts", o.parts, 1, 64,
+          "convex pieces at most, fewer where they fit; 1: the hull (default: 16)");
+  frame_of_mesh(sub, o.unit, o.up);
+  path(sub, "-o,--output", o.output, "file of a solid to write, for `solid:`")->required();
   sub->add_flag("--json", o.json, "print one JSON object");
 }
 
