@@ -5,8 +5,8 @@
 #
 #   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--against R] [PART…]
 #
-# Parts: against bench engines laws validate robots five viewer assembly fuzz sanitizers; without one,
-# all but robots and assembly, which take hours. `engines` sets what the lattice's engines do a
+# Parts: against bench engines laws validate robots five viewer packages assembly fuzz sanitizers;
+# without one, all but robots and assembly, which take hours. `engines` sets what the lattice's engines do a
 # second beside what is aimed at, in a few minutes; `against` sets the speed against that of revision
 # R (e10fcc8). Each fuzz target runs for N seconds (600), J of them at a time (as many as there are
 # cores). S is the seed of the laws' random cases, of the fuzzers and of drawn targets (the time);
@@ -20,7 +20,7 @@ while [[ $# -gt 0 ]]; do
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
     --against) against=${2:?--against needs a revision}; shift ;;
-    against | bench | engines | laws | validate | robots | five | viewer | assembly | fuzz | sanitizers) parts+=("$1") ;;
+    against | bench | engines | laws | validate | robots | five | viewer | packages | assembly | fuzz | sanitizers) parts+=("$1") ;;
     -h | --help) sed -n '3,13s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
@@ -28,7 +28,7 @@ while [[ $# -gt 0 ]]; do
 done
 [[ $seed =~ ^[1-9][0-9]{0,8}$|^[1-3][0-9]{9}$ ]] ||
   die "--seed takes a number from 1 to 3999999999, not '$seed'"
-[[ ${#parts[@]} -gt 0 ]] || parts=(against bench engines laws validate five viewer fuzz sanitizers)
+[[ ${#parts[@]} -gt 0 ]] || parts=(against bench engines laws validate five viewer packages fuzz sanitizers)
 
 failures=0
 mkdir -p out
@@ -212,6 +212,17 @@ viewer_part() {
   sed 's/^duration: .*/duration: 60/' "$dir/four/scene.yaml" >"$dir/four/minute.yaml"
   scripts/live_cost.py build/dev/stigc "$dir/four/minute.yaml" | sed -n '/^|/p; /^$/p' ||
     failures=$((failures + 1))
+}
+
+# Packages of the release build, on a Debian that has nothing else.
+packages_part() {
+  printf '\n## Packages\n\n'
+  scripts/install.sh build >&2
+  configure_and_build release >&2
+  rm -rf out/packages
+  cpack --config build/release/CPackConfig.cmake -B out/packages -G 'TGZ;DEB' >&2 ||
+    failures=$((failures + 1))
+  scripts/bare_debian.sh out/packages || failures=$((failures + 1))
 }
 
 robots_part() {

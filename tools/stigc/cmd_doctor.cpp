@@ -20,6 +20,7 @@
 #include "physical/dynamics/stock_step.h"
 #include "report.h"
 #include "rules/rule_reader.h"
+#include "shipped_files.h"
 
 namespace stig::cli {
 namespace {
@@ -110,11 +111,13 @@ Finding video() {
 /// What reads meshes; nothing else needs it.
 Finding meshes() {
   const auto program = find_mesh_program();
-  return {Health::ok,
-          "meshes",
-          program ? printable(*program) + ", with CGAL, GPL-3"
-                  : "no stigc-mesh: it is built where libcgal-dev is installed",
-          {}};
+  return {
+      Health::ok,
+      "meshes",
+      program
+          ? printable(*program) + ", with CGAL, GPL-3"
+          : "no stigc-mesh: the package stigc-mesh has it; it is built where there is libcgal-dev",
+      {}};
 }
 
 /// What `view` makes its pages of, and the playground; nothing else needs them.
@@ -166,19 +169,22 @@ Finding terminal(const App& app) {
           {}};
 }
 
-/// Files given, or the rule sets in the folder "rulesets" when there is one.
+/// Files given, or the rule sets in the folder "rulesets" when there is one, or those that came
+/// with the program.
 Finding rule_sets(std::vector<std::string> files) {
   namespace fs = std::filesystem;
   std::error_code ignored;
-  if (files.empty()) {
-    for (auto it = fs::directory_iterator("rulesets", ignored);
+  std::vector<std::string> folders = shipped_folders("rulesets");
+  folders.insert(folders.begin(), "rulesets");
+  for (const std::string& folder : folders) {
+    if (!files.empty()) break;
+    for (auto it = fs::directory_iterator(folder, ignored);
          !ignored && it != fs::directory_iterator(); it.increment(ignored)) {
       if (it->path().extension() == ".yaml") files.push_back(it->path().string());
     }
   }
   if (files.empty()) {
-    return {Health::warn, "rule sets", "none here to check",
-            "start stigc in the project's folder, or name files: stigc doctor FILE…"};
+    return {Health::warn, "rule sets", "none here to check", "name files: stigc doctor FILE…"};
   }
   std::string bad;
   for (const std::string& file : files) {
