@@ -178,6 +178,12 @@ void set_mass(Link& link, double mass, const Pose& X_LI, const std::vector<doubl
     reading.wrong(where, fmt::format("the mass of {} is not above zero", in_quotes(link.name)));
     return;
   }
+  // A share of it has to be a mass as well.
+  constexpr double kLeastMass = 1e-9;  // kg
+  if (mass < kLeastMass) {
+    reading.wrong(where, fmt::format("the mass of {} is below 1e-9 kg", in_quotes(link.name)));
+    return;
+  }
   link.mass = mass;
   const Mat3 tensor{{six[0], six[1], six[2]}, {six[1], six[3], six[4]}, {six[2], six[4], six[5]}};
   const Principal principal = principal_moments(tensor);

@@ -168,7 +168,8 @@ class WorldReader {
 
   void add_robot(SdfModel model) {
     Description& robot = model.robot;
-    if (!fold_frames(robot, reading_)) return;
+    // After an error a link may have no mass.
+    if (reading_.out.has_errors() || !fold_frames(robot, reading_)) return;
     const RobotText text = robot_text(robot, file_name(robot.place), reading_);
     const Mat3 r = matrix(model.X_WM.q);
     if (r.z.z < 1 - 1e-9) {
