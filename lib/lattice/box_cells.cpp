@@ -32,7 +32,8 @@ BoxCells::BoxCells(const Box& box, std::optional<std::size_t> floor_code)
       slice_(row_ * (box.size.y + 2)),
       cells_(static_cast<std::size_t>(slice_) * static_cast<std::size_t>(box.size.x + 2),
              CodedCell{0, kClosedCell}),
-      records_(std::make_unique_for_overwrite<Record[]>(cells_.size())) {
+      // Not make_unique, which would fill them.
+      records_(new Record[cells_.size()]) {
   for (CellNumber n = 0; n < cells_.size(); ++n) {
     const Cell at = cell(n);
     if (floor_code && at.z < 0) {
@@ -69,7 +70,7 @@ Cell BoxCells::cell(CellNumber number) const {
 }
 
 void BoxCells::with_stages() {
-  if (!stages_) stages_ = std::make_unique_for_overwrite<std::uint64_t[]>(cells_.size());
+  if (!stages_) stages_.reset(new std::uint64_t[cells_.size()]);
 }
 
 }  // namespace stig::lattice
