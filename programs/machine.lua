@@ -93,6 +93,7 @@ function Machine:sense()
    self.tracker:add_process_noise(self.odometry:sense())
    self.tracker:sense()
    self.returns:sense()
+   self.gripper:sense()
 end
 
 -- Senses, and goes on with the behaviour. False when it has ended.

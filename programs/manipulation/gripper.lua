@@ -13,6 +13,8 @@ local READY, EMPTY = 1.12, 1.06    -- of the charge at which the field vanishes
 local CHARGE_TIME, EMPTY_TIME = 8, 6  -- s, at most
 local BEHIND_BLOCK = 0.025     -- m, of the rangefinders behind a block that see it
 local FINDERS_APART = 0.040    -- m
+local SLIPPED = 0.005          -- m, off what was read before: the block hangs otherwise by now
+local REMEMBERED = 25          -- readings of a carried block's back, at most
 local FIRST_CHARACTER = 48     -- '0', of colours as the radio sends them
 local WORD = 119               -- 'w', before the four of a code word
 
@@ -29,11 +31,36 @@ function Gripper.new(robot, description, ranges, process, magnets, lift)
    }, Gripper)
 end
 
--- How a carried block sits: how far its middle is ahead of where it should be, and its yaw, as the
--- two rangefinders at its back say.
-function Gripper:seat()
+-- What the two rangefinders at the back of the block say: left, right; nothing where none is.
+function Gripper:back_of_block()
    local left, right = self.ranges:range('left'), self.ranges:range('right')
-   if not left or not right or math.max(left, right) > BEHIND_BLOCK then return 0, 0 end
+   if not left or not right or math.max(left, right) > BEHIND_BLOCK then return nil end
+   return left, right
+end
+
+-- Call it once a step: the mean of what they said of a block that is carried, since a reading may be
+-- off by a millimetre, which is two degrees.
+function Gripper:sense()
+   local left, right = self:back_of_block()
+   if not left or not self.magnets.carrying then
+      self.felt = nil
+      return
+   end
+   local felt = self.felt
+   if not felt or math.abs(left - felt.left) > SLIPPED or math.abs(right - felt.right) > SLIPPED then
+      felt = { left = left, right = right, count = 0 }
+   end
+   felt.count = math.min(felt.count + 1, REMEMBERED)
+   felt.left = felt.left + (left - felt.left) / felt.count
+   felt.right = felt.right + (right - felt.right) / felt.count
+   self.felt = felt
+end
+
+-- How a block sits below the magnets: how far its middle is ahead of where it should be, and its yaw.
+function Gripper:seat()
+   local left, right = self:back_of_block()
+   if not left then return 0, 0 end
+   if self.felt then left, right = self.felt.left, self.felt.right end
    return (left + right) / 2 - self.gap, math.atan((right - left) / FINDERS_APART)
 end
 

@@ -168,6 +168,33 @@ case('a block is picked up, coloured, and put on another', function()
    same('let go', machine.magnets.carrying, false)
 end)
 
+case('how a carried block hangs is the mean of many readings, and of none before it slipped', function()
+   local machine, fake = machine_with()
+   local finders, gripper = fake.robot.rangefinders, machine.gripper
+   machine.magnets.carrying = true
+   local function read(left, right, off)
+      for i = 1, 40 do
+         local sign = i % 2 == 0 and 1 or -1
+         finders.left.proximity, finders.right.proximity = left + sign * off, right - sign * off
+         gripper:sense()
+      end
+   end
+   local gap = gripper.gap
+   read(gap + 0.002, gap + 0.004, 0.001)
+   local ahead, yaw = gripper:seat()
+   near('ahead', ahead, 0.003, 1e-4)
+   near('yaw', yaw, math.atan(0.002 / 0.040), 5e-3)
+   -- one reading more, of a block that was drawn ahead
+   finders.left.proximity, finders.right.proximity = gap + 0.012, gap + 0.012
+   gripper:sense()
+   near('slipped', gripper:seat(), 0.012, 1e-9)
+   -- none is carried: what is read now counts
+   machine.magnets.carrying = false
+   gripper:sense()
+   finders.left.proximity, finders.right.proximity = gap, gap
+   near('now', gripper:seat(), 0, 1e-9)
+end)
+
 case('a block is told a code word', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0.05, yaw = 0.2 } }
    local block = run(function() return machine.search:find(dark) end)
