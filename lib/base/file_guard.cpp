@@ -93,6 +93,13 @@ void let_replace(const std::string& path) {
   if (const auto file = file_number(path)) note(&Ledger::replaceable, *file);
 }
 
+void let_rewrite(const std::string& path) {
+  const auto file = file_number(path);
+  Ledger& all = ledger();
+  const std::lock_guard lock(all.mutex);
+  if (file) all.written.erase(*file);
+}
+
 /// Replacing what was read is allowed only where a program has said so, for files that it
 /// rewrites in place or continues.
 bool was_read(const FileNumber& file) {

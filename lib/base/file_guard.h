@@ -37,6 +37,9 @@ void guard_files();
 /// This file may be written over although it is read: it is rewritten in place, or gone on with.
 void let_replace(const std::string& path);
 
+/// What has been written there, if anything, may be written over: the newest of several is kept.
+void let_rewrite(const std::string& path);
+
 /// Has the file that this path leads to been read, and may it not be replaced?
 bool was_read(const std::string& path);
 bool was_read(const FileNumber& file);

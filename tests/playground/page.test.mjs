@@ -265,9 +265,10 @@ for (const [what, text] of [
   });
 }
 
-test('an address of garbage opens the page as one of nothing', async () => {
+test('an address of garbage is called damaged, and the page works', async () => {
   const {page, close} = await start({hash: '#set=%00%ff&agents=1e99&box=<b>&motion=x'});
-  await waitForText(page, '.said', /^staircase:/);
+  await waitForText(page, '.said', /address is damaged/);
+  await choose(page, 'wall');
   await close();
 });
 
@@ -293,5 +294,20 @@ test('on a phone nothing is wider than the screen', async () => {
   const {page, close} = await start({width: 390, height: 780});
   await waitForText(page, '.said', /^staircase:/);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+  await close();
+});
+
+test('a number that makes no sense is refused in words, and nothing is run', async () => {
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  const before = await bricks(page);
+  const seed = page.getByRole('spinbutton', {name: 'seed', exact: true});
+  await seed.fill('-1');
+  await press(page, 'Run');
+  await waitForText(page, '.said', /^seed: '-1' is not a whole number from 0 to /);
+  assert.equal(await bricks(page), before);
+  await seed.fill('2');
+  await press(page, 'Run');
+  await waitForText(page, '.said', /^staircase:/);
   await close();
 });

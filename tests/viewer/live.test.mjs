@@ -182,11 +182,11 @@ const drawnAt = (page, number) => page.evaluate(body => {
   return {p, x: box.left + (place.x + 1) / 2 * box.width, y: box.top + (1 - place.y) / 2 * box.height};
 }, number);
 
-async function drag(page, {x, y}, right) {
+async function drag(page, {x, y}, right, steps = 4) {
   await press(page, 'hand');
   await page.mouse.move(x, y);
   await page.mouse.down();
-  await page.mouse.move(x + right, y, {steps: 4});
+  await page.mouse.move(x + right, y, {steps});
   await page.mouse.up();
 }
 
@@ -203,6 +203,55 @@ test('a block is dragged where the mouse leads it', async () => {
   const now = await drawnAt(page, block);
   assert.ok(Math.hypot(now.p[0] - at.p[0], now.p[1] - at.p[1]) > 0.01, String(now.p));
   assert.ok(Math.abs(now.p[2] - at.p[2]) < 2e-3);
+  await close();
+  assert.equal(await end(), 0);
+});
+
+test('however fast the mouse goes, a block ends where it was let go, and the page says where', async () => {
+  const {address, end} = await serve(['hand.yaml', '--paused']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'paused');
+  const block = await page.evaluate(kBlock);
+  const at = await drawnAt(page, block);
+  await drag(page, at, 120, 30);
+  // As it is drawn, the place that was grasped is below the mouse.
+  await until(page, ([body, x]) => {
+    const {views, viewpoint, stage} = window.stigView;
+    const place = viewpoint.camera.position.clone().fromArray(views[0].run.tracks.at(body, 0).p)
+        .project(viewpoint.camera);
+    const box = stage.canvas.getBoundingClientRect();
+    return Math.abs(box.left + (place.x + 1) / 2 * box.width - x) < 12;
+  }, [block, at.x + 120]);
+  const {p} = await drawnAt(page, block);
+  await until(page, ([x, y]) => {
+    const told = /place\s*([-.\d]+), ([-.\d]+)/.exec(document.querySelector('.panel').innerText);
+    const field = Number(document.querySelector('input[aria-label="x in m"]').value);
+    return told && Math.abs(told[1] - x) < 1e-3 && Math.abs(told[2] - y) < 1e-3 &&
+        Math.abs(field - x) < 2e-3;
+  }, p);
+  // A click alone moves nothing.
+  const before = await page.evaluate(() => window.stigLive.answered);
+  const now = await drawnAt(page, block);
+  await page.mouse.click(now.x, now.y);
+  await page.waitForTimeout(200);
+  assert.equal(await page.evaluate(() => window.stigLive.answered), before);
+  await close();
+  assert.equal(await end(), 0);
+});
+
+test('the newest checkpoint is the one that is kept in the file', async () => {
+  const {address, end} = await serve(['hand.yaml', '--paused', '--checkpoint', 'newest.stigk']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'paused');
+  const file = path.join(folder, 'newest.stigk');
+  await press(page, 'checkpoint');
+  await until(page, () => window.stigLive.now.checkpoints.length === 1);
+  const first = fs.readFileSync(file);
+  await press(page, 'step');
+  await until(page, () => window.stigLive.now.time > 0);
+  await press(page, 'checkpoint');
+  await until(page, () => window.stigLive.now.checkpoints.length === 2);
+  assert.notDeepEqual(fs.readFileSync(file), first);
   await close();
   assert.equal(await end(), 0);
 });

@@ -229,3 +229,16 @@ test('a trace without details shows what it has, and says what it has not', asyn
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   await close();
 });
+
+test('a run that has fewer robots than are followed is shown all the same', async () => {
+  stigc(['view', 'out', 'plain.stigp', '-o', 'both.html']);
+  const {page, close} = await open('both.html', {hash: '#follow=9'});
+  const frames = () => page.evaluate(() => window.stigView.stage.frames);
+  await still(page);
+  assert.ok(await frames() > 0);
+  const before = await frames();
+  await page.keyboard.press('n');
+  await still(page);
+  assert.ok(await frames() > before);
+  await close();
+});

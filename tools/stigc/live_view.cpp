@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/file_guard.h"
 #include "base/file_io.h"
 #include "live/server.h"
 #include "live_input.h"
@@ -22,8 +23,10 @@ std::string live_problem(const ViewOptions& o) {
   return {};
 }
 
+/// The newest checkpoint takes the place of the one before.
 std::string keep(const std::string& path, const std::string& bytes) {
   FileError error;
+  let_rewrite(path);
   return write_file(path, bytes, error) ? std::string() : error.message;
 }
 

@@ -14,6 +14,8 @@ export interface Actions {
   runs: number;
   levels: () => readonly [number, number];
   robots: () => number;
+  /** Bricks that stand, or bodies, of the run on show. */
+  pickable: () => number;
   /** Is the player a part of another page? */
   embedded: boolean;
   link: () => void;
@@ -21,6 +23,7 @@ export interface Actions {
 }
 
 const kTurn = Math.PI / 24;
+const kPan = 0.1;  // of half the picture
 const kZoom = 1.15;
 const kManyEvents = 10;
 const kCutStep = 0.05;
@@ -51,6 +54,7 @@ function timeKeys({state, player}: Actions): KeyAction[] {
 function cameraKeys({state, viewpoint}: Actions): KeyAction[] {
   const turn = (azimuth: number, height: number, zoom = 1) => () =>
     viewpoint.turn(azimuth, height, zoom);
+  const pan = (right: number, up: number) => () => viewpoint.pan(right, up);
   return [
     ...Object.keys(kPresets).map((name, i) => ({
       keys: [String(i + 1)], shown: String(i + 1), does: `look from: ${name}`,
@@ -63,6 +67,10 @@ function cameraKeys({state, viewpoint}: Actions): KeyAction[] {
     {keys: ['e'], shown: 'e', does: 'turn right', run: turn(kTurn, 0)},
     {keys: ['w'], shown: 'w', does: 'turn up', run: turn(0, -kTurn)},
     {keys: ['x'], shown: 'x', does: 'turn down', run: turn(0, kTurn)},
+    {keys: ['A'], shown: 'A', does: 'move left', run: pan(-kPan, 0)},
+    {keys: ['E'], shown: 'E', does: 'move right', run: pan(kPan, 0)},
+    {keys: ['W'], shown: 'W', does: 'move up', run: pan(0, kPan)},
+    {keys: ['X'], shown: 'X', does: 'move down', run: pan(0, -kPan)},
     {keys: ['+', '='], shown: '+', does: 'nearer', run: turn(0, 0, 1 / kZoom)},
     {keys: ['-'], shown: '-', does: 'farther', run: turn(0, 0, kZoom)},
   ];
@@ -92,16 +100,37 @@ function robotKeys({state, robots}: Actions): KeyAction[] {
   ];
 }
 
-function structureKeys({state, levels, runs}: Actions): KeyAction[] {
+/** Which levels are shown, and which brick is picked. */
+function levelKeys({state, levels, pickable}: Actions): KeyAction[] {
   const top = (by: number) => (): void => {
     const [low, high] = levels();
     state.set({high: Math.min(Math.max(Math.min(state.now.high, high) + by, low), high)});
   };
-  const cut = (by: number) => (): void =>
-    state.set({cutAt: Math.min(Math.max(state.now.cutAt + by, 0), 1)});
+  const bottom = (by: number) => (): void => {
+    const [low, high] = levels();
+    state.set({low: Math.min(Math.max(Math.max(state.now.low, low) + by, low), high)});
+  };
+  const pickNext = (by: number) => (): void => {
+    const {picked, run} = state.now;
+    const count = pickable();
+    if (count === 0) return;
+    const from = picked?.run === run ? picked.brick : by > 0 ? -1 : 0;
+    state.set({picked: {run, brick: (from + by + count) % count}});
+  };
   return [
     {keys: ['['], shown: '[', does: 'one level less', run: top(-1)},
     {keys: [']'], shown: ']', does: 'one level more', run: top(1)},
+    {keys: ['('], shown: '(', does: 'show from a level lower', run: bottom(-1)},
+    {keys: [')'], shown: ')', does: 'show from a level higher', run: bottom(1)},
+    {keys: ['N'], shown: 'N', does: 'pick the next brick or body', run: pickNext(1)},
+    {keys: ['B'], shown: 'B', does: 'pick the one before', run: pickNext(-1)},
+  ];
+}
+
+function structureKeys({state, runs}: Actions): KeyAction[] {
+  const cut = (by: number) => (): void =>
+    state.set({cutAt: Math.min(Math.max(state.now.cutAt + by, 0), 1)});
+  return [
     {keys: ['q'], shown: 'q', does: 'cut from one side, the next, none',
      run: () => state.set({cut: next(kCuts, state.now.cut)})},
     {keys: ['{'], shown: '{', does: 'cut less off', run: cut(-kCutStep)},
@@ -130,7 +159,8 @@ export function keyActions(actions: Actions): KeyAction[] {
   const whole = {keys: ['z'], shown: 'z', does: 'the whole window, or a part of the report',
                  run: () => state.set({whole: !state.now.whole})};
   return [
-    ...timeKeys(actions), ...cameraKeys(actions), ...structureKeys(actions), ...robotKeys(actions),
+    ...timeKeys(actions), ...cameraKeys(actions), ...levelKeys(actions),
+    ...structureKeys(actions), ...robotKeys(actions),
     ...actions.embedded ? [whole] : [],
     {keys: ['t'], shown: 't', does: 'light or dark', run: () => actions.switchTheme()},
     {keys: ['k'], shown: 'k', does: 'a link to this view', run: () => actions.link()},

@@ -26,6 +26,7 @@ export class Live implements LiveLink {
   private news: NewBrick[] = [];
   private grown = 0;
   private told = 0;
+  private telling: ReturnType<typeof setTimeout> | undefined;
   private fitted = '';
   private events: Promise<void> = Promise.resolve();
 
@@ -138,10 +139,19 @@ export class Live implements LiveLink {
     // Moved by a hand while it stands still.
     viewer.stage.draw();
     this.bar.show(state);
-    const now = performance.now();
-    if (!stopped && (now - this.told < kTellEvery || viewer.panelInUse)) return;
-    this.told = now;
-    viewer.tellAgain();
+    this.tellSoon(stopped);
+  }
+
+  /** Makes the panel anew: at once, or when it has stood for long enough. */
+  private tellSoon(atOnce: boolean): void {
+    clearTimeout(this.telling);
+    const wait = this.told + kTellEvery - performance.now();
+    if (!atOnce && (wait > 0 || this.viewer.panelInUse)) {
+      this.telling = setTimeout(() => this.tellSoon(false), Math.max(wait, kTellEvery));
+      return;
+    }
+    this.told = performance.now();
+    this.viewer.tellAgain();
   }
 
   private grow(run: Extract<Run, {kind: 'lattice'}>, state: LiveState): void {

@@ -34,6 +34,7 @@ export class LiveBar {
     this.play.classList.add('play');
     this.element = element('footer', {class: 'live'}, this.trouble, this.runRow(),
                            ...live.run.kind === 'poses' ? [this.handRow()] : []);
+    hand.onPlaced = at => this.showPlace(at);
     live.viewer.state.onChange(changed => {
       if (changed.has('picked')) this.showPicked();
     });
@@ -115,7 +116,11 @@ export class LiveBar {
     if (run.kind !== 'poses') return;
     const name = body === undefined ? 'nothing picked' : run.bodies[body].name.split('/')[0];
     this.picked.textContent = name;
-    this.hand.placeOf(body ?? -1)?.forEach((x, i) => this.fields[i].value = x.toFixed(3));
+    this.showPlace(this.hand.placeOf(body ?? -1) ?? []);
+  }
+
+  private showPlace(at: readonly number[]): void {
+    at.forEach((x, i) => this.fields[i].value = x.toFixed(3));
   }
 
   show(state: LiveState): void {

@@ -15,7 +15,11 @@ interface Grasp {
 export class LiveHand {
   /** Does dragging move things, rather than the camera? */
   on = false;
+  /** Told of each place where something was put, m. */
+  onPlaced: (at: readonly number[]) => void = () => undefined;
   private grasp: Grasp | null = null;
+  /** Has it been dragged since it was grasped? A click moves nothing. */
+  private moved = false;
   private next: number[] | null = null;
   private busy = false;
 
@@ -24,8 +28,8 @@ export class LiveHand {
     const first = {capture: true};
     canvas.addEventListener('pointerdown', event => this.take(event), first);
     canvas.addEventListener('pointermove', event => this.drag(event), first);
-    canvas.addEventListener('pointerup', () => this.release(), first);
-    canvas.addEventListener('pointercancel', () => this.release(), first);
+    canvas.addEventListener('pointerup', event => this.release(event), first);
+    canvas.addEventListener('pointercancel', () => this.letGo(), first);
   }
 
   /** Where a block, or a body's robot, is: m. */
@@ -85,6 +89,7 @@ export class LiveHand {
     if (!to) return;
     const [x, y, z] = grasp.from;
     const by = to.sub(grasp.at);
+    this.moved = true;
     this.next = event.shiftKey ? [x, y, z + by.z] : [x + by.x, y + by.y, z];
     void this.send(grasp.body);
   }
@@ -97,11 +102,19 @@ export class LiveHand {
       const at = this.next;
       this.next = null;
       await this.move(body, at);
+      this.onPlaced(at);
     }
     this.busy = false;
   }
 
-  private release(): void {
+  /** Moves that come faster than pictures are left out, all but this last one. */
+  private release(event: PointerEvent): void {
+    if (this.moved) this.drag(event);
+    this.letGo();
+  }
+
+  private letGo(): void {
     this.grasp = null;
+    this.moved = false;
   }
 }

@@ -111,9 +111,10 @@ export class PoseView {
     return this.meshes.findIndex(mesh => mesh !== null && mesh === hit?.object);
   }
 
-  /** Where a robot is. */
+  /** Where a robot is; null: the run has no such robot, or it is not there. */
   placeOf(robot: number, time: number): three.Vector3 | null {
-    const pose = this.run.tracks.at(this.run.robots[robot].bodies[0], time);
+    const body = this.run.robots.at(robot)?.bodies.at(0);
+    const pose = body === undefined ? null : this.run.tracks.at(body, time);
     return pose && new three.Vector3(...pose.p);
   }
 

@@ -158,6 +158,8 @@ function partingOf(a: LatticeRun, b: LatticeRun): number | undefined {
 /** Where two runs part, in words, and the moment; null: they never do. */
 export function partingTextOf(a: Run, b: Run): {text: string; time: number} | null {
   if (a.kind === 'lattice' && b.kind === 'lattice') {
+    // A structure has no rules that placed it, and so no order.
+    if (a.rules.length === 0 || b.rules.length === 0) return null;
     const parting = partingOf(a, b);
     if (parting === undefined) return null;
     const text = ` parts after ${parting} ${parting === 1 ? 'brick' : 'bricks'}`;

@@ -12,7 +12,7 @@ import {PoseView} from './pose_view.js';
 import {choicesOf, hashOf} from './permalink.js';
 import {RobotEyes} from './robot_eyes.js';
 import {Player, type Timeline} from './player.js';
-import {endOf, partingTextOf, type Page, type Run} from './runs.js';
+import {endOf, partingTextOf, type Page, type Run, standing} from './runs.js';
 import {Stage} from './stage.js';
 import {timeBar} from './time_bar.js';
 import {kFirstChoices, ViewState, type Choices} from './view_state.js';
@@ -148,6 +148,7 @@ export class Viewer {
       runs: this.page.runs.length,
       levels: () => this.levels(),
       robots: () => this.robots(),
+      pickable: () => this.pickable(),
       embedded: this.embedded,
       link: () => this.link(),
       switchTheme: () => this.switchTheme(),
@@ -321,6 +322,11 @@ export class Viewer {
     if (at && this.followed) this.viewpoint.shift(at.clone().sub(this.followed));
     else if (at) this.viewpoint.lookAt(at);
     this.followed = at;
+  }
+
+  private pickable(): number {
+    const shown = this.page.runs[this.state.now.run];
+    return shown.kind === 'poses' ? shown.bodies.length : standing(shown, this.state.now.time);
   }
 
   /** Tells about the brick at a place on the page. */

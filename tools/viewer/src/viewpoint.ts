@@ -129,6 +129,17 @@ export class Viewpoint {
     this.place([at.x + from.x, at.y - from.z, at.z + from.y, ...target]);
   }
 
+  /** Moves by keys, in parts of what is seen. */
+  pan(right: number, up: number): void {
+    const [x, y, z, tx, ty, tz] = this.numbers();
+    const reach = tangent() * Math.hypot(x - tx, y - ty, z - tz);
+    const across = new three.Vector3(), above = new three.Vector3();
+    this.camera.updateMatrixWorld();
+    this.camera.matrixWorld.extractBasis(across, above, new three.Vector3());
+    const by = across.multiplyScalar(right * reach).addScaledVector(above, up * reach);
+    this.place([x + by.x, y + by.y, z + by.z, tx + by.x, ty + by.y, tz + by.z]);
+  }
+
   /** Turns to a place, as near as it is worth while to see something there. */
   lookAt(at: three.Vector3): void {
     const numbers = this.numbers();

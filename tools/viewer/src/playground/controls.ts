@@ -2,7 +2,7 @@
 // The bar above the editor: which set, how it is run, and what is done with it.
 import {button, element, select} from '../elements.js';
 import type {NamedText} from './files.js';
-import {kMotions, kNumbers, settingsFrom, unusual, type NumberField, type Settings} from
+import {kMotions, kNumbers, problemOf, settingsFrom, unusual, type NumberField, type Settings} from
   './settings.js';
 
 export interface Deeds {
@@ -103,6 +103,16 @@ export class Controls {
   /** Events have no agents that could move. */
   private suitMotion(): void {
     for (const key of ['agents', 'moves']) this.field(key).disabled = this.motion.value === 'event';
+  }
+
+  /** What is wrong with the fields, a line each; empty: nothing. */
+  get problems(): string {
+    const of = (field: NumberField): string => {
+      const {value, validity, disabled} = this.field(field.key);
+      if (disabled) return '';
+      return validity.badInput ? `${field.key}: this is not a number` : problemOf(field, value);
+    };
+    return kNumbers.map(of).filter(text => text !== '').join('\n');
   }
 
   get settings(): Settings {

@@ -60,8 +60,9 @@ export class Playground {
   async begin(): Promise<void> {
     addEventListener('hashchange', () => this.follow());
     this.schema = await this.engine.ask({do: 'schema'}) as unknown as Schema;
-    if (!this.follow()) this.start(this.shipped.sets.find(one => one.name === 'staircase.yaml') ??
-                                   this.shipped.sets[0]);
+    if (this.follow()) return;
+    this.start(this.shipped.sets.find(one => one.name === 'staircase.yaml') ??
+               this.shipped.sets[0]);
   }
 
   get text(): string {
@@ -122,6 +123,11 @@ export class Playground {
   /** Takes over what the address says; false where it says nothing. */
   private follow(): boolean {
     const shared = sharedOfHash(location.hash);
+    if (shared === 'damaged') {
+      this.say('Link', 'the rule set in this address is damaged: part of the address is missing, ' +
+                       'or it was changed on its way');
+      return true;
+    }
     if (!shared) return false;
     const again = hashOfShared({...shared, text: ''}) !==
         hashOfShared({...this.controls.settings, text: ''});
@@ -163,14 +169,22 @@ export class Playground {
   /** Null when the text has changed since, or when the work was stopped. */
   private async ask(question: Question): Promise<Answer | null> {
     const {version} = this;
+    const {problems} = this.controls;
+    if (problems !== '' && question.do !== 'check') {
+      this.say('Not done', problems);
+      return null;
+    }
     this.controls.busy = true;
     try {
-      const answer = await this.engine.ask({text: this.text, ...question});
+      // half a character stands for none in any file
+      const text = this.text.replaceAll(/\p{Surrogate}/gu, '\ufffd');
+      const answer = await this.engine.ask({text, ...question});
       if (version !== this.version) return null;
       this.answers.set(question.do, answer);
       return answer;
     } catch (error) {
-      if (version === this.version) this.say(question.do, String(error));
+      const problem = error instanceof Error ? error.message : String(error);
+      if (version === this.version) this.say(question.do, problem);
       return null;
     } finally {
       this.controls.busy = this.engine.busy;

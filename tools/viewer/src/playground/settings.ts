@@ -32,10 +32,20 @@ export type Settings = Record<NumberField['key'], number | null> & {
   box: string;
 };
 
-/** What a text says of a field; the usual where it makes no sense. */
-export function numberOf({usual, least, most}: NumberField, text: string | null): number | null {
+function isNumberOf({least, most}: NumberField, text: string): boolean {
   const value = Number(text);
-  return text && Number.isInteger(value) && value >= least && value <= most ? value : usual;
+  return Number.isInteger(value) && value >= least && value <= most;
+}
+
+/** What a text says of a field; the usual where it makes no sense. */
+export function numberOf(field: NumberField, text: string | null): number | null {
+  return text && isNumberOf(field, text) ? Number(text) : field.usual;
+}
+
+/** What is wrong with a field's text; empty: nothing. */
+export function problemOf(field: NumberField, text: string): string {
+  return text === '' || isNumberOf(field, text)
+      ? '' : `${field.key}: '${text}' is not a whole number from ${field.least} to ${field.most}`;
 }
 
 /** Settings from texts by name, wherever these come from. */

@@ -18,8 +18,8 @@ export function hashOfShared({text, ...settings}: Shared): string {
   return `#set=${set}&motion=${settings.motion}${others.join('')}`;
 }
 
-/** What an address says; null where it says nothing, or what makes no sense. */
-export function sharedOfHash(hash: string): Shared | null {
+/** What an address says; null where it says nothing of a rule set. */
+export function sharedOfHash(hash: string): Shared | 'damaged' | null {
   const given = new URLSearchParams(hash.replace(/^#/, ''));
   const set = given.get('set');
   if (!set) return null;
@@ -29,6 +29,6 @@ export function sharedOfHash(hash: string): Shared | null {
                               {out: new Uint8Array(kMost)});
     return {text: strFromU8(bytes), ...settingsFrom(name => given.get(name))};
   } catch {
-    return null;
+    return 'damaged';
   }
 }
