@@ -75,6 +75,17 @@ TEST_CASE("view calls its page as it is told to") {
   CHECK(place.file("page.html").find("<title>Three in a row</title>") != std::string::npos);
 }
 
+TEST_CASE("what is no run is not taken for a structure") {
+  const Workplace place;
+  place.shell("mkdir empty");
+  CHECK(place.stigc({"view", "empty", "-o", "page.html"}).err ==
+        "stigc: there is no trace (.stigp) in the folder 'empty'\n");
+  const Outcome rules = place.stigc({"view", "sets/line.yaml", "-o", "page.html"});
+  CHECK(rules.exit_code == 1);
+  CHECK(rules.err ==
+        "stigc: 'sets/line.yaml' is no run: record one by --trace, or look on with --live\n");
+}
+
 TEST_CASE("a live run waits where it is paused, and leaves ports alone that others have") {
   const Workplace place;
   place.write("line.txt", "1 1 1\n");

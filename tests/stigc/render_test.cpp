@@ -237,21 +237,45 @@ TEST_CASE("LEDs are lit in the palette's colours, those that are off stay grey")
 TEST_CASE("options that make no sense together are refused before any work") {
   const Workplace place;
   make_runs(place);
-  for (const std::string line :
-       {"line.stigt -o a.bmp", "line.stigt -o a.png --from 1", "line.stigt -o a.gif --time 1",
-        "line.stigt -o a.gif --from 2 --to 1", "line.stigt -o a.glb --ghost",
-        "line.stigt -o a.png --camera r", "fall.stigp -o a.svg --camera r", "sheet.txt -o a.gif",
-        "fall.stigp -o a.png --camera r --view top", "line.stigt -o a.png --view side",
-        "line.stigt -o a.png --view 0,0,0", "line.stigt -o a.png --size 10x10",
-        "line.stigt -o a.png --slice w=1..2", "line.stigt -o a.png --slice z=2..1",
-        "line.stigt -o a.png --slice z=..", "line.stigt -o a/ --fps 100000 --speed 0.001",
-        "line.stigt"}) {
+  for (const std::string line : {"line.stigt -o a.bmp",
+                                 "line.stigt -o a.png --from 1",
+                                 "line.stigt -o a.gif --time 1",
+                                 "line.stigt -o a.gif --from 2 --to 1",
+                                 "line.stigt -o a.glb --ghost",
+                                 "line.stigt -o a.png --camera r",
+                                 "fall.stigp -o a.svg --camera r",
+                                 "sheet.txt -o a.gif",
+                                 "fall.stigp -o a.png --camera r --view top",
+                                 "line.stigt -o a.png --view side",
+                                 "line.stigt -o a.png --view 0,0,0",
+                                 "line.stigt -o a.png --size 10x10",
+                                 "line.stigt -o a.png --slice w=1..2",
+                                 "line.stigt -o a.png --slice z=2..1",
+                                 "line.stigt -o a.png --slice z=..",
+                                 "line.stigt -o a.png --slice z=0..1 --slice z=2..3",
+                                 "line.stigt -o frames",
+                                 "line.stigt -o -",
+                                 "sheet.txt -o a.png --time 1",
+                                 "sheet.txt -o a.png --ghost",
+                                 "line.stigt -o a/ --fps 100000 --speed 0.001",
+                                 "line.stigt"}) {
     CAPTURE(line);
     const Outcome outcome = place.shell("stigc render " + line);
     CHECK(outcome.exit_code == 2);
     CHECK(outcome.err.starts_with("stigc: "));
   }
   CHECK(place.stigc({"render", "none.stigp", "-o", "a.png"}).exit_code == 1);
+  CHECK(place.stigc({"render", "line.stigt", "-o", "a.png", "--time", "-1"}).err ==
+        "stigc: --time: '-1' is no moment\ntry 'stigc render --help'\n");
+}
+
+TEST_CASE("of many files that cannot be written some are named, and how many more there are") {
+  const Workplace place;
+  make_runs(place);
+  const Outcome outcome = place.stigc({"render", "line.stigt", "-o", "none/frames/", "--fps", "9"});
+  CHECK(outcome.exit_code == 3);
+  CHECK(std::count(outcome.err.begin(), outcome.err.end(), '\n') == 4);
+  CHECK(outcome.err.find(" more of the same\n") != std::string::npos);
 }
 
 }  // namespace

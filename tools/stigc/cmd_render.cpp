@@ -38,7 +38,9 @@ bool is_trace(const std::string& file) {
 std::string usage_problem(const RenderOptions& o, const std::string& ending) {
   const bool known =
       std::find(kFilmEndings.begin(), kFilmEndings.end(), ending) != kFilmEndings.end();
-  if (!known && !ending.empty()) {
+  std::error_code ignored;
+  const bool folder = o.output.ends_with('/') || std::filesystem::is_directory(o.output, ignored);
+  if (!known && !(ending.empty() && folder)) {
     return fmt::format("'{}' is none of {}, nor a folder with a / at its end", o.output,
                        fmt::join(kFilmEndings, " "));
   }
@@ -52,6 +54,10 @@ std::string usage_problem(const RenderOptions& o, const std::string& ending) {
     const bool seen = o.camera || o.ghost || o.width || o.view.orbit || o.view.azimuth ||
                       o.no_title || o.no_legend;
     if (seen) return "a .glb has no camera, size, words or ghosts: whoever opens it chooses";
+  }
+  for (auto one = o.slices.begin(); one != o.slices.end(); ++one) {
+    const auto same = [one](const Slice& other) { return other.axis == one->axis; };
+    if (std::any_of(o.slices.begin(), one, same)) return "there are two --slice for one axis";
   }
   if (o.camera && (o.width || o.view.azimuth || o.view.orbit || o.ghost || !o.slices.empty() ||
                    o.palette != Palette::file)) {
@@ -67,6 +73,9 @@ std::string kind_problem(const RenderOptions& o, const std::string& ending, cons
   if (o.camera && ending == ".svg") return "what a camera sees are pixels: draw a .png";
   if (!physical && o.camera) return "--camera is of physical runs";
   const bool film_wanted = !is_picture(ending) && ending != ".glb";
+  if (film.time == FilmTime::none && (o.time || o.ghost)) {
+    return "a structure has no time: --time and --ghost are of runs";
+  }
   if (film.time == FilmTime::none && film_wanted && !o.view.orbit) {
     return "a structure has no time to film: add --view orbit, or draw a .png";
   }

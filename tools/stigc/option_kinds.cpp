@@ -13,8 +13,10 @@ CLI::App* command(CLI::App& app, const std::string& name, const std::string& sum
 
 CLI::Option* parsed(CLI::App* app, const std::string& names, const std::string& value,
                     const std::string& doc, std::function<std::string(const std::string&)> parse) {
-  // The long name, if there is one: what messages call the option.
-  const std::string shown = names.substr(names.rfind(',') + 1);
+  // The first long name, if there is one: what messages call the option.
+  const std::size_t at = names.find("--");
+  const std::string shown = at == std::string::npos ? names.substr(names.rfind(',') + 1)
+                                                    : names.substr(at, names.find(',', at) - at);
   return app
       ->add_option_function<std::string>(
           names,

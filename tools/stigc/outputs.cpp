@@ -84,14 +84,19 @@ std::string without_last_slash(std::string path) {
   return path;
 }
 
-/// Complains of everything that is wrong.
-int complain(const std::vector<std::string>& problems, int code, const App& app) {
-  for (const std::string& problem : problems) {
-    if (!problem.empty()) app.complain(printable(problem));
+constexpr std::ptrdiff_t kMostComplaints = 3;  ///< of one kind: a film has thousands of frames
+
+/// Complains of what is wrong.
+int complain(std::vector<std::string> problems, int code, const App& app) {
+  std::erase(problems, "");
+  const auto count = std::ssize(problems);
+  for (std::ptrdiff_t i = 0; i < std::min(count, kMostComplaints); ++i) {
+    app.complain(printable(problems[static_cast<std::size_t>(i)]));
   }
-  const bool good = std::all_of(problems.begin(), problems.end(),
-                                [](const std::string& problem) { return problem.empty(); });
-  return good ? kOk : code;
+  if (count > kMostComplaints) {
+    app.complain(fmt::format("and {} more of the same", count - kMostComplaints));
+  }
+  return count == 0 ? kOk : code;
 }
 
 }  // namespace

@@ -66,6 +66,18 @@ std::vector<std::string> witness_of(const std::string& name) {
   return out;
 }
 
+/// Why there is nothing to see in what is no file of a run or a structure; empty: there may be.
+std::string never_viewed(const std::string& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    return fmt::format("there is no trace (.stigp) in the folder '{}'", path);
+  }
+  if (path.ends_with(".yaml") || path.ends_with(".yml")) {
+    return fmt::format("'{}' is no run: record one by --trace, or look on with --live", path);
+  }
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> viewed_files(const std::vector<std::string>& names) {
@@ -83,6 +95,10 @@ std::vector<std::string> viewed_files(const std::vector<std::string>& names) {
 bool add_file(const std::string& path, const ViewOptions& options, const App& app,
               PageContent& page) {
   if (path.ends_with(".stigt") || path.ends_with(".stigp")) return add_trace(path, app, page);
+  if (const std::string problem = never_viewed(path); !problem.empty()) {
+    app.complain(printable(problem));
+    return false;
+  }
   const auto loaded = read_structure(path, options.lattice, app, options.mesh);
   if (loaded) add_structure(*loaded, file_name(path), page);
   return loaded.has_value();
