@@ -84,7 +84,7 @@ std::string without_last_slash(std::string path) {
   return path;
 }
 
-constexpr std::ptrdiff_t kMostComplaints = 3;  ///< of one kind: a film has thousands of frames
+constexpr std::ptrdiff_t kMostComplaints = 8;  ///< of one kind: a film has thousands of frames
 
 /// Complains of what is wrong.
 int complain(std::vector<std::string> problems, int code, const App& app) {
