@@ -266,7 +266,11 @@ for (const [what, text] of [
 }
 
 test('an address of garbage is called damaged, and the page works', async () => {
-  const {page, close} = await start({hash: '#set=%00%ff&agents=1e99&box=<b>&motion=x'});
+  const {page, close} = await start();
+  await waitForText(page, '.said', /^staircase:/);
+  await page.evaluate(() => {
+    location.hash = '#set=%00%ff&agents=1e99&box=<b>&motion=x';
+  });
   await waitForText(page, '.said', /address is damaged/);
   await choose(page, 'wall');
   await close();
