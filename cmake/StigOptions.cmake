@@ -8,7 +8,8 @@ if(PROJECT_IS_TOP_LEVEL)
   set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
   find_program(STIG_CCACHE ccache DOC "Compiler cache, used when found")
   if(STIG_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-    set(CMAKE_CXX_COMPILER_LAUNCHER ${STIG_CCACHE})
+    # Clones in other folders share the cache: it compares paths below this one as relative.
+    set(CMAKE_CXX_COMPILER_LAUNCHER env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} ${STIG_CCACHE})
   endif()
 endif()
 
@@ -34,6 +35,8 @@ target_compile_options(stig_settings INTERFACE
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict>
   # In a unity build sources are included, so that their own unnamed namespaces look like a header's.
   $<$<AND:$<BOOL:${STIG_UNITY}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
+  # Assertions name files from here: the same bytes from every clone.
+  -fmacro-prefix-map=${PROJECT_SOURCE_DIR}/=
   # The same floating-point results whatever the target processor can fuse.
   -ffp-contract=off)
 
