@@ -24,8 +24,8 @@ INCLUDE = re.compile(r'^#include ["<](.*?)[">]', re.MULTILINE)
 def command_of(entry):
     """The compiler's command without the cache and without output."""
     words = shlex.split(entry["command"])
-    if "ccache" in pathlib.Path(words[0]).name:
-        words = words[1:]
+    cache = [i for i, word in enumerate(words) if pathlib.Path(word).name == "ccache"]
+    words = words[cache[0] + 1:] if cache else words
     kept, skip = [], False
     for word in words:
         if skip or word in ("-MD", "-c"):
