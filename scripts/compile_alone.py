@@ -6,15 +6,18 @@ several sources into one translation unit, where the includes of one serve the n
     scripts/compile_alone.py BUILD [FILE…]
 
 BUILD is a folder configured with -D STIG_UNITY=OFF (nothing need be built in it). Of FILEs,
-only the sources among them are compiled."""
+only the sources among them are compiled. Where there is ccache, what compiled before is not
+compiled again, whichever clone it was in."""
 
 import json
 import os
 import pathlib
 import re
 import shlex
+import shutil
 import subprocess
 import sys
+import tempfile
 from concurrent.futures import ThreadPoolExecutor
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
@@ -22,7 +25,7 @@ INCLUDE = re.compile(r'^#include ["<](.*?)[">]', re.MULTILINE)
 
 
 def command_of(entry):
-    """The compiler's command without the cache and without output."""
+    """The compiler's command, without the cache and what it reads and writes."""
     words = shlex.split(entry["command"])
     cache = [i for i, word in enumerate(words) if pathlib.Path(word).name == "ccache"]
     words = words[cache[0] + 1:] if cache else words
@@ -34,7 +37,7 @@ def command_of(entry):
             skip = True
         else:
             kept.append(word)
-    return kept[:-1] + ["-fsyntax-only", "-Werror"]
+    return kept[:-1] + ["-Werror"]
 
 
 def first_include(source):
@@ -57,13 +60,27 @@ def jobs_of(build):
     for folder, command in commands.items():
         for header in sorted(folder.glob("*.h")):
             if header not in covered and ROOT / "lib" in header.parents:
-                jobs[header] = command + ["-x", "c++", "-include", str(header), os.devnull]
+                jobs[header] = command + ["-include", str(header), "-x", "c++", os.devnull]
     return jobs
+
+
+def run_cached(command, work):
+    """By ccache, which looks at what is read alone and so spares the preprocessor too."""
+    out = os.path.join(work, "out")
+    settings = {"STIG_COMPILER": command[0], "CCACHE_COMPILERTYPE": "gcc", "CCACHE_DEPEND": "1",
+                "CCACHE_COMPILERCHECK": "%compiler% --version", "CCACHE_BASEDIR": str(ROOT)}
+    words = ["ccache", str(ROOT / "scripts/parse.sh"), "-c", "-MD", "-MF", out + ".d", "-o", out + ".o"]
+    return subprocess.run(words + command[1:], cwd=ROOT, env=os.environ | settings,
+                          capture_output=True, text=True)
 
 
 def compiles(job):
     path, command = job
-    run = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    if shutil.which("ccache"):
+        with tempfile.TemporaryDirectory() as work:
+            run = run_cached(command, work)
+    else:
+        run = subprocess.run(command + ["-fsyntax-only"], cwd=ROOT, capture_output=True, text=True)
     if run.returncode != 0:
         sys.stderr.write(f"{path.relative_to(ROOT)} does not compile alone:\n{run.stderr}\n")
     return run.returncode == 0
