@@ -213,6 +213,21 @@ test('a structure without history has no time bar; hexagonal bricks are picked t
   const at = await placeOf(page, 150);
   await page.mouse.click(at.x, at.y);
   assert.equal((await choices(page)).picked.brick, 150);
+  // Its outline is that of a hexagonal prism, about it.
+  const outline = await page.evaluate(() => {
+    const {marker, run} = window.stigView.views[0];
+    const places = [...marker.geometry.getAttribute('position').array];
+    const corners = new Set();
+    for (let i = 0; i < places.length; i += 3) {
+      corners.add(places.slice(i, i + 3).map(x => x.toFixed(3)).join());
+    }
+    const away = [...corners].map(c => Math.hypot(...c.split(',').slice(0, 2)));
+    return {edges: places.length / 6, corners: corners.size, away, visible: marker.visible,
+            off: marker.position.toArray().map((x, i) => x - run.bricks.centres[3 * 150 + i])};
+  });
+  assert.deepEqual([outline.edges, outline.corners, outline.visible], [18, 12, true]);
+  for (const away of outline.away) assert.ok(Math.abs(away - 1.06 / Math.sqrt(3)) < 0.01, away);
+  for (const off of outline.off) assert.ok(Math.abs(off) < 1e-6);
   await close();
 });
 

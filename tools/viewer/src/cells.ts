@@ -74,6 +74,17 @@ export function cellShape(lattice: Lattice): CellShape {
   return lattice === 'cubic' ? kCubic : kHexagonal;
 }
 
+/** The edges of a cell about its centre, a little wider than it: two places an edge. */
+export function outlineOf({faces}: CellShape, wider: number): number[] {
+  return faces.flatMap(({corners, neighbour}) => {
+    // Sides have an upper and an upright edge each; the bottom has the lower ones.
+    if (neighbour[2] > 0) return [];
+    const upright = neighbour[2] === 0;
+    const edges = upright ? [[1, 2], [2, 3]] : corners.map((_, i) => [i, (i + 1) % corners.length]);
+    return edges.flatMap(([a, b]) => [...corners[a], ...corners[b]].map(x => x * wider));
+  });
+}
+
 /** Offsets that make up a neighbourhood's slice, as rows of a drawing; null: no neighbour. */
 export function sliceRows(lattice: Lattice): (readonly [number, number] | null)[][] {
   return [1, 0, -1].map(y => [-1, 0, 1].map(x => {

@@ -2,6 +2,7 @@
 // A lattice run as something to be drawn.
 import * as three from 'three';
 import type {Bounds} from './bricks.js';
+import {cellOutline} from './cell_outline.js';
 import {CoarseFaces, coarseness} from './coarse.js';
 import {brickColours} from './colours.js';
 import {Faces} from './faces.js';
@@ -43,9 +44,8 @@ export class LatticeView {
   readonly target: LatticeRun | null;
   private readonly missing: Faces | null;
   private readonly floor: three.LineSegments | null;
-  private readonly marker = new three.LineSegments(
-      new three.EdgesGeometry(new three.BoxGeometry(1.06, 1.06, 1.06)),
-      new three.LineBasicMaterial({color: 0xff00aa, depthTest: false}));
+  /** About the brick that is picked. */
+  readonly marker: three.LineSegments;
   private readonly coarse = new CoarseFaces();
   private rgb: Uint8Array = new Uint8Array(0);
   /** Colours as they are drawn. */
@@ -63,6 +63,7 @@ export class LatticeView {
     this.ghost = new Faces(run.bricks, 0.16);
     this.visible = new Uint8Array(run.bricks.count);
     this.floor = run.floor ? floorGrid(this.bounds) : null;
+    this.marker = cellOutline(run.bricks.shape, 1.06, 0xff00aa);
     this.marker.renderOrder = 1;
     this.scene.add(this.faces.object, this.ghost.object, this.marker);
     this.scene.add(markObjects(run), this.coarse.object);

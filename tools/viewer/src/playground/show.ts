@@ -2,6 +2,7 @@
 // The 3-D view beside the editor: the viewer itself, with what the module has answered, and the
 // empty cell that was clicked.
 import * as three from 'three';
+import {cellOutline} from '../cell_outline.js';
 import {bytesOfBase64} from '../packed_data.js';
 import {LatticeView} from '../lattice_view.js';
 import {pageOf, standing, type LatticeRun} from '../runs.js';
@@ -89,9 +90,7 @@ export class Show {
 
   private mark(viewer: Viewer, view: LatticeView, at: Triple): void {
     this.marker?.removeFromParent();
-    this.marker = new three.LineSegments(
-        new three.EdgesGeometry(new three.BoxGeometry(1, 1, 1)),
-        new three.LineBasicMaterial({color: 0x2f8f4e, depthTest: false}));
+    this.marker = cellOutline(view.run.bricks.shape, 1, 0x2f8f4e);
     this.marker.renderOrder = 2;
     this.marker.position.set(...view.run.bricks.shape.centre(...at));
     view.scene.add(this.marker);
