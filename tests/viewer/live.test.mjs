@@ -192,6 +192,26 @@ async function drag(page, {x, y}, right, steps = 4) {
 
 const kBlock = () => window.stigView.views[0].run.bodies.findIndex(one => one.block);
 
+test('the camera goes back when a robot drives out of the picture, unless somebody moved it', async () => {
+  const {address, end} = await serve(['hand.yaml', '--paused']);
+  const {page, close} = await openAddress(address);
+  await until(page, () => window.stigLive.now?.mode === 'paused');
+  const put = x => page.evaluate(
+      to => window.stigLive.ask({do: 'move', robot: 0, at: [to, 0, 0.001]}), x);
+  const answer = await put(4);
+  assert.ok(answer.ok, answer.problem);
+  await until(page, () => window.stigView.viewpoint.showsAll &&
+                          window.stigView.viewpoint.camera.position.length() > 5);
+  await page.evaluate(() => window.stigView.viewpoint.turn(0.5, 0, 1));
+  const numbers = () => page.evaluate(() => window.stigView.viewpoint.numbers().map(x => x.toFixed(6)));
+  const before = await numbers();
+  await put(12);
+  await until(page, () => !window.stigView.viewpoint.showsAll);
+  assert.deepEqual(await numbers(), before);
+  await close();
+  await end();
+});
+
 test('a block is dragged where the mouse leads it', async () => {
   const {address, end} = await serve(['hand.yaml', '--paused']);
   const {page, close} = await openAddress(address);

@@ -103,14 +103,20 @@ export class Live implements LiveLink {
   }
 
   private show(run: Run): void {
-    const {viewer} = this;
-    const was = viewer.viewpoint.numbers().join();
-    viewer.replace(0, run);
-    // The camera goes back while it is where it was put by itself.
-    if (this.fitted === '' || was === this.fitted) {
-      viewer.viewpoint.fit();
-      this.fitted = viewer.viewpoint.numbers().join();
-    }
+    const leads = this.leadsCamera;
+    this.viewer.replace(0, run);
+    if (leads) this.fit();
+  }
+
+  /** Is the camera where it was put by itself? */
+  private get leadsCamera(): boolean {
+    return this.fitted === '' || this.viewer.viewpoint.numbers().join() === this.fitted;
+  }
+
+  private fit(): void {
+    const {viewpoint} = this.viewer;
+    viewpoint.fit();
+    this.fitted = viewpoint.numbers().join();
   }
 
   private takeNews(news: unknown[]): void {
@@ -132,6 +138,8 @@ export class Live implements LiveLink {
     if (run.kind === 'poses') {
       showBodies(run, state);
       viewer.measure();
+      // What drives out of the picture is followed, unless somebody has taken the camera.
+      if (this.leadsCamera && !viewer.viewpoint.showsAll) this.fit();
     } else {
       this.grow(run, state);
     }

@@ -84,6 +84,18 @@ export class Viewpoint {
     this.place([...middle.clone().addScaledVector(from, away).toArray(), ...middle.toArray()]);
   }
 
+  /** Is all that `fit` would show in the picture? */
+  get showsAll(): boolean {
+    const {low, high} = this.bounds;
+    this.camera.updateMatrixWorld();
+    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map(
+        i => new three.Vector3(...low.map((x, axis) => i >> axis & 1 ? high[axis] : x)));
+    return corners.every(corner => {
+      const {x, y} = corner.project(this.camera);
+      return Math.max(Math.abs(x), Math.abs(y)) <= 1;
+    });
+  }
+
   /** From a direction, as far as the camera is now. */
   lookFrom(preset: string): void {
     const {target} = this.controls;
