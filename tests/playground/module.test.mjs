@@ -92,10 +92,58 @@ test('structures and traces are files that the program takes for its own', () =>
     made[ending] ??= Buffer.from(ask({do: 'structure', target, ending}).file, 'base64');
     assert.deepEqual(Buffer.from(made[ending]), fs.readFileSync(own), ending);
   }
-  assert.ok(ask({do: 'structure', target, ending: 'svg'}).problem);
+  assert.ok(ask({do: 'structure', target, ending: 'png'}).problem);
   const trace = path.join(folder, 'page.stigt');
   fs.writeFileSync(trace, made.stigt);
   assert.match(stigc(['replay', trace]), /identical/);
+  fs.rmSync(folder, {recursive: true});
+});
+
+/** What an .svg fills, in its order: colour, and corners in units of the page. */
+function filled(svg) {
+  const out = [];
+  for (const [, tag, attributes] of svg.matchAll(/<(path|polygon) ([^>]*)\/>/g)) {
+    const {fill, d, points} = Object.fromEntries(
+        [...attributes.matchAll(/([\w-]+)="([^"]*)"/g)].map(found => found.slice(1)));
+    const style = /fill:([^;]*);/.exec(attributes)?.[1] ?? fill;
+    // Letters are paths with no colour of their own, and the page's lines have none inside.
+    if (!style || style === 'none' || tag === 'path' && !/^M[^CM]*Z/.test(d)) continue;
+    const at = (points ?? /^M([^Z]*)Z/.exec(d)[1]).match(/-?[\d.]+/g).map(Number);
+    const rgb = style.startsWith('#')
+        ? [1, 3, 5].map(i => parseInt(style.slice(i, i + 2), 16))
+        : style.match(/[\d.]+/g).slice(0, 3).map(share => Math.round(share * 2.55));
+    out.push({rgb, at});
+  }
+  // Cairo has shadows, which are groups, before everything else.
+  const isShadow = ({rgb}) => rgb.join() === '32,42,56';
+  return [...out.filter(isShadow), ...out.filter(one => !isShadow(one))];
+}
+
+test('an .svg has the faces that the program draws, where it draws them', () => {
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'stig-playground-'));
+  for (const [name, palette] of [['stepped-pyramid', 'file'], ['staircase', 'okabe-ito'],
+                                 ['tiling', 'tol-bright']]) {
+    const file = `rulesets/${name}.yaml`, own = path.join(folder, 'own.svg');
+    stigc(['explore', file, '--seed', '3', '--palette', palette, '-o', own]);
+    const {files} = ask({do: 'explore', ...named(file), seed: 3});
+    const answer = ask({do: 'structure', ...named(file), palette, ending: 'svg',
+                        target: {name: 'a', text: files.json}});
+    const svg = Buffer.from(answer.file, 'base64').toString();
+    const [page, program] = [filled(svg), filled(fs.readFileSync(own, 'utf8'))];
+    assert.ok(page.length > 20 && page.length === program.length,
+              `${name}: ${page.length} and ${program.length} faces`);
+    // Pages are as wide as their words, which two fonts write differently: faces are told from the
+    // first one, and those of the legend, one brick a colour at the end, from themselves.
+    const legend = svg.match(/×\d/g).length * (name === 'tiling' ? 4 : 3);
+    page.forEach(({rgb, at}, i) => {
+      assert.deepEqual(rgb, program[i].rgb, `${name}: face ${i}`);
+      const from = i < page.length - legend ? 0 : i;
+      at.forEach((x, k) => {
+        const [a, b] = [x - page[from].at[k % 2], program[i].at[k] - program[from].at[k % 2]];
+        assert.ok(Math.abs(a - b) < 0.02, `${name}: face ${i}: ${at} and ${program[i].at}`);
+      });
+    });
+  }
   fs.rmSync(folder, {recursive: true});
 });
 

@@ -169,6 +169,13 @@ test('rules, structure and trace are saved as files of the program', async () =>
                      fs.readFileSync(path.join(folder, `own.${ending}`)), ending);
   }
   assert.match(stigc(['replay', await saved(page, 'stigt', 'stigt')]), /identical/);
+  const svg = fs.readFileSync(await saved(page, 'svg', 'svg'), 'utf8');
+  assert.match(svg, /^<svg [^]*>Three columns of falling height<[^]*<\/svg>\n$/);
+  const root = await page.evaluate(text => {
+    const {documentElement: found} = new DOMParser().parseFromString(text, 'image/svg+xml');
+    return [found.localName, found.querySelectorAll('polygon').length > 20];
+  }, svg);
+  assert.deepEqual(root, ['svg', true]);
   await close();
 });
 

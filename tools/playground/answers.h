@@ -9,7 +9,8 @@
 //   check     {text}                            what is wrong with a rule set
 //   explore   {text, motion, agents, seed, …}   a run, as the viewer shows it, and its files; the
 //                                             options of the program by their names
-//   structure {target, ending}                a structure as another kind of file, in base64
+//   structure {target, ending}                a structure as another kind of file, in base64;
+//                                             an .svg with the title of `text`, in `palette`
 //   explain   {text, at, bricks}                rule by rule, why it fires at a site or why not
 //   verify    {text, effort}                    the verdict, and the runs that show it
 //   compile   {text, robot, block}              what a robot does where, or why it cannot

@@ -20,7 +20,7 @@ export interface Deeds {
 
 const kSaved = [
   {value: 'yaml', text: 'rules (.yaml)'},
-  ...['json', 'vox', 'txt', 'stl', 'ply', 'glb'].map(
+  ...['json', 'vox', 'txt', 'stl', 'ply', 'glb', 'svg'].map(
       ending => ({value: ending, text: `structure (.${ending})`})),
   {value: 'stigt', text: 'trace (.stigt)'},
   {value: 'second', text: 'trace of the other run (.stigt)'},

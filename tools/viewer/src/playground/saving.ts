@@ -71,8 +71,10 @@ export class Saving {
       return;
     }
     const target = {name: 'structure.json', text: this.structure};
+    const text = this.given.text(), palette = this.given.show.viewer?.state.now.palette;
     try {
-      const {file, problem} = await this.given.ask({do: 'structure', target, ending});
+      const {file, problem} = await this.given.ask(
+          {do: 'structure', target, ending, text, palette});
       if (file) save(`${name}.${ending}`, [bytesOfBase64(file)]);
       else this.given.say(problem ?? 'there is no such file of this structure');
     } catch (error) {
