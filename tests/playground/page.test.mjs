@@ -308,6 +308,27 @@ test('on a phone nothing is wider than the screen', async () => {
   await close();
 });
 
+test('the page saves itself with the set in it, and the saved page does so, too', async () => {
+  const first = await start();
+  await choose(first.page, 'stepped-pyramid');
+  await goToEndOf(first.page, 'title:');
+  await first.page.keyboard.type(' é</script><!--');
+  await first.page.locator('input[aria-label=seed]').fill('9');
+  await first.page.locator('input[aria-label=seed]').press('Tab');
+  await waitForText(first.page, '.said', /seed 9/);
+  const text = await first.page.evaluate(() => window.stigPlayground.text);
+  const file = await saved(first.page, 'html', 'html');
+  await first.close();
+  const second = await open(path.basename(file), {width: 1280, height: 800});
+  await waitForText(second.page, '.said', /seed 9/);
+  assert.equal(await second.page.evaluate(() => window.stigPlayground.text), text);
+  assert.equal(await bricks(second.page), 15);
+  const bytes = fs.readFileSync(file);
+  assert.deepEqual(fs.readFileSync(await saved(second.page, 'html', 'html')), bytes);
+  assert.ok(bytes.length < 1.01 * fs.statSync(path.join(folder, 'playground.html')).size + 5000);
+  await second.close();
+});
+
 test('a number that makes no sense is refused in words, and nothing is run', async () => {
   const {page, close} = await start();
   await waitForText(page, '.said', /^staircase:/);

@@ -26,6 +26,7 @@ const kSaved = [
   {value: 'second', text: 'trace of the other run (.stigt)'},
   {value: 'cert', text: 'certificate of the proof'},
   {value: 'png', text: 'picture (.png)'},
+  {value: 'html', text: 'this page with this set (.html)'},
 ];
 
 function numberField({key, title, usual, least, most}: NumberField, onChange: () => void):

@@ -3,6 +3,7 @@
 import {bytesOfBase64, inflated} from '../packed_data.js';
 import {Engine} from './engine.js';
 import {taken, type Shipped} from './files.js';
+import {OwnPage} from './own_page.js';
 import {Playground} from './playground.js';
 
 declare global {
@@ -13,10 +14,12 @@ declare global {
 }
 
 async function begin(root: HTMLElement): Promise<void> {
+  const page = new OwnPage();
   const shipped = JSON.parse(taken('stig-files')) as Shipped;
   const worker = new Blob([taken('stig-worker')], {type: 'text/javascript'});
   const module = await inflated(bytesOfBase64(taken('stig-module')));
-  const playground = new Playground(root, new Engine(URL.createObjectURL(worker), module), shipped);
+  const playground = new Playground(root, new Engine(URL.createObjectURL(worker), module), shipped,
+                                    page);
   window.stigPlayground = playground;
   await playground.begin();
 }

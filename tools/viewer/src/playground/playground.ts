@@ -10,6 +10,7 @@ import {makeEditor, setText} from './editor.js';
 import {Engine} from './engine.js';
 import type {NamedText, Shipped} from './files.js';
 import {showMessages} from './messages.js';
+import type {OwnPage} from './own_page.js';
 import {Saving} from './saving.js';
 import type {Schema} from './schema_path.js';
 import {runOptions} from './settings.js';
@@ -39,7 +40,7 @@ export class Playground {
   private shownSet = '';
 
   constructor(private readonly root: HTMLElement, private readonly engine: Engine,
-              private readonly shipped: Shipped) {
+              private readonly shipped: Shipped, private readonly own: OwnPage) {
     this.said.setAttribute('role', 'status');
     this.controls = new Controls(shipped.sets, this.deeds());
     const text = element('section', {class: 'text'});
@@ -52,6 +53,7 @@ export class Playground {
     this.editor = makeEditor({parent: text, schema: () => this.schema,
                               onChange: () => this.changed(), onRun: () => void this.run(false)});
     this.saving = new Saving({text: () => this.text, show: this.show,
+                              page: () => this.own.with(this.shared),
                               say: words => this.say('Save', words),
                               ask: question => this.engine.ask(question)});
     listen(document, this.keys());
@@ -60,13 +62,18 @@ export class Playground {
   async begin(): Promise<void> {
     addEventListener('hashchange', () => this.follow());
     this.schema = await this.engine.ask({do: 'schema'}) as unknown as Schema;
-    if (this.follow()) return;
+    if (this.follow() || this.follow(this.own.set)) return;
     this.start(this.shipped.sets.find(one => one.name === 'staircase.yaml') ??
                this.shipped.sets[0]);
   }
 
   get text(): string {
     return this.editor.state.doc.toString();
+  }
+
+  /** The set, and how it is run, as in an address. */
+  private get shared(): string {
+    return hashOfShared({text: this.text, ...this.controls.settings});
   }
 
   private deeds(): Deeds {
@@ -120,9 +127,9 @@ export class Playground {
     this.editor.scrollDOM.scrollTop = 0;
   }
 
-  /** Takes over what the address says; false where it says nothing. */
-  private follow(): boolean {
-    const shared = sharedOfHash(location.hash);
+  /** Takes over what the address, or the page itself, says; false where it says nothing. */
+  private follow(said = location.hash): boolean {
+    const shared = sharedOfHash(said);
     if (shared === 'damaged') {
       this.say('Link', 'the rule set in this address is damaged: part of the address is missing, ' +
                        'or it was changed on its way');
@@ -145,7 +152,7 @@ export class Playground {
   }
 
   private keepInAddress(): void {
-    history.replaceState(null, '', hashOfShared({text: this.text, ...this.controls.settings}));
+    history.replaceState(null, '', this.shared);
   }
 
   private changed(): void {

@@ -8,6 +8,8 @@ import type {Show} from './show.js';
 interface Given {
   text: () => string;
   show: Show;
+  /** The page itself, with the set as it is now. */
+  page: () => string[];
   say: (words: string) => void;
   ask: (question: Question) => Promise<Answer>;
 }
@@ -38,6 +40,7 @@ export class Saving {
   async save(what: string): Promise<void> {
     const name = /^name: *"?([\w.-]+)/m.exec(this.given.text())?.[1] ?? 'rules';
     if (what === 'yaml') save(`${name}.yaml`, [this.given.text()]);
+    else if (what === 'html') save(`${name}.html`, this.given.page());
     else if (what === 'stigt') this.saveTrace(`${name}.stigt`, 0, 'there is no run yet');
     else if (what === 'second') this.saveTrace(`${name}-2.stigt`, 1, 'there is one run alone');
     else if (what === 'png') await this.savePicture(`${name}.png`);
