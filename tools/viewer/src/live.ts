@@ -138,8 +138,9 @@ export class Live implements LiveLink {
     if (run.kind === 'poses') {
       showBodies(run, state);
       viewer.measure();
-      // What drives out of the picture is followed, unless somebody has taken the camera.
-      if (this.leadsCamera && !viewer.viewpoint.showsAll) this.fit();
+      // What drives out of the picture is followed, unless somebody has taken the camera, or drags
+      // something over it.
+      if (this.leadsCamera && !this.hand.holds && !viewer.viewpoint.showsAll) this.fit();
     } else {
       this.grow(run, state);
     }

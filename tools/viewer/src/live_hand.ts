@@ -32,6 +32,11 @@ export class LiveHand {
     canvas.addEventListener('pointercancel', () => this.letGo(), first);
   }
 
+  /** Is something being dragged? */
+  get holds(): boolean {
+    return this.grasp !== null;
+  }
+
   /** Where a block, or a body's robot, is: m. */
   placeOf(body: number): readonly number[] | null {
     const {run, now} = this.live;
