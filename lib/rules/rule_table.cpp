@@ -143,7 +143,8 @@ bool RuleTable::visit(const StandingView& view, std::optional<std::size_t> chang
     return true;
   }
   const std::uint64_t* asking =
-      change ? &index.asking[(*change * index.rows + view.code(*change)) * index.words] : nullptr;
+      change ? index.asking.data() + (*change * index.rows + view.code(*change)) * index.words
+             : nullptr;
   for (std::size_t w = 0; w < index.words; ++w) {
     std::uint64_t alive = asking != nullptr ? asking[w] : index.all(w);
     const std::uint32_t known = change ? 1U << *change : 0;
