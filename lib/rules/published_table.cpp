@@ -166,7 +166,6 @@ class TableReader {
       error(word.begin, word.end(), "rules stand before the first step");
     }
     stage_ = std::clamp(*number, 1, kMaxStage);
-    in_stage_ = 0;
   }
 
   void read_row(const std::vector<Word>& words) {
@@ -254,10 +253,11 @@ class TableReader {
   }
 
   void add_rule() {
-    ++in_stage_;
+    // A step may be begun again, and goes on counting then.
+    const int number = ++in_stage_[static_cast<std::size_t>(stage_)];
     rule_.stage = stage_;
-    rule_.name = stage_ > 0 ? fmt::format("step {} rule {}", stage_, in_stage_)
-                            : fmt::format("rule {}", in_stage_);
+    rule_.name = stage_ > 0 ? fmt::format("step {} rule {}", stage_, number)
+                            : fmt::format("rule {}", number);
     set_.rules.push_back(std::move(rule_));
     rule_ = Rule{};
     row_ = 0;
@@ -298,7 +298,8 @@ class TableReader {
   Shape shape_;
   Rule rule_;  ///< being read
   std::size_t row_ = 0, errors_ = 0;
-  int stage_ = 0, in_stage_ = 0, most_brick_ = 0;
+  int stage_ = 0, most_brick_ = 0;
+  std::array<int, kMaxStage + 1> in_stage_{};  ///< rules of each step; of none, 0
   bool stopped_ = false;
 };
 

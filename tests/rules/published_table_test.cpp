@@ -85,6 +85,18 @@ TEST_CASE("comments are kept, and probabilities") {
   CHECK(printed.ends_with("# behind\\x1b\n"));
 }
 
+TEST_CASE("rules of a step that is begun again have names of their own") {
+  const std::string one = "0 0 0 0 0 0 1\n0 0 0 0 0 0\n0 0 0 0 0 0 0\n=> 1\n";
+  Diagnostics diagnostics;
+  const auto rules =
+      read_table("# step 1\n" + one + "# step 2\n" + one + "# step 1\n" + one, {}, diagnostics);
+  REQUIRE(rules.has_value());
+  CHECK(rules->rules[0].name == "step 1 rule 1");
+  CHECK(rules->rules[1].name == "step 2 rule 1");
+  CHECK(rules->rules[2].name == "step 1 rule 2");
+  CHECK(rules->rules[2].stage == 1);
+}
+
 TEST_CASE("what is wrong with a table") {
   CHECK(problems("") == "1:1 there are no rules in this file\n");
   CHECK(problems("# step 1\n\n") == "2:2 there are no rules in this file\n");
