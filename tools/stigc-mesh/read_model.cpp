@@ -11,6 +11,8 @@
 #include <exception>
 #include <fstream>
 #include <new>
+#include <sstream>
+#include <string>
 
 #include "model.h"
 
@@ -21,6 +23,18 @@ namespace {
 using Places = std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Faces = std::vector<std::vector<std::size_t>>;
 
+/// CGAL's reader of .ply puts a property to the last element, whether there is one or not.
+bool properties_have_elements(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string line, keyword;
+  while (std::getline(file, line) && keyword != "element" && keyword != "end_header") {
+    keyword.clear();
+    std::istringstream(line) >> keyword;
+    if (keyword == "property") return false;
+  }
+  return true;
+}
+
 /// By the ending, whatever its case.
 bool read_by_ending(const std::string& path, Places& points, Faces& faces) {
   std::string ending = path.substr(std::min(path.rfind('.'), path.size()));
@@ -28,7 +42,8 @@ bool read_by_ending(const std::string& path, Places& points, Faces& faces) {
   if (ending == ".stl") return CGAL::IO::read_STL(path, points, faces);
   if (ending == ".obj") return CGAL::IO::read_OBJ(path, points, faces);
   if (ending == ".off") return CGAL::IO::read_OFF(path, points, faces);
-  return ending == ".ply" && CGAL::IO::read_PLY(path, points, faces);
+  return ending == ".ply" && properties_have_elements(path) &&
+         CGAL::IO::read_PLY(path, points, faces);
 }
 
 /// Whether every corner that a face names is there.
