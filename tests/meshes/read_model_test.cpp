@@ -12,9 +12,11 @@
 namespace stig::meshes {
 namespace {
 
-std::string problem_of_ply(const std::string& text) {
+constexpr const char* kRefused = "is no .stl, .obj, .off or .ply file that can be read";
+
+std::string problem_of(const std::string& ending, const std::string& text) {
   const auto path = std::filesystem::temp_directory_path() /
-                    ("stig-read-model-" + std::to_string(getpid()) + ".ply");
+                    ("stig-read-model-" + std::to_string(getpid()) + ending);
   std::ofstream(path, std::ios::binary) << text;
   Soup soup;
   std::string problem;
@@ -30,10 +32,24 @@ TEST_CASE("a property of a .ply belongs to an element") {
   const std::string face = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
   const std::string places = "0 0 0\n1 0 0\n0 1 0\n";
   const std::string vertex = "element vertex 3\n";
+  const auto problem_of_ply = [](const std::string& text) { return problem_of(".ply", text); };
   CHECK(problem_of_ply(begin + vertex + corner + face + places + triangle).empty());
-  const std::string refused = "is no .stl, .obj, .off or .ply file that can be read";
-  CHECK(problem_of_ply(begin + corner + vertex + face + places + triangle) == refused);
-  CHECK(problem_of_ply(begin + "comment of nothing\n" + corner + "end_header\n") == refused);
+  CHECK(problem_of_ply(begin + corner + vertex + face + places + triangle) == kRefused);
+  CHECK(problem_of_ply(begin + "comment of nothing\n" + corner + "end_header\n") == kRefused);
+  const std::string many = "element vertex 30000000000\n";
+  CHECK(problem_of_ply(begin + many + corner + face + places + triangle) == kRefused);
+}
+
+TEST_CASE("an .off speaks of no more than it can hold") {
+  const std::string rest = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  CHECK(problem_of(".off", "OFF\n# of something\n3 1 0\n" + rest).empty());
+  CHECK(problem_of(".off", "OFF 3 1 0 # of something\n" + rest).empty());
+  CHECK(problem_of(".off", "OFF\n3 5555555500 0\n" + rest) == kRefused);
+  CHECK(problem_of(".off", "OFF 300000 1 0\n" + rest) == kRefused);
+  const std::string corners = "OFF\n3 1 0\n0 0 0\n-1 0 0\n\n0 -1 0\n";
+  CHECK(problem_of(".off", corners + "3 0 1 2\n").empty());
+  CHECK(problem_of(".off", corners + "3 0 1 -2\n") == kRefused);
+  CHECK(problem_of(".off", corners + "3 0 1 4e40\n") == kRefused);
 }
 
 }  // namespace

@@ -8,11 +8,15 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <new>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "model.h"
 
@@ -23,14 +27,68 @@ namespace {
 using Places = std::vector<CGAL::Exact_predicates_inexact_constructions_kernel::Point_3>;
 using Faces = std::vector<std::vector<std::size_t>>;
 
-/// CGAL's reader of .ply puts a property to the last element, whether there is one or not.
-bool properties_have_elements(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string line, keyword;
-  while (std::getline(file, line) && keyword != "element" && keyword != "end_header") {
+/// CGAL's readers put a property of a .ply to the last element, whether there is one or not, and
+/// make room for as many elements as a header speaks of: each takes a byte of the file at least.
+bool plausible_ply(std::ifstream file, std::uintmax_t bytes) {
+  bool has_element = false;
+  for (std::string line, keyword; std::getline(file, line) && keyword != "end_header";) {
+    std::istringstream words(line);
     keyword.clear();
-    std::istringstream(line) >> keyword;
-    if (keyword == "property") return false;
+    words >> keyword;
+    if (keyword == "property" && !has_element) return false;
+    std::string name;
+    std::uintmax_t count = 0;
+    if (keyword != "element" || !(words >> name >> count)) continue;
+    has_element = true;
+    if (count > bytes) return false;
+  }
+  return true;
+}
+
+/// The numbers of corners, faces and edges stand behind a word such as OFF or STOFF, then a line
+/// for each corner and each face. CGAL makes room for that many, and unsigned numbers of what it
+/// reads.
+class OffLines {
+ public:
+  explicit OffLines(std::uintmax_t bytes) : most_(static_cast<double>(bytes)) {}
+
+  /// Whether the line, without its comment, can be the next.
+  bool take(const std::string& line) {
+    std::istringstream words(line);
+    bool empty = true;
+    for (std::string word; words >> word;) {
+      char* end = nullptr;
+      const double value = std::strtod(word.c_str(), &end);
+      if (end == word.c_str()) continue;
+      empty = false;
+      if (!plausible(value)) return false;
+    }
+    if (!empty && numbers_ > kCounts) ++lines_;
+    if (numbers_ == kCounts) ++numbers_;
+    return true;
+  }
+
+ private:
+  static constexpr int kCounts = 3;
+
+  bool plausible(double value) {
+    if (numbers_ > kCounts) return std::abs(value) < 1e15 && (lines_ < corners_ || value >= 0);
+    if (++numbers_ == 1) corners_ = value;
+    return value >= 0 && value <= most_;
+  }
+
+  double most_;         ///< bytes of the file
+  double corners_ = 0;  ///< that it speaks of
+  int numbers_ = 0;     ///< of the header that were read; one more behind its last line
+  double lines_ = 0;    ///< of corners and faces
+};
+
+bool plausible_off(std::ifstream file, std::uintmax_t bytes) {
+  OffLines lines(bytes);
+  for (std::string line; std::getline(file, line);) {
+    line.resize(std::min(line.find('#'), line.size()));
+    if (line.find("BINARY") != std::string::npos) return true;
+    if (!lines.take(line)) return false;
   }
   return true;
 }
@@ -41,8 +99,12 @@ bool read_by_ending(const std::string& path, Places& points, Faces& faces) {
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (ending == ".stl") return CGAL::IO::read_STL(path, points, faces);
   if (ending == ".obj") return CGAL::IO::read_OBJ(path, points, faces);
-  if (ending == ".off") return CGAL::IO::read_OFF(path, points, faces);
-  return ending == ".ply" && properties_have_elements(path) &&
+  const std::uintmax_t bytes = std::filesystem::file_size(path);
+  std::ifstream file(path, std::ios::binary);
+  if (ending == ".off") {
+    return plausible_off(std::move(file), bytes) && CGAL::IO::read_OFF(path, points, faces);
+  }
+  return ending == ".ply" && plausible_ply(std::move(file), bytes) &&
          CGAL::IO::read_PLY(path, points, faces);
 }
 
