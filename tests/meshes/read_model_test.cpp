@@ -40,6 +40,19 @@ TEST_CASE("a property of a .ply belongs to an element") {
   CHECK(problem_of_ply(begin + many + corner + face + places + triangle) == kRefused);
 }
 
+TEST_CASE("faces have a thousand corners at most") {
+  const auto polygon = [](int corners) {
+    std::string places, face;
+    for (int i = 0; i < corners; ++i) {
+      places += "v " + std::to_string(i) + " " + std::to_string(i * i) + " 0\n";
+      face += " " + std::to_string(i + 1);
+    }
+    return places + "f" + face + "\n";
+  };
+  CHECK(problem_of(".obj", polygon(1000)).empty());
+  CHECK(problem_of(".obj", polygon(1001)) == "has a face with more than 1000 corners");
+}
+
 TEST_CASE("an .off speaks of no more than it can hold") {
   const std::string rest = "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   CHECK(problem_of(".off", "OFF\n# of something\n3 1 0\n" + rest).empty());

@@ -2,6 +2,8 @@
 // Each kind of broken mesh is mended to what was meant, and counted.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include "meshes/shapes.h"
 
 namespace stig::meshes {
@@ -99,6 +101,29 @@ TEST_CASE("boxes that share an edge, where four faces meet, are told apart") {
   const Mended mended = mend(together({box({0, 0, 0}, {1, 1, 1}), box({1, 1, 0}, {2, 2, 1})}));
   REQUIRE(mended.good);
   CHECK(mended.repairs.volume == doctest::Approx(2));
+}
+
+TEST_CASE("faces that are bent, or cross themselves, are cut into triangles") {
+  // A box with one corner pulled out of three of its faces.
+  Soup bent = box({0, 0, 0}, {2, 2, 2});
+  for (Point& p : bent.points) {
+    if (p == Point{2, 2, 2}) p = {3, 2.5, 2.25};
+  }
+  const Mended mended = mend(bent);
+  REQUIRE(mended.good);
+  CHECK(mended.repairs.volume > 8);
+  // A closed solid whose only large face runs through itself.
+  const std::size_t corners = 9;
+  Soup star{{}, {{}}};
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double angle = 2 * 3.14159265358979 * static_cast<double>(4 * i % corners) / corners;
+    star.points.push_back({std::cos(angle), std::sin(angle), 0.1 * static_cast<double>(i % 2)});
+    star.faces[0].push_back(i);
+  }
+  star.points.push_back({0, 0, 1});
+  for (std::size_t i = 0; i < corners; ++i) star.faces.push_back({(i + 1) % corners, i, corners});
+  const Mended through = mend(star);
+  CHECK(through.good == through.problem.empty());
 }
 
 TEST_CASE("what bounds nothing is refused") {

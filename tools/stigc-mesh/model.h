@@ -43,6 +43,7 @@ struct Repairs {
 };
 
 inline constexpr std::size_t kMostFaces = 5'000'000;
+inline constexpr std::size_t kMostFaceCorners = 1000;  ///< of a face
 
 /// Reads .stl, .obj, .off or .ply. False with `problem` set: unreadable, no faces, too many, places
 /// that are not finite.

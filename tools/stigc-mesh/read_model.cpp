@@ -116,6 +116,12 @@ bool has_corners(const Soup& soup) {
   });
 }
 
+/// Whether faces have few enough corners to be cut into triangles.
+bool has_small_faces(const Soup& soup) {
+  return std::all_of(soup.faces.begin(), soup.faces.end(),
+                     [](const auto& face) { return face.size() <= kMostFaceCorners; });
+}
+
 bool is_finite(const Point& p) {
   // Beyond 1e9 a coordinate's last digits would be of the size of parts.
   return std::all_of(p.begin(), p.end(), [](double x) { return std::abs(x) <= 1e9; });
@@ -146,6 +152,8 @@ bool read_model(const std::string& path, Soup& soup, std::string& problem) {
     problem = "has no faces";
   } else if (soup.faces.size() > kMostFaces) {
     problem = "has more than " + std::to_string(kMostFaces) + " faces";
+  } else if (!has_small_faces(soup)) {
+    problem = "has a face with more than " + std::to_string(kMostFaceCorners) + " corners";
   } else if (!has_corners(soup)) {
     problem = "has faces with corners that are not there";
   } else if (!std::all_of(soup.points.begin(), soup.points.end(), is_finite)) {

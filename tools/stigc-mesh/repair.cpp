@@ -51,7 +51,12 @@ bool make_surface(Soup& soup, Surface& surface, Repairs& repairs, std::string& p
   }
   pmp::polygon_soup_to_polygon_mesh(points, soup.faces, surface);
   pmp::stitch_borders(surface);
-  pmp::triangulate_faces(surface);
+  // By way of filling holes, which ends for faces that are bent or cross themselves too: CGAL's
+  // triangulation in their plane need not.
+  if (!pmp::triangulate_faces(surface, CGAL::parameters::use_delaunay_triangulation(false))) {
+    problem = "has a face that cannot be cut into triangles";
+    return false;
+  }
   const std::size_t whole = surface.number_of_faces();
   pmp::remove_degenerate_faces(surface);
   surface.collect_garbage();
