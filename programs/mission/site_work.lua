@@ -10,7 +10,6 @@ local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
 local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
 local PEEK_RIM = 0.05          -- m/s, of that turn: a robot stands across several measurements
-local PEEK_OVER = 0.035        -- m, of the lift, to see over the column ahead
 local PEEK_TIME = 0.6          -- s
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
@@ -251,13 +250,14 @@ function SiteWork:comes_and_goes(point)
    return true
 end
 
--- Whether somebody holds a block near the structure, as a look over the column and to both sides tells.
+-- Whether somebody holds a block near the structure, as a look over the column and to both sides tells: with
+-- the lift at its top, since the picture's upper edge cuts off what another holds as high and as far away.
 function SiteWork:sees_others_work(line)
    local known, returns = self.map.known, self.machine.returns
    local function held()
       return self.placement:held_near(known.x, known.y, known.reach + AT_WORK)
    end
-   self.lift:to(geometry.clamp(self.lift:height() + PEEK_OVER, 0, self.lift:top()))
+   self.lift:to(self.lift:top())
    local busy = self.process:wait_until(held, PEEK_TIME)
    for _, angle in ipairs { -PEEK, PEEK, 0 } do
       local turn = geometry.wrap(line.yaw + angle - self.odometry.pose.yaw)

@@ -397,6 +397,21 @@ case('who is alone looks no more once it knows what to do, others look from ever
    end
 end)
 
+-- Lower, the picture's upper edge cuts off the tags of a block that another holds before an adjoining side.
+case('a robot looks to both sides for others with the lift at its top', function()
+   local machine, fake, run = machine_with {}
+   local work = SiteWork.new(machine, { known = { x = 0.3, y = 0, reach = 0.03 } }, nil, nil, nil, { delay = 30 })
+   local least, most, lowest = 0, 0, math.huge
+   local busy = run(function() return work:sees_others_work { x = 0.3, y = 0, yaw = 0 } end, function()
+      least, most = math.min(least, fake.pose.yaw), math.max(most, fake.pose.yaw)
+      if math.abs(fake.pose.yaw) > 0.1 then lowest = math.min(lowest, fake.robot.lift_system.position) end
+   end)
+   same('nobody', busy, false)
+   same('to both sides', least < -0.7 and most > 0.7, true)
+   near('lift', lowest, machine.lift:top(), 0.001)
+   near('ahead again', fake.pose.yaw, 0, 0.02)
+end)
+
 case('a robot waits longer each time that it meets others, but not for ever', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 32 })
    local random, waited = math.random, {}
