@@ -102,7 +102,8 @@ TEST_CASE("a program in Lua scores, the same on any number of threads") {
   const Outcome one = place.stigc({"search", "plan.yaml", "-o", "one", "--threads", "1"});
   CHECK(one.exit_code == 0);
   CHECK(place.stigc({"search", "plan.yaml", "-o", "two", "--threads", "2"}).out == one.out);
-  for (const Json& find : Json::parse(place.stigc({"archive", "one", "--json"}).out).at("finds")) {
+  const Json archive = Json::parse(place.stigc({"archive", "one", "--json"}).out);
+  for (const Json& find : archive.at("finds")) {
     const Json& values = find.at("objectives");
     CHECK(find.at("score") ==
           values.at("height").get<double>() * 100 + values.at("bricks").get<double>());
