@@ -9,7 +9,6 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -56,12 +55,15 @@ class OffLines {
   bool take(const std::string& line) {
     std::istringstream words(line);
     bool empty = true;
-    for (std::string word; words >> word;) {
-      char* end = nullptr;
-      const double value = std::strtod(word.c_str(), &end);
-      if (end == word.c_str()) continue;
-      empty = false;
-      if (!plausible(value)) return false;
+    std::string other;
+    for (double value = 0; !words.eof();) {
+      if (words >> value) {
+        empty = false;
+        if (!plausible(value)) return false;
+      } else {
+        words.clear();
+        words >> other;
+      }
     }
     if (!empty && numbers_ > kCounts) ++lines_;
     if (numbers_ == kCounts) ++numbers_;
