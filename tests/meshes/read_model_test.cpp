@@ -59,6 +59,7 @@ TEST_CASE("an .off speaks of no more than it can hold") {
   CHECK(problem_of(".off", "OFF 3 1 0 # of something\n" + rest).empty());
   CHECK(problem_of(".off", "OFF\n3 5555555500 0\n" + rest) == kRefused);
   CHECK(problem_of(".off", "OFF 300000 1 0\n" + rest) == kRefused);
+  CHECK(problem_of(".off", "OFF BINARY\n" + std::string(40, '\1')) == kRefused);
   const std::string corners = "OFF\n3 1 0\n0 0 0\n-1 0 0\n\n0 -1 0\n";
   CHECK(problem_of(".off", corners + "3 0 1 2\n").empty());
   CHECK(problem_of(".off", corners + "3 0 1 -2\n") == kRefused);

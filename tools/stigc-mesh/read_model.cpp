@@ -85,11 +85,12 @@ class OffLines {
   double lines_ = 0;    ///< of corners and faces
 };
 
+/// Those of binary numbers, which hardly anybody writes, are not taken.
 bool plausible_off(std::ifstream file, std::uintmax_t bytes) {
   OffLines lines(bytes);
   for (std::string line; std::getline(file, line);) {
     line.resize(std::min(line.find('#'), line.size()));
-    if (line.find("BINARY") != std::string::npos) return true;
+    if (line.find("BINARY") != std::string::npos) return false;
     if (!lines.take(line)) return false;
   }
   return true;
