@@ -63,7 +63,9 @@ TEST_CASE("an .off speaks of no more than it can hold") {
   const std::string corners = "OFF\n3 1 0\n0 0 0\n-1 0 0\n\n0 -1 0\n";
   CHECK(problem_of(".off", corners + "3 0 1 2\n").empty());
   CHECK(problem_of(".off", corners + "3 0 1 -2\n") == kRefused);
+  CHECK(problem_of(".off", corners + "3 0 1 2 255 128 0\n").empty());
   CHECK(problem_of(".off", corners + "3 0 1-2\n") == kRefused);
+  CHECK(problem_of(".off", corners + "300000 0 1 2\n") == kRefused);
   CHECK(problem_of(".off", corners + "3 0 1 4e40\n") == kRefused);
 }
 

@@ -72,9 +72,11 @@ class OffLines {
 
  private:
   static constexpr int kCounts = 3;
+  static constexpr double kMostShade = 255;  ///< of a face's colour, which may stand behind it
 
   bool plausible(double value) {
-    if (numbers_ > kCounts) return std::abs(value) < 1e15 && (lines_ < corners_ || value >= 0);
+    if (numbers_ > kCounts && lines_ < corners_) return true;  // a place
+    if (numbers_ > kCounts) return value >= 0 && value <= std::max(most_, kMostShade);
     if (++numbers_ == 1) corners_ = value;
     return value >= 0 && value <= most_;
   }
