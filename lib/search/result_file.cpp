@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The tables, what goes into them and what comes out. Hashes are text, since SQLite's integers
-// have a sign and other programs' numbers 53 bits.
+// What goes into the tables and what comes out.
 #include "search/result_file.h"
 
 #include <fmt/format.h>
@@ -8,87 +7,14 @@
 #include <cassert>
 #include <charconv>
 #include <cstdlib>
-#include <filesystem>
 
 #include "base/hash.h"
 #include "lattice/loaded_structure.h"
 #include "search/objectives.h"
-#include "search/sqlite_file.h"
+#include "search/result_tables.h"
 
 namespace stig::search {
 namespace {
-
-constexpr const char* kFormat = "3";
-
-std::uint64_t from_hex(const std::string& text) {
-  std::uint64_t value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value, 16);
-  return value;
-}
-
-std::string value_columns(std::string_view after) {
-  std::string columns;
-  for (const Objective& objective : objectives()) {
-    columns += fmt::format(", \"{}\"{}", objective.name, after);
-  }
-  return columns;
-}
-
-std::string schema() {
-  return "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);\n"
-         "CREATE TABLE structures(hash TEXT PRIMARY KEY, times INTEGER NOT NULL, bricks TEXT NOT "
-         "NULL);\n"
-         "CREATE TABLE individuals(id INTEGER PRIMARY KEY, origin TEXT NOT NULL, parent INTEGER, "
-         "other_parent INTEGER, structure TEXT NOT NULL REFERENCES structures(hash), score REAL "
-         "NOT "
-         "NULL, genome TEXT NOT NULL" +
-         value_columns(" REAL NOT NULL") +
-         ");\n"
-         "CREATE INDEX by_structure ON individuals(structure, score DESC, id);\n"
-         "CREATE TABLE batches(evaluated INTEGER PRIMARY KEY, best REAL NOT NULL, mean REAL NOT "
-         "NULL, deviation REAL NOT NULL, structures INTEGER NOT NULL);\n"
-         "CREATE VIEW finds AS SELECT i.*, s.times FROM individuals i JOIN structures s ON "
-         "s.hash = i.structure WHERE i.id = (SELECT id FROM individuals WHERE structure = s.hash "
-         "ORDER BY score DESC, id LIMIT 1);\n"
-         "CREATE VIEW parents AS SELECT id, parent FROM individuals WHERE parent IS NOT NULL "
-         "UNION SELECT id, other_parent FROM individuals WHERE other_parent IS NOT NULL;\n";
-}
-
-std::string meta(SqliteFile& file, const std::string& key) {
-  SqliteStatement ask(file, "SELECT value FROM meta WHERE key = ?");
-  return ask.bind(std::string_view(key)).step() ? ask.text(0) : std::string();
-}
-
-bool has_tables(SqliteFile& file) {
-  SqliteStatement ask(file, "SELECT count(*) FROM sqlite_master");
-  return ask.step() && ask.integer(0) > 0;
-}
-
-void check_format(SqliteFile& file) {
-  SqliteStatement ask(file, "SELECT count(*) FROM sqlite_master WHERE name = 'individuals'");
-  if (!ask.step() || ask.integer(0) == 0) throw SqliteFailure{"it has no results of a search"};
-  if (meta(file, "format") != kFormat) {
-    throw SqliteFailure{"its results are of another version of the program"};
-  }
-}
-
-void create(SqliteFile& file, const SearchPlan& plan) {
-  SqliteTransaction all(file, SqliteTransaction::Use::write);
-  if (has_tables(file)) return;  // another search was first
-  file.run(schema());
-  SqliteStatement put(file, "INSERT INTO meta VALUES(?, ?)");
-  const auto add = [&](std::string_view key, const std::string& value) {
-    put.bind(key).bind(std::string_view(value)).step();
-    put.again();
-  };
-  add("format", kFormat);
-  add("plan", to_hex(plan_hash(plan)));
-  add("name", plan.name);
-  add("method", std::string(to_string(plan.method)));
-  add("seed", std::to_string(plan.seed));
-  add("evaluated", "0");
-  all.commit();
-}
 
 std::string bricks_text(const std::vector<PlacedBrick>& bricks) {
   std::string text = "[";
@@ -122,10 +48,6 @@ std::optional<std::vector<PlacedBrick>> bricks_in(const std::string& text) {
   }
   if (find_problem(bricks)) return std::nullopt;
   return bricks;
-}
-
-std::string find_columns() {
-  return "id, origin, parent, other_parent, score, structure, genome" + value_columns("");
 }
 
 StoredFind find_in(const SqliteStatement& row) {
@@ -183,25 +105,6 @@ void load(SqliteFile& file, FindArchive& archive) {
   }
 }
 
-std::uint64_t evaluated_of(SqliteFile& file) {
-  const std::string text = meta(file, "evaluated");
-  std::uint64_t value = 0;
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
-
-/// Reading must not make a file.
-SqliteFile open_to_read(const std::string& path) {
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(path, ignored))
-    throw SqliteFailure{"there is no such file"};
-  return SqliteFile(path, SqliteFile::Use::read);
-}
-
-std::string about(const std::string& path, const SqliteFailure& failure) {
-  return fmt::format("{}: {}", path, failure.text);
-}
-
 }  // namespace
 
 struct ResultFile::Connection {
@@ -242,7 +145,7 @@ struct ResultFile::Connection {
     move.bind(std::string_view(std::to_string(evaluated))).step();
     if (file.changes() != 1) throw SqliteFailure{"another search has written to it meanwhile"};
     SqliteStatement put(file, "INSERT INTO batches VALUES(?, ?, ?, ?, ?)");
-    put.bind(batch.evaluated).bind(batch.best).bind(batch.mean).bind(batch.deviation);
+    put.bind(batch.until).bind(batch.best).bind(batch.mean).bind(batch.deviation);
     put.bind(std::uint64_t{structures}).step();
   }
 };
@@ -261,9 +164,12 @@ std::optional<ResultFile> ResultFile::go_on(const std::string& path, const Searc
     SqliteFile& file = connection->file;
     if (has_tables(file)) check_format(file);
     file.run("PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL");
-    if (!has_tables(file)) create(file, plan);
+    if (!has_tables(file)) create_tables(file, plan, state.slice);
     if (meta(file, "plan") != to_hex(plan_hash(plan))) {
       throw SqliteFailure{"its results are of another plan"};
+    }
+    if (meta(file, "slice") != slice_text(state.slice)) {
+      throw SqliteFailure{"its results are of another slice of the search"};
     }
     // Another search may be adding a batch: what is counted and what was kept must agree.
     const SqliteTransaction all(file, SqliteTransaction::Use::read);
@@ -281,10 +187,7 @@ bool ResultFile::add(const SearchBatch& batch, const FindArchive& archive, std::
     SqliteTransaction all(connection_->file, SqliteTransaction::Use::write);
     connection_->advance(batch, archive.structures());
     connection_->add_structures(batch, archive);
-    std::string marks;
-    for (std::size_t k = 0; k < 7 + objectives().size(); ++k) marks += k == 0 ? "?" : ", ?";
-    SqliteStatement put(connection_->file,
-                        "INSERT INTO individuals(" + find_columns() + ") VALUES(" + marks + ")");
+    SqliteStatement put(connection_->file, insert_individual());
     for (std::size_t i = batch.first_kept; i < archive.kept().size(); ++i) {
       connection_->add_individual(put, archive.kept()[i]);
     }

@@ -48,6 +48,13 @@ struct SearchPlan {
   std::vector<GridAxis> axes;  ///< two or three under map_elites
 };
 
+/// Every `of`-th batch of a search from the `number`-th on, both from 1: a share for one of so many
+/// processes that know nothing of each other. Only for SearchMethod::random, whose candidates come
+/// from nothing that was found before.
+struct BatchSlice {
+  std::uint64_t number = 1, of = 1;
+};
+
 /// Of all that decides what an evaluation finds: not of the name, nor of the number of evaluations,
 /// so that a search can be made longer.
 std::uint64_t plan_hash(const SearchPlan& plan);

@@ -100,6 +100,13 @@ void set_score(const SearchPlan& settings, const Judges& judges, Individual& out
     out.score += term.weight * out.values[term.objective];
 }
 
+/// The number of the slice's next evaluation, in the whole search.
+std::uint64_t next_id(const SearchPlan& plan, const SearchState& state) {
+  const auto batch = static_cast<std::uint64_t>(plan.batch);
+  const std::uint64_t whole = state.evaluated / batch * state.slice.of + state.slice.number - 1;
+  return whole * batch + state.evaluated % batch;
+}
+
 /// Calls `each(place, screener)` for so many, with a screener for some at a time.
 template <class Each>
 bool in_parts(const SearchPlan& plan, std::size_t count, int threads, Stop stop, const Each& each) {
@@ -168,17 +175,19 @@ Individual evaluate(const SearchPlan& settings, std::uint64_t plan, const FindAr
   return out;
 }
 
-std::uint64_t evaluations_of(const SearchPlan& plan) {
+std::uint64_t evaluations_of(const SearchPlan& plan, const BatchSlice& slice) {
   const auto batch = static_cast<std::uint64_t>(plan.batch);
-  return (plan.evaluations + batch - 1) / batch * batch;
+  const std::uint64_t batches = (plan.evaluations + batch - 1) / batch;
+  // Those from the slice's first on, every so many of them.
+  return batches < slice.number ? 0 : ((batches - slice.number) / slice.of + 1) * batch;
 }
 
 std::vector<Individual> make_batch(const SearchPlan& plan, const SearchState& state,
                                    std::size_t count, int threads, Stop stop) {
-  const std::uint64_t hash = plan_hash(plan);
+  const std::uint64_t hash = plan_hash(plan), first = next_id(plan, state);
   std::vector<Individual> made(count);
   in_parts(plan, count, threads, stop, [&](std::size_t i, Screener& screener) {
-    made[i] = make_candidate(plan, hash, state.archive, state.evaluated + i, screener);
+    made[i] = make_candidate(plan, hash, state.archive, first + i, screener);
   });
   return made;
 }
@@ -196,6 +205,7 @@ SearchBatch take_batch(SearchState& state, std::vector<Individual> made) {
   SearchBatch batch;
   batch.first_kept = state.archive.kept().size();
   batch.best = made.front().score;
+  batch.until = made.back().id + 1;
   double sum = 0, squares = 0;
   for (Individual& one : made) {
     ++batch.built[one.structure];

@@ -31,18 +31,21 @@ void measure_candidate(const SearchPlan& settings, std::uint64_t plan, const Jud
 Individual evaluate(const SearchPlan& settings, std::uint64_t plan, const FindArchive& archive,
                     std::uint64_t id, Screener& screener, const Judges& judges = {});
 
-/// Batches are whole: the number of evaluations, rounded up.
-std::uint64_t evaluations_of(const SearchPlan& plan);
+/// Batches are whole: the number of evaluations in a slice's batches, the last rounded up.
+std::uint64_t evaluations_of(const SearchPlan& plan, const BatchSlice& slice = {});
 
 struct SearchState {
-  explicit SearchState(const SearchPlan& plan) : archive(plan) {}
-  std::uint64_t evaluated = 0;
+  explicit SearchState(const SearchPlan& plan, const BatchSlice& share = {})
+      : slice(share), archive(plan) {}
+  BatchSlice slice;
+  std::uint64_t evaluated = 0;  ///< of the slice
   FindArchive archive;
 };
 
 /// What a batch added.
 struct SearchBatch {
-  std::uint64_t evaluated = 0;                   ///< after it, of the whole search
+  std::uint64_t evaluated = 0;                   ///< after it, of the slice
+  std::uint64_t until = 0;                       ///< its evaluations end before this number
   std::size_t first_kept = 0;                    ///< its individuals stand in kept() from here on
   std::map<std::uint64_t, std::uint64_t> built;  ///< structure -> times, in this batch
   double best = 0, mean = 0, deviation = 0;      ///< of its scores

@@ -32,6 +32,15 @@ void SqliteFile::run(const std::string& sql) {
   }
 }
 
+std::string SqliteFile::bytes() const {
+  sqlite3_int64 size = 0;
+  unsigned char* const bytes = sqlite3_serialize(file_, "main", &size, 0);
+  if (bytes == nullptr) throw SqliteFailure{"there is not memory enough for it"};
+  std::string out(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(size));
+  sqlite3_free(bytes);
+  return out;
+}
+
 int SqliteFile::changes() const { return sqlite3_changes(file_); }
 
 SqliteStatement::SqliteStatement(SqliteFile& file, const std::string& sql) : file_(file.handle()) {
@@ -90,6 +99,13 @@ std::string SqliteStatement::text(int column) const {
   const auto* bytes = static_cast<const char*>(sqlite3_column_blob(it_, column));
   const auto size = static_cast<std::size_t>(sqlite3_column_bytes(it_, column));
   return bytes ? std::string(bytes, size) : std::string();
+}
+
+SqliteStatement& SqliteStatement::bind_row(const SqliteStatement& row, int columns) {
+  for (int column = 0; column < columns; ++column) {
+    checked(sqlite3_bind_value(it_, ++bound_, sqlite3_column_value(row.it_, column)));
+  }
+  return *this;
 }
 
 SqliteTransaction::~SqliteTransaction() {

@@ -22,6 +22,8 @@ struct SqliteFailure {
 
 class SqliteFile {
  public:
+  /// As a path: a file in memory, which goes when it is closed.
+  static constexpr const char* kInMemory = ":memory:";
   enum class Use : std::uint8_t { read, write_or_create };
   SqliteFile(const std::string& path, Use use);
   ~SqliteFile();
@@ -33,6 +35,8 @@ class SqliteFile {
   void run(const std::string& sql);
   /// Rows that the last statement changed.
   int changes() const;
+  /// What the file holds, byte by byte, wherever it is.
+  std::string bytes() const;
 
  private:
   sqlite3* file_ = nullptr;
@@ -59,6 +63,8 @@ class SqliteStatement {
   std::uint64_t integer(int column) const;
   std::optional<std::uint64_t> integer_if_any(int column) const;
   std::string text(int column) const;
+  /// Binds a row's values as they are, numbers or text; a row has `columns` of them.
+  SqliteStatement& bind_row(const SqliteStatement& row, int columns);
 
  private:
   [[noreturn]] void fail() const;

@@ -5,6 +5,7 @@
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -58,6 +59,44 @@ TEST_CASE("one thread, two threads, and a longer plan in two goes find the same"
   CHECK(place.stigc({"search", "short.yaml", "-o", "three"}).exit_code == 0);
   CHECK(place.stigc({"search", "plan.yaml", "-o", "three"}).out == one.out);
   CHECK(one.out.find(content(place, "three")) != std::string::npos);
+}
+
+TEST_CASE("slices that are merged have row by row what the search in one piece has") {
+  const Workplace place;
+  place.write("plan.yaml", plan(640, "random"));
+  REQUIRE(place.stigc({"search", "plan.yaml", "-o", "whole"}).exit_code == 0);
+  for (const std::string part : {"1", "2", "3"}) {
+    const Outcome slice = place.stigc({"search", "plan.yaml", "-o", part, "--slice", part + "/3"});
+    CHECK(slice.exit_code == 0);
+    CHECK(slice.out.find(part == "1" ? "256" : "192") != std::string::npos);  // 4, 3, 3 batches
+  }
+  hold(place, "search-slices",
+       "stigc merge 1 2 -o less; stigc merge 1 2 3 2 -o less; stigc merge whole 2 3 -o less; stigc "
+       "merge 1 plan.yaml 3 -o less; stigc merge 1 2 3 -o 2; stigc merge 1 2 3 -o less -o more; "
+       "stigc "
+       "search plan.yaml -o 1 --slice 2/3; stigc search plan.yaml -o 1; ls less; stigc merge 3 1 2 "
+       "-o merged");
+  CHECK(content(place, "merged") == content(place, "whole"));
+  const std::string tables =
+      "import sqlite3, sys\n"
+      "for table in 'meta', 'structures', 'individuals', 'batches':\n"
+      "  for row in sqlite3.connect(sys.argv[1]).execute(f'SELECT * FROM {table} ORDER BY 1'): "
+      "print(row)\n";
+  place.write("tables.py", tables);
+  const std::string rows = place.shell("python3 tables.py whole").out;
+  CHECK(std::count(rows.begin(), rows.end(), '\n') > 40);
+  CHECK(place.shell("python3 tables.py merged").out == rows);
+  // And it goes on as the whole would.
+  place.write("plan.yaml", plan(896, "random"));
+  place.stigc({"search", "plan.yaml", "-o", "merged"});
+  place.stigc({"search", "plan.yaml", "-o", "whole"});
+  CHECK(content(place, "merged") == content(place, "whole"));
+  place.stigc({"search", "plan.yaml", "-o", "1", "--slice", "1/3"});
+  const Outcome behind = place.stigc({"merge", "1", "2", "3", "-o", "uneven"});
+  CHECK(behind.err.find("evaluations 640 to 703 are in none of these") != std::string::npos);
+  place.write("genetic.yaml", plan(640));
+  CHECK(place.stigc({"search", "genetic.yaml", "-o", "x", "--slice", "1/2"}).exit_code == 1);
+  CHECK_FALSE(place.has("x"));
 }
 
 TEST_CASE("a search that is killed goes on and ends as if it had not been") {

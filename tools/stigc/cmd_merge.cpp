@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// stigc merge: the slices of a study as the one file that the whole study would have written.
-// Slices are in the order of their items, so a line of each is all that has to be in memory.
+// stigc merge: the slices of a study, or of a search, as the one file that the whole would have
+// written. A study's slices are in the order of their items, so a line of each is all that has to
+// be in memory; a search's are joined by SQLite in memory.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -8,7 +9,9 @@
 
 #include "base/file_guard.h"
 #include "commands.h"
+#include "outputs.h"
 #include "report.h"
+#include "search/merge_results.h"
 #include "sweep_tables.h"
 
 namespace stig::cli {
@@ -108,9 +111,28 @@ class Merger {
   bool failed_ = false;
 };
 
+int merge_search(const MergeOptions& options, App& app) {
+  if (options.outputs.size() != 1 || options.json) {
+    app.complain("slices of a search are merged into one file: -o once, and no --json");
+    return kUsage;
+  }
+  // Results are no text that is read, and so not guarded by themselves.
+  std::vector<std::string> files = options.files;
+  files.push_back(options.outputs.front());
+  if (const int code = check_outputs(files, app); code != kOk) return code;
+  std::string error;
+  const auto merged = search::merge_results(options.files, error);
+  if (!merged) {
+    app.complain(printable(error));
+    return kFailed;
+  }
+  return write_output(options.outputs.front(), *merged, app);
+}
+
 }  // namespace
 
 int run(const MergeOptions& options, App& app) {
+  if (search::is_sqlite_file(options.files.front())) return merge_search(options, app);
   Merger merger(options.files, app);
   // Once through before anything is written: are they all there?
   if (!merger.each_record([](std::string_view) { return true; })) return kFailed;

@@ -78,7 +78,7 @@ std::optional<std::vector<search::Individual>> measured_batch(const SearchTask& 
   if (!(workforce().others ? measured_by_others : measured_here)(task, made, threads)) {
     progress.clear();
     app.complain(fmt::format("interrupted after {} of {} evaluations; the same command goes on",
-                             state.evaluated, evaluations_of(plan)));
+                             state.evaluated, evaluations_of(plan, state.slice)));
     code = kRunFailed;
     return std::nullopt;
   }
@@ -95,7 +95,7 @@ std::optional<std::vector<search::Individual>> measured_batch(const SearchTask& 
 int work(const SearchTask& task, search::ResultFile& file, search::SearchState& state, int threads,
          const App& app) {
   Progress progress(app);
-  const std::uint64_t begun = state.evaluated, all = search::evaluations_of(task.plan);
+  const std::uint64_t begun = state.evaluated, all = search::evaluations_of(task.plan, state.slice);
   while (state.evaluated < all) {
     int code = kOk;
     auto made = measured_batch(task, state, threads, progress, app, code);
@@ -123,8 +123,15 @@ int run(const SearchFileOptions& options, App& app) {
     workforce().share({}, options.threads, measuring(*task), {});
     return kOk;
   }
+  if (options.slice.of > 1 && task->plan.method != search::SearchMethod::random) {
+    app.complain(
+        fmt::format("--slice is for the method random alone: under {} candidates are made "
+                    "of what all slices have found",
+                    to_string(task->plan.method)));
+    return kFailed;
+  }
   if (const int code = check_outputs({options.output}, app); code != kOk) return code;
-  search::SearchState state(task->plan);
+  search::SearchState state(task->plan, {options.slice.number, options.slice.of});
   std::string error;
   auto file = search::ResultFile::go_on(options.output, task->plan, state, error);
   if (!file) {

@@ -52,6 +52,19 @@ CLI::Option* files(CLI::App* app, std::vector<std::string>& out, const std::stri
   return app->add_option("FILE", out, doc)->type_name("FILE")->required();
 }
 
+CLI::Option* slice(CLI::App* app, SliceOption& out, const std::string& doc) {
+  return parsed(app, "--slice", "I/N", doc, [&out](const std::string& text) -> std::string {
+    const std::size_t slash = text.find('/');
+    std::int64_t number = 0, of = 0;
+    if (slash == text.npos || !parse_integer(text.substr(0, slash), 1, 1'000'000, number).empty() ||
+        !parse_integer(text.substr(slash + 1), 1, 1'000'000, of).empty() || number > of) {
+      return fmt::format("'{}' is not a slice, as 1/4", text);
+    }
+    out = {static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(of)};
+    return {};
+  });
+}
+
 CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<double>& out,
                      const std::string& doc) {
   return parsed(app, names, "S", doc,

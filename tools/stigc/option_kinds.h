@@ -100,6 +100,9 @@ CLI::Option* seconds(CLI::App* app, const std::string& names, std::optional<doub
 CLI::Option* moment(CLI::App* app, const std::string& names, std::optional<double>& out,
                     const std::string& doc);
 
+/// --slice: one of so many parts of the work.
+CLI::Option* slice(CLI::App* app, SliceOption& out, const std::string& doc);
+
 /// --box, --origin and --periodic; `doc` is that of --box.
 void world(CLI::App* sub, WorldOptions& out, const std::string& doc);
 void lattice(CLI::App* sub, std::optional<Lattice>& out);

@@ -171,7 +171,7 @@ struct ValidateOptions {
   bool json = false;
 };
 
-/// The number-th of so many parts of a study.
+/// The number-th of so many parts of a study or a search.
 struct SliceOption {
   std::uint64_t number = 1, of = 1;
 };
@@ -359,7 +359,8 @@ struct BuildOptions {
 struct SearchFileOptions {
   std::string plan;
   std::string output;  ///< .sqlite
-  int threads = 0;     ///< 0: all cores
+  SliceOption slice;
+  int threads = 0;  ///< 0: all cores
 };
 
 struct ArchiveOptions {

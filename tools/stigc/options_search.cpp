@@ -17,6 +17,8 @@ void add_search(CLI::App& app, SearchFileOptions& o) {
                   "the results, an SQLite file; one of the same plan is gone on with")
       ->type_name("FILE")
       ->required();
+  slice(sub, o.slice,
+        "the I-th of N parts of a plan by the method random; stigc merge joins their results");
   integer(sub, "--threads", o.threads, 0, 4096,
           "threads; 0: all cores (default). The results are the same for any");
 }

@@ -4,22 +4,6 @@
 #include "option_kinds.h"
 
 namespace stig::cli {
-namespace {
-
-/// "2/8": the second of eight.
-std::string parse_slice(const std::string& text, SliceOption& out) {
-  const std::size_t slash = text.find('/');
-  std::int64_t number = 0, of = 0;
-  if (slash == text.npos || !parse_integer(text.substr(0, slash), 1, 1'000'000, number).empty() ||
-      !parse_integer(text.substr(slash + 1), 1, 1'000'000, of).empty() || number > of) {
-    return fmt::format("'{}' is not a slice, as 1/4", text);
-  }
-  out = {static_cast<std::uint64_t>(number), static_cast<std::uint64_t>(of)};
-  return {};
-}
-
-}  // namespace
-
 void add_sweep(CLI::App& app, SweepOptions& o) {
   CLI::App* sub = command(
       app, "sweep", "do a study: one command at every point of a grid of parameters",
@@ -33,8 +17,7 @@ void add_sweep(CLI::App& app, SweepOptions& o) {
            "records: .jsonl, an object a line, or .csv; may be repeated. Beside the first is a "
            "journal until all is done: after an interruption the same command goes on");
   integer(sub, "--run", o.run, 0, kMostCount, "this item alone, on standard output; from 0 on");
-  parsed(sub, "--slice", "I/N", "the I-th of N parts, for as many commands; stigc merge joins them",
-         [&o](const std::string& text) { return parse_slice(text, o.slice); });
+  slice(sub, o.slice, "the I-th of N parts, for as many commands; stigc merge joins them");
   integer(sub, "--threads", o.threads, 0, 4096,
           "items at a time; 0: all cores (default). The results are the same for any");
   sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
@@ -42,12 +25,16 @@ void add_sweep(CLI::App& app, SweepOptions& o) {
 
 void add_merge(CLI::App& app, MergeOptions& o) {
   CLI::App* sub =
-      command(app, "merge", "join the slices of a study",
+      command(app, "merge", "join the slices of a study or of a search",
               "  stigc sweep studies/coral.yaml --slice 1/2 -o part-1.jsonl\n"
               "  stigc sweep studies/coral.yaml --slice 2/2 -o part-2.jsonl\n"
-              "  stigc merge part-1.jsonl part-2.jsonl -o merged.jsonl -o merged.csv\n");
-  files(sub, o.files, "records of all slices (.jsonl)");
-  repeated(sub, "-o,--output", o.outputs, "FILE", "as stigc sweep has it; may be repeated")
+              "  stigc merge part-1.jsonl part-2.jsonl -o merged.jsonl -o merged.csv\n"
+              "  stigc search plans/drawn.yaml --slice 1/2 -o part-1.sqlite\n"
+              "  stigc search plans/drawn.yaml --slice 2/2 -o part-2.sqlite\n"
+              "  stigc merge part-1.sqlite part-2.sqlite -o drawn.sqlite\n");
+  files(sub, o.files, "records of all slices (.jsonl), or results of all slices of a search");
+  repeated(sub, "-o,--output", o.outputs, "FILE",
+           "as stigc sweep has it; may be repeated. Of a search: one file of results")
       ->required();
   sub->add_flag("--json", o.json, "print one JSON object instead of the summary");
 }
