@@ -2,6 +2,9 @@
 #include "search/sqlite_file.h"
 
 #include <sqlite3.h>
+#include <unistd.h>
+
+#include <filesystem>
 
 namespace stig::search {
 namespace {
@@ -9,13 +12,42 @@ namespace {
 /// So long a second writer or a reader is waited for.
 constexpr int kPatienceMs = 10'000;
 
+/// Readers share their state in a file beside the journal. Where no file can be made, and no
+/// journal says that somebody is at work, what is read stays as it is.
+bool is_at_rest(const std::string& path) {
+  std::error_code ignored;
+  const std::string folder = std::filesystem::absolute(path, ignored).parent_path().string();
+  return access(folder.c_str(), W_OK) != 0 && !std::filesystem::exists(path + "-wal", ignored);
+}
+
+/// A name that SQLite takes for one that does not change; bytes that have a meaning in it are
+/// written as numbers.
+std::string unchanging(const std::string& path) {
+  constexpr char kDigits[] = "0123456789ABCDEF";
+  std::error_code ignored;
+  std::string name = "file://";
+  for (const char c : std::filesystem::absolute(path, ignored).string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '%' || c == '?' || c == '#') {
+      name += {'%', kDigits[byte / 16], kDigits[byte % 16]};
+    } else {
+      name += c;
+    }
+  }
+  return name + "?immutable=1";
+}
+
 }  // namespace
 
 SqliteFile::SqliteFile(const std::string& path, Use use) {
   // Who may write takes the journal away when done. Where that is not allowed SQLite opens the file
   // for reading by itself.
-  const int flags = SQLITE_OPEN_READWRITE | (use == Use::read ? 0 : SQLITE_OPEN_CREATE);
-  const int code = sqlite3_open_v2(path.c_str(), &file_, flags, nullptr);
+  const bool at_rest = use == Use::read && is_at_rest(path);
+  const int flags = at_rest            ? SQLITE_OPEN_READONLY | SQLITE_OPEN_URI
+                    : use == Use::read ? SQLITE_OPEN_READWRITE
+                                       : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const std::string name = at_rest ? unchanging(path) : path;
+  const int code = sqlite3_open_v2(name.c_str(), &file_, flags, nullptr);
   if (code != SQLITE_OK) {
     const std::string why = file_ ? sqlite3_errmsg(file_) : sqlite3_errstr(code);
     sqlite3_close(file_);

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: MIT
-# A disk that is full, and one that may only be read, end searches, studies and ensembles with words
-# and status 3; what was done stays, and the same command goes on with it once there is room. The
-# disk is a tmpfs in a mount namespace of its own. Exits with 77 where there can be none.
+# A disk that is full, and one that may only be read, end searches, studies, ensembles and
+# validations with words and status 3; what was done stays, and the same command goes on with it once
+# there is room. The disk is a tmpfs in a mount namespace of its own. Exits with 77 where there can
+# be none.
 #
 #     full_disk_test.sh STIGC SOURCES
 set -euo pipefail
@@ -87,6 +88,23 @@ for work_of in study ensemble; do
   cmp whole.jsonl disk/some.jsonl
 done
 
+# A validation keeps the runs that are over, and its files are as those of one that had room.
+validation() {
+  "$stigc" validate "$sources/rulesets/staircase.yaml" --runs 3 --duration 4 -o "$1"
+}
+rm -rf disk/*
+resize 150k
+refused 'disk/runs.*No space left' validation disk/runs
+grep -q 'the same command goes on' error.txt || fail 'not said that runs are kept'
+[[ ! -e disk/runs/report.html ]] || fail 'half a report'
+resize 16m
+code=0
+validation disk/runs >/dev/null 2>&1 || code=$?
+[[ $code -eq 1 ]] || fail "validation: status $code"  # in four seconds nothing is built
+validation room >/dev/null 2>&1 || true
+diff -r room disk/runs || fail 'not the same files'
+rm -rf disk/runs room
+
 # What may only be read is refused before the work, and still read.
 rm -f disk/some.jsonl
 "$stigc" search plan.yaml -q -o disk/found >/dev/null
@@ -95,5 +113,6 @@ mount -o remount,ro disk
 refused 'disk/found.*Read-only' "$stigc" search more.yaml -q -o disk/found
 refused 'disk/some.jsonl.*Read-only' study disk/some.jsonl
 refused 'disk/some.jsonl.*Read-only' ensemble disk/some.jsonl
+refused 'disk/runs.*Read-only' validation disk/runs
 [[ $(evaluated disk/found) -eq 1280 ]] || fail 'a file that may only be read is not read'
 printf 'nothing lost\n'
