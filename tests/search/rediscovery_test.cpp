@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Known rule sets found again from random starts, as the shipped plans say, in fewer evaluations.
+// Rule sets for known shapes and for a new one, found from random starts as the shipped plans say,
+// in fewer evaluations.
 #include <doctest/doctest.h>
 
 #include "search/objectives.h"
@@ -45,6 +46,13 @@ TEST_CASE("a coordinated rule set for the staircase's shape is found again") {
   CHECK(best.distance == 0);
   CHECK(best.coordinated == 1);
   CHECK(best.bricks == 6);
+}
+
+TEST_CASE("a coordinated rule set is found for a new shape, a cross with a tower on each arm") {
+  const Best best = best_of("plans/towers.yaml", 2560);
+  CHECK(best.distance == 0);
+  CHECK(best.coordinated == 1);
+  CHECK(best.bricks == 17);
 }
 
 }  // namespace stig
