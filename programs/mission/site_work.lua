@@ -251,7 +251,8 @@ function SiteWork:comes_and_goes(point)
 end
 
 -- Whether somebody holds a block near the structure, as a look over the column and to both sides tells: with
--- the lift at its top, since the picture's upper edge cuts off what another holds as high and as far away.
+-- the lift at its top, since the picture's upper edge cuts off what another holds as high and as far away. What
+-- is seen on the way counts at once: by the end of a slow turn it would be long ago.
 function SiteWork:sees_others_work(line)
    local known, returns = self.map.known, self.machine.returns
    local function held()
@@ -262,7 +263,7 @@ function SiteWork:sees_others_work(line)
    for _, angle in ipairs { -PEEK, PEEK, 0 } do
       local turn = geometry.wrap(line.yaw + angle - self.odometry.pose.yaw)
       if not busy and not returns:sweeps(turn, self.lift:height()) then
-         self.path:turn_to(line.yaw + angle, PEEK_RIM)
+         self.path:turn_to(line.yaw + angle, PEEK_RIM, held)
       end
       busy = busy or held()
    end

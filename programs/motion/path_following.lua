@@ -47,15 +47,15 @@ function PathFollower:speed_for(left, now, most)
    return profile.speed(left, now, most, self.odometry.period, self.description.drive.acceleration)
 end
 
--- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims. Whether it faces
--- there.
-function PathFollower:turn_to(yaw, rim)
+-- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow.
+-- Whether it faces there.
+function PathFollower:turn_to(yaw, rim, each)
    local odometry, radius = self.odometry, self.description.drive.track / 2
    local start = odometry.time
    while odometry.time - start < LONGEST_TURN do
       local left = geometry.wrap(yaw - odometry.pose.yaw) * radius
       local now = (odometry.right - odometry.left) / 2
-      if math.abs(left) < 1e-5 and math.abs(now) < AT_REST then break end
+      if (math.abs(left) < 1e-5 and math.abs(now) < AT_REST) or (each and each()) then break end
       local speed = self:speed_for(left, now, rim or TURN_RIM)
       self:drive_rims(-speed, speed)
       coroutine.yield()

@@ -412,6 +412,25 @@ case('a robot looks to both sides for others with the lift at its top', function
    near('ahead again', fake.pose.yaw, 0, 0.02)
 end)
 
+case('what another holds counts as soon as it is seen in a turn aside', function()
+   local machine, fake, run = machine_with {}
+   local work = SiteWork.new(machine, { known = { x = 0.3, y = 0, reach = 0.03 } }, nil, nil, nil, { delay = 30 })
+   local furthest, seen = 0, false
+   local busy = run(function() return work:sees_others_work { x = 0.3, y = 0, yaw = 0 } end, function()
+      furthest = math.max(furthest, math.abs(fake.pose.yaw))
+      if fake.pose.yaw < -0.4 and not seen then
+         seen = true
+         table.insert(machine.tracker.tracks, {
+            id = 1, x = 0.3, y = 0.1, z = 0.138, yaw = 0, turned = 0, colour = 4, seen = 9, missed = 0,
+            time = machine.odometry.time, top_time = 0, variance = 1e-6,
+         })
+      end
+   end)
+   same('somebody', busy, true)
+   same('at once', furthest > 0.4 and furthest < 0.6, true)
+   near('ahead again', fake.pose.yaw, 0, 0.02)
+end)
+
 case('a robot waits longer each time that it meets others, but not for ever', function()
    local builder = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 32 })
    local random, waited = math.random, {}
