@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ensembles of explore: nothing that is done is lost, however the program ends.
 #include <doctest/doctest.h>
+#include <signal.h>
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -32,14 +33,20 @@ TEST_CASE("an ensemble that is killed again and again ends in the bytes of one t
 
 TEST_CASE("an interrupted ensemble says how it goes on, and its records are whole") {
   const Workplace place;
-  // A second's worth for one thread, that ends within a tenth of it.
-  const Outcome outcome = place.shell("timeout -s INT 0.2 " + std::string(STIGC_PROGRAM) +
-                                      kEnsemble.substr(5) + "--threads 1 -o some.jsonl");
+  const pid_t ensemble =
+      place.start({"explore", "sets/corner.yaml", "--agents", "1", "--box", "60,60,60", "--steps",
+                   "200000", "--runs", "600", "--threads", "1", "-o", "some.jsonl"});
+  Workplace::let_work(ensemble);
+  ::kill(ensemble, SIGINT);
+  const Outcome outcome = place.finish(ensemble);
   if (outcome.exit_code == 0) return;  // a machine that was done by then
   CHECK(outcome.err.find("the same command goes on") != std::string::npos);
-  const Outcome again = place.shell(kEnsemble + "-o some.jsonl");
+  CHECK(outcome.exit_code == 3);
+  const Outcome again = place.shell(
+      "stigc explore sets/corner.yaml --agents 1 --box 60,60,60 --steps 200000 --runs 600 "
+      "-o some.jsonl");
   CHECK(again.exit_code == 0);
-  CHECK(place.shell("wc -l < some.jsonl").out == "60\n");
+  CHECK(place.shell("wc -l < some.jsonl").out == "600\n");
 }
 
 TEST_CASE("a run of an ensemble can be run alone") {
