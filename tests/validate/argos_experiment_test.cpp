@@ -82,6 +82,34 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("robots are bound to the sides that validate binds them to") {
+  const CompiledSet set("stepped-pyramid");
+  for (const int robots : {1, 2, 4, 6}) {
+    CAPTURE(robots);
+    SetUpRequest request;
+    request.robots = robots;
+    const std::string xml = argos_experiment(set.rules, set.compiled, request, {"r", "b"});
+    const SetUpLayout layout = lay_out(set.rules, set.compiled, request);
+    const std::vector<Element> elements = entities(xml, "builderbot");
+    REQUIRE(elements.size() == layout.robots.size());
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const std::string& text = elements[i].text;
+      const std::size_t name = text.find("config=\"") + 8;
+      const std::size_t at =
+          xml.find("<lua_controller id=\"" + text.substr(name, text.find('"', name) - name) + "\"");
+      REQUIRE(at != std::string::npos);
+      std::string wanted = "side=\"" + std::string(to_string(layout.robots[i].side)) + '"';
+      for (const ApproachSide side : layout.robots[i].bound) {
+        wanted += (side == layout.robots[i].bound.front() ? " sides=\"" : " ") +
+                  std::string(to_string(side));
+      }
+      wanted += layout.robots[i].bound.empty() ? "/>" : "\"/>";
+      const std::size_t params = xml.find("<params", at), end = xml.find("/>", params) + 2;
+      CHECK(xml.substr(params, end - params) == "<params script=\"r\" " + wanted);
+    }
+  }
+}
+
 TEST_CASE("names of scripts stay in their attributes") {
   const CompiledSet set("staircase");
   const std::string xml =
