@@ -5,7 +5,8 @@
 ARGoS is no part of this project: the program is a user's own. Nothing of the controllers is changed. For
 the sake of measuring, each block's copy of the experiment also has a positioning sensor, and its program
 writes into the log where the block is; the structure's own lattice begins at the first block that does
-not move.
+not move. With --beside the same rule set is also built by the same robots in `stigc validate`, as many times,
+and a second table sets the two worlds side by side.
 """
 import argparse
 import concurrent.futures
@@ -15,6 +16,7 @@ import os
 import pathlib
 import random
 import re
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -58,6 +60,8 @@ def arguments():
     parser.add_argument("--shift", type=float, default=10, help="robots begin up to so many mm off (10)")
     parser.add_argument("--turn", type=float, default=5, help="and up to so many degrees (5)")
     parser.add_argument("--length", type=float, help="seconds of each run, other than the experiment has")
+    parser.add_argument("--beside", metavar="ROBOT",
+                        help="also build with this robot in stigc validate, and compare: robots/builderbot.yaml")
     parser.add_argument("--jobs", type=int, default=os.cpu_count(), help="runs at a time (as many as cores)")
     parser.add_argument("--keep", help="a folder for the experiments and their logs")
     return parser.parse_args()
@@ -149,20 +153,29 @@ def samples(log):
 
 
 def judge(blocks, origin, wanted):
-    """Cells that hold what is wanted there, the largest distance of such from its cell in mm, and other
-    blocks that are less than one and a half of their width from a cell of the structure."""
-    right, worst, wrong = set(), 0, 0
+    """The distance from its cell in mm of each brick that is as wanted, by cell, and how many other blocks are
+    less than one and a half of their width from a cell of the structure."""
+    right, wrong = {}, 0
     for x, y, z, turn, tilt, quadrant in blocks:
         off = [(p - o) / SIDE for p, o in zip((x, y, z), origin)]
         cell = tuple(round(c) for c in off)
         away = SIDE * math.dist(off, cell)
         askew = max(abs((turn + 45) % 90 - 45), tilt)
         if wanted.get(cell) == quadrant and away <= LOOSE and askew <= LOOSE_TURN:
-            right.add(cell)
-            worst = max(worst, away * 1000)
+            right[cell] = away * 1000
         elif any(math.dist(off, other) < 1.5 for other in wanted):
             wrong += 1
-    return right, worst, wrong
+    return right, wrong
+
+
+def placements(times, origin, wanted, start):
+    """When the structure's bricks came, but for those of the start: for each that is as wanted at the end,
+    the time in s since when it is so."""
+    since = {}
+    for time in sorted(times):
+        right = judge(times[time], origin, wanted)[0]
+        since = {cell: since.get(cell, time) for cell in right}
+    return sorted(time for cell, time in since.items() if cell not in start)
 
 
 def one_run(seed, experiment, wanted, start, options, folder):
@@ -174,13 +187,68 @@ def one_run(seed, experiment, wanted, start, options, folder):
     times = samples(done.stdout + done.stderr)
     if done.returncode != 0 or not times:
         return {"seed": seed, "problem": f"argos3 ended with {done.returncode}, see {own / 'log'}"}
-    right, worst, wrong = judge(times[max(times)], origin, wanted)
-    complete = None
-    for time in sorted(times, reverse=True):
-        if len(judge(times[time], origin, wanted)[0]) < len(wanted):
-            break
-        complete = time
-    return {"seed": seed, "bricks": len(right), "mm": worst, "wrong": wrong, "time": complete}
+    return {"seed": seed, **run_of(times, origin, wanted, start)}
+
+
+def run_of(times, origin, wanted, start):
+    """What came of a run: until it was complete for the first time, where `stigc validate` ends, and whether
+    it is so at its end."""
+    end = max(times)
+    complete = [time for time in times if len(judge(times[time], origin, wanted)[0]) == len(wanted)]
+    until = min(complete, default=end)
+    right = judge(times[until], origin, wanted)[0]
+    last, wrong = judge(times[end], origin, wanted)
+    seen = {time: blocks for time, blocks in times.items() if time <= until}
+    return {"complete": bool(complete), "placed": placements(seen, origin, wanted, start),
+            "off": [away for cell, away in right.items() if cell not in start],
+            "bricks": len(last), "wrong": wrong, "stands": len(last) == len(wanted) and wrong == 0}
+
+
+def validated(options):
+    """The runs of `stigc validate` that are compared, in the form of one_run's."""
+    command = [options.stigc, "validate", options.rules, "--robot", options.beside, "--runs", str(options.runs),
+               "--seed", str(options.seed), "--json", "--quiet"]
+    if options.robots:
+        command += ["--robots", str(options.robots)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode not in (0, 1):  # 1: some run was not complete, which the table says
+        sys.exit(f"argos_check: {done.stderr}")
+    rows = []
+    for trial in json.loads(done.stdout)["runs"]:
+        placed = {}
+        for event in trial["events"]:
+            placed.pop(tuple(event["cell"]), None)
+            if event["what"] == "placed":
+                placed[tuple(event["cell"])] = event["time"]
+        own = [brick for brick in trial["bricks"] if brick["there"] and not brick["start"]]
+        good = [brick for brick in own if brick["shows"] == brick["brick"] and abs(brick["yaw_degrees"]) <= LOOSE_TURN
+                and math.hypot(*brick["off_mm"]) <= LOOSE * 1000]
+        rows.append({"complete": trial["verdict"] == "complete", "stands": trial["verdict"] == "complete",
+                     "placed": sorted(placed.get(tuple(brick["cell"]), trial["time"]) for brick in good),
+                     "off": [math.hypot(*brick["off_mm"]) for brick in good],
+                     "wrong": len(own) - len(good) + len(trial["extra"])})
+    return rows
+
+
+def middle(values, form):
+    return form.format(statistics.median(values)) if values else ""
+
+
+def side_by_side(worlds, bricks):
+    """Prints what was built in each world: {name: rows}, and when its bricks came."""
+    def row(name, of):
+        print(f"| {name} | " + " | ".join(of(rows) for rows in worlds.values()) + " |")
+
+    print("\n| | " + " | ".join(worlds) + " |\n|---|" + "---:|" * len(worlds))
+    row("complete", lambda rows: f"{sum(one['complete'] for one in rows)} of {len(rows)}")
+    row("and so at the end of the run", lambda rows: str(sum(one["stands"] for one in rows)))
+    row("bricks placed", lambda rows: f"{sum(len(one['off']) for one in rows)} of {bricks * len(rows)}")
+    row("other bricks at the structure in the end", lambda rows: str(sum(one["wrong"] for one in rows)))
+    row("off their cells, median, mm", lambda rows: middle([mm for one in rows for mm in one["off"]], "{:.2f}"))
+    row("the worst, mm", lambda rows: f"{max((mm for one in rows for mm in one['off']), default=0):.2f}")
+    for k in range(bricks):
+        row(f"brick {k + 1} after, median, s",
+            lambda rows: middle([one["placed"][k] for one in rows if len(one["placed"]) > k], "{:.0f}"))
 
 
 def main():
@@ -194,7 +262,7 @@ def main():
         except (subprocess.CalledProcessError, FileNotFoundError) as problem:
             sys.exit(f"argos_check: {getattr(problem, 'stderr', None) or problem}")
         print("| seed | bricks | after/s | mm | wrong | |\n|---:|---:|---:|---:|---:|---|", flush=True)
-        complete, after = 0, []
+        rows = []
         with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
             work = [pool.submit(one_run, options.seed + i, experiment, wanted, start, options, folder)
                     for i in range(options.runs)]
@@ -203,14 +271,18 @@ def main():
                 if "problem" in row:
                     print(f"| {row['seed']} | | | | | {row['problem']} |", flush=True)
                     continue
-                whole = row["bricks"] == len(wanted) and row["wrong"] == 0
-                complete += whole
-                after += [row["time"]] if whole else []
-                print(f"| {row['seed']} | {row['bricks']} of {len(wanted)} | {row['time'] or ''} | {row['mm']:.2f} | "
-                      f"{row['wrong']} | {'complete' if whole else 'incomplete'} |", flush=True)
+                rows.append(row)
+                last = row["placed"][-1] if row["complete"] else ""
+                verdict = "complete" if row["stands"] else "lost again" if row["complete"] else "incomplete"
+                print(f"| {row['seed']} | {row['bricks']} of {len(wanted)} | {last} | "
+                      f"{max(row['off'], default=0):.2f} | {row['wrong']} | "
+                      f"{verdict} |", flush=True)
+        after = [row["placed"][-1] for row in rows if row["stands"]]
         mean = f"; the last brick after {sum(after) / len(after):.0f} s on average" if after else ""
-        print(f"\ncomplete in {complete} of {options.runs}{mean}")
-    return 0 if complete == options.runs else 1
+        print(f"\ncomplete in {len(after)} of {options.runs}{mean}", flush=True)
+        if options.beside:
+            side_by_side({"ARGoS 3": rows, "stigc validate": validated(options)}, len(wanted) - len(start))
+    return 0 if len(after) == options.runs else 1
 
 
 if __name__ == "__main__":
