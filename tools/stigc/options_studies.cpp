@@ -24,14 +24,13 @@ void add_sweep(CLI::App& app, SweepOptions& o) {
 }
 
 void add_merge(CLI::App& app, MergeOptions& o) {
-  CLI::App* sub =
-      command(app, "merge", "join the slices of a study or of a search",
-              "  stigc sweep studies/coral.yaml --slice 1/2 -o part-1.jsonl\n"
-              "  stigc sweep studies/coral.yaml --slice 2/2 -o part-2.jsonl\n"
-              "  stigc merge part-1.jsonl part-2.jsonl -o merged.jsonl -o merged.csv\n"
-              "  stigc search plans/drawn.yaml --slice 1/2 -o part-1.sqlite\n"
-              "  stigc search plans/drawn.yaml --slice 2/2 -o part-2.sqlite\n"
-              "  stigc merge part-1.sqlite part-2.sqlite -o drawn.sqlite\n");
+  CLI::App* sub = command(app, "merge", "join the slices of a study or of a search",
+                          "  stigc sweep studies/coral.yaml --slice 1/2 -o part-1.jsonl\n"
+                          "  stigc sweep studies/coral.yaml --slice 2/2 -o part-2.jsonl\n"
+                          "  stigc merge part-1.jsonl part-2.jsonl -o merged.jsonl -o merged.csv\n"
+                          "  stigc search plans/drawn.yaml --slice 1/2 -o part-1.sqlite\n"
+                          "  stigc search plans/drawn.yaml --slice 2/2 -o part-2.sqlite\n"
+                          "  stigc merge part-1.sqlite part-2.sqlite -o drawn.sqlite\n");
   files(sub, o.files, "records of all slices (.jsonl), or results of all slices of a search");
   repeated(sub, "-o,--output", o.outputs, "FILE",
            "as stigc sweep has it; may be repeated. Of a search: one file of results")
