@@ -28,11 +28,6 @@ BatchSlice slice_in(const std::string& text) {
   return slice;
 }
 
-/// What all slices have to agree in, with the number of parts.
-std::string identity_of(SqliteFile& file, const BatchSlice& slice) {
-  return fmt::format("{} of {}", meta(file, "plan"), slice.of);
-}
-
 class Merger {
  public:
   Merger() : out_(SqliteFile::kInMemory, SqliteFile::Use::write_or_create) {
@@ -48,13 +43,12 @@ class Merger {
     check_format(file);
     const BatchSlice slice = slice_in(meta(file, "slice"));
     if (seen_.empty()) {
-      identity_ = identity_of(file, slice);
       for (const char* key : {"format", "plan", "name", "method", "seed"}) {
         set_meta(out_, key, meta(file, key));
       }
       of_ = slice.of;
     }
-    if (identity_of(file, slice) != identity_) {
+    if (meta(file, "plan") != meta(out_, "plan") || slice.of != of_) {
       throw SqliteFailure{"its results are of another plan, or of other slices"};
     }
     if (std::find(seen_.begin(), seen_.end(), slice.number) != seen_.end()) {
@@ -132,8 +126,7 @@ class Merger {
   }
 
   SqliteFile out_;
-  std::string identity_;
-  std::uint64_t of_ = 1;
+  std::uint64_t of_ = 1;  ///< slices of the search
   std::vector<std::uint64_t> seen_;
 };
 

@@ -110,35 +110,20 @@ std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
   return out;
 }
 
-/// The sides that a robot is bound to, as its program has them; empty: none.
-std::string bound_to(const SetUpLayout::Robot& robot, const char* between) {
-  std::string out;
-  for (const ApproachSide side : robot.bound) {
-    out += fmt::format("{}{}", out.empty() ? "" : between, to_string(side));
-  }
-  return out;
-}
-
-/// The name of a robot's configuration: one that is bound begins on the first of its sides.
-std::string configuration_of(const SetUpLayout::Robot& robot) {
-  assert(robot.bound.empty() || robot.bound.front() == robot.side);
-  return "builder" +
-         (robot.bound.empty() ? std::string(to_string(robot.side)) : bound_to(robot, ""));
-}
-
 std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) {
   std::string out = "  <controllers>\n";
-  // ARGoS shares a configuration among all robots that name it.
-  std::vector<std::string> made;
+  // A controller configuration for each side: ARGoS shares one among all robots that name it, and
+  // robots that begin on one side are bound alike.
+  std::vector<ApproachSide> made;
   for (const SetUpLayout::Robot& robot : layout.robots) {
-    const std::string name = configuration_of(robot);
-    if (std::find(made.begin(), made.end(), name) != made.end()) continue;
-    made.push_back(name);
-    const std::string sides = bound_to(robot, " ");
-    out += fmt::format("    <lua_controller id=\"{}\">\n{}", name, builder_devices());
+    if (std::find(made.begin(), made.end(), robot.side) != made.end()) continue;
+    made.push_back(robot.side);
+    const std::string bound = sides_text(robot.bound);
+    out += fmt::format("    <lua_controller id=\"builder{}\">\n{}", to_string(robot.side),
+                       builder_devices());
     out += fmt::format("      <params script=\"{}\" side=\"{}\"{}/>\n    </lua_controller>\n",
                        escaped_markup(scripts.robot), to_string(robot.side),
-                       sides.empty() ? "" : fmt::format(" sides=\"{}\"", sides));
+                       bound.empty() ? "" : fmt::format(" sides=\"{}\"", bound));
   }
   out += fmt::format("    <lua_controller id=\"block\">\n{}", kBlockDevices);
   out += fmt::format("      <params script=\"{}\"/>\n    </lua_controller>\n  </controllers>\n\n",
@@ -182,9 +167,9 @@ std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRe
     out += fmt::format(
         "    <builderbot id=\"{}\" wifi_medium=\"wifi\" nfc_medium=\"nfc\" tag_medium=\"tags\">\n"
         "      <body position=\"{:g},{:g},0\" orientation=\"{},0,0\"/>\n"
-        "      <controller config=\"{}\"/>\n"
+        "      <controller config=\"builder{}\"/>\n"
         "    </builderbot>\n",
-        ++number, robot.at.x, robot.at.y, robot.heading, configuration_of(robot));
+        ++number, robot.at.x, robot.at.y, robot.heading, to_string(robot.side));
   }
   return out + "  </arena>\n\n";
 }

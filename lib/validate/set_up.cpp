@@ -201,6 +201,14 @@ SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
   return Layout(rules, compiled, request).layout();
 }
 
+std::string sides_text(const std::vector<ApproachSide>& sides) {
+  std::string out;
+  for (const ApproachSide side : sides) {
+    out += fmt::format("{}{}", out.empty() ? "" : " ", to_string(side));
+  }
+  return out;
+}
+
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
                          const SetUpRequest& request) {
   const SetUpLayout layout = lay_out(rules, compiled, request);
@@ -214,10 +222,8 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
   out += "robots:\n";
   number = 0;
   for (const SetUpLayout::Robot& robot : layout.robots) {
-    std::string bound;
-    for (const ApproachSide side : robot.bound)
-      bound += fmt::format("{}{}", bound.empty() ? ", sides: \"" : " ", to_string(side));
-    if (!bound.empty()) bound += '"';
+    const std::string sides = sides_text(robot.bound);
+    const std::string bound = sides.empty() ? "" : fmt::format(", sides: \"{}\"", sides);
     // Noise of starting poses: 1 cm and 5°, so that runs with different seeds differ.
     out += fmt::format(
         "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "

@@ -76,6 +76,9 @@ struct SetUpLayout {
 SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
                     const SetUpRequest& request);
 
+/// "+x -y": as a robot's program is told which sides it is bound to.
+std::string sides_text(const std::vector<ApproachSide>& sides);
+
 /// YAML; robots run kControllerFile.
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
                          const SetUpRequest& request);

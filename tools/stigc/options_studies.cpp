@@ -4,6 +4,7 @@
 #include "option_kinds.h"
 
 namespace stig::cli {
+
 void add_sweep(CLI::App& app, SweepOptions& o) {
   CLI::App* sub = command(
       app, "sweep", "do a study: one command at every point of a grid of parameters",
