@@ -9,8 +9,10 @@ local STRAIGHT = 0.04          -- m, in which a line is joined
 local TURN_RIM = 0.06          -- m/s, of the rims in a turn on the spot
 local BACK_SPEED = 0.1         -- m/s
 local STOP_TIME = 0.5          -- s, two steps and some more
+local SWUNG = 0.05             -- rad, before its end, at which a swing is over
 local LONGEST_TURN, LONGEST_DRIVE = 20, 60  -- s
 local AT_REST = 1e-3           -- m/s
+local FACES, NEARLY = 1e-5, 2e-4  -- m, of the rims, from a heading; of motors that lag and so go past it
 
 local PathFollower = {}
 PathFollower.__index = PathFollower
@@ -42,26 +44,46 @@ function PathFollower:stop()
    end, 1)
 end
 
--- The speed for the next step of what now moves at `now`.
-function PathFollower:speed_for(left, now, most)
-   return profile.speed(left, now, most, self.odometry.period, self.description.drive.acceleration)
+-- The speed for the next step of what now moves at `now`; `gentle` as with profile.speed.
+function PathFollower:speed_for(left, now, most, gentle)
+   return profile.speed(left, now, most, self.odometry.period, self.description.drive.acceleration, gentle)
+end
+
+-- How far the rims have to go to face a heading, and how fast they do; m and m/s.
+function PathFollower:turn_left(yaw)
+   local odometry, radius = self.odometry, self.description.drive.track / 2
+   return geometry.wrap(yaw - odometry.pose.yaw) * radius, (odometry.right - odometry.left) / 2
 end
 
 -- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow.
 -- Whether it faces there.
 function PathFollower:turn_to(yaw, rim, each)
-   local odometry, radius = self.odometry, self.description.drive.track / 2
-   local start = odometry.time
+   local odometry = self.odometry
+   local start, first = odometry.time, self:turn_left(yaw)
+   local close = FACES
    while odometry.time - start < LONGEST_TURN do
-      local left = geometry.wrap(yaw - odometry.pose.yaw) * radius
-      local now = (odometry.right - odometry.left) / 2
-      if (math.abs(left) < 1e-5 and math.abs(now) < AT_REST) or (each and each()) then break end
+      local left, now = self:turn_left(yaw)
+      if first * left < 0 then close = NEARLY end
+      if (math.abs(left) < close and math.abs(now) < AT_REST) or (each and each()) then break end
       local speed = self:speed_for(left, now, rim or TURN_RIM)
       self:drive_rims(-speed, speed)
       coroutine.yield()
    end
    self:stop()
    return math.abs(geometry.wrap(yaw - odometry.pose.yaw)) < 0.01
+end
+
+-- Likewise to about that heading, to look about: it brakes as hard as it can, and need not have come to
+-- rest when another turn follows.
+function PathFollower:swing_to(yaw, rim, each)
+   local start = self.odometry.time
+   while self.odometry.time - start < LONGEST_TURN do
+      local left, now = self:turn_left(yaw)
+      if math.abs(left) < SWUNG * self.description.drive.track / 2 or (each and each()) then return end
+      local speed = self:speed_for(left, now, rim, 1)
+      self:drive_rims(-speed, speed)
+      coroutine.yield()
+   end
 end
 
 function PathFollower:turn_by(angle, rim)

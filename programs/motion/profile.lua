@@ -14,11 +14,12 @@ end
 
 -- The speed, at most `most`, for the next step of `period` seconds so that a rim that now runs at
 -- `now` can still stop `left` m ahead; left, now and the result have the same sign when all is well.
-function profile.speed(left, now, most, period, acceleration)
+-- `gentle`: the part of the ramp's rate at which it brakes far from the end, if another is to be.
+function profile.speed(left, now, most, period, acceleration, gentle)
    local sign = left < 0 and -1 or 1
    left, now = left * sign, now * sign
    -- far from the end brake gently; on the last millimetres exactly as the ramp does
-   local brake = acceleration * (left > FAR and GENTLE or 1)
+   local brake = acceleration * (left > FAR and (gentle or GENTLE) or 1)
    local low, high = 0, most
    for _ = 1, 24 do
       local middle = (low + high) / 2

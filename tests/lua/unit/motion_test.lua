@@ -57,6 +57,36 @@ case('from where it is told to turn it stands on the line, once it has turned', 
    near('aside', aside, 0, 1e-3)
 end)
 
+case('a turn to look about brakes as hard as it can, and ends about its heading', function()
+   local machine, fake, run = machine_with()
+   local function seconds(turn)
+      local start = machine.odometry.time
+      run(turn)
+      return machine.odometry.time - start
+   end
+   local turn = seconds(function() machine.path:turn_to(1.6, 0.05) end)
+   local swing = seconds(function() machine.path:swing_to(0, 0.05) end)
+   near('about there', fake.pose.yaw, 0, 0.3)
+   same('sooner', swing < turn, true)
+   -- as it ends where `each` says so
+   seconds(function() machine.path:swing_to(1.6, 0.05, function() return fake.pose.yaw > 0.8 end) end)
+   same('ended', fake.pose.yaw > 0.8 and fake.pose.yaw < 1.4, true)
+end)
+
+case('a turn ends soon although motors lag and go past its heading', function()
+   local machine, fake, run = machine_with()
+   fake.robot.description.drive.acceleration = 0.04
+   local set, speeds = fake.robot.differential_drive.set_target_velocity, { 0, 0 }
+   fake.robot.differential_drive.set_target_velocity = function(left, right)
+      for i, wanted in ipairs { left, right } do speeds[i] = speeds[i] + 0.3 * (wanted - speeds[i]) end
+      set(speeds[1], speeds[2])
+   end
+   local start = machine.odometry.time
+   run(function() machine.path:turn_to(1.6, 0.05) end)
+   same('soon', machine.odometry.time - start < 8, true)
+   near('there', machine.odometry.pose.yaw, 1.6, 0.02)
+end)
+
 -- Against a robot turned in small steps: what lies under it then and not at first.
 case('what a turn sweeps is what comes by', function()
    local description = FakeRobot.new().robot.description
