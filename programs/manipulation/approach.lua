@@ -37,6 +37,7 @@ local NEAREST_LOOK = 0.170     -- m, from a target, for the last look
 local FIRST_SIGHTINGS, LAST_SIGHTINGS = 4, 6
 local SEEN_LONG = 12           -- sightings after which a block in the picture needs no first look
 local SETTLE_TIME = 0.6        -- s, before the first look
+local BACKS, BACK = 2, 0.02    -- times, m, back from a block that is out of the picture after a turn
 local LONGEST_LOOK = 4         -- s
 local OFF, ASKEW = 0.005, 0.12 -- m and rad off the line, beyond which it tries again
 local OVER_FOOT = 0.095        -- height of the lift over a block's foot to see it beside the way
@@ -203,6 +204,21 @@ function Approach:look_aside(block)
    return seen
 end
 
+-- After turns, which leave a robot nearer to a block or farther aside than its wheels tell: goes back, with the
+-- lift at a height, until the block is in the picture again. Whether it is.
+function Approach:sight_again(run, height)
+   self.lift:to(height)
+   local function in_sight()
+      local known = self.tracker:again(run.block)
+      return known ~= nil and known.time == self.odometry.time
+   end
+   for _ = 1, BACKS do
+      if self.process:wait_until(in_sight, SETTLE_TIME) then return true end
+      self.path:back_off(BACK)
+   end
+   return self.process:wait_until(in_sight, SETTLE_TIME)
+end
+
 -- To where the straight way begins. Whether nobody is in the way.
 function Approach:go_to_stand_off(run)
    local clearance, odometry = self.clearance, self.odometry
@@ -265,7 +281,7 @@ function states.align(self, run)
    if between() then return 'obstructed' end
    if there and run.target.alone then
       if not run.target.alone(line() or run.line) then return 'obstructed' end
-      there = self.path:follow(line, to, SPEED, between)
+      there = self:sight_again(run, height) and self.path:follow(line, to, SPEED, between)
    end
    if not there then return 'unseen' end
    self.lift:to(height)

@@ -113,6 +113,20 @@ case('a block that has been in the picture for a while needs no first look', fun
    same('not in the picture', approach:is_in_view(block), false)
 end)
 
+case('where wheels slipped in a turn, sight tells where the block is', function()
+   for _, slip in ipairs { 0, 0.02 } do
+      local machine, fake, run = machine_with { { x = 0.45, y = 0 } }
+      local block = run(function() return machine.search:find(dark) end)
+      local function alone()
+         fake.pose.x = fake.pose.x + slip
+         return true
+      end
+      local target = { block = block, lowest = 0.07, heading = 0, alone = alone }
+      same('docked', run(function() return machine.approach:to(target) end), true)
+      near('ahead', geometry.into(fake.pose, 0.45, 0), 0.094, 1e-3)
+   end
+end)
+
 case('a block that is gone is forgotten', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 } }
    local block = run(function() return machine.search:find(dark) end)
