@@ -11,7 +11,7 @@ local ASIDE = 0.002            -- from a neighbour beside, which draws the block
 local DRAWN_OFF = 0.005        -- ahead in the gripper: neighbours have drawn the block into its place
 local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
-local CONTESTED = 0.12         -- m, likewise at any height, on the last way to the site
+local CONTESTED = 0.08         -- m, likewise at any height, on the last way to the site: nearer than who looks aside
 local TAKEN = 0.6 * SIDE       -- from a site's middle, where a block is that fills it
 local SEEN_LATELY = 2          -- s
 local SEEN_NOW = 0.7           -- s, in which a tag in sight was seen
@@ -65,13 +65,14 @@ function Placement:slide_in(level)
    self.magnets:hold_fast(false)
 end
 
--- Whether another robot is seen to hold a block over a place, `within` m of it beside.
-function Placement:held_near(x, y, within)
+-- Whether another robot is seen to hold a block over a place, `within` m of it beside; `counts(block)`, if given,
+-- says which of these count.
+function Placement:held_near(x, y, within, counts)
    for _, known in ipairs(self.tracker.tracks) do
       local dx, dy = known.x - x, known.y - y
       if known.colour == self.transport and known.z > SIDE and
-         self.odometry.time - known.time < SEEN_LATELY and dx * dx + dy * dy < within * within
-      then return true end
+         self.odometry.time - known.time < SEEN_LATELY and dx * dx + dy * dy < within * within and
+         (not counts or counts(known)) then return true end
    end
    return false
 end

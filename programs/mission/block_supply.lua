@@ -13,10 +13,11 @@ local LEGS = 12                -- of a search, before it begins again where some
 local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
 local LINKED = 1.25 * geometry.SIDE
 local LOOKS = 3                -- at the cache, with waits between
+local ELSEWHERE = 2            -- searches in vain after which a robot that is bound to a side takes others' blocks
 
 -- block: the one to be fetched. refused: one that could not be come near. last_cache: that of the
 -- side before, until a block was seen at this
--- side's. in_vain: searches one after the other.
+-- side's. in_vain: searches one after the other that found nothing at a cache.
 local BlockSupply = {}
 BlockSupply.__index = BlockSupply
 
@@ -45,6 +46,14 @@ function BlockSupply:is_unused(known)
    return true
 end
 
+-- Says whether a block is one to be fetched: unused, and on the robot's side if it is bound to one, since the way
+-- from elsewhere leads past others at work.
+function BlockSupply:wanted()
+   local map = self.map
+   local anywhere = not self.machine.robot.params.sides or not map.known or self.in_vain >= ELSEWHERE
+   return function(known) return self:is_unused(known) and (anywhere or map:is_on_own_side(known)) end
+end
+
 -- Driven to where a search goes on.
 function BlockSupply:wander()
    return function(x, y) return self.navigation:wander(x, y) end
@@ -52,19 +61,18 @@ end
 
 -- A block at the cache, as a look there tells.
 function BlockSupply:at_cache(time)
-   local function is_unused(known) return self:is_unused(known) end
+   local is_wanted = self:wanted()
    local function seen()
       for _, known in ipairs(self.tracker:blocks()) do
-         if is_unused(known) and self.process:time() - known.time < FRESH then return true end
+         if is_wanted(known) and self.process:time() - known.time < FRESH then return true end
       end
    end
-   return self.navigation:look_again(self.map.cache, seen, time) and self.tracker:recall(is_unused)
+   return self.navigation:look_again(self.map.cache, seen, time) and self.tracker:recall(is_wanted)
 end
 
 -- Where the last block came from; an empty cache is filled after a while.
 function BlockSupply:look_at_caches()
-   local map = self.map
-   local function is_unused(known) return self:is_unused(known) end
+   local map, is_wanted = self.map, self:wanted()
    for again = 1, map.cache and LOOKS or 0 do
       if again > 1 then self.process:wait(5 + 10 * math.random()) end
       local block = self:at_cache(self.last_cache and FIRST_LOOK or LOOK_TIME)
@@ -73,34 +81,35 @@ function BlockSupply:look_at_caches()
          block = self:at_cache()
       end
       self.last_cache = nil
-      block = block or self.machine.search:look_about(is_unused)
+      block = block or self.machine.search:look_about(is_wanted)
       if block then return block end
    end
 end
 
 -- After one that could not be come near: another that is remembered, since what stands in the way may stay.
 function BlockSupply:another()
-   local refused = self.refused
+   local refused, is_wanted = self.refused, self:wanted()
    self.refused = nil
    return refused and self.tracker:recall(function(known)
-      return self:is_unused(known) and geometry.apart(known, refused) > LINKED
+      return is_wanted(known) and geometry.apart(known, refused) > LINKED
    end)
 end
 
 -- Where the last one came from, then all about.
 function BlockSupply:search_block()
    local map, search = self.map, self.machine.search
-   local function is_unused(known) return self:is_unused(known) end
+   local is_wanted = self:wanted()
    self.block = self:another() or self:look_at_caches()
    if self.block then return 'found' end
    -- elsewhere it would be in others' way; as long as it knows no cache, that may be some way ahead
    if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
-      self.block = not map.cache and search:find(is_unused, LEGS_AHEAD, self:wander()) or nil
+      self.block = not map.cache and search:find(is_wanted, LEGS_AHEAD, self:wander()) or nil
+      self.in_vain = self.in_vain + 1
       if not self.block then self.process:wait(5 + 10 * math.random()) end
       return self.block and 'found' or 'none'
    end
    self.in_vain = self.in_vain + 1
-   self.block = search:find(is_unused, LEGS * self.in_vain, self:wander())
+   self.block = search:find(is_wanted, LEGS * self.in_vain, self:wander())
    if self.block then return 'found' end
    local home = map.cache or map.known or { x = 0, y = 0 }
    self.navigation:straight_to(home.x, home.y)

@@ -27,6 +27,7 @@ local StructureMap = require 'mission.structure_map'
 local LOOK_TIME = 1.0          -- s
 local LEGS = 12                -- of a search for the structure
 local FIRST_WAIT = 0.125       -- of the longest wait, since the last brick
+local TURNS = 2                -- approaches that the longest wait lasts at least, of those that take long
 
 local Builder = {}
 Builder.__index = Builder
@@ -87,7 +88,9 @@ end
 -- robots that came at the same time come one after the other.
 function Builder:wait()
    local share = math.min(1, FIRST_WAIT * 2 ^ self.work.obstructed)
-   self.process:wait(math.random() * share * self.task.delay)
+   local longest = self.task.delay
+   if longest > 0 then longest = math.max(longest, TURNS * self.work.approach_time) end
+   self.process:wait(math.random() * share * longest)
    return 'done'
 end
 

@@ -9,15 +9,20 @@ local Navigation = require 'motion.navigation'
 local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
 local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
-local PEEK_RIM = 0.05          -- m/s, of that turn: a robot stands across several measurements
+local PEEK_RIM = 0.05          -- m/s, of that turn, at most: a robot stands across several measurements
+local PEEK_STOP = 0.2          -- rad, in which it ends
 local PEEK_TIME = 0.6          -- s
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
+local LATEST = 0.25            -- part of the last approach in their mean time
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
 local EXPLORES = 3             -- rounds in vain after which it looks beyond the rows it knows, each time
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
+local AWAKE, RESTS = 3, 6      -- rounds in vain, after which each rest is twice as long as the one before, so often
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
+local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
+local PAST_LOOK = 0.11         -- m, and from the nearest brick's edge, nearer than who stands for a look holds his
 local QUEUE, QUEUES = 4, 5     -- s, the longest wait after another's work was seen to end; so often at most
 local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
 local ASIDE, ASKEW = 0.015, 0.5  -- m and rad off a row's line, beyond which it is driven to anew
@@ -31,7 +36,8 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- and nothing placed. patience: how often it tries them before it goes elsewhere: once, and twice as
 -- often each time. obstructed: how often somebody was in the way, or nothing to be done, since the last
 -- brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front, frame,
--- juts}, the one it stands before. wish: what is to be done there (Column:decide).
+-- juts}, the one it stands before. wish: what is to be done there (Column:decide). approach_time: mean of the last
+-- approaches to a site, s.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -41,7 +47,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
-      tried = {}, explored = {}, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {},
+      tried = {}, explored = {}, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {}, approach_time = 0,
    }, SiteWork)
 end
 
@@ -93,6 +99,17 @@ function SiteWork:flank_of(rows)
    end
 end
 
+-- Waits before it tries its rows again: a moment, or, after many rounds in vain, ever longer, until it sees a brick
+-- that it had not seen before.
+function SiteWork:rest()
+   local map, more = self.map, geometry.clamp(self.rounds - AWAKE, 0, RESTS)
+   local time = (2 + 4 * math.random()) * 2 ^ more
+   if more == 0 then return self.process:wait(time) end
+   self.lift:look_to(self.machine.camera, self.odometry:distance_to(map.known))
+   local before = map:count_bricks()
+   self.process:wait_until(function() return map:rows() ~= nil and map:count_bricks() > before end, time)
+end
+
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
 -- while, since others' work may open a row.
 function SiteWork:stays()
@@ -100,7 +117,7 @@ function SiteWork:stays()
    self.sides:withdraw()
    if #self.task.sides == 1 or self.sides:are_shared() and self.obstructed <= OBSTRUCTED and
       self.rounds < self.patience then
-      self.process:wait(2 + 4 * math.random())
+      self:rest()
       return true
    end
    self.obstructed, self.rounds, self.patience = 0, 0, 2 * self.patience
@@ -254,20 +271,24 @@ end
 -- the lift at its top, since the picture's upper edge cuts off what another holds as high and as far away. What
 -- is seen on the way counts at once: by the end of a slow turn it would be long ago.
 function SiteWork:sees_others_work(line)
-   local known, returns = self.map.known, self.machine.returns
-   local function held()
-      return self.placement:held_near(known.x, known.y, known.reach + AT_WORK)
-   end
+   local returns = self.machine.returns
+   local function is_at_work(block) return self.map:room_about(block.x, block.y) < PAST_LOOK end
+   local function held() return self.placement:held_near(line.x, line.y, NEXT_SITE, is_at_work) end
+   local drive = self.machine.description.drive
+   local rim = math.min(PEEK_RIM, math.sqrt(PEEK_STOP * drive.acceleration * drive.track))
    self.lift:to(self.lift:top())
    local busy = self.process:wait_until(held, PEEK_TIME)
-   for _, angle in ipairs { -PEEK, PEEK, 0 } do
+   for _, angle in ipairs { -PEEK, PEEK } do
       local turn = geometry.wrap(line.yaw + angle - self.odometry.pose.yaw)
       if not busy and not returns:sweeps(turn, self.lift:height()) then
-         self.path:turn_to(line.yaw + angle, PEEK_RIM, held)
+         self.path:swing_to(line.yaw + angle, rim, held)
       end
       busy = busy or held()
    end
-   self.path:turn_to(line.yaw)
+   self.path:turn_to(line.yaw, rim, function()
+      busy = busy or held()
+      return false
+   end)
    return busy
 end
 
@@ -296,13 +317,15 @@ function SiteWork:foot_of(wish)
 end
 
 function SiteWork:approach_site()
-   local wish = self.wish
+   local wish, start = self.wish, self.odometry.time
    local target = wish.what == 'raise' and wish.top or self:foot_of(wish)
    local near, problem = self.placement:approach_site(target, wish.what, {
       heading = self.row.frame.yaw, level = wish.level, left = wish.left and wish.left * SIDE,
       aside = wish.aside, colour = wish.colour, clear = wish.clear and self.task.delay > 0,
       alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
    })
+   local mean, took = self.approach_time, self.odometry.time - start
+   self.approach_time = mean == 0 and took or mean + LATEST * (took - mean)
    if near then return 'near' end
    if problem == 'busy' then
       self.sides:withdraw()

@@ -161,6 +161,15 @@ function StructureMap:note_brick(x, y, level)
    self.bricks[key].levels[level] = true
 end
 
+-- How many bricks were ever seen.
+function StructureMap:count_bricks()
+   local count = 0
+   for _, brick in pairs(self.bricks) do
+      for _ in pairs(brick.levels) do count = count + 1 end
+   end
+   return count
+end
+
 -- Whether a brick was ever seen there.
 function StructureMap:had_brick(x, y, level)
    if not self.known then return false end
@@ -231,6 +240,12 @@ function StructureMap:nearest_side(place)
       if not least or off < least - 1e-6 then best, least = SIDES[name], off end
    end
    return best
+end
+
+-- Whether a place is on one of the sides allowed rather than on another.
+function StructureMap:is_on_own_side(place)
+   local off = wrap(self:heading_of(self:nearest_side(place)) - angle_to(place, self.known))
+   return math.abs(off) <= math.pi / 4
 end
 
 -- By how much, m, columns beside a row stand before it where the effector would sweep them.

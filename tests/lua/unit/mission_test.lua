@@ -376,6 +376,26 @@ case('a robot that is bound to a side finds a cache that it does not see from wh
    end
 end)
 
+case('a robot that is bound to a side takes blocks from there, as long as there are any', function()
+   for _, params in ipairs { { side = '+x', sides = '+x' }, { side = '+x' } } do
+      local fake = FakeRobot.new { { x = 0.62, y = 0.02 }, { x = -0.3, y = -0.45 } }
+      fake.robot.params = params
+      local builder = Builder.new(fake.robot, CHART, { sides = { '+x', '-x' }, transport = 4, delay = 30 })
+      local supply, map = builder.supply, builder.map
+      -- it stands on the right of a structure that it faces from +x with the heading pi
+      map.known = { x = -0.3, y = 0, reach = 0.03, yaw = math.pi, origin = { x = -0.3, y = 0 } }
+      local wanted = supply:wanted()
+      local function is_wanted(x, y)
+         return wanted { x = x, y = y, z = SIDE / 2, level = 0, colour = 0, seen = 20 }
+      end
+      same('on its side', is_wanted(0.62, 0.02), true)
+      same('on another', is_wanted(-0.3, -0.45), not params.sides)
+      supply.in_vain = 2
+      wanted = supply:wanted()
+      same('where there is none', is_wanted(-0.3, -0.45), true)
+   end
+end)
+
 case('who is alone looks no more once it knows what to do, others look from everywhere', function()
    for _, delay in ipairs { 0, 30 } do
       local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, delay = delay,
@@ -412,23 +432,67 @@ case('a robot looks to both sides for others with the lift at its top', function
    near('ahead again', fake.pose.yaw, 0, 0.02)
 end)
 
-case('what another holds counts as soon as it is seen in a turn aside', function()
+-- What a robot before a column at x = 0.3 finds that looks to both sides, where in the turn to the right it sees a block
+-- in another's hand, so far aside; how far it turned; and where it faces in the end.
+local function look_aside(left)
    local machine, fake, run = machine_with {}
-   local work = SiteWork.new(machine, { known = { x = 0.3, y = 0, reach = 0.03 } }, nil, nil, nil, { delay = 30 })
+   local map = {
+      known = { x = 0.3, y = 0, reach = 0.03 },
+      room_about = function(_, x, y) return geometry.apart({ x = x, y = y }, { x = 0.3, y = 0 }) - geometry.HALF end,
+   }
+   local work = SiteWork.new(machine, map, nil, nil, nil, { delay = 30 })
    local furthest, seen = 0, false
    local busy = run(function() return work:sees_others_work { x = 0.3, y = 0, yaw = 0 } end, function()
       furthest = math.max(furthest, math.abs(fake.pose.yaw))
       if fake.pose.yaw < -0.4 and not seen then
          seen = true
          table.insert(machine.tracker.tracks, {
-            id = 1, x = 0.3, y = 0.1, z = 0.138, yaw = 0, turned = 0, colour = 4, seen = 9, missed = 0,
+            id = 1, x = 0.3, y = left, z = 0.138, yaw = 0, turned = 0, colour = 4, seen = 9, missed = 0,
             time = machine.odometry.time, top_time = 0, variance = 1e-6,
          })
       end
    end)
+   return busy, furthest, fake.pose.yaw
+end
+
+case('what another holds counts as soon as it is seen in a turn aside', function()
+   local busy, furthest, yaw = look_aside(0.1)
    same('somebody', busy, true)
    same('at once', furthest > 0.4 and furthest < 0.6, true)
-   near('ahead again', fake.pose.yaw, 0, 0.02)
+   near('ahead again', yaw, 0, 0.02)
+end)
+
+case('who stands farther off for a look of its own is not at work', function()
+   local busy, furthest = look_aside(0.17)
+   same('nobody', busy, false)
+   same('to both sides', furthest > 0.7, true)
+end)
+
+case('a robot with nothing to do rests ever longer, until it sees a brick that is new', function()
+   local task = { transport = 4, sides = { '+x' }, turns = true, levels = 1, asks = {}, delay = 30 }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work, waits, begun = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}, nil
+   local random = math.random
+   math.random = function() return 0.5 end  -- luacheck: ignore 122
+   work.lift.look_to = function() end
+   work.process = {
+      wait = function(_, seconds) table.insert(waits, seconds) end,
+      wait_until = function(_, until_, seconds)
+         table.insert(waits, seconds)
+         begun = until_
+      end,
+   }
+   for _ = 1, 12 do same('stays', work:stays(), true) end
+   math.random = random  -- luacheck: ignore 122
+   same('seconds', table.concat(waits, ' '), '4.0 4.0 4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0 256.0 256.0')
+   same('nothing new', begun(), false)
+   table.insert(machine.tracker.tracks, {
+      id = 2, x = 0.4 - SIDE, y = 0, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 2, seen = 9, missed = 0,
+      time = 0, top_time = 0,
+   })
+   same('a new brick', begun(), true)
 end)
 
 case('a robot waits longer each time that it meets others, but not for ever', function()
