@@ -486,7 +486,7 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    }
    for _ = 1, 12 do same('stays', work:stays(), true) end
    math.random = random  -- luacheck: ignore 122
-   same('seconds', table.concat(waits, ' '), '4.0 4.0 4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0 256.0 256.0')
+   same('seconds', table.concat(waits, ' '), '4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0 256.0 256.0 256.0 256.0')
    same('nothing new', begun(), false)
    table.insert(machine.tracker.tracks, {
       id = 2, x = 0.4 - SIDE, y = 0, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 2, seen = 9, missed = 0,
