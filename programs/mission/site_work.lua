@@ -99,7 +99,7 @@ function SiteWork:flank_of(rows)
    end
 end
 
--- Waits before it tries its rows again: a moment, or, after many rounds in vain, ever longer, until it sees a brick
+-- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick
 -- that it had not seen before.
 function SiteWork:rest()
    local map, more = self.map, geometry.clamp(self.rounds - AWAKE, 0, RESTS)

@@ -50,7 +50,7 @@ function PathFollower:speed_for(left, now, most, gentle)
 end
 
 -- How far the rims have to go to face a heading, and how fast they do; m and m/s.
-function PathFollower:turn_left(yaw)
+function PathFollower:way_to_face(yaw)
    local odometry, radius = self.odometry, self.description.drive.track / 2
    return geometry.wrap(yaw - odometry.pose.yaw) * radius, (odometry.right - odometry.left) / 2
 end
@@ -59,10 +59,10 @@ end
 -- Whether it faces there.
 function PathFollower:turn_to(yaw, rim, each)
    local odometry = self.odometry
-   local start, first = odometry.time, self:turn_left(yaw)
+   local start, first = odometry.time, self:way_to_face(yaw)
    local close = FACES
    while odometry.time - start < LONGEST_TURN do
-      local left, now = self:turn_left(yaw)
+      local left, now = self:way_to_face(yaw)
       if first * left < 0 then close = NEARLY end
       if (math.abs(left) < close and math.abs(now) < AT_REST) or (each and each()) then break end
       local speed = self:speed_for(left, now, rim or TURN_RIM)
@@ -78,7 +78,7 @@ end
 function PathFollower:swing_to(yaw, rim, each)
    local start = self.odometry.time
    while self.odometry.time - start < LONGEST_TURN do
-      local left, now = self:turn_left(yaw)
+      local left, now = self:way_to_face(yaw)
       if math.abs(left) < SWUNG * self.description.drive.track / 2 or (each and each()) then return end
       local speed = self:speed_for(left, now, rim, 1)
       self:drive_rims(-speed, speed)
