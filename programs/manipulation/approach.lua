@@ -207,6 +207,8 @@ end
 -- After turns, which leave a robot nearer to a block or farther aside than its wheels tell: goes back, with the
 -- lift at a height, until the block is in the picture again. Whether it is.
 function Approach:sight_again(run, height)
+   -- one to the side is out of the picture until the robot turns to it
+   if math.abs(run.target.left or 0) > BESIDE then return true end
    self.lift:to(height)
    local function in_sight()
       local known = self.tracker:again(run.block)
