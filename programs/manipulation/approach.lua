@@ -78,6 +78,11 @@ function Approach.new(parts)
    return self
 end
 
+-- Whether a target's place is to the side of its block.
+local function is_beside(target)
+   return math.abs(target.left or 0) > BESIDE
+end
+
 -- Parts of it ----------------------------------------------------------------------------------
 
 -- Stands and looks until a block was seen `often` more times; the block as it is now, or nil.
@@ -91,6 +96,12 @@ function Approach:look_at(block, often)
    end
    if not self.process:wait_until(seen, LONGEST_LOOK) then return nil end
    return known
+end
+
+-- The block as it is now where it is in the picture, or nil.
+function Approach:in_picture(block)
+   local known = self.tracker:again(block)
+   return known and known.time == self.odometry.time and known or nil
 end
 
 -- Whether a block is in the picture where its approach begins: of a high one the lift shows the front
@@ -183,7 +194,7 @@ end
 -- Height of the lift for the last look, and the distance of the block for it.
 function Approach:last_look(run)
    local mark, before = self.tracker:mark_of(run.block)
-   if math.abs(run.target.left or 0) <= BESIDE then
+   if not is_beside(run.target) then
       return run.lowest, self.camera:nearest_in_sight(run.lowest, mark, before)
    end
    -- a block to the side leaves the picture sooner
@@ -208,12 +219,9 @@ end
 -- lift at a height, until the block is in the picture again. Whether it is.
 function Approach:sight_again(run, height)
    -- one to the side is out of the picture until the robot turns to it
-   if math.abs(run.target.left or 0) > BESIDE then return true end
+   if is_beside(run.target) then return true end
    self.lift:to(height)
-   local function in_sight()
-      local known = self.tracker:again(run.block)
-      return known ~= nil and known.time == self.odometry.time
-   end
+   local function in_sight() return self:in_picture(run.block) ~= nil end
    for _ = 1, BACKS do
       if self.process:wait_until(in_sight, SETTLE_TIME) then return true end
       self.path:back_off(BACK)
@@ -259,8 +267,8 @@ end
 
 -- Whether a block is in the picture, and was for a while.
 function Approach:is_in_view(block)
-   local known = self.tracker:again(block)
-   return known ~= nil and known.time == self.odometry.time and known.seen >= SEEN_LONG
+   local known = self:in_picture(block)
+   return known ~= nil and known.seen >= SEEN_LONG
 end
 
 function states.acquire(self, run)

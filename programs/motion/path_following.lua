@@ -55,35 +55,35 @@ function PathFollower:way_to_face(yaw)
    return geometry.wrap(yaw - odometry.pose.yaw) * radius, (odometry.right - odometry.left) / 2
 end
 
--- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow.
--- Whether it faces there.
-function PathFollower:turn_to(yaw, rim, each)
-   local odometry = self.odometry
-   local start, first = odometry.time, self:way_to_face(yaw)
-   local close = FACES
-   while odometry.time - start < LONGEST_TURN do
+-- On the spot towards a heading, until `ends(left, now)` says so of the rims; `gentle` as with profile.speed.
+function PathFollower:turn_until(ends, yaw, rim, gentle)
+   local start = self.odometry.time
+   while self.odometry.time - start < LONGEST_TURN do
       local left, now = self:way_to_face(yaw)
-      if first * left < 0 then close = NEARLY end
-      if (math.abs(left) < close and math.abs(now) < AT_REST) or (each and each()) then break end
-      local speed = self:speed_for(left, now, rim or TURN_RIM)
+      if ends(left, now) then return end
+      local speed = self:speed_for(left, now, rim, gentle)
       self:drive_rims(-speed, speed)
       coroutine.yield()
    end
+end
+
+-- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow.
+-- Whether it faces there.
+function PathFollower:turn_to(yaw, rim, each)
+   local first, close = self:way_to_face(yaw), FACES
+   self:turn_until(function(left, now)
+      if first * left < 0 then close = NEARLY end
+      return (math.abs(left) < close and math.abs(now) < AT_REST) or (each and each())
+   end, yaw, rim or TURN_RIM)
    self:stop()
-   return math.abs(geometry.wrap(yaw - odometry.pose.yaw)) < 0.01
+   return math.abs(geometry.wrap(yaw - self.odometry.pose.yaw)) < 0.01
 end
 
 -- Likewise to about that heading, to look about: it brakes as hard as it can, and need not have come to
 -- rest when another turn follows.
 function PathFollower:swing_to(yaw, rim, each)
-   local start = self.odometry.time
-   while self.odometry.time - start < LONGEST_TURN do
-      local left, now = self:way_to_face(yaw)
-      if math.abs(left) < SWUNG * self.description.drive.track / 2 or (each and each()) then return end
-      local speed = self:speed_for(left, now, rim, 1)
-      self:drive_rims(-speed, speed)
-      coroutine.yield()
-   end
+   local close = SWUNG * self.description.drive.track / 2
+   self:turn_until(function(left) return math.abs(left) < close or (each and each()) end, yaw, rim, 1)
 end
 
 function PathFollower:turn_by(angle, rim)

@@ -127,6 +127,19 @@ case('where wheels slipped in a turn, sight tells where the block is', function(
    end
 end)
 
+case('a place beside a block is come to after a look to both sides, though the block is not in the picture then', function()
+   for _, left in ipairs { -geometry.SIDE, geometry.SIDE } do
+      local machine, fake, run = machine_with { { x = 0.45, y = 0 } }
+      local block = run(function() return machine.search:find(dark) end)
+      fake.robot.camera_system.resolution.x = 380  -- too narrow for it, straight ahead
+      local target = { block = block, lowest = 0.07, heading = 0, left = left, alone = function() return true end }
+      same('docked', run(function() return machine.approach:to(target) end), true)
+      local ahead, aside = geometry.into(fake.pose, 0.45, left)
+      near('ahead', ahead, 0.094, 2e-3)
+      near('aside', aside, 0, 3e-3)
+   end
+end)
+
 case('a block that is gone is forgotten', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 } }
    local block = run(function() return machine.search:find(dark) end)

@@ -437,7 +437,6 @@ end)
 local function look_aside(left)
    local machine, fake, run = machine_with {}
    local map = {
-      known = { x = 0.3, y = 0, reach = 0.03 },
       room_about = function(_, x, y) return geometry.apart({ x = x, y = y }, { x = 0.3, y = 0 }) - geometry.HALF end,
    }
    local work = SiteWork.new(machine, map, nil, nil, nil, { delay = 30 })
