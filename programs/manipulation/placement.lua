@@ -9,7 +9,8 @@ local CLEAR = 0.014            -- of a carried block over what it passes, more t
 local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
 local ASIDE = 0.002            -- from a neighbour beside, which draws the block when it is there
 local DRAWN_OFF = 0.005        -- ahead in the gripper: neighbours have drawn the block into its place
-local REST = 0.0015            -- of a block over what it is let go on, and less than 1 mm more
+local REST = 0.0015            -- of a block over what it is put on, and less than 1 mm more, on its way in
+local LET_DOWN = 0.0003          -- likewise when it is let go: on a longer way down neighbours would draw it aside
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local CONTESTED = 0.08         -- m, likewise at any height, on the last way to the site: nearer than who looks aside
 local TAKEN = 0.6 * SIDE       -- from a site's middle, where a block is that fills it
@@ -36,7 +37,7 @@ function Placement:release(level, colour)
    self.process:enter('release')
    -- first the colour: near its place magnets draw the block away from the radio
    if colour then self.gripper:colour(colour) end
-   self.lift:to(SIDE * level + REST)
+   self.lift:to(SIDE * level + LET_DOWN)
    self.process:wait(SETTLE_TIME)
    for _ = 1, RELEASES do
       if self.gripper:let_go() then
@@ -44,7 +45,7 @@ function Placement:release(level, colour)
          self.path:go_by(-0.15, 0.08)
          return true
       end
-      self.lift:to(SIDE * level + REST)
+      self.lift:to(SIDE * level + LET_DOWN)
    end
    return false, 'it does not let go'
 end
