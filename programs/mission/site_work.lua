@@ -17,7 +17,7 @@ local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long s
 local LATEST = 0.25            -- part of the last approach in their mean time
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
-local EXPLORES = 3             -- rounds in vain after which it looks beyond the rows it knows, each time
+local EXPLORES = 3             -- rounds in vain, from which on it looks beyond the rows it knows
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AWAKE, RESTS = 1, 6      -- rounds in vain, after which each rest is twice as long as the one before, so often
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -86,7 +86,7 @@ end
 -- A place beside the outermost rows that are known, as if a row began there, or nil: others may have built
 -- where no look at a known row shows it. Whoever is alone has seen what it built.
 function SiteWork:flank_of(rows)
-   if self.task.delay == 0 or (self.rounds + 1) % EXPLORES ~= 0 then return nil end
+   if self.task.delay == 0 or self.rounds + 1 < EXPLORES then return nil end
    local first, last, front, frame = math.huge, -math.huge, -math.huge, nil
    for v, of in pairs(rows) do
       first, last, front, frame = math.min(first, v), math.max(last, v), math.max(front, of.front), of.frame
@@ -105,7 +105,7 @@ function SiteWork:rest()
    local map, more = self.map, geometry.clamp(self.rounds - AWAKE, 0, RESTS)
    local time = (2 + 4 * math.random()) * 2 ^ more
    if more == 0 then return self.process:wait(time) end
-   self.lift:look_to(self.machine.camera, self.odometry:distance_to(map.known))
+   self.lift:to(self.lift:top())
    local before = map:count_bricks()
    self.process:wait_until(function() return map:rows() ~= nil and map:count_bricks() > before end, time)
 end
@@ -225,6 +225,13 @@ function SiteWork:look_from(column, look)
    return true
 end
 
+-- From the lift's top, from which bricks are seen that are farther off than those that a row's decision needs.
+function SiteWork:survey()
+   self.lift:to(self.lift:top())
+   self.process:wait(LOOK_TIME)
+   self.map:rows()
+end
+
 function SiteWork:look()
    local machine, chosen = self.machine, self.row
    local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
@@ -250,7 +257,10 @@ function SiteWork:look()
    self.record:tell('told', table.concat(column.told, '; '))
    self.wish = wish
    if wish then return 'decided' end
-   if chosen.flank then return 'nothing' end
+   if chosen.flank then
+      self:survey()
+      return 'nothing'
+   end
    self.tried[self.row.v] = true
    if self.row.juts > 0 then self.path:back_off(self.row.juts) end
    if top_seen then return 'nothing' end

@@ -17,7 +17,8 @@ local FADES = 0.7              -- of the votes for a colour, in each picture
 local MEMORY = 60              -- s, of a block out of sight
 local NEAREST, FARTHEST = 0.08, 0.40  -- m from the eye, between which a block is not overlooked
 local MARGIN = 0.022           -- m about a tag that has to be in the picture too
-local NOISE, TURN_NOISE = 0.01, 0.002  -- of what is remembered: of the way, of the turn
+local NOISE = 0.01             -- of what is remembered: of the way
+local SLIP, TURN_SLIP = 1e-5, 5e-5  -- m², rad² for each rad of a turn, in which wheels slip one way all along
 
 local BlockTracker = {}
 BlockTracker.__index = BlockTracker
@@ -30,9 +31,9 @@ end
 
 -- What is remembered gets less certain as the robot moves.
 function BlockTracker:add_process_noise(ahead, turn)
-   local noise = (NOISE * ahead) ^ 2 + (TURN_NOISE * turn) ^ 2
+   local noise, turned = (NOISE * ahead) ^ 2 + SLIP * math.abs(turn), TURN_SLIP * math.abs(turn)
    for _, track in ipairs(self.tracks) do
-      track.variance, track.turned = track.variance + noise, track.turned + (TURN_NOISE * turn) ^ 2
+      track.variance, track.turned = track.variance + noise, track.turned + turned
    end
 end
 

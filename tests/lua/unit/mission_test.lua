@@ -467,6 +467,33 @@ case('who stands farther off for a look of its own is not at work', function()
    same('to both sides', furthest > 0.7, true)
 end)
 
+case('a robot with nothing to do looks beside its rows from the lift\'s top, round after round', function()
+   local task = { transport = 4, sides = { '+x' }, turns = true, levels = 1, asks = {}, delay = 30,
+                  looks = { { distance = 0.2, lift = 0.06 } }, decide = function() end }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work, lifted = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}
+   work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
+   work.process = { wait = function() end, wait_until = function() end }
+   work.lift.to = function(_, height) table.insert(lifted, height) end
+   work.look_from = function() return true end
+   local flanks = {}
+   for round = 1, 5 do
+      while work:choose_row() == 'chosen' do
+         lifted = {}
+         work.tried[work.row.v] = true
+         if work.row.flank then
+            table.insert(flanks, round .. ':' .. work.row.v)
+            same('nothing', work:look(), 'nothing')
+            near('from the top', lifted[#lifted], work.lift:top(), 1e-9)
+         end
+      end
+      work:stays()
+   end
+   same('from the third round on', table.concat(flanks, ' '), '3:1 3:-1 4:1 4:-1 5:1 5:-1')
+end)
+
 case('a robot with nothing to do rests ever longer, until it sees a brick that is new', function()
    local task = { transport = 4, sides = { '+x' }, turns = true, levels = 1, asks = {}, delay = 30 }
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
@@ -475,7 +502,7 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    local work, waits, begun = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}, nil
    local random = math.random
    math.random = function() return 0.5 end  -- luacheck: ignore 122
-   work.lift.look_to = function() end
+   work.lift.to = function() end
    work.process = {
       wait = function(_, seconds) table.insert(waits, seconds) end,
       wait_until = function(_, until_, seconds)

@@ -61,6 +61,18 @@ case('a rim stops where the profile says, and within its acceleration', function
    near('backwards', profile.speed(-0.3, 0, 0.1, 0.2, 1), -profile.speed(0.3, 0, 0.1, 0.2, 1))
 end)
 
+-- What was learnt before a turn counts little after it: the wheels slip.
+case('after looks to both sides a block is where it is seen by then', function()
+   local p = perceiver { { x = 0.25, y = 0, colour = 1 } }
+   p.robot.lift_system.set_position(0.05)
+   p.step(40)
+   local before = p.tracker:blocks()[1].x
+   for _ = 1, 160 do p.tracker:add_process_noise(0, 0.02) end
+   p.fake.pose.x = p.fake.pose.x + 0.010
+   p.step(6)
+   near('nearer', p.tracker:blocks()[1].x, before - 0.010, 0.0015)
+end)
+
 case('odometry follows a curve', function()
    local p = perceiver()
    p.robot.differential_drive.set_target_velocity(0.05, -0.06)
