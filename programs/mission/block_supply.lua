@@ -12,7 +12,8 @@ local STILL = 15               -- sightings after which a block in transport is 
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
 local LINKED = 1.25 * geometry.SIDE
-local LOOKS = 3                -- at the cache, with waits between
+local RESTS = 5                -- searches in vain, after which each rest is twice as long as the one before
+local SEARCHES = 2             -- likewise, from which on it leaves a cache that is empty
 local ELSEWHERE = 2            -- searches in vain after which a robot that is bound to a side takes others' blocks
 
 -- block: the one to be fetched. refused: one that could not be come near. last_cache: that of the
@@ -70,20 +71,23 @@ function BlockSupply:at_cache(time)
    return self.navigation:look_again(self.map.cache, seen, time) and self.tracker:recall(is_wanted)
 end
 
--- Where the last block came from; an empty cache is filled after a while.
-function BlockSupply:look_at_caches()
-   local map, is_wanted = self.map, self:wanted()
-   for again = 1, map.cache and LOOKS or 0 do
-      if again > 1 then self.process:wait(5 + 10 * math.random()) end
-      local block = self:at_cache(self.last_cache and FIRST_LOOK or LOOK_TIME)
-      if not block and self.last_cache then
-         map.cache = self.last_cache
-         block = self:at_cache()
-      end
-      self.last_cache = nil
-      block = block or self.machine.search:look_about(is_wanted)
-      if block then return block end
+-- Of a rest before it searches again, s: ever longer, since what lies nowhere now may not come for long, and looks about
+-- and ways cost the robot what it knows of where it is.
+function BlockSupply:patience()
+   return (5 + 10 * math.random()) * 2 ^ math.min(self.in_vain, RESTS)
+end
+
+-- Where the last block came from, about the robot, and there again: an empty cache is filled after a while.
+function BlockSupply:look_at_cache()
+   local map = self.map
+   if not map.cache then return nil end
+   local block = self:at_cache(self.last_cache and FIRST_LOOK or LOOK_TIME)
+   if not block and self.last_cache then
+      map.cache = self.last_cache
+      block = self:at_cache()
    end
+   self.last_cache = nil
+   return block or self.machine.search:look_about(self:wanted()) or self:at_cache(self:patience())
 end
 
 -- After one that could not be come near: another that is remembered, since what stands in the way may stay.
@@ -95,25 +99,29 @@ function BlockSupply:another()
    end)
 end
 
+-- Away from where blocks come from, as far as that is in nobody's way: a block, or nil.
+function BlockSupply:search_elsewhere()
+   local map, search = self.map, self.machine.search
+   if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
+      -- as long as it knows no cache, that may be some way ahead
+      local block = not map.cache and search:find(self:wanted(), LEGS_AHEAD, self:wander()) or nil
+      if not block and not map.cache then self.process:wait(self:patience()) end
+      return block
+   end
+   if map.cache and self.in_vain < SEARCHES then return nil end
+   local block = search:find(self:wanted(), LEGS * self.in_vain, self:wander())
+   local home = map.cache or map.known or { x = 0, y = 0 }
+   if not block then self.navigation:straight_to(home.x, home.y) end
+   return block
+end
+
 -- Where the last one came from, then all about.
 function BlockSupply:search_block()
-   local map, search = self.map, self.machine.search
-   local is_wanted = self:wanted()
-   self.block = self:another() or self:look_at_caches()
+   self.block = self:another() or self:look_at_cache()
    if self.block then return 'found' end
-   -- elsewhere it would be in others' way; as long as it knows no cache, that may be some way ahead
-   if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
-      self.block = not map.cache and search:find(is_wanted, LEGS_AHEAD, self:wander()) or nil
-      self.in_vain = self.in_vain + 1
-      if not self.block then self.process:wait(5 + 10 * math.random()) end
-      return self.block and 'found' or 'none'
-   end
    self.in_vain = self.in_vain + 1
-   self.block = search:find(is_wanted, LEGS * self.in_vain, self:wander())
-   if self.block then return 'found' end
-   local home = map.cache or map.known or { x = 0, y = 0 }
-   self.navigation:straight_to(home.x, home.y)
-   return 'none'
+   self.block = self:search_elsewhere()
+   return self.block and 'found' or 'none'
 end
 
 function BlockSupply:approach_block()
