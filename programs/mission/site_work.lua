@@ -18,6 +18,7 @@ local LATEST = 0.25            -- part of the last approach in their mean time
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
 local EXPLORES = 3             -- rounds in vain, from which on it looks beyond the rows it knows
+local WALKS = 5                -- likewise, from which on it walks round the structure: of a large one it sees a part
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AWAKE, RESTS = 1, 6      -- rounds in vain, after which each rest is twice as long as the one before, so often
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -32,9 +33,9 @@ local TOO_FAR = 0.20           -- m, likewise, from where it looks
 local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
--- tried: rows of this side that asked for nothing; explored: places beside its rows that were looked at. rounds: how often all rows of this side were tried,
--- and nothing placed. patience: how often it tries them before it goes elsewhere: once, and twice as
--- often each time. obstructed: how often somebody was in the way, or nothing to be done, since the last
+-- tried: rows of this side that asked for nothing; explored: places beside its rows that were looked at. in_vain: how
+-- often all rows of a side were tried since the last brick; rounds: likewise of this side. patience: how often it tries
+-- them before it goes elsewhere, of sides that are shared: once, and twice as often each time. obstructed: how often somebody was in the way, or nothing to be done, since the last
 -- brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front, frame,
 -- juts}, the one it stands before. wish: what is to be done there (Column:decide). approach_time: mean of the last
 -- approaches to a site, s.
@@ -47,7 +48,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
-      tried = {}, explored = {}, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {}, approach_time = 0,
+      tried = {}, explored = {}, in_vain = 0, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {}, approach_time = 0,
    }, SiteWork)
 end
 
@@ -83,10 +84,20 @@ function SiteWork:choose_row()
    return self.row and 'chosen' or 'none'
 end
 
+-- Whether the robot tries the rows of one side again and again, before it goes to another.
+function SiteWork:keeps_to_side()
+   return #self.task.sides == 1 or self.sides:are_shared()
+end
+
+-- How often all rows of all its sides were tried, or of the one that it keeps to, since the last brick.
+function SiteWork:idle_rounds()
+   return self.in_vain // (self:keeps_to_side() and 1 or #self.task.sides)
+end
+
 -- A place beside the outermost rows that are known, as if a row began there, or nil: others may have built
 -- where no look at a known row shows it. Whoever is alone has seen what it built.
 function SiteWork:flank_of(rows)
-   if self.task.delay == 0 or self.rounds + 1 < EXPLORES then return nil end
+   if self.task.delay == 0 or self:idle_rounds() + 1 < EXPLORES then return nil end
    local first, last, front, frame = math.huge, -math.huge, -math.huge, nil
    for v, of in pairs(rows) do
       first, last, front, frame = math.min(first, v), math.max(last, v), math.max(front, of.front), of.frame
@@ -102,21 +113,26 @@ end
 -- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick
 -- that it had not seen before.
 function SiteWork:rest()
-   local map, more = self.map, geometry.clamp(self.rounds - AWAKE, 0, RESTS)
+   local map, more = self.map, geometry.clamp(self:idle_rounds() - AWAKE, 0, RESTS)
    local time = (2 + 4 * math.random()) * 2 ^ more
    if more == 0 then return self.process:wait(time) end
    self.lift:to(self.lift:top())
    local before = map:count_bricks()
-   self.process:wait_until(function() return map:rows() ~= nil and map:count_bricks() > before end, time)
+   local function sees_more() return map:rows() ~= nil and map:count_bricks() > before end
+   if not self.process:wait_until(sees_more, time) and self:idle_rounds() >= WALKS then
+      self.navigation:walk_round(sees_more)
+   end
 end
 
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
 -- while, since others' work may open a row.
 function SiteWork:stays()
-   self.tried, self.explored, self.rounds = {}, {}, self.rounds + 1
+   self.tried, self.explored, self.rounds, self.in_vain = {}, {}, self.rounds + 1, self.in_vain + 1
    self.sides:withdraw()
-   if #self.task.sides == 1 or self.sides:are_shared() and self.obstructed <= OBSTRUCTED and
-      self.rounds < self.patience then
+   if not self:keeps_to_side() then
+      -- once a way round; for who is alone nobody opens a row
+      if self.task.delay > 0 and self.in_vain % #self.task.sides == 0 then self:rest() end
+   elseif #self.task.sides == 1 or self.obstructed <= OBSTRUCTED and self.rounds < self.patience then
       self:rest()
       return true
    end
@@ -264,6 +280,7 @@ function SiteWork:look()
    self.tried[self.row.v] = true
    if self.row.juts > 0 then self.path:back_off(self.row.juts) end
    if top_seen then return 'nothing' end
+   if self.row.by_heart then self.map:forget_row(self.row) end
    self.record:tally('aborted')
    return 'unseen'
 end
@@ -361,7 +378,8 @@ function SiteWork:attach()
    end
    if self.row.juts > 0 then self.path:back_off(self.row.juts) end
    self:note_placed()
-   self.tried, self.wish, self.obstructed, self.rounds, self.patience = {}, nil, 0, 0, 1
+   self.tried, self.wish, self.obstructed, self.patience = {}, nil, 0, 1
+   self.rounds, self.in_vain = 0, 0
    self.record:tally('placed')
    return 'placed'
 end

@@ -161,6 +161,15 @@ function StructureMap:note_brick(x, y, level)
    self.bricks[key].levels[level] = true
 end
 
+-- Forgets a row's bricks: they were not seen again.
+function StructureMap:forget_row(row)
+   for key, brick in pairs(self.bricks) do
+      local x, y = geometry.out_of(self:lattice(), SIDE * brick.u, SIDE * brick.v)
+      local _, v = cell_in(row.frame, x, y)
+      if v == row.v then self.bricks[key] = nil end
+   end
+end
+
 -- How many bricks were ever seen.
 function StructureMap:count_bricks()
    local count = 0
@@ -255,19 +264,29 @@ local function juts_beside(rows, of)
    return SIDE * (most - of.front)
 end
 
--- Rows of the structure as seen from this side: by v (to the left), the foremost u (towards the
--- robot).
+-- The cell of a place, as rows of a side are counted: u towards the robot, v to the left.
+local function cell_in(frame, x, y)
+   local along, left = geometry.into(frame, x, y)
+   return -geometry.round(along / SIDE), geometry.round(left / SIDE)
+end
+
+-- Rows of the structure as seen from this side: by v, the foremost u; `by_heart` of those of which nothing was seen
+-- lately.
 function StructureMap:rows()
    local structure = self:in_memory()
    if not structure or not self:remember(structure) then return nil end
    local origin = self.known.origin
    local frame = { x = origin.x, y = origin.y, yaw = self:heading_of(self.side) }
    local rows = {}
-   for _, known in ipairs(structure.blocks) do
-      local along, left = geometry.into(frame, known.x, known.y)
-      local u, v = -geometry.round(along / SIDE), geometry.round(left / SIDE)
-      rows[v] = rows[v] or { v = v, front = u, frame = frame }
-      rows[v].front = math.max(rows[v].front, u)
+   local function add(x, y, by_heart)
+      local u, v = cell_in(frame, x, y)
+      rows[v] = rows[v] or { v = v, front = u, frame = frame, by_heart = by_heart }
+      if rows[v].by_heart == by_heart then rows[v].front = math.max(rows[v].front, u) end
+   end
+   for _, known in ipairs(structure.blocks) do add(known.x, known.y, false) end
+   for _, brick in pairs(self.bricks) do
+      local x, y = geometry.out_of(self:lattice(), SIDE * brick.u, SIDE * brick.v)
+      add(x, y, true)
    end
    for _, of in pairs(rows) do of.juts = juts_beside(rows, of) end
    return rows

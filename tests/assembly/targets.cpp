@@ -161,12 +161,30 @@ std::vector<Cell> blob(Dice& dice) {
   return {cells.begin(), cells.end()};
 }
 
+/// Columns under a lid that juts out by a brick here and there.
+std::vector<Cell> overhang(Dice& dice) {
+  const int wide = dice.from(1, 3), deep = dice.from(1, 2), height = dice.from(1, 2);
+  std::set<Cell> cells;
+  for (int x = 0; x < wide; ++x) {
+    for (int y = 0; y < deep; ++y) {
+      for (int z = 0; z <= height; ++z) cells.insert({x, y, z});
+    }
+  }
+  for (int arms = dice.from(1, 3); arms > 0; --arms) {
+    const int x = dice.from(0, wide - 1), y = dice.from(0, deep - 1);
+    const std::array<Cell, 4> beyond = {
+        {{-1, y, height}, {wide, y, height}, {x, -1, height}, {x, deep, height}}};
+    cells.insert(beyond[static_cast<std::size_t>(dice.from(0, 3))]);
+  }
+  return {cells.begin(), cells.end()};
+}
+
 }  // namespace
 
 Target drawn_target(std::string_view kind, std::uint64_t seed) {
   using Draw = std::vector<Cell> (*)(Dice&);
-  constexpr std::array<Draw, kTargetKinds.size()> kDraw = {height_map, wall,   ring, tower,
-                                                           stairs,     letter, gate, blob};
+  constexpr std::array<Draw, kTargetKinds.size()> kDraw = {height_map, wall, ring, tower,   stairs,
+                                                           letter,     gate, blob, overhang};
   const auto at = std::find(kTargetKinds.begin(), kTargetKinds.end(), kind) - kTargetKinds.begin();
   Dice dice(kind, seed);
   Target out;

@@ -11,8 +11,8 @@
 
 namespace stig {
 
-inline constexpr std::array<std::string_view, 8> kTargetKinds = {
-    "height map", "wall", "ring", "tower", "stairs", "letter", "gate", "blob"};
+inline constexpr std::array<std::string_view, 9> kTargetKinds = {
+    "height map", "wall", "ring", "tower", "stairs", "letter", "gate", "blob", "overhang"};
 
 /// Connected by faces and standing on z = 0, of any colours.
 Target drawn_target(std::string_view kind, std::uint64_t seed);

@@ -339,12 +339,12 @@ case('a robot that finds nothing to do among others looks beyond the rows that i
    local map, machine = map_of({ { 0, 0, 0 }, { 2, -1, 0 } }, { x = 0.5, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   local work = SiteWork.new(machine, map, nil, { are_shared = function() return true end }, nil, task)
    work.magnets = { holds = function() return true end }
    local rows = map:rows()
    for v in pairs(rows) do work.tried[v] = true end
    same('not at once', work:choose_row(), 'none')
-   work.rounds = 2
+   work.in_vain = 2
    local seen = {}
    for _ = 1, 2 do
       same('beside', work:choose_row(), 'chosen')
@@ -473,7 +473,7 @@ case('a robot with nothing to do looks beside its rows from the lift\'s top, rou
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work, lifted = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}
+   local work, lifted = SiteWork.new(machine, map, { walk_round = function() end }, { withdraw = function() end }, nil, task), {}
    work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
    work.process = { wait = function() end, wait_until = function() end }
    work.lift.to = function(_, height) table.insert(lifted, height) end
@@ -499,7 +499,9 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work, waits, begun = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}, nil
+   local walks = 0
+   local navigation = { walk_round = function() walks = walks + 1 end }
+   local work, waits, begun = SiteWork.new(machine, map, navigation, { withdraw = function() end }, nil, task), {}, nil
    local random = math.random
    math.random = function() return 0.5 end  -- luacheck: ignore 122
    work.lift.to = function() end
@@ -513,12 +515,26 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    for _ = 1, 12 do same('stays', work:stays(), true) end
    math.random = random  -- luacheck: ignore 122
    same('seconds', table.concat(waits, ' '), '4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0 256.0 256.0 256.0 256.0')
+   same('looks from all about', walks, 8)
    same('nothing new', begun(), false)
    table.insert(machine.tracker.tracks, {
       id = 2, x = 0.4 - SIDE, y = 0, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 2, seen = 9, missed = 0,
       time = 0, top_time = 0,
    })
    same('a new brick', begun(), true)
+end)
+
+case('a robot bound to several sides rests once a way round, and goes on', function()
+   local task = { transport = 4, sides = { '+x', '+y' }, turns = false, levels = 1, asks = {}, delay = 30 }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local sides = { withdraw = function() end, are_shared = function() return false end }
+   local work, rests = SiteWork.new(machine, map, nil, sides, nil, task), 0
+   work.rest = function() rests = rests + 1 end
+   for _ = 1, 6 do same('to the next side', work:stays(), false) end
+   same('rests', rests, 3)
+   same('rounds', work:idle_rounds(), 3)
 end)
 
 case('a robot waits longer each time that it meets others, but not for ever', function()
