@@ -161,6 +161,12 @@ function StructureMap:note_brick(x, y, level)
    self.bricks[key].levels[level] = true
 end
 
+-- The cell of a place, as rows of a side are counted: u towards the robot, v to the left.
+local function cell_in(frame, x, y)
+   local along, left = geometry.into(frame, x, y)
+   return -geometry.round(along / SIDE), geometry.round(left / SIDE)
+end
+
 -- Forgets a row's bricks: they were not seen again.
 function StructureMap:forget_row(row)
    for key, brick in pairs(self.bricks) do
@@ -262,12 +268,6 @@ local function juts_beside(rows, of)
    local most = of.front
    for dv = -2, 2 do most = math.max(most, rows[of.v + dv] and rows[of.v + dv].front or most) end
    return SIDE * (most - of.front)
-end
-
--- The cell of a place, as rows of a side are counted: u towards the robot, v to the left.
-local function cell_in(frame, x, y)
-   local along, left = geometry.into(frame, x, y)
-   return -geometry.round(along / SIDE), geometry.round(left / SIDE)
 end
 
 -- Rows of the structure as seen from this side: by v, the foremost u; `by_heart` of those of which nothing was seen

@@ -524,6 +524,22 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    same('a new brick', begun(), true)
 end)
 
+case('rows are known by heart, and forgotten where nothing is seen of them again', function()
+   local task = { transport = 4, sides = { '+x' }, turns = false, levels = 1, asks = {}, delay = 0 }
+   local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 2, 2, 0 } },
+                               { x = 0.4, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   same('seen', map:rows()[2].by_heart, false)
+   table.remove(machine.tracker.tracks)
+   local row = map:rows()[2]
+   same('by heart', row.by_heart, true)
+   same('as far off as it was', row.front, map:rows()[1].front)
+   map:forget_row(row)
+   same('forgotten', map:rows()[2], nil)
+   same('others are not', map:count_bricks(), 4)
+end)
+
 case('a robot bound to several sides rests once a way round, and goes on', function()
    local task = { transport = 4, sides = { '+x', '+y' }, turns = false, levels = 1, asks = {}, delay = 30 }
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
