@@ -47,12 +47,18 @@ function BlockSupply:is_unused(known)
    return true
 end
 
+-- Whether a place is on the robot's side. Before it has seen the structure, that is ahead of where it began, since
+-- robots begin with their backs to the structure.
+function BlockSupply:is_on_own_side(place)
+   if self.map.known then return self.map:is_on_own_side(place) end
+   return place.x > 0
+end
+
 -- Says whether a block is one to be fetched: unused, and on the robot's side if it is bound to one, since the way
 -- from elsewhere leads past others at work.
 function BlockSupply:wanted()
-   local map = self.map
-   local anywhere = not self.machine.robot.params.sides or not map.known or self.in_vain >= ELSEWHERE
-   return function(known) return self:is_unused(known) and (anywhere or map:is_on_own_side(known)) end
+   local anywhere = not self.machine.robot.params.sides or self.in_vain >= ELSEWHERE
+   return function(known) return self:is_unused(known) and (anywhere or self:is_on_own_side(known)) end
 end
 
 -- Driven to where a search goes on.

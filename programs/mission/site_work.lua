@@ -18,7 +18,6 @@ local LATEST = 0.25            -- part of the last approach in their mean time
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
 local EXPLORES = 3             -- rounds in vain, from which on it looks beyond the rows it knows
-local WALKS = 5                -- likewise, from which on it walks round the structure: of a large one it sees a part
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AWAKE, RESTS = 1, 6      -- rounds in vain, after which each rest is twice as long as the one before, so often
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -118,10 +117,7 @@ function SiteWork:rest()
    if more == 0 then return self.process:wait(time) end
    self.lift:to(self.lift:top())
    local before = map:count_bricks()
-   local function sees_more() return map:rows() ~= nil and map:count_bricks() > before end
-   if not self.process:wait_until(sees_more, time) and self:idle_rounds() >= WALKS then
-      self.navigation:walk_round(sees_more)
-   end
+   self.process:wait_until(function() return map:rows() ~= nil and map:count_bricks() > before end, time)
 end
 
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a

@@ -17,7 +17,6 @@ local ASIDE = 0.15             -- m, out of another's way
 local TRIES = 6                -- to drive straight to a place
 local ARCS, ARC = 8, math.pi / 4  -- of a way round the structure
 local VIEWS, VIEW_TURN = 12, math.pi / 6  -- of a place, to be chosen from
-local ROUND_VIEWS = 8          -- of the structure, from all about
 
 local Navigation = {}
 Navigation.__index = Navigation
@@ -95,24 +94,6 @@ function Navigation:round_structure(x, y)
       if math.abs(left) < ARC or
          (away > radius - 0.03 and self:way_past(x, y) >= map.known.reach + TOO_NEAR) then break end
       self:straight_to(self:on_ring(at + clamp(left, -ARC, ARC), radius))
-   end
-end
-
--- Once round the structure, with looks at it from all about; `seen()` is called after each.
-function Navigation:walk_round(seen)
-   local map = self.map
-   local pivot, known = self.odometry:pivot(), map.known
-   local from = math.atan(pivot.y - known.y, pivot.x - known.x)
-   self.lift:to(self.lift:top())
-   for step = 1, ROUND_VIEWS do
-      local angle = from + 2 * math.pi * step / ROUND_VIEWS
-      local away = math.min(map.known.reach + Navigation.CLEAR_OF, (map.cache_way or math.huge) - Navigation.BEFORE_CACHE)
-      local x, y = self:on_ring(angle, away)
-      self:past_cache(x, y)
-      self:straight_to(x, y)
-      self.path:turn_to(angle + math.pi)
-      self.process:wait(LOOK_TIME)
-      seen()
    end
 end
 

@@ -382,12 +382,15 @@ case('a robot that is bound to a side takes blocks from there, as long as there 
       fake.robot.params = params
       local builder = Builder.new(fake.robot, CHART, { sides = { '+x', '-x' }, transport = 4, delay = 30 })
       local supply, map = builder.supply, builder.map
-      -- it stands on the right of a structure that it faces from +x with the heading pi
-      map.known = { x = -0.3, y = 0, reach = 0.03, yaw = math.pi, origin = { x = -0.3, y = 0 } }
       local wanted = supply:wanted()
       local function is_wanted(x, y)
          return wanted { x = x, y = y, z = SIDE / 2, level = 0, colour = 0, seen = 20 }
       end
+      same('ahead, at first', is_wanted(0.62, 0.02), true)
+      same('behind', is_wanted(-0.2, 0.5), not params.sides)
+      -- it stands on the right of a structure that it faces from +x with the heading pi
+      map.known = { x = -0.3, y = 0, reach = 0.03, yaw = math.pi, origin = { x = -0.3, y = 0 } }
+      wanted = supply:wanted()
       same('on its side', is_wanted(0.62, 0.02), true)
       same('on another', is_wanted(-0.3, -0.45), not params.sides)
       supply.in_vain = 2
@@ -473,7 +476,7 @@ case('a robot with nothing to do looks beside its rows from the lift\'s top, rou
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work, lifted = SiteWork.new(machine, map, { walk_round = function() end }, { withdraw = function() end }, nil, task), {}
+   local work, lifted = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}
    work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
    work.process = { wait = function() end, wait_until = function() end }
    work.lift.to = function(_, height) table.insert(lifted, height) end
@@ -499,9 +502,7 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local walks = 0
-   local navigation = { walk_round = function() walks = walks + 1 end }
-   local work, waits, begun = SiteWork.new(machine, map, navigation, { withdraw = function() end }, nil, task), {}, nil
+   local work, waits, begun = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}, nil
    local random = math.random
    math.random = function() return 0.5 end  -- luacheck: ignore 122
    work.lift.to = function() end
@@ -515,7 +516,6 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    for _ = 1, 12 do same('stays', work:stays(), true) end
    math.random = random  -- luacheck: ignore 122
    same('seconds', table.concat(waits, ' '), '4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0 256.0 256.0 256.0 256.0')
-   same('looks from all about', walks, 8)
    same('nothing new', begun(), false)
    table.insert(machine.tracker.tracks, {
       id = 2, x = 0.4 - SIDE, y = 0, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 2, seen = 9, missed = 0,
