@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // set_up.h has the figures and their reasons. All places are worked out about the start's middle
-// and moved at the end so that the origin is where scenes have it; rounding is the last step, once,
-// so that the text of a scene and the numbers handed on are the same.
+// and moved at the end so that the origin is where scenes have it, and each structure where it has
+// room; then they are rounded, so that the text of a scene and the numbers handed on are the same.
 #include "validate/set_up.h"
 
 #include <fmt/format.h>
@@ -47,6 +47,7 @@ Direction direction_of(ApproachSide side) {
 /// sign.
 double metres(double v) { return std::round(v * 1e5) / 1e5 + 0.0; }
 
+/// Of one structure and the robots that begin there.
 class Layout {
  public:
   Layout(const RuleSet& rules, const CompiledRules& compiled, const SetUpRequest& request)
@@ -69,7 +70,7 @@ class Layout {
     }
   }
 
-  SetUpLayout layout() const { return {metres(arena()), blocks(), robots(), caches()}; }
+  SetUpLayout layout() const { return {arena(), blocks(), robots(), caches()}; }
 
  private:
   bool several() const { return compiled_.sides.size() > 1; }
@@ -106,9 +107,7 @@ class Layout {
     return std::max(kArena, far + kArenaBeyond);
   }
 
-  Vec3 place(double x, double y, double z) const {
-    return {metres(x - origin_.x), metres(y - origin_.y), metres(z)};
-  }
+  Vec3 place(double x, double y, double z) const { return Vec3{x, y, z} - origin_; }
 
   std::vector<SetUpLayout::Block> blocks() const {
     std::vector<SetUpLayout::Block> out;
@@ -191,14 +190,41 @@ double most_build_time(const CompiledRules& compiled) {
   return std::max(kMostBuildTime, kTimeOfBrick * static_cast<double>(compiled.target->bricks()));
 }
 
-int robots_of(const RuleSet& rules, std::optional<int> asked) {
-  return asked.value_or(rules.physical ? rules.physical->robots.value_or(1) : 1);
+int robots_of(const RuleSet& rules, std::optional<int> asked, int structures) {
+  return asked.value_or(structures * (rules.physical ? rules.physical->robots.value_or(1) : 1));
 }
 
 SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
                     const SetUpRequest& request) {
-  assert(request.robots > 0 && !compiled.sides.empty());
-  return Layout(rules, compiled, request).layout();
+  assert(request.robots > 0 && request.structures > 0 && !compiled.sides.empty());
+  std::vector<SetUpLayout> structures;
+  double arena = 0;  // of one
+  for (int i = 0; i < request.structures; ++i) {
+    SetUpRequest own = request;
+    own.robots = (request.robots + request.structures - 1 - i) / request.structures;
+    structures.push_back(Layout(rules, compiled, own).layout());
+    arena = std::max(arena, structures.back().arena);
+  }
+  const int columns = static_cast<int>(std::ceil(std::sqrt(request.structures)));
+  const int rows = (request.structures + columns - 1) / columns;
+  SetUpLayout out;
+  out.arena = metres(columns * arena);
+  for (int i = 0; i < request.structures; ++i) {
+    const Vec3 middle{(2 * (i % columns) - columns + 1) * arena,
+                      (2 * (i / columns) - rows + 1) * arena, 0};
+    const auto take = [&](auto& all, auto& own, auto place) {
+      for (auto& one : own) {
+        const Vec3 at = one.*place + middle;
+        one.*place = {metres(at.x), metres(at.y), metres(at.z)};
+        all.push_back(std::move(one));
+      }
+    };
+    SetUpLayout& one = structures[static_cast<std::size_t>(i)];
+    take(out.blocks, one.blocks, &SetUpLayout::Block::centre);
+    take(out.robots, one.robots, &SetUpLayout::Robot::at);
+    take(out.caches, one.caches, &SetUpLayout::Cache::at);
+  }
+  return out;
 }
 
 std::string sides_text(const std::vector<ApproachSide>& sides) {
@@ -212,7 +238,10 @@ std::string sides_text(const std::vector<ApproachSide>& sides) {
 std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
                          const SetUpRequest& request) {
   const SetUpLayout layout = lay_out(rules, compiled, request);
-  std::string out = scene_head(rules, most_build_time(compiled), layout.arena) + "blocks:\n";
+  // Fewer robots than structures build them one after the other.
+  const int rounds = (request.structures + request.robots - 1) / request.robots;
+  std::string out =
+      scene_head(rules, rounds * most_build_time(compiled), layout.arena) + "blocks:\n";
   int number = 0;
   for (const SetUpLayout::Block& block : layout.blocks) {
     out += fmt::format("  - {{name: start {}, at: [{:g}, {:g}, {:g}], color: {}, fixed: true}}\n",

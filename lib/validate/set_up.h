@@ -17,6 +17,10 @@
 // each other, and begins at the first. Fixed allocation binds robots to their sides, unless there
 // is but one robot.
 //
+// Several structures of the same rules stand in a square of rows: each in the middle of an arena of
+// the size that it would have alone, with caches of its own. Robots are dealt out among them in
+// turn, as even as may be.
+//
 // One text for all: what validate runs is what `stigc simulate` makes of the file. The layout
 // itself is there too, for other simulators' files.
 #pragma once
@@ -43,14 +47,15 @@ double most_build_time(const CompiledRules& compiled);
 enum class Allocation : std::uint8_t { dynamic_, fixed };
 
 struct SetUpRequest {
-  int robots = 1;
+  int structures = 1;
+  int robots = 1;  ///< at all structures together
   Allocation allocation = Allocation::fixed;
   std::string robot_file = "bebot.yaml";
   double side = 0.055;  ///< of a block, m
 };
 
-/// The number that was asked for, the file's, or 1.
-int robots_of(const RuleSet& rules, std::optional<int> asked);
+/// The number that was asked for, or for each structure the file's, or 1.
+int robots_of(const RuleSet& rules, std::optional<int> asked, int structures = 1);
 
 /// Where things stand; m, in the world's frame, z over the floor, rounded to 10 µm.
 struct SetUpLayout {
@@ -69,9 +74,9 @@ struct SetUpLayout {
     int outwards = 0;  ///< degrees, away from the structure
   };
   double arena = 0;           ///< half its side
-  std::vector<Block> blocks;  ///< the start
+  std::vector<Block> blocks;  ///< the starts
   std::vector<Robot> robots;
-  std::vector<Cache> caches;  ///< one on each side
+  std::vector<Cache> caches;  ///< one on each side of each structure
 };
 SetUpLayout lay_out(const RuleSet& rules, const CompiledRules& compiled,
                     const SetUpRequest& request);
