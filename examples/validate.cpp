@@ -73,11 +73,12 @@ int run(const stig::rules::RuleSet& rules, const stig::compiler::CompiledRules& 
         const stig::physics::Scene& scene, double seconds, stig::Diagnostics& diagnostics) {
   const auto placed = stig::physics::place_scene(scene, /*seed=*/1, diagnostics);
   if (!placed) return 1;
-  // Where the rules' lattice lies in the world: the blocks of the start say so.
-  const auto site =
-      stig::validate::find_site(rules, compiled.target->floor_level(), scene, *placed, diagnostics);
-  if (!site) return 1;
-  const stig::validate::BuildTarget target{&rules, *compiled.proof.structure, *site};
+  // Where the rules' lattice lies in the world: the blocks of the start say so. Of a scene with
+  // several starts each has a site of its own; this one has one.
+  stig::validate::BuildTarget target{&rules, *compiled.proof.structure, {}};
+  target.sites = stig::validate::find_sites(rules, target.whole, compiled.target->floor_level(),
+                                            scene, *placed, diagnostics);
+  if (target.sites.empty()) return 1;
   stig::validate::TrialSettings settings;
   settings.duration = seconds;
   settings.pictures = -1;
@@ -89,10 +90,11 @@ int run(const stig::rules::RuleSet& rules, const stig::compiler::CompiledRules& 
               << ": brick at (" << event.cell.x << ", " << event.cell.y << ", " << event.cell.z
               << ")\n";
   }
-  std::cout << to_string(trial.end) << ", " << to_string(trial.judgement.verdict) << ": "
-            << trial.judgement.allowed << " of " << trial.judgement.placements
-            << " placements as the rules allow, " << trial.judgement.missing() << " missing\n";
-  return trial.judgement.verdict == stig::validate::BuildVerdict::complete ? 0 : 1;
+  const stig::validate::Judgement& judgement = trial.judgements.front();
+  std::cout << to_string(trial.end) << ", " << to_string(judgement.verdict) << ": "
+            << judgement.allowed << " of " << judgement.placements
+            << " placements as the rules allow, " << judgement.missing() << " missing\n";
+  return judgement.verdict == stig::validate::BuildVerdict::complete ? 0 : 1;
 }
 
 /// All of it; what is wrong is in the diagnostics.

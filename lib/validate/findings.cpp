@@ -18,9 +18,9 @@ namespace {
 // The programs' approach begins there (docs/behaviours.md).
 constexpr double kComesBy = 0.40;  ///< m: robots come straight at a site from 0.30 m
 
-void of_bricks(const BuildTarget& target, const Judgement& judgement,
-               std::vector<std::string>& out) {
-  const RuleSet& rules = *target.rules;
+/// Of one structure, without its number.
+std::vector<std::string> of_bricks(const RuleSet& rules, const Judgement& judgement) {
+  std::vector<std::string> out;
   for (const BrickCheck& brick : judgement.bricks) {
     const Led wanted = led_of(rules, brick.wanted);
     if (!brick.block) {
@@ -49,24 +49,26 @@ void of_bricks(const BuildTarget& target, const Judgement& judgement,
                                               brick_text(rules, stray.led, stray.cell),
                                               length(stray.off) * 1e3, stray.yaw / kDegree));
   }
+  return out;
 }
 
 /// The nearest place that a brick is missing from, as seen from above, where that is so near that
 /// robots who fill it come by.
-std::string missing_near(const BuildTarget& target, const Judgement& judgement, const Vec3& at) {
-  const BrickCheck* nearest = nullptr;
-  double least = kComesBy;
-  for (const BrickCheck& brick : judgement.bricks) {
-    const Vec3 away = centre_of(target.site, brick.cell) - at;
-    const double way = std::hypot(away.x, away.y);
-    if (brick.block || way >= least) continue;
-    nearest = &brick;
-    least = way;
-  }
+std::string missing_near(const BuildTarget& target, const Trial& trial, const Vec3& at) {
   // Nothing is said of robots that are far from any gap.
-  return nearest == nullptr ? ""
-                            : fmt::format(", {:.2f} m from the missing brick at {}", least,
-                                          cell_text(nearest->cell));
+  std::string out;
+  double least = kComesBy;
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    for (const BrickCheck& brick : trial.judgements[i].bricks) {
+      const Vec3 away = centre_of(target.sites[i], brick.cell) - at;
+      const double way = std::hypot(away.x, away.y);
+      if (brick.block || way >= least) continue;
+      out = fmt::format(", {:.2f} m from the missing brick at {}{}", way, cell_text(brick.cell),
+                        of_structure(target, i));
+      least = way;
+    }
+  }
+  return out;
 }
 
 /// What a robot is at that cannot go on, or where it is in its program. The gravest first: a robot
@@ -95,7 +97,7 @@ void of_robot(const BuildTarget& target, const RobotRecord& robot, const Trial& 
   if (robot.holding) text += ", with a block";
   if (!robot.left && (robot.fallen || robot.failed)) {
     text += fmt::format(", at ({:.2f}, {:.2f}) m", robot.X_WR.p.x, robot.X_WR.p.y) +
-            missing_near(target, trial.judgement, robot.X_WR.p);
+            missing_near(target, trial, robot.X_WR.p);
   }
   out.push_back(std::move(text));
 }
@@ -134,7 +136,7 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
     if (block.led == Led::off) continue;
     out.push_back(fmt::format("a block that shows {} lies loose at ({:.2f}, {:.2f}) m{}",
                               to_string(block.led), block.X_WB.p.x, block.X_WB.p.y,
-                              missing_near(target, trial.judgement, block.X_WB.p)));
+                              missing_near(target, trial, block.X_WB.p)));
   }
   out.insert(out.end(), trial.caches.begin(), trial.caches.end());
 }
@@ -144,11 +146,21 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
 std::vector<std::string> findings_of(const BuildTarget& target, const Trial& trial) {
   assert(target.rules != nullptr);
   std::vector<std::string> out;
-  const Judgement& judgement = trial.judgement;
-  if (judgement.against) out.push_back("against the rules: " + judgement.against->reason);
-  // A complete structure needs no account of how the run ended.
-  if (judgement.verdict != BuildVerdict::complete) of_end(target, trial, out);
-  of_bricks(target, judgement, out);
+  // Of several structures each sentence says of which it is.
+  const auto number = [&](std::size_t i) {
+    return trial.judgements.size() > 1 ? fmt::format("structure {}: ", i + 1) : "";
+  };
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    const auto& against = trial.judgements[i].against;
+    if (against) out.push_back(number(i) + "against the rules: " + against->reason);
+  }
+  // Complete structures need no account of how the run ended.
+  if (trial.verdict() != BuildVerdict::complete) of_end(target, trial, out);
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    for (const std::string& one : of_bricks(*target.rules, trial.judgements[i])) {
+      out.push_back(number(i) + one);
+    }
+  }
   return out;
 }
 

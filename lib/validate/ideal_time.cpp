@@ -17,7 +17,8 @@ double level_way(const Vec3& from, const Vec3& to) {
 /// Another one took its place later.
 bool replaced(std::span<const Haul> hauls, const Haul& haul) {
   return std::any_of(hauls.begin(), hauls.end(), [&](const Haul& other) {
-    return other.placed == haul.placed && other.from > haul.from;
+    return other.placed == haul.placed && other.structure == haul.structure &&
+           other.from > haul.from;
   });
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <tuple>
 
 #include "physical/readout/lattice_reading.h"
@@ -20,7 +21,6 @@ namespace stig::validate {
 namespace {
 
 constexpr double kCellWay = 0.012, kCellTurn = 0.26;  ///< m, rad: within this a block fills a cell
-constexpr double kInTheWay = 1.3;  ///< sides from a brick: so near, a block between cells counts
 
 struct Filled {
   const WatchedBlock* block = nullptr;
@@ -50,24 +50,24 @@ std::vector<BrickCheck> wanted(const BuildTarget& target) {
 
 /// The lattice that fits the bricks best, its axes and cells those of the rules. What does not hang
 /// together, or is a brick alone, has that of the start.
-BuildSite fitted_site(const BuildTarget& target, const std::vector<PlacedBlock>& blocks) {
+BuildSite fitted_site(const BuildSite& site, const std::vector<PlacedBlock>& blocks) {
   // One lattice of all bricks, or none: with two the best fit has no meaning.
-  const StructureReading reading = read_lattices(blocks, target.site.pitch);
-  if (reading.lattices.size() != 1 || !reading.loose.empty()) return target.site;
+  const StructureReading reading = read_lattices(blocks, site.pitch);
+  if (reading.lattices.size() != 1 || !reading.loose.empty()) return site;
   const ReadLattice& read = reading.lattices.front();
   // The fit counts its cells from (0, 0, 0) and knows its axes up to a turn of the cube. Both are
   // taken from the site, from which the fitted frame differs by little: the turn between the two
   // frames, and the cell that the first block has in each.
-  const Pose X_SL = inverse(target.site.X_WL) * read.X_WL;
-  BuildSite fitted = target.site;
+  const Pose X_SL = inverse(site.X_WL) * read.X_WL;
+  BuildSite fitted = site;
   fitted.pitch = read.pitch;
-  fitted.X_WL.q = target.site.X_WL.q * quaternion_of(beyond_cube_turn(matrix(X_SL.q)));
+  fitted.X_WL.q = site.X_WL.q * quaternion_of(beyond_cube_turn(matrix(X_SL.q)));
   const ReadBlock& first = read.blocks.front();
   const Vec3 there =
       read.X_WL * (Vec3{static_cast<double>(first.cell.x), static_cast<double>(first.cell.y),
                         static_cast<double>(first.cell.z)} *
                    read.pitch);
-  const Cell cell = fit_of(target.site, blocks[first.block].X_WB).cell;
+  const Cell cell = fit_of(site, blocks[first.block].X_WB).cell;
   // The origin drops out: the cell's centre from a frame at zero, taken from where that centre is.
   fitted.X_WL.p = {};
   fitted.X_WL.p = there - centre_of(fitted, cell);
@@ -111,11 +111,11 @@ void measure_joints(Judgement& out, const Closeness& closeness) {
 }
 
 /// Blocks that fill no cell of the structure but are against what is built.
-std::vector<StrayBrick> strays(const BuildTarget& target, const std::vector<WatchedBlock>& blocks,
+std::vector<StrayBrick> strays(const BuildSite& site, const std::vector<WatchedBlock>& blocks,
                                const std::vector<BrickCheck>& bricks) {
   std::vector<Vec3> built;
   for (const BrickCheck& brick : bricks) {
-    if (brick.block) built.push_back(centre_of(target.site, brick.cell));
+    if (brick.block) built.push_back(centre_of(site, brick.cell));
   }
   std::vector<StrayBrick> out;
   for (const WatchedBlock& block : blocks) {
@@ -124,10 +124,10 @@ std::vector<StrayBrick> strays(const BuildTarget& target, const std::vector<Watc
       return one.block == block.block;
     });
     const bool near = std::any_of(built.begin(), built.end(), [&](const Vec3& place) {
-      return length(place - block.X_WB.p) < kInTheWay * target.site.pitch;
+      return length(place - block.X_WB.p) < kInTheWay * site.pitch;
     });
     if (counted || !near) continue;
-    const CellFit fit = fit_of(target.site, block.X_WB);
+    const CellFit fit = fit_of(site, block.X_WB);
     out.push_back({block.block, fit.cell, block.led, fit.off, fit.yaw, fills(fit)});
   }
   return out;
@@ -153,12 +153,14 @@ std::string brick_text(const RuleSet& rules, Led led, Cell cell) {
   return fmt::format("a {} at {}", what, cell_text(cell));
 }
 
-Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& blocks,
-                const std::vector<BrickEvent>& events, const Closeness& closeness) {
-  assert(target.rules != nullptr && target.site.pitch > 0);
+Judgement judge(const BuildTarget& target, std::size_t structure,
+                const std::vector<WatchedBlock>& blocks, const std::vector<BrickEvent>& events,
+                const Closeness& closeness) {
+  assert(target.rules != nullptr && structure < target.sites.size());
+  const BuildSite& site = target.sites[structure];
   std::map<Cell, Filled> filled;
   for (const WatchedBlock& block : blocks) {
-    const CellFit fit = fit_of(target.site, block.X_WB);
+    const CellFit fit = fit_of(site, block.X_WB);
     // Two blocks cannot fill one cell without overlapping; if physics has let them, the first
     // counts and the other is found as stray.
     if (fills(fit)) filled.try_emplace(fit.cell, Filled{&block, fit});
@@ -171,14 +173,17 @@ Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& bloc
     if (found != filled.end()) there.push_back({found->second.block->X_WB, 0});
   }
   // Fitted over the bricks that are there, wherever the others are.
-  const BuildSite fitted = fitted_site(target, there);
+  const BuildSite fitted = fitted_site(site, there);
   for (BrickCheck& check : out.bricks) {
     const auto found = filled.find(check.cell);
     if (found != filled.end()) measure(check, found->second, target, fitted, closeness);
   }
   measure_joints(out, closeness);
-  out.extra = strays(target, blocks, out.bricks);
-  const Replayed replayed = replay_events(target, events);
+  out.extra = strays(site, blocks, out.bricks);
+  std::vector<BrickEvent> own;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(own),
+               [&](const BrickEvent& event) { return event.structure == structure; });
+  const Replayed replayed = replay_events(target, own);
   out.placements = replayed.placements;
   out.allowed = replayed.allowed;
   out.against = replayed.against;
@@ -202,14 +207,14 @@ bool is_right(const BuildTarget& target, const std::pair<const Cell, StandingBri
 
 }  // namespace
 
-bool stands(const BuildTarget& target, const Watch& watch) {
+bool stands(const BuildTarget& target, std::size_t structure, const Watch& watch) {
   // As many as wanted and none wrong: then none is missing.
-  return watch.bricks().size() == target.whole.size() && !spoilt(target, watch);
+  return watch.bricks(structure).size() == target.whole.size() && !spoilt(target, structure, watch);
 }
 
-bool spoilt(const BuildTarget& target, const Watch& watch) {
+bool spoilt(const BuildTarget& target, std::size_t structure, const Watch& watch) {
   assert(target.rules != nullptr);
-  const auto& bricks = watch.bricks();
+  const auto& bricks = watch.bricks(structure);
   return !std::all_of(bricks.begin(), bricks.end(),
                       [&](const auto& brick) { return is_right(target, brick); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Is what stands there the structure that was proved, and was every brick placed as the rules
-// say?
+// Is what stands at a site the structure that was proved, and was every brick placed as the rules
+// say? Of several structures each is judged by itself.
 //
 // Three things are held to the rules, none of which asks a robot what it believes:
 //
@@ -18,18 +18,10 @@
 #include <string_view>
 #include <vector>
 
-#include "lattice/structure.h"
 #include "validate/uses.h"
 #include "validate/watch.h"
 
 namespace stig::validate {
-
-/// What was to be built. The rules must outlive it.
-struct BuildTarget {
-  const RuleSet* rules = nullptr;
-  Structure whole;  ///< proved, the start included
-  BuildSite site;
-};
 
 struct Closeness {
   double way = 0.002;    ///< m
@@ -61,7 +53,7 @@ struct StrayBrick {
 
 /// A placement that no rule allowed.
 struct AgainstRules {
-  std::size_t event = 0;  ///< in the list given
+  std::size_t event = 0;  ///< of this structure's
   std::string reason;     ///< a sentence
 };
 
@@ -88,15 +80,17 @@ struct Judgement {
   std::size_t missing() const;
 };
 
-/// `blocks`: all that are in the arena and that no robot holds.
-Judgement judge(const BuildTarget& target, const std::vector<WatchedBlock>& blocks,
-                const std::vector<BrickEvent>& events, const Closeness& closeness = {});
+/// One of the target's structures. `blocks`: all that are in the arena and that no robot holds;
+/// `events`: of all structures.
+Judgement judge(const BuildTarget& target, std::size_t structure,
+                const std::vector<WatchedBlock>& blocks, const std::vector<BrickEvent>& events,
+                const Closeness& closeness = {});
 
 /// Every brick is in its cell in its colour, and none besides: what a watch alone can tell.
-bool stands(const BuildTarget& target, const Watch& watch);
+bool stands(const BuildTarget& target, std::size_t structure, const Watch& watch);
 
 /// There is a brick where none should be, or one of another colour.
-bool spoilt(const BuildTarget& target, const Watch& watch);
+bool spoilt(const BuildTarget& target, std::size_t structure, const Watch& watch);
 
 /// "Q3 brick at (0, 0, 2)", for reports.
 std::string brick_text(const RuleSet& rules, Led led, Cell cell);

@@ -17,7 +17,7 @@ constexpr double kMostRows = 240;
 
 /// The value that holds at a time, of changes in the order of time; at first 0. The nanosecond is
 /// for times that were summed from steps.
-int value_at(const std::vector<std::pair<double, int>>& changes, double time) {
+int value_at(const ProgressCurve::Steps& changes, double time) {
   int out = 0;
   for (const auto& [when, value] : changes) {
     if (when <= time + 1e-9) out = value;
@@ -56,19 +56,27 @@ ProgressCurve curve_of(const BuildTarget& target, const Trial& trial, const Work
   curve.seed = trial.seed;
   curve.end = trial.time;
   curve.robots = static_cast<int>(trial.robots.size());
-  curve.complete = trial.judgement.verdict == BuildVerdict::complete;
-  if (sites != nullptr) curve.sites = sites->over(trial.events, *target.rules);
+  curve.complete = trial.verdict() == BuildVerdict::complete;
+  if (sites != nullptr) curve.sites = sites->over(trial.events, target);
   for (const RobotRecord& robot : trial.robots) {
     curve.idle.insert(curve.idle.end(), robot.idle.begin(), robot.idle.end());
     curve.busy.insert(curve.busy.end(), robot.busy.begin(), robot.busy.end());
   }
-  int bricks = 0;
+  const std::size_t structures = target.sites.size();
+  if (structures > 1) curve.structures.resize(structures);
+  std::vector<int> bricks(structures);
+  int all = 0;
   for (const BrickEvent& event : trial.events) {
     const State wanted = target.whole.at(event.cell);
     // Bricks of another colour or place are no progress, and their leaving is none lost.
     if (!is_brick(wanted) || led_of(*target.rules, wanted) != event.led) continue;
-    bricks += event.kind == BrickEvent::Kind::placed ? 1 : -1;
-    curve.steps.emplace_back(event.time, bricks);
+    const int more = event.kind == BrickEvent::Kind::placed ? 1 : -1;
+    all += more;
+    bricks[event.structure] += more;
+    curve.steps.emplace_back(event.time, all);
+    if (structures > 1) {
+      curve.structures[event.structure].emplace_back(event.time, bricks[event.structure]);
+    }
   }
   return curve;
 }
@@ -105,12 +113,22 @@ ProgressBand band_of(const std::vector<ProgressCurve>& curves) {
 
 std::string progress_csv(const std::vector<ProgressCurve>& curves, const ProgressBand& band) {
   std::string out = "time,mean,deviation,least,most,sites,idle,busy";
-  for (const ProgressCurve& curve : curves) out += fmt::format(",seed_{}", curve.seed);
+  for (const ProgressCurve& curve : curves) {
+    out += fmt::format(",seed_{}", curve.seed);
+    for (std::size_t i = 0; i < curve.structures.size(); ++i) {
+      out += fmt::format(",seed_{}_structure_{}", curve.seed, i + 1);
+    }
+  }
   out += "\n";
   for (const ProgressBand::Row& row : band.rows) {
     out += fmt::format("{:g},{:.3f},{:.3f},{},{},{:.2f},{:.2f},{:.2f}", row.time, row.mean,
                        row.deviation, row.least, row.most, row.sites, row.idle, row.busy);
-    for (const ProgressCurve& curve : curves) out += fmt::format(",{}", curve.at(row.time));
+    for (const ProgressCurve& curve : curves) {
+      out += fmt::format(",{}", curve.at(row.time));
+      for (const ProgressCurve::Steps& steps : curve.structures) {
+        out += fmt::format(",{}", value_at(steps, row.time));
+      }
+    }
     out += "\n";
   }
   return out;

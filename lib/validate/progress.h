@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // How a structure grew over time: a curve a run, and mean and spread over many.
 //
-// A curve counts right bricks: those that stand in a cell of the structure in its colour, the
-// start left out. After its run a curve stays where it ended. Beside them: how many sites were
-// open, how many robots idle, how often one was in another's way.
+// A curve counts right bricks: those that stand in a cell of a structure in its colour, the start
+// left out. Of several structures it is their sum, and each has one of its own besides. After its
+// run a curve stays where it ended. Beside them: how many sites were open, how many robots idle,
+// how often one was in another's way.
 #pragma once
 
 #include <string>
@@ -17,13 +18,15 @@ namespace stig::validate {
 
 struct ProgressCurve {
   std::uint64_t seed = 1;
-  std::vector<std::pair<double, int>> steps;  ///< s, bricks from then on
-  double end = 0;                             ///< s, of the run
+  using Steps = std::vector<std::pair<double, int>>;
+  Steps steps;                    ///< s, bricks from then on
+  std::vector<Steps> structures;  ///< likewise of each, where there are several
+  double end = 0;                 ///< s, of the run
   int robots = 0;
   bool complete = false;
-  std::vector<std::pair<double, int>> sites;  ///< open, likewise; empty: not known
-  std::vector<TimeSpan> idle;                 ///< of all robots
-  std::vector<double> busy;  ///< s: attempts aborted since another robot was in the way
+  Steps sites;                 ///< open, likewise; empty: not known
+  std::vector<TimeSpan> idle;  ///< of all robots
+  std::vector<double> busy;    ///< s: attempts aborted since another robot was in the way
   int at(double time) const;
 };
 /// Sites are not known without `sites`.
@@ -42,7 +45,8 @@ struct ProgressBand {
 };
 ProgressBand band_of(const std::vector<ProgressCurve>& curves);
 
-/// time,mean,deviation,least,most,sites,idle,busy and a column for each run; a line for each time.
+/// time,mean,deviation,least,most,sites,idle,busy and a column for each run, followed by one for
+/// each of its structures where there are several; a line for each time.
 std::string progress_csv(const std::vector<ProgressCurve>& curves, const ProgressBand& band);
 
 }  // namespace stig::validate

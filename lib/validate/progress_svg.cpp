@@ -62,12 +62,12 @@ std::string times(const Axes& axes) {
 }
 
 // Steps and not slopes: between two bricks there is nothing.
-std::string stairs(const Axes& axes, const ProgressCurve& curve) {
+std::string stairs(const Axes& axes, const ProgressCurve::Steps& steps, double end) {
   std::string out = fmt::format("M{:.1f} {:.1f}", axes.x(0), axes.y(0));
-  for (const auto& [time, bricks] : curve.steps) {
+  for (const auto& [time, bricks] : steps) {
     fmt::format_to(std::back_inserter(out), "H{:.1f}V{:.1f}", axes.x(time), axes.y(bricks));
   }
-  return out + fmt::format("H{:.1f}", axes.x(curve.end));
+  return out + fmt::format("H{:.1f}", axes.x(end));
 }
 
 // Back and forth along the rows: two of these make the outline of a band.
@@ -103,7 +103,11 @@ std::string curves_drawn(const Axes& axes, const std::vector<ProgressCurve>& cur
     out += path("band", points(axes, band, false, high) + points(axes, band, true, low) + "Z");
   }
   for (const ProgressCurve& curve : curves) {
-    out += path(several ? "run" : "mean", stairs(axes, curve));
+    // Of a single run the structures too, under their sum.
+    for (std::size_t i = 0; !several && i < curve.structures.size(); ++i) {
+      out += path("run", stairs(axes, curve.structures[i], curve.end));
+    }
+    out += path(several ? "run" : "mean", stairs(axes, curve.steps, curve.end));
   }
   const auto mean = [](const ProgressBand::Row& row) { return row.mean; };
   return several ? out + path("mean", points(axes, band, false, mean)) : out;

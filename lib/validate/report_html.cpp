@@ -111,12 +111,12 @@ std::string fixed(double v, int digits) { return fmt::format("{:.{}f}", v + 0.0,
 void runs(const ValidationReport& report, Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const Trial& trial : report.trials) {
-    const Judgement& j = trial.judgement;
-    rows.push_back({std::to_string(trial.seed), fmt::format("@{}", to_string(j.verdict)),
+    const TrialTotals all = totals_of(trial);
+    rows.push_back({std::to_string(trial.seed), fmt::format("@{}", to_string(trial.verdict())),
                     fmt::format("@{}", to_string(trial.end)), fixed(trial.time, 0),
-                    fmt::format("{} of {}", j.bricks.size() - j.missing(), j.bricks.size()),
-                    fixed(j.worst_way * 1e3, 2), fixed(j.worst_turn / kDegree, 2),
-                    fmt::format("{} of {}", j.allowed, j.placements)});
+                    fmt::format("{} of {}", all.there, all.wanted), fixed(all.worst_way * 1e3, 2),
+                    fixed(all.worst_turn / kDegree, 2),
+                    fmt::format("{} of {}", all.allowed, all.placements)});
   }
   page.table(
       {"seed", "@verdict", "@end", "time / s", "bricks", "worst / mm", "worst / °", "by the rules"},
@@ -152,6 +152,25 @@ void work(const ValidationReport& report, const std::vector<ProgressCurve>& curv
   page.table({"@state", "time / s", "share / %", "idle / s"}, rows);
 }
 
+/// What became of each of several.
+void structures(const BuildTarget& target, const Trial& trial, Page& page) {
+  std::vector<std::vector<std::string>> rows;
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    const Judgement& j = trial.judgements[i];
+    const Vec3& at = target.sites[i].X_WL.p;
+    const auto last = last_placement(trial, i);
+    rows.push_back({std::to_string(i + 1), fmt::format("{:.2f}, {:.2f}", at.x, at.y),
+                    fmt::format("@{}", to_string(j.verdict)),
+                    fmt::format("{} of {}", j.bricks.size() - j.missing(), j.bricks.size()),
+                    last ? fixed(*last, 0) : "–", fixed(j.worst_way * 1e3, 2),
+                    fixed(j.worst_turn / kDegree, 2),
+                    fmt::format("{} of {}", j.allowed, j.placements)});
+  }
+  page.table({"structure", "at / m", "@verdict", "bricks", "last brick / s", "worst / mm",
+              "worst / °", "by the rules"},
+             rows);
+}
+
 void bricks(const BuildTarget& target, const Judgement& judgement, Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const BrickCheck& brick : judgement.bricks) {
@@ -183,19 +202,21 @@ void placements(const BuildTarget& target, const Trial& trial, Page& page) {
     rows.push_back(
         {fixed(event.time, 1),
          event.kind == BrickEvent::Kind::placed ? "@came to rest" : "@left its cell",
-         "@" + brick_text(*target.rules, event.led, event.cell),
+         "@" + brick_text(*target.rules, event.led, event.cell) +
+             of_structure(target, event.structure),
          event.robot < trial.robots.size() ? "@" + trial.robots[event.robot].name : "@nobody"});
   }
   page.raw("<h3>Bricks as they came</h3>\n");
   page.table({"time / s", "@what", "@brick", "@by"}, rows);
 }
 
-void hauls(const Trial& trial, Page& page) {
+void hauls(const BuildTarget& target, const Trial& trial, Page& page) {
   std::vector<std::vector<std::string>> rows;
   for (const Haul& haul : trial.hauls) {
-    const std::string outcome = haul.placed  ? "placed at " + cell_text(*haul.placed)
-                                : haul.ended ? std::string("let go elsewhere")
-                                             : std::string("still held");
+    const std::string outcome =
+        haul.placed  ? "placed at " + cell_text(*haul.placed) + of_structure(target, haul.structure)
+        : haul.ended ? std::string("let go elsewhere")
+                     : std::string("still held");
     rows.push_back({fmt::format("@{}", trial.robots[haul.robot].name), fixed(haul.from, 1),
                     fixed(haul.to, 1), fixed(haul.way, 2), "@" + outcome});
   }
@@ -253,10 +274,10 @@ void trial_part(const ValidationReport& report, std::size_t number, Page& page) 
   const BuildTarget& target = *report.target;
   const Trial& trial = report.trials[number];
   const std::size_t played = report.player ? report.player->runs : 0;
-  const Judgement& judgement = trial.judgement;
+  const BuildVerdict verdict = trial.verdict();
   page.add("<h2>Seed {}: <span class=\"{}\">{}</span>, {} after {:.1f} s</h2>\n", trial.seed,
-           judgement.verdict == BuildVerdict::complete ? "good" : "bad",
-           to_string(judgement.verdict), to_string(trial.end), trial.time);
+           verdict == BuildVerdict::complete ? "good" : "bad", to_string(verdict),
+           to_string(trial.end), trial.time);
   const std::vector<std::string> findings = findings_of(target, trial);
   if (!findings.empty()) page.raw("<ul class=\"bad\">\n");
   for (const std::string& one : findings) page.add("<li>{}</li>\n", escaped(one));
@@ -269,10 +290,13 @@ void trial_part(const ValidationReport& report, std::size_t number, Page& page) 
     page.add("<figure><img alt=\"after {0:.0f} s\" src=\"data:image/png;base64,{1}\"/></figure>\n",
              picture.time, base64(picture.png));
   }
-  page.raw("<h3>Bricks as they stand</h3>\n");
-  bricks(target, judgement, page);
+  if (trial.judgements.size() > 1) structures(target, trial, page);
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    page.add("<h3>Bricks{} as they stand</h3>\n", of_structure(target, i));
+    bricks(target, trial.judgements[i], page);
+  }
   placements(target, trial, page);
-  hauls(trial, page);
+  hauls(target, trial, page);
   robots(trial, page);
   if (trial.lines.empty()) return;
   page.raw("<h3>What programs said last</h3>\n<pre>");
@@ -289,17 +313,17 @@ bool all_complete(const ValidationReport& report) {
   // An interrupted or diverged run proves nothing, whatever stood at that moment.
   return !report.trials.empty() &&
          std::all_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
-           return trial.judgement.verdict == BuildVerdict::complete &&
-                  trial.end != TrialEnd::interrupted && trial.end != TrialEnd::diverged;
+           return trial.verdict() == BuildVerdict::complete && trial.end != TrialEnd::interrupted &&
+                  trial.end != TrialEnd::diverged;
          });
 }
 
 std::string verdict_text(const ValidationReport& report) {
   const auto good = std::count_if(report.trials.begin(), report.trials.end(), [](const Trial& t) {
-    return t.judgement.verdict == BuildVerdict::complete;
+    return t.verdict() == BuildVerdict::complete;
   });
   return report.trials.size() == 1
-             ? std::string(to_string(report.trials.front().judgement.verdict))
+             ? std::string(to_string(report.trials.front().verdict()))
              : fmt::format("complete in {} of {} runs", good, report.trials.size());
 }
 
@@ -320,15 +344,19 @@ std::string report_html(const ValidationReport& report) {
   const std::string title = target.rules->title.empty() ? target.rules->name : target.rules->title;
   const std::vector<ProgressCurve> curves = curves_of(report);
   // Start bricks stand from the beginning; curves count what robots put.
-  const int bricks = static_cast<int>(target.whole.size() - target.rules->start.size());
+  const std::size_t structures = target.sites.size();
+  const auto bricks =
+      static_cast<int>(structures * (target.whole.size() - target.rules->start.size()));
   Page page;
   const bool played = report.player.has_value();
   page.add(kHead, escaped(title), played ? report.player->script : "'none'",
            played ? report.player->style : "");
   page.add("<h1>{}: <span class=\"{}\">{}</span></h1>\n", escaped(title),
            all_complete(report) ? "good" : "bad", escaped(verdict_text(report)));
-  page.add("<p>{}, {} at the start; {}.</p>\n", counted(target.whole.size(), "brick"),
-           target.rules->start.size(), counted(report.trials.front().robots.size(), "robot"));
+  page.add("<p>{}{}, {} at the start; {}.</p>\n",
+           structures > 1 ? fmt::format("{} structures, each of ", structures) : "",
+           counted(target.whole.size(), "brick"), target.rules->start.size(),
+           counted(report.trials.front().robots.size(), "robot"));
   player(report, page);
   runs(report, page);
   page.raw("<h2>Progress</h2>\n");

@@ -34,9 +34,10 @@ class TrialRun {
         // Not resumable: nobody takes a trial up again, and accounts of readings would take memory.
         run_(scene, placed, false),
         robots_(run_),
-        watch_(target.site),
+        watch_(target),
         look_every_(std::max<std::uint64_t>(
-            1, static_cast<std::uint64_t>(std::llround(kLookSeconds / placed.config.step)))) {}
+            1, static_cast<std::uint64_t>(std::llround(kLookSeconds / placed.config.step)))),
+        standing_(target.sites.size()) {}
 
   Trial go() {
     if (settings_.trace != nullptr) run_.record(*settings_.trace);
@@ -68,18 +69,30 @@ class TrialRun {
     // Looking costs a fit of every block; states and motors above are noted each step.
     if (world.tick() % look_every_ != 0) return;
     watch_.look(world.time(), blocks(), robots_.hands());
-    if (hooks_.progress) hooks_.progress(world.time(), watch_.bricks().size());
+    if (hooks_.progress) hooks_.progress(world.time(), watch_.brick_count());
     take_picture();
-    // How long something has held without a break.
-    const auto since = [&](bool holds, double& began) {
-      began = !holds ? -1 : began < 0 ? world.time() : began;
-      return holds ? world.time() - began : 0;
-    };
-    if (since(stands(target_, watch_), stands_since_) >= kSettled) return halt(TrialEnd::built);
-    if (since(spoilt(target_, watch_), spoilt_since_) >= kSpoilt) return halt(TrialEnd::spoilt);
+    if (const auto end = work_over(world.time())) return halt(*end);
     // Neither a robot nor a brick has moved for so long; or all are out at once.
     const double last = std::max(robots_.last_motion(), last_event());
     if (robots_.all_out() || world.time() - last >= kNothingMoves) halt(TrialEnd::stuck);
+  }
+
+  /// When every structure is over, one way or the other.
+  std::optional<TrialEnd> work_over(double now) {
+    // How long something has held without a break.
+    const auto since = [&](bool holds, double& began) {
+      began = !holds ? -1 : began < 0 ? now : began;
+      return holds ? now - began : 0;
+    };
+    bool over = true;
+    TrialEnd end = TrialEnd::built;
+    for (std::size_t i = 0; i < standing_.size(); ++i) {
+      const bool built = since(stands(target_, i, watch_), standing_[i].whole) >= kSettled;
+      const bool bad = since(spoilt(target_, i, watch_), standing_[i].spoilt) >= kSpoilt;
+      if (bad) end = TrialEnd::spoilt;
+      over = over && (built || bad);
+    }
+    return over ? std::optional(end) : std::nullopt;
   }
 
   void halt(TrialEnd why) {
@@ -108,10 +121,12 @@ class TrialRun {
   /// work, whatever time it takes; the end has its own.
   void take_picture() {
     if (settings_.pictures <= 0) return;
-    const std::size_t start = target_.rules->start.size();
+    const std::size_t structures = target_.sites.size();
+    const std::size_t start = structures * target_.rules->start.size();
+    const std::size_t whole = structures * target_.whole.size();
     const auto parts = static_cast<std::size_t>(settings_.pictures) + 1;
-    const std::size_t due = start + (pictures_.size() + 1) * (target_.whole.size() - start) / parts;
-    if (pictures_.size() + 1 == parts || watch_.bricks().size() < std::max(due, start + 1)) return;
+    const std::size_t due = start + (pictures_.size() + 1) * (whole - start) / parts;
+    if (pictures_.size() + 1 == parts || watch_.brick_count() < std::max(due, start + 1)) return;
     pictures_.push_back(picture());
   }
 
@@ -143,7 +158,9 @@ class TrialRun {
     out.caches = cache_troubles(*target_.rules, free, watch_, run_.scene().caches);
     // A block that is being carried is not in anybody's way yet.
     std::erase_if(free, [this](const WatchedBlock& block) { return watch_.held(block.block); });
-    out.judgement = judge(target_, free, out.events);
+    for (std::size_t i = 0; i < target_.sites.size(); ++i) {
+      out.judgements.push_back(judge(target_, i, free, out.events));
+    }
     std::erase_if(free, [this](const WatchedBlock& block) {
       return block.fixed || watch_.is_part(block.block);
     });
@@ -193,7 +210,10 @@ class TrialRun {
   std::uint64_t look_every_;
   std::atomic<bool> halt_{false};
   TrialEnd end_ = TrialEnd::time;
-  double stands_since_ = -1, spoilt_since_ = -1;  ///< s; -1: it does not, is not
+  struct Since {
+    double whole = -1, spoilt = -1;  ///< s; -1: it is not
+  };
+  std::vector<Since> standing_;  ///< of each structure
   std::deque<TrialLine> lines_;
   std::vector<TrialPicture> pictures_;
 };
@@ -206,9 +226,38 @@ std::string_view to_string(TrialEnd end) {
   return kNames[static_cast<std::size_t>(end)];
 }
 
+BuildVerdict Trial::verdict() const {
+  assert(!judgements.empty());
+  // In the order of their gravity.
+  BuildVerdict worst = BuildVerdict::complete;
+  for (const Judgement& judgement : judgements) worst = std::max(worst, judgement.verdict);
+  return worst;
+}
+
+TrialTotals totals_of(const Trial& trial) {
+  TrialTotals out;
+  for (const Judgement& one : trial.judgements) {
+    out.wanted += one.bricks.size();
+    out.there += one.bricks.size() - one.missing();
+    out.placements += one.placements;
+    out.allowed += one.allowed;
+    out.worst_way = std::max(out.worst_way, one.worst_way);
+    out.worst_turn = std::max(out.worst_turn, one.worst_turn);
+  }
+  return out;
+}
+
+std::optional<double> last_placement(const Trial& trial, std::size_t structure) {
+  std::optional<double> last;
+  for (const BrickEvent& event : trial.events) {
+    if (event.structure == structure && event.kind == BrickEvent::Kind::placed) last = event.time;
+  }
+  return last;
+}
+
 Trial run_trial(const BuildTarget& target, const Scene& scene, const PlacedScene& placed,
                 const TrialSettings& settings, const TrialHooks& hooks) {
-  assert(target.rules != nullptr && settings.duration >= 0);
+  assert(target.rules != nullptr && !target.sites.empty() && settings.duration >= 0);
   return TrialRun(target, scene, placed, settings, hooks).go();
 }
 

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // One run of a set-up: a simulation with an observer, to the end of the work or of its time.
 //
-// It ends 10 s after the whole structure stands, so that what falls over has time to; when a brick
-// too much, or one of a wrong colour, has been part of the structure for two minutes, since robots
-// take none away; when no robot can go on (its program failed, it left the arena or lies on its
-// side), or none has moved for ten minutes; or when time is out.
+// It ends when every structure is over: 10 s after the whole of it stands, so that what falls over
+// has time to, or when a brick too much, or one of a wrong colour, has been part of it for two
+// minutes, since robots take none away. It ends too when no robot can go on (its program failed, it
+// left the arena or lies on its side), or none has moved for ten minutes; or when time is out.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -77,10 +78,10 @@ struct TrialLine {
 struct Trial {
   std::uint64_t seed = 1, hash = 0;
   TrialEnd end = TrialEnd::time;
-  std::string message;  ///< of a run that its script ended, or that diverged
-  double time = 0;      ///< s, simulated
-  Judgement judgement;
-  std::vector<BrickEvent> events;
+  std::string message;                ///< of a run that its script ended, or that diverged
+  double time = 0;                    ///< s, simulated
+  std::vector<Judgement> judgements;  ///< of each structure
+  std::vector<BrickEvent> events;     ///< of all
   std::vector<Haul> hauls;
   std::vector<RobotRecord> robots;
   std::vector<WatchedBlock> loose;  ///< blocks that are no bricks, not fixed, and that nobody holds
@@ -89,7 +90,20 @@ struct Trial {
   std::vector<TrialLine> lines;     ///< the last of what programs said
   std::vector<TrialPicture> pictures;
   std::map<std::string, double> measures;  ///< of the scene's script
+
+  BuildVerdict verdict() const;  ///< the gravest of all structures'
 };
+
+/// Of all structures of a run.
+struct TrialTotals {
+  std::size_t wanted = 0, there = 0;        ///< bricks
+  std::size_t placements = 0, allowed = 0;  ///< as each judgement has them
+  double worst_way = 0, worst_turn = 0;     ///< m, rad
+};
+TrialTotals totals_of(const Trial& trial);
+
+/// When the last brick of a structure was placed, s; none where there is none.
+std::optional<double> last_placement(const Trial& trial, std::size_t structure);
 
 struct TrialHooks {
   const std::atomic<bool>* stop = nullptr;

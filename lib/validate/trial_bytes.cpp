@@ -77,12 +77,13 @@ void each_member(auto& each, EitherWay<Judgement> auto& j) {
 }
 void each_member(auto& each, EitherWay<BrickEvent> auto& e) {
   each.choice(e.kind, BrickEvent::Kind::left), each(e.time), each(e.block);
-  each_member(each, e.cell), as<int>(each, e.led), each(e.robot);
+  each_member(each, e.cell), as<int>(each, e.led), each(e.robot), each(e.structure);
 }
 void each_member(auto& each, EitherWay<Haul> auto& h) {
   each(h.robot), each(h.block), each(h.from), each(h.to), each(h.way);
   each_member(each, h.taken), each_member(each, h.put), each(h.ended);
   members(each, h.placed, [&](auto& cell) { each_member(each, cell); });
+  each(h.structure);
 }
 void each_member(auto& each, EitherWay<TimeSpan> auto& span) { each(span.from), each(span.to); }
 void each_member(auto& each, EitherWay<RobotRecord> auto& r) {
@@ -105,7 +106,7 @@ void each_member(auto& each, EitherWay<TrialLine> auto& l) {
 void each_member(auto& each, EitherWay<TrialPicture> auto& p) { each(p.time), each(p.png); }
 void each_member(auto& each, EitherWay<Trial> auto& t) {
   each(t.seed), each(t.hash), each.choice(t.end, TrialEnd::interrupted), each(t.message);
-  each(t.time), each_member(each, t.judgement), each.list(t.events), each.list(t.hauls);
+  each(t.time), each.list(t.judgements), each.list(t.events), each.list(t.hauls);
   each.list(t.robots), each.list(t.loose), each_member(each, t.blocks), each.list(t.caches);
   each.list(t.lines), each.list(t.pictures), pairs(each, t.measures);
 }

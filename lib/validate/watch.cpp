@@ -51,19 +51,12 @@ void Watch::follow(double time, const WatchedBlock& block, const std::vector<Wat
     known.rest = block.X_WB;
     known.since = time;
   }
-  // Fixed blocks are bricks from the start on, without a second of rest.
-  if (block.fixed) {
-    const CellFit fit = fit_of(site_, block.X_WB);
-    if (block.led != Led::off && in_cell(fit) && (!known.cell || *known.cell == fit.cell)) {
-      known.cell = fit.cell;
-      bricks_[fit.cell] = {block.block, block.led};
-    }
-    return;
-  }
+  // What is fixed is in nobody's hand and never moves.
+  if (block.fixed) return;
   known.holder = kNoRobot;
   for (std::size_t robot = 0; robot < hands.size() && known.holder == kNoRobot; ++robot) {
     // The first robot wins; two end-effectors do not fit over one block.
-    if (holds(hands[robot], block.X_WB, site_.pitch)) known.holder = robot;
+    if (holds(hands[robot], block.X_WB, target_.sites.front().pitch)) known.holder = robot;
   }
   follow_haul(time, block, known);
   const bool moved = length(block.X_WB.p - known.rest.p) > kRestWay ||
@@ -99,43 +92,55 @@ void Watch::follow_haul(double time, const WatchedBlock& block, Known& known) {
 
 void Watch::drop_leavers(double time, const std::vector<WatchedBlock>& blocks) {
   for (auto& [number, known] : known_) {
-    if (!known.cell) continue;
+    if (!known.place) continue;
+    const auto [structure, cell] = *known.place;
+    StandingBrick& brick = bricks_[structure].at(cell);
     const auto found =
         std::find_if(blocks.begin(), blocks.end(),
                      [number = number](const WatchedBlock& b) { return b.block == number; });
     // A block that has left the arena is not in the list, and its brick is gone.
     if (found != blocks.end()) {
-      StandingBrick& brick = bricks_.at(*known.cell);
       // A brick may change its colour where it stands: rules see the new one.
       brick.led = found->led;
-      const CellFit fit = fit_of(site_, found->X_WB);
-      if (fit.cell == *known.cell && in_cell(fit)) continue;
+      const CellFit fit = fit_of(target_.sites[structure], found->X_WB);
+      if (fit.cell == cell && in_cell(fit)) continue;
     }
-    events_.push_back({BrickEvent::Kind::left, time, number, *known.cell,
-                       bricks_.at(*known.cell).led, known.holder});
-    bricks_.erase(*known.cell);
-    known.cell.reset();
+    events_.push_back(
+        {BrickEvent::Kind::left, time, number, cell, brick.led, known.holder, structure});
+    bricks_[structure].erase(cell);
+    known.place.reset();
   }
 }
 
-bool Watch::joins(Cell cell) const {
+/// The start's blocks hang on to nothing: with them a structure begins.
+bool Watch::joins(const WatchedBlock& block, const Place& place) const {
+  const std::vector<PlacedBrick>& start = target_.rules->start;
+  if (block.fixed && std::any_of(start.begin(), start.end(), [&](const PlacedBrick& brick) {
+        return brick.at == place.cell;
+      })) {
+    return true;
+  }
+  const auto& bricks = bricks_[place.structure];
   return std::any_of(kFaces.begin(), kFaces.end(),
-                     [&](Offset face) { return bricks_.contains(cell + face); });
+                     [&](Offset face) { return bricks.contains(place.cell + face); });
 }
 
 void Watch::find_new(double time, const std::vector<WatchedBlock>& blocks) {
   struct Candidate {
     double since = 0;
     const WatchedBlock* block = nullptr;
-    Cell cell;
+    Place place;
   };
   std::vector<Candidate> ready;
   for (const WatchedBlock& block : blocks) {
     const Known& known = known_.at(block.block);
-    // A little less than the time, for sums of steps.
-    if (known.cell || known.holder != kNoRobot || time - known.since < kRestTime - 1e-9) continue;
-    const CellFit fit = fit_of(site_, block.X_WB);
-    if (in_cell(fit)) ready.push_back({known.since, &block, fit.cell});
+    if (known.place || known.holder != kNoRobot) continue;
+    // A little less than the time, for sums of steps. A fixed block that is dark is furniture.
+    if (block.fixed ? block.led == Led::off : time - known.since < kRestTime - 1e-9) continue;
+    for (std::size_t structure = 0; structure < target_.sites.size(); ++structure) {
+      const CellFit fit = fit_of(target_.sites[structure], block.X_WB);
+      if (in_cell(fit)) ready.push_back({known.since, &block, {structure, fit.cell}});
+    }
   }
   // By when they came to rest, which is the order of events that the rules are asked about.
   std::stable_sort(ready.begin(), ready.end(),
@@ -144,23 +149,39 @@ void Watch::find_new(double time, const std::vector<WatchedBlock>& blocks) {
   // joins.
   for (bool grew = true; grew;) {
     grew = false;
-    for (Candidate& one : ready) {
-      if (one.block == nullptr || bricks_.contains(one.cell) || !joins(one.cell)) continue;
-      Known& known = known_.at(one.block->block);
-      known.cell = one.cell;
-      bricks_[one.cell] = {one.block->block, one.block->led};
-      events_.push_back({BrickEvent::Kind::placed, one.since, one.block->block, one.cell,
-                         one.block->led, known.last_holder});
-      // The last haul of that block is the one that brought it.
-      for (auto haul = hauls_.rbegin(); haul != hauls_.rend(); ++haul) {
-        if (haul->block != one.block->block) continue;
-        haul->placed = one.cell;
-        break;
+    for (const Candidate& one : ready) {
+      // It may have joined in the turn before, or another structure.
+      if (known_.at(one.block->block).place ||
+          bricks_[one.place.structure].contains(one.place.cell) || !joins(*one.block, one.place)) {
+        continue;
       }
-      one.block = nullptr;
+      add_brick(one.since, *one.block, one.place);
       grew = true;
     }
   }
+}
+
+void Watch::add_brick(double since, const WatchedBlock& block, const Place& place) {
+  Known& known = known_.at(block.block);
+  known.place = place;
+  bricks_[place.structure][place.cell] = {block.block, block.led};
+  // What was there from the beginning has not been placed.
+  if (block.fixed) return;
+  events_.push_back({BrickEvent::Kind::placed, since, block.block, place.cell, block.led,
+                     known.last_holder, place.structure});
+  // The last haul of that block is the one that brought it.
+  for (auto haul = hauls_.rbegin(); haul != hauls_.rend(); ++haul) {
+    if (haul->block != block.block) continue;
+    haul->placed = place.cell;
+    haul->structure = place.structure;
+    break;
+  }
+}
+
+std::size_t Watch::brick_count() const {
+  std::size_t count = 0;
+  for (const auto& bricks : bricks_) count += bricks.size();
+  return count;
 }
 
 std::vector<Haul> Watch::hauls() const {
@@ -184,7 +205,7 @@ bool Watch::held(std::size_t block) const {
 
 bool Watch::is_part(std::size_t block) const {
   const auto found = known_.find(block);
-  return found != known_.end() && found->second.cell.has_value();
+  return found != known_.end() && found->second.place.has_value();
 }
 
 }  // namespace stig::validate

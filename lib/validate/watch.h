@@ -2,10 +2,10 @@
 // What happens at the building site, as an observer sees it who knows every pose: which blocks
 // have come to rest as bricks of the structure, when, who brought them, and which have left it.
 //
-// A block is a brick once it has rested for a second in a cell of the lattice, touches what is
-// built (or stands on the floor of a cell beside it) and no robot's end-effector is on it. It
-// counts from when that second began. It stays one until it is out of its cell. What robots
-// believe plays no part.
+// A block is a brick of a structure once it has rested for a second in a cell of its lattice,
+// touches what is built there (or stands on the floor of a cell beside it) and no robot's
+// end-effector is on it. It counts from when that second began. It stays one until it is out of its
+// cell. Fixed blocks are bricks from the beginning on. What robots believe plays no part.
 #pragma once
 
 #include <cstdint>
@@ -39,6 +39,7 @@ struct BrickEvent {
   Cell cell;
   Led led = Led::off;            ///< that it showed
   std::size_t robot = kNoRobot;  ///< that held it last
+  std::size_t structure = 0;     ///< of the target's
   friend bool operator==(const BrickEvent&, const BrickEvent&) = default;
 };
 
@@ -50,6 +51,7 @@ struct Haul {
   Vec3 taken, put;             ///< its middle, there and there
   bool ended = false;          ///< it holds it no more
   std::optional<Cell> placed;  ///< it became a brick then
+  std::size_t structure = 0;   ///< in which
 };
 
 struct StandingBrick {
@@ -59,7 +61,8 @@ struct StandingBrick {
 
 class Watch {
  public:
-  explicit Watch(const BuildSite& site) : site_(site) {}
+  /// The target must outlive it.
+  explicit Watch(const BuildTarget& target) : target_(target), bricks_(target.sites.size()) {}
 
   /// At rising times, about five a second; blocks that have left the arena are left out.
   void look(double time, const std::vector<WatchedBlock>& blocks,
@@ -68,32 +71,40 @@ class Watch {
   const std::vector<BrickEvent>& events() const { return events_; }
   /// Those in which the block was moved by more than 5 cm, in the order of their beginnings.
   std::vector<Haul> hauls() const;
-  /// Bricks now, those of the start too.
-  const std::map<Cell, StandingBrick>& bricks() const { return bricks_; }
+  /// A structure's bricks now, those of the start too.
+  const std::map<Cell, StandingBrick>& bricks(std::size_t structure) const {
+    return bricks_[structure];
+  }
+  /// Of all structures together.
+  std::size_t brick_count() const;
   /// Has the robot a block in its hand?
   bool holding(std::size_t robot) const;
   bool held(std::size_t block) const;
   /// Is the block one of bricks()?
   bool is_part(std::size_t block) const;
-  const BuildSite& site() const { return site_; }
 
  private:
+  struct Place {
+    std::size_t structure = 0;
+    Cell cell;
+  };
   struct Known {
     Pose rest;         ///< where it rests
     double since = 0;  ///< s
     std::size_t holder = kNoRobot, last_holder = kNoRobot;
     std::optional<std::size_t> haul;  ///< open, in hauls_
-    std::optional<Cell> cell;         ///< a brick there
+    std::optional<Place> place;       ///< a brick there
   };
   void follow(double time, const WatchedBlock& block, const std::vector<WatchedHand>& hands);
   void follow_haul(double time, const WatchedBlock& block, Known& known);
   void drop_leavers(double time, const std::vector<WatchedBlock>& blocks);
   void find_new(double time, const std::vector<WatchedBlock>& blocks);
-  bool joins(Cell cell) const;
+  bool joins(const WatchedBlock& block, const Place& place) const;
+  void add_brick(double since, const WatchedBlock& block, const Place& place);
 
-  BuildSite site_;
+  const BuildTarget& target_;
   std::map<std::size_t, Known> known_;
-  std::map<Cell, StandingBrick> bricks_;
+  std::vector<std::map<Cell, StandingBrick>> bricks_;  ///< of each structure
   std::vector<BrickEvent> events_;
   std::vector<Haul> hauls_;
 };

@@ -22,9 +22,10 @@ class WorkSites {
 
   /// In a structure on the way; none in one that robots never come to by themselves.
   int in(const BrickSet& state) const { return static_cast<int>(open_.in(state).size()); }
-  /// As the events made and unmade bricks: s, sites from then on; the first at 0 s.
+  /// As the events made and unmade bricks of all structures: s, sites from then on; the first at
+  /// 0 s.
   std::vector<std::pair<double, int>> over(const std::vector<BrickEvent>& events,
-                                           const RuleSet& rules) const;
+                                           const BuildTarget& target) const;
 
  private:
   const CompiledRules& compiled_;

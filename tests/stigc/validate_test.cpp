@@ -39,6 +39,9 @@ TEST_CASE("validate says what a scene lacks") {
   CHECK(no_side.err.find("V802") != std::string::npos);
   const Outcome both = place.stigc({"validate", rules, "--scene", "no-side.yaml", "--robots", "2"});
   CHECK(both.exit_code == 2);
+  CHECK(
+      place.stigc({"validate", rules, "--scene", "no-side.yaml", "--structures", "2"}).exit_code ==
+      2);
   CHECK(place.stigc({"validate", rules, "--runs", "0"}).exit_code == 2);
 }
 
@@ -91,6 +94,35 @@ TEST_CASE("a robot builds the staircase from its rules, and what was written run
   const Outcome again = place.stigc(
       {"simulate", "out/scene.yaml", "--duration", std::to_string(run["time"].get<double>())});
   CHECK(again.out.find(hash) != std::string::npos);
+}
+
+TEST_CASE("several structures are set up, judged each by itself, and read from the scene again") {
+  const Workplace place;
+  const std::string rules = STIG_SOURCE_DIR "/rulesets/stepped-pyramid.yaml";
+  const Outcome made = place.stigc(
+      {"validate", rules, "--structures", "3", "--robots", "7", "--duration", "2", "-o", "out"});
+  CHECK(made.exit_code == 1);                         // nothing is built so soon
+  CHECK(made.err.find("P715") == std::string::npos);  // three at one, which has four sides
+  CHECK(made.out.find("structure 3 incomplete, at (-1.50, 1.50) m\n") != std::string::npos);
+  CHECK(made.out.find("structure 2: missing: a Q3 brick at (0, 0, 1)") != std::string::npos);
+  const auto report = nlohmann::json::parse(place.file("out/report.json"));
+  CHECK(report["structures"] == 3);
+  const auto& run = report["runs"][0];
+  CHECK(run["robots"].size() == 7);
+  REQUIRE(run["structures"].size() == 3);
+  CHECK_FALSE(run.contains("bricks"));
+  for (const auto& structure : run["structures"]) {
+    CHECK(structure["verdict"] == "incomplete");
+    CHECK(structure["bricks"].size() == 15);
+    CHECK(structure["missing"] == 14);
+    CHECK(structure["last_brick_s"] == nullptr);
+  }
+  // Given as a scene it is the same.
+  const Outcome again = place.stigc({"validate", rules, "--scene", "out/scene.yaml", "--json"});
+  CAPTURE(again.err);
+  const auto second = nlohmann::json::parse(again.out);
+  CHECK(second["runs"][0]["hash"] == run["hash"]);
+  CHECK(second["runs"][0]["structures"] == run["structures"]);
 }
 
 // No look that its rules ask for has the top of its first brick in the picture.

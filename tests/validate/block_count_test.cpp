@@ -12,7 +12,7 @@ namespace {
 
 /// The start, a brick on it, and one block of every other kind; a cache 2 m off.
 struct Yard : Staircase {
-  Watch watch{target.site};
+  Watch watch{target};
   std::vector<WatchedBlock> there{blocks[0], blocks[1]};
   std::vector<CacheSpawn> caches{1};
 
@@ -92,9 +92,9 @@ TEST_CASE("a robot that was stopped is told with where it stands and what is mis
   robot.name = "robot 1";
   robot.state = "reach";
   robot.failed = robot.halted = robot.holding = true;
-  robot.X_WR.p = centre_of(yard.target.site, {1, 0, 0}) + Vec3{0.06, 0.08, 0};
+  robot.X_WR.p = centre_of(yard.target.sites[0], {1, 0, 0}) + Vec3{0.06, 0.08, 0};
   trial.robots = {robot};
-  trial.judgement = judge(yard.target, {yard.blocks[0]}, {});
+  trial.judgements = {judge(yard.target, 0, {yard.blocks[0]}, {})};
   const std::vector<std::string> findings = findings_of(yard.target, trial);
   const auto text = [&](const char* part) {
     return std::any_of(findings.begin(), findings.end(),

@@ -13,12 +13,12 @@ namespace stig {
 namespace {
 
 Judgement judged(const Staircase& stairs) {
-  return judge(stairs.target, stairs.blocks, stairs.events());
+  return judge(stairs.target, 0, stairs.blocks, stairs.events());
 }
 
 std::string all_findings(const Staircase& stairs, const Judgement& judgement) {
   Trial trial;
-  trial.judgement = judgement;
+  trial.judgements = {judgement};
   trial.loose = {stairs.block(8, {9, 9, 0}, Led::off)};
   std::string out;
   for (const std::string& one : findings_of(stairs.target, trial)) out += one + "\n";
@@ -55,7 +55,7 @@ TEST_CASE("a missing brick") {
   std::erase_if(stairs.blocks, [&](const WatchedBlock& block) {
     return block.block == stairs.at({2, 0, 0}).block;
   });
-  const Judgement judgement = judge(stairs.target, stairs.blocks, {});
+  const Judgement judgement = judge(stairs.target, 0, stairs.blocks, {});
   CHECK(judgement.verdict == BuildVerdict::incomplete);
   CHECK(judgement.missing() == 1);
   CHECK(all_findings(stairs, judgement).find("missing: a Q1 brick at (2, 0, 0)") !=
@@ -79,7 +79,7 @@ TEST_CASE("a brick 4 mm off is wrong, one turned by 3° too") {
 
 TEST_CASE("neighbours that part by more than 2 mm, each within 2 mm of its cell") {
   Staircase stairs;
-  const Vec3 along = rotate(stairs.target.site.X_WL.q, {0.0015, 0, 0});
+  const Vec3 along = rotate(stairs.target.sites[0].X_WL.q, {0.0015, 0, 0});
   stairs.at({1, 0, 0}).X_WB.p += along;
   CHECK(judged(stairs).verdict == BuildVerdict::complete);
   stairs.at({1, 0, 1}).X_WB.p += -along;
@@ -118,7 +118,7 @@ TEST_CASE("a wrong colour, a brick too much, a block between cells") {
   CHECK(all_findings(extra, judged(extra)).find("too much: a Q2 brick at (0, 1, 0)") !=
         std::string::npos);
   between.blocks.push_back(between.block(7, {0, 1, 0}, Led::off));
-  between.blocks.back().X_WB.p += rotate(between.target.site.X_WL.q, {0.025, 0.006, 0});
+  between.blocks.back().X_WB.p += rotate(between.target.sites[0].X_WL.q, {0.025, 0.006, 0});
   CHECK(judged(between).verdict == BuildVerdict::wrong);
   CHECK(all_findings(between, judged(between)).find("in the way: a dark block") !=
         std::string::npos);
@@ -138,7 +138,7 @@ TEST_CASE("a placement that no rule allows is named, the first of them") {
   REQUIRE(middle != events.end());
   REQUIRE(middle < low);
   std::iter_swap(low, middle);
-  const Judgement judgement = judge(stairs.target, stairs.blocks, events);
+  const Judgement judgement = judge(stairs.target, 0, stairs.blocks, events);
   CHECK(judgement.verdict == BuildVerdict::wrong);
   REQUIRE(judgement.against);
   CHECK(events[judgement.against->event].cell == Cell{2, 0, 0});
@@ -160,13 +160,13 @@ TEST_CASE("what left is gone for the rules: the same brick may come again") {
   SUBCASE("after it left") {
     events.push_back(gone);
     events.push_back(again);
-    CHECK(judge(stairs.target, stairs.blocks, events).verdict == BuildVerdict::complete);
+    CHECK(judge(stairs.target, 0, stairs.blocks, events).verdict == BuildVerdict::complete);
   }
   SUBCASE("a dark one is against the rules") {
     events.push_back(gone);
     again.led = Led::off;
     events.push_back(again);
-    const Judgement judgement = judge(stairs.target, stairs.blocks, events);
+    const Judgement judgement = judge(stairs.target, 0, stairs.blocks, events);
     REQUIRE(judgement.against);
     CHECK(judgement.against->reason.find("shows 'off'") != std::string::npos);
   }

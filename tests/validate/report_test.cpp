@@ -40,7 +40,7 @@ struct MadeUpReport : Staircase {
       out.end = TrialEnd::time;
     }
     out.time = seed == 3 ? 150 : out.events.back().time + 10;
-    out.judgement = judge(target, there, out.events);
+    out.judgements = {judge(target, 0, there, out.events)};
     RobotRecord robot;
     robot.name = "robot 1";
     robot.driven = 3.25;

@@ -35,7 +35,7 @@ class Staircase {
   Staircase() {
     target.rules = &set.rules;
     target.whole = *set.compiled.proof.structure;
-    target.site = {{{0.3, -0.2, 0.0275}, rotation({0, 0, 0.4})}, 0.055};
+    target.sites = {{{{0.3, -0.2, 0.0275}, rotation({0, 0, 0.4})}, 0.055}};
     for (const Deposit& deposit : set.compiled.proof.run) {
       order.push_back({deposit.site, deposit.colour});
     }
@@ -50,7 +50,7 @@ class Staircase {
   WatchedBlock block(std::size_t number, Cell cell, Led led) const {
     WatchedBlock out;
     out.block = number;
-    out.X_WB = {centre_of(target.site, cell), target.site.X_WL.q};
+    out.X_WB = {centre_of(target.sites[0], cell), target.sites[0].X_WL.q};
     out.led = led;
     return out;
   }
@@ -66,7 +66,7 @@ class Staircase {
   /// The block that is in a cell.
   WatchedBlock& at(Cell cell) {
     for (WatchedBlock& block : blocks) {
-      if (fit_of(target.site, block.X_WB).cell == cell) return block;
+      if (fit_of(target.sites[0], block.X_WB).cell == cell) return block;
     }
     REQUIRE_MESSAGE(false, "no block there");
     return blocks.front();

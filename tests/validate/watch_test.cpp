@@ -18,7 +18,7 @@ WatchedHand hand_on(const WatchedBlock& block) {
 
 /// A staircase that grows, five looks a second.
 struct Growing : Staircase {
-  Watch watch{target.site};
+  Watch watch{target};
   double time = 0;
   std::vector<WatchedBlock> there{blocks[0]};
   std::vector<WatchedHand> hands{kFarHand};
@@ -46,7 +46,7 @@ struct Growing : Staircase {
 TEST_CASE("a block is a brick once it has been let go for a second") {
   Growing g;
   g.look(1);
-  CHECK(g.watch.bricks().size() == 1);
+  CHECK(g.watch.bricks(0).size() == 1);
   g.there.push_back(g.blocks[1]);
   g.hands[0] = hand_on(g.there.back());
   g.look(5);
@@ -75,17 +75,17 @@ TEST_CASE("a fixed block between cells is no brick, and never left") {
   g.there.back().block = 9;
   g.there.back().X_WB.p += Vec3{0.3, 0, 0.02};
   g.look(5);
-  CHECK(g.watch.bricks().size() == 1);
+  CHECK(g.watch.bricks(0).size() == 1);
   CHECK(g.watch.events().empty());
 }
 
 TEST_CASE("a whole staircase stands, its placements in order, each an attempt that succeeded") {
   Growing g;
   for (std::size_t i = 1; i < g.blocks.size(); ++i) {
-    CHECK_FALSE(stands(g.target, g.watch));
+    CHECK_FALSE(stands(g.target, 0, g.watch));
     g.bring(i);
   }
-  CHECK(stands(g.target, g.watch));
+  CHECK(stands(g.target, 0, g.watch));
   REQUIRE(g.watch.events().size() == 5);
   for (std::size_t i = 0; i < 5; ++i) CHECK(g.watch.events()[i].cell == g.order[i].at);
   const std::vector<Haul> hauls = g.watch.hauls();
@@ -93,17 +93,17 @@ TEST_CASE("a whole staircase stands, its placements in order, each an attempt th
   CHECK(hauls[4].placed == g.order[4].at);
   CHECK(hauls[4].ended);
   CHECK(hauls[4].way == doctest::Approx(1));
-  CHECK(judge(g.target, g.there, g.watch.events()).verdict == BuildVerdict::complete);
+  CHECK(judge(g.target, 0, g.there, g.watch.events()).verdict == BuildVerdict::complete);
 }
 
 TEST_CASE("a colour that is not the brick's does not stand") {
   Growing g;
   for (std::size_t i = 1; i < g.blocks.size(); ++i) g.bring(i);
-  CHECK_FALSE(spoilt(g.target, g.watch));
+  CHECK_FALSE(spoilt(g.target, 0, g.watch));
   g.there[3].led = Led::off;
   g.look(0.2);
-  CHECK_FALSE(stands(g.target, g.watch));
-  CHECK(spoilt(g.target, g.watch));
+  CHECK_FALSE(stands(g.target, 0, g.watch));
+  CHECK(spoilt(g.target, 0, g.watch));
 }
 
 TEST_CASE("what moves, floats alone or lies askew is no brick") {
@@ -132,7 +132,7 @@ TEST_CASE("a brick that leaves is told, and that which comes again") {
   REQUIRE(g.watch.events().size() == 2);
   CHECK(g.watch.events()[1].kind == BrickEvent::Kind::left);
   CHECK(g.watch.events()[1].cell == g.order[0].at);
-  CHECK(g.watch.bricks().size() == 1);
+  CHECK(g.watch.bricks(0).size() == 1);
   g.there.back() = g.blocks[1];
   g.look(2);
   REQUIRE(g.watch.events().size() == 3);

@@ -90,8 +90,9 @@ TEST_CASE("the pyramid's sites: the column, then four wings, then fewer") {
     place({foot.x, foot.y, 1}, Led::q2);
     place({2 * foot.x, 2 * foot.y, 0}, Led::q1);
   }
+  const BuildTarget target{&set.rules, *set.compiled.proof.structure, {BuildSite{}}};
   std::vector<int> open;
-  for (const auto& [time, count] : sites.over(events, set.rules)) open.push_back(count);
+  for (const auto& [time, count] : sites.over(events, target)) open.push_back(count);
   CHECK(open == std::vector<int>{1, 1, 4, 4, 4, 3, 3, 3, 2, 2, 2, 1, 1, 1, 0});
 }
 
@@ -104,7 +105,7 @@ TEST_CASE("a brick that leaves opens its site again, a wrong one changes nothing
   gone.kind = BrickEvent::Kind::left;
   gone.time = 70;
   events.push_back(gone);
-  const auto open = sites.over(events, made.set.rules);
+  const auto open = sites.over(events, made.target);
   REQUIRE(open.size() == 7);
   CHECK(open[0] == std::pair(0.0, 1));
   CHECK(open[5] == std::pair(50.0, 0));
@@ -116,7 +117,7 @@ TEST_CASE("states, idle time and congestion are summed over robots and runs") {
   Trial trial;
   trial.events = made.events();
   trial.time = 60;
-  trial.judgement = judge(made.target, made.blocks, trial.events);
+  trial.judgements = {judge(made.target, 0, made.blocks, trial.events)};
   RobotRecord robot;
   robot.spent = {{"look", 20}, {"wait", 35}};
   robot.idle = {{10, 30}, {40, 50}};
@@ -125,7 +126,7 @@ TEST_CASE("states, idle time and congestion are summed over robots and runs") {
   trial.robots = {robot, robot};
   Trial other = trial;
   other.events.resize(3);
-  other.judgement.verdict = BuildVerdict::incomplete;
+  other.judgements[0].verdict = BuildVerdict::incomplete;
   other.robots[1].busy.clear();
   const std::vector<Trial> trials = {trial, trial, other};
   const WorkSummary all = summary_of(made.target, trials);

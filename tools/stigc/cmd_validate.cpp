@@ -117,7 +117,10 @@ class Validation {
     for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
     settings.robots = options_.robots;
     // In a scene of the user's the number of robots is known once it is read.
-    if (!options_.scene) settings.robots = robots_of(*rules_, options_.robots);
+    if (!options_.scene) {
+      settings.robots = robots_at_one(robots_of(*rules_, options_.robots, structures()),
+                                      static_cast<std::size_t>(structures()));
+    }
     Diagnostics diagnostics;
     compiled_ = compile_rules(*rules_, *robot_, settings, diagnostics);
     note_other_rules(*rules_, compiled_, *robot_, options_.robot, diagnostics);
@@ -135,10 +138,20 @@ class Validation {
     return kOk;
   }
 
+  int structures() const { return options_.structures.value_or(1); }
+
+  /// That the program has to reckon with: one that has finished its structure may come to another.
+  static int robots_at_one(int robots, std::size_t structures) {
+    const auto each =
+        static_cast<int>((static_cast<std::size_t>(robots) + structures - 1) / structures);
+    return std::max(each, std::min(robots, 2));
+  }
+
   std::optional<std::string> scene_text() const {
     if (options_.scene) return given_scene(*options_.scene, app_);
     SetUpRequest request;
-    request.robots = robots_of(*rules_, options_.robots);
+    request.structures = structures();
+    request.robots = robots_of(*rules_, options_.robots, structures());
     request.allocation = options_.allocation;
     request.side = robot_->block.side;
     if (options_.robot) request.robot_file = kGivenRobot;
@@ -156,10 +169,11 @@ class Validation {
   }
 
   int load() {
-    if (options_.scene && (options_.robots || options_.allocation == Allocation::dynamic_)) {
+    if (options_.scene &&
+        (options_.robots || options_.structures || options_.allocation == Allocation::dynamic_)) {
       app_.complain(
-          "a scene says what robots there are, and what sides are theirs: leave --robots and "
-          "--allocation out");
+          "a scene says what structures and robots there are, and what sides are theirs: leave "
+          "--structures, --robots and --allocation out");
       return kUsage;
     }
     auto text = scene_text();
@@ -182,16 +196,17 @@ class Validation {
     const auto source =
         std::make_shared<const SourceFile>(options_.scene.value_or(kSceneFile), std::move(*text));
     scene_ = read_scene(source, loader, diagnostics);
-    if (scene_ && check_robots(diagnostics) > 1) check_crew(diagnostics);
+    const int crew = scene_ ? check_robots(diagnostics) : 0;
     // Placed for the first seed, to find faults; each run places for its own.
     const auto placed = scene_ ? place_scene(*scene_, options_.seed, diagnostics) : std::nullopt;
-    const auto site =
-        placed ? find_site(*rules_, compiled_.target->floor_level(), *scene_, *placed, diagnostics)
-               : std::nullopt;
-    if (site) check_programs(*scene_, *placed, diagnostics);
+    if (placed) {
+      target_.sites = find_sites(*rules_, target_.whole, compiled_.target->floor_level(), *scene_,
+                                 *placed, diagnostics);
+    }
+    if (crew > 1) check_crew(diagnostics);
+    if (!target_.sites.empty()) check_programs(*scene_, *placed, diagnostics);
     app_.report(diagnostics);
-    if (!site || app_.invalid(diagnostics)) return kFailed;
-    target_.site = *site;
+    if (target_.sites.empty() || app_.invalid(diagnostics)) return kFailed;
     duration_ = options_.duration.value_or(scene_->duration);
     return kOk;
   }
@@ -273,7 +288,8 @@ class Validation {
   void check_crew(Diagnostics& diagnostics) {
     if (!options_.scene) return;
     // Not what the rules' file says.
-    compiled_.robots = static_cast<int>(scene_->robots.size());
+    compiled_.robots = robots_at_one(static_cast<int>(scene_->robots.size()),
+                                     std::max<std::size_t>(1, target_.sites.size()));
     report_conflict(*rules_, compiled_, diagnostics);
   }
 
@@ -315,7 +331,8 @@ class Validation {
     }
     const std::vector<ProgressCurve> curves = curves_of(report);
     const ProgressBand band = band_of(curves);
-    const auto bricks = static_cast<int>(target_.whole.size() - rules_->start.size());
+    const auto bricks =
+        static_cast<int>(target_.sites.size() * (target_.whole.size() - rules_->start.size()));
     const std::string texts[] = {progress_csv(curves, band), progress_svg(curves, band, bricks),
                                  dump(to_json(report)), report_html(report)};
     for (std::size_t i = 0; i < kReportFiles.size(); ++i) {

@@ -88,6 +88,7 @@ Json values(const ValidateOptions& o) {
   return {{"scene", maybe(o.scene)},
           {"robot", maybe(o.robot)},
           {"sides", o.sides},
+          {"structures", maybe(o.structures)},
           {"robots", maybe(o.robots)},
           {"allocation", o.allocation == Allocation::dynamic_ ? "dynamic" : "fixed"},
           {"duration", maybe(o.duration)},

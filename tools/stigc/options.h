@@ -159,7 +159,8 @@ struct ValidateOptions {
   std::optional<std::string> scene;  ///< in place of the usual set-up
   std::optional<std::string> robot;  ///< a robot's file; otherwise the paper's robot
   std::vector<std::string> sides;    ///< "+x" "-x" "+y" "-y"; empty: the file's
-  std::optional<int> robots;         ///< otherwise as the file says
+  std::optional<int> structures;     ///< in the usual set-up; otherwise one
+  std::optional<int> robots;         ///< of all of them; otherwise as the file says
   Allocation allocation = Allocation::fixed;
   std::optional<double> duration;  ///< s
   std::uint64_t seed = 1;          ///< of the first run

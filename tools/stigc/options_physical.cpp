@@ -112,17 +112,24 @@ void add_validate(CLI::App& app, ValidateOptions& o) {
                           "  stigc validate rulesets/staircase.yaml --runs 2 -o staircase-runs\n"
                           "  stigc validate rulesets/stepped-pyramid.yaml --robots 4 --allocation "
                           "dynamic --duration 5  # exit status 1: too short\n"
+                          "  stigc validate rulesets/stepped-pyramid.yaml --structures 5 --robots "
+                          "20 --duration 5  # exit status 1\n"
                           "  stigc validate rulesets/staircase.yaml --scene "
                           "scenes/faults/cache-empty.yaml --duration 5  # exit status 1\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
-  integer(sub, "--robots", o.robots, 1, 100, "robots (default: the file's, or 1)");
+  integer(sub, "--structures", o.structures, 1, 25,
+          "structures, each with a start and caches of its own (default: 1)");
+  integer(sub, "--robots", o.robots, 1, 100,
+          "robots at all structures together (default: the file's for each, or 1)");
   path(sub, "--robot", o.robot, "the robots' file (default: bebot.yaml, the paper's)");
   add_sides(*sub, o.sides, kSidesOfRobots);
   choice(
       sub, "--allocation", o.allocation,
       {{"dynamic", Allocation::dynamic_}, {"fixed", Allocation::fixed}},
       "fixed: each robot has its own sides (default); dynamic: who is obstructed goes to another");
-  path(sub, "--scene", o.scene, "a scene with fixed start bricks, in place of the usual set-up");
+  path(sub, "--scene", o.scene,
+       "a scene with fixed start bricks, of as many structures as there are, in place of the usual "
+       "set-up");
   integer(sub, "--runs", o.runs, 1, 10'000, "runs, with one seed after the other (default: 1)");
   integer(sub, "--run", o.run, 0, 10'000 - 1,
           "the run of that number alone, as --runs has it, from 0");

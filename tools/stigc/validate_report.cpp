@@ -89,6 +89,17 @@ Json judgement_json(const RuleSet& rules, const Judgement& judgement) {
   return json;
 }
 
+/// Of several structures: where it stands, and what became of it.
+Json structure_json(const BuildTarget& target, const Trial& trial, std::size_t structure) {
+  const Vec3& at = target.sites[structure].X_WL.p;
+  const auto last = last_placement(trial, structure);
+  Json json{{"at_m", {at.x, at.y}},
+            {"verdict", to_string(trial.judgements[structure].verdict)},
+            {"last_brick_s", last ? Json(*last) : Json(nullptr)}};
+  json.update(judgement_json(*target.rules, trial.judgements[structure]));
+  return json;
+}
+
 Json count_json(const BlockCount& count) {
   return {{"began", count.began},     {"dropped", count.dropped}, {"structure", count.structure},
           {"carried", count.carried}, {"caches", count.caches},   {"loose", count.loose},
@@ -99,12 +110,17 @@ Json count_json(const BlockCount& count) {
 // order in which they are set, so outputs of equal runs are equal byte by byte.
 Json trial_json(const BuildTarget& target, const Trial& trial) {
   Json json{{"seed", trial.seed},
-            {"verdict", to_string(trial.judgement.verdict)},
+            {"verdict", to_string(trial.verdict())},
             {"end", to_string(trial.end)},
             {"time", trial.time},
             {"efficiency", summary_of(target, std::span(&trial, 1)).efficiency()},
             {"findings", findings_of(target, trial)}};
-  json.update(judgement_json(*target.rules, trial.judgement));
+  // One structure is the run's own; of several each has a number, from 1 on.
+  const bool several = trial.judgements.size() > 1;
+  if (!several) json.update(judgement_json(*target.rules, trial.judgements.front()));
+  for (std::size_t i = 0; several && i < trial.judgements.size(); ++i) {
+    json["structures"].push_back(structure_json(target, trial, i));
+  }
   json["events"] = Json::array();
   for (const BrickEvent& event : trial.events) {
     json["events"].push_back(
@@ -115,6 +131,7 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
          // Nobody: it rolled there, or was pushed.
          {"by", event.robot < trial.robots.size() ? Json(trial.robots[event.robot].name)
                                                   : Json(nullptr)}});
+    if (several) json["events"].back()["structure"] = event.structure + 1;
   }
   json["attempts"] = Json::array();
   for (const Haul& haul : trial.hauls) {
@@ -123,6 +140,7 @@ Json trial_json(const BuildTarget& target, const Trial& trial) {
                                 {"to", haul.to},
                                 {"way_m", haul.way},
                                 {"placed", haul.placed ? to_json(*haul.placed) : Json(nullptr)}});
+    if (several && haul.placed) json["attempts"].back()["structure"] = haul.structure + 1;
   }
   json["robots"] = Json::array();
   for (const RobotRecord& robot : trial.robots) json["robots"].push_back(robot_json(robot));
@@ -188,20 +206,45 @@ std::string verdict_in_colour(BuildVerdict verdict, bool color) {
   return verdict == BuildVerdict::complete ? green(text, color) : red(text, color);
 }
 
+std::string order_in_words(std::size_t placements, std::size_t allowed) {
+  return fmt::format("{}, {} as the rules allow",
+                     counted(static_cast<std::uint64_t>(placements), "placement"), allowed);
+}
+
+/// Of several: where each stands, and what became of it.
+std::string structure_lines(const BuildTarget& target, const Trial& trial, bool color) {
+  std::string out;
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    const Judgement& judgement = trial.judgements[i];
+    const Vec3& at = target.sites[i].X_WL.p;
+    const auto last = last_placement(trial, i);
+    out += line(
+        fmt::format("structure {}", i + 1),
+        fmt::format("{}, at ({:.2f}, {:.2f}) m{}", verdict_in_colour(judgement.verdict, color),
+                    at.x, at.y, last ? fmt::format("; the last brick after {:.1f} s", *last) : ""));
+    out += line("", bricks_in_words(judgement));
+    out += line("", order_in_words(judgement.placements, judgement.allowed));
+  }
+  return out;
+}
+
 std::string one_run(const ValidationReport& report, const Trial& trial, bool color) {
-  const Judgement& judgement = trial.judgement;
+  const BuildTarget& target = *report.target;
   std::string out = line("verdict", fmt::format("{}: {} after {:.1f} s, seed {}",
-                                                verdict_in_colour(judgement.verdict, color),
+                                                verdict_in_colour(trial.verdict(), color),
                                                 to_string(trial.end), trial.time, trial.seed));
-  out += line("bricks", bricks_in_words(judgement));
-  out += line("order",
-              fmt::format("{}, {} as the rules allow",
-                          counted(static_cast<std::uint64_t>(judgement.placements), "placement"),
-                          judgement.allowed));
+  if (trial.judgements.size() > 1) {
+    out += structure_lines(target, trial, color);
+  } else {
+    out += line("bricks", bricks_in_words(trial.judgements.front()));
+  }
+  const TrialTotals all = totals_of(trial);
+  out += line("order", order_in_words(all.placements, all.allowed));
   // The order in which bricks came, which is what was judged.
   for (const BrickEvent& event : trial.events) {
-    out += line("", fmt::format("{:8.1f} s  {}{}", event.time,
-                                brick_text(*report.target->rules, event.led, event.cell),
+    out += line("", fmt::format("{:8.1f} s  {}{}{}", event.time,
+                                brick_text(*target.rules, event.led, event.cell),
+                                of_structure(target, event.structure),
                                 event.kind == BrickEvent::Kind::placed ? "" : " left"));
   }
   out += line("blocks", count_text(trial.blocks));
@@ -224,7 +267,7 @@ std::string table(const ValidationReport& report) {
       fmt::format("{:>6}  {:<10}  {:<12}  {:>7}  {:>9}  {:>6}  {:>6}  {:>8}  {:>7}  {}\n", "seed",
                   "verdict", "end", "time/s", "bricks", "mm", "deg", "driven/m", "aborted", "hash");
   for (const Trial& trial : report.trials) {
-    const Judgement& j = trial.judgement;
+    const TrialTotals all = totals_of(trial);
     double driven = 0, aborted = 0;
     for (const RobotRecord& robot : trial.robots) {
       driven += robot.driven;
@@ -234,9 +277,9 @@ std::string table(const ValidationReport& report) {
     }
     out += fmt::format(
         "{:>6}  {:<10}  {:<12}  {:>7.1f}  {:>9}  {:>6.2f}  {:>6.2f}  {:>8.2f}  {:>7g}  {}\n",
-        trial.seed, to_string(j.verdict), to_string(trial.end), trial.time,
-        fmt::format("{} of {}", j.bricks.size() - j.missing(), j.bricks.size()), in_mm(j.worst_way),
-        degrees(j.worst_turn), driven, aborted, to_hex(trial.hash));
+        trial.seed, to_string(trial.verdict()), to_string(trial.end), trial.time,
+        fmt::format("{} of {}", all.there, all.wanted), in_mm(all.worst_way),
+        degrees(all.worst_turn), driven, aborted, to_hex(trial.hash));
   }
   return out;
 }
@@ -248,8 +291,10 @@ Json to_json(const ValidationReport& report) {
   Json json{{"rules", report.target->rules->name},
             {"complete", all_complete(report)},
             {"bricks", report.target->whole.size()},
-            {"start", report.target->rules->start.size()},
-            {"runs", Json::array()}};
+            {"start", report.target->rules->start.size()}};
+  // Bricks and start are those of each.
+  if (report.target->sites.size() > 1) json["structures"] = report.target->sites.size();
+  json["runs"] = Json::array();
   for (const Trial& trial : report.trials)
     json["runs"].push_back(trial_json(*report.target, trial));
   json["summary"] = to_json(summary_of(*report.target, report.trials));

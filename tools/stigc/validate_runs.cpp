@@ -100,17 +100,18 @@ class Batch {
 
   /// How far a run is: by bricks or by time, whichever is more.
   void show(std::size_t i, double time, std::size_t bricks) {
-    const std::size_t start = target_.rules->start.size();
-    const auto wanted = static_cast<double>(std::max<std::size_t>(1, target_.whole.size() - start));
+    const std::size_t start = target_.sites.size() * target_.rules->start.size();
+    const std::size_t whole = target_.sites.size() * target_.whole.size();
+    const auto wanted = static_cast<double>(std::max<std::size_t>(1, whole - start));
     const double built = bricks > start ? static_cast<double>(bricks - start) / wanted : 0;
     // Not quite full by bricks: ten seconds of standing are still to come.
     shares_[i] = std::clamp(std::max(built * 0.98, time / duration_), 0.0, 1.0);
     double sum = 0;
     for (const std::atomic<double>& share : shares_) sum += share;
     progress_.show(sum / static_cast<double>(slots_.size()),
-                   slots_.size() == 1 ? fmt::format("{:.0f} s, {} of {} bricks", time, bricks,
-                                                    target_.whole.size())
-                                      : fmt::format("{} of {} runs", done_.load(), slots_.size()));
+                   slots_.size() == 1
+                       ? fmt::format("{:.0f} s, {} of {} bricks", time, bricks, whole)
+                       : fmt::format("{} of {} runs", done_.load(), slots_.size()));
   }
 
   TrialBatch collect() {
