@@ -73,13 +73,21 @@ function BlockTracker:appear(block)
    table.insert(self.tracks, block)
 end
 
--- Nearest pairs first: which detections are known by now, and which tracks were seen.
+-- What speaks against a detection being a track's block, m²: how far apart they are, and a side more where colours
+-- differ, since after a turn a block may be nearer to where its neighbour was.
+local function unlikeness(block, known)
+   local square = near(block, known, GATE)
+   if square and block.colour and block.colour ~= known.colour then return square + SIDE * SIDE end
+   return square
+end
+
+-- Likest pairs first: which detections are known by now, and which tracks were seen.
 function BlockTracker:match(found)
    local couples = {}
    for i, block in ipairs(found) do
       for j, known in ipairs(self.tracks) do
-         local square = near(block, known, GATE)
-         if square then table.insert(couples, { square, i, j }) end
+         local against = unlikeness(block, known)
+         if against then table.insert(couples, { against, i, j }) end
       end
    end
    table.sort(couples, function(a, b) return a[1] < b[1] end)

@@ -73,6 +73,22 @@ case('after looks to both sides a block is where it is seen by then', function()
    near('nearer', p.tracker:blocks()[1].x, before - 0.010, 0.0015)
 end)
 
+-- By place alone each would be taken for the one that stood nearer to it.
+case('blocks of a row are known again by their colours after a slip', function()
+   local p = perceiver { { x = 0.26, y = -0.02, colour = 1 }, { x = 0.26, y = 0.035, colour = 2 } }
+   p.robot.lift_system.set_position(0.05)
+   p.step(40)
+   local before = {}
+   for _, known in ipairs(p.tracker:blocks()) do before[known.colour] = known end
+   p.fake.pose.y = p.fake.pose.y + 0.035
+   p.step(6)
+   same('none is new', #p.tracker:blocks(), 2)
+   for colour, known in pairs(before) do
+      same('colour ' .. colour, known.colour, colour)
+      near('aside ' .. colour, known.y, (colour == 1 and -0.02 or 0.035) - 0.035, 0.003)
+   end
+end)
+
 case('odometry follows a curve', function()
    local p = perceiver()
    p.robot.differential_drive.set_target_velocity(0.05, -0.06)
