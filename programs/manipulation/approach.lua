@@ -50,6 +50,7 @@ local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before 
 local HELD_OFF = 0.010         -- of a carried block's face from a column's, which would draw it off
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
 local CREEP_SPEED = 0.02       -- m/s
+local READINGS = 6             -- of what is ahead, before that
 local UNDER_TOP = 0.0005       -- m, of the lift
 
 local Approach = {}
@@ -128,10 +129,23 @@ function Approach:next_cell_filled()
    return ahead ~= nil and ahead < NEXT_CELL
 end
 
+-- How far what is ahead of the effector is, of some readings, since one may be off by a millimetre or two; nil where
+-- nothing is.
+function Approach:mean_ahead()
+   local sum = 0
+   for reading = 1, READINGS do
+      local ahead = self.ranges:range('front')
+      if not ahead then return nil end
+      sum = sum + ahead
+      if reading < READINGS then coroutine.yield() end
+   end
+   return sum / READINGS
+end
+
 -- Straight on, slowly, as far as that leaves the effector before what is ahead of it, and the block's
 -- face `off` it: the effector is longer by a little.
 function Approach:creep(way, off, each)
-   local ahead = self.ranges:range('front')
+   local ahead = self:mean_ahead()
    local longer = self.description.effector.front - self.description.magnets.ahead - SIDE / 2
    if ahead then way = math.min(way, ahead - math.max(EFFECTOR_GAP, (off or 0) - longer)) end
    if math.abs(way) > 0.0002 then self.path:go_by(way, CREEP_SPEED, each) end
