@@ -85,6 +85,8 @@ std::string in_words(const Assembly& made) {
     case AssemblyObstacle::Kind::remainder:
       return fmt::format("impossible: {} bricks of which none can be put last",
                          made.obstacle->remainder.bricks.count());
+    case AssemblyObstacle::Kind::stretch:
+      return "impossible: slices too many for the colours";
     case AssemblyObstacle::Kind::runs:
       return "impossible: rows too long for the colours";
     case AssemblyObstacle::Kind::rules:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Proofs that nothing can be done, which are cheap and hold for every order: a structure in parts
-// (bricks are put next to bricks), a remainder that cannot be taken apart (remainder.h), or runs
-// that are too long for the colours (run.h).
+// (bricks are put next to bricks), a remainder that cannot be taken apart (remainder.h), or
+// stretches and runs that are too long for the colours (stretch.h, run.h).
 #include "assembly/obstacle.h"
 
 #include <array>
@@ -42,6 +42,13 @@ std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const 
     out.kind = AssemblyObstacle::Kind::apart;
     return out;
   }
+  out.colours = colours;
+  // Where a stretch is that long, taking the structure apart would take long too.
+  if (const auto stretch = stretch_too_long(target, start, colours)) {
+    out.kind = AssemblyObstacle::Kind::stretch;
+    out.stretch = *stretch;
+    return out;
+  }
   out.remainder = find_remainder(target, builders, start);
   if (!out.remainder.barred.empty()) {
     out.kind = AssemblyObstacle::Kind::remainder;
@@ -50,7 +57,6 @@ std::optional<AssemblyObstacle> find_obstacle(const TargetBricks& target, const 
   out.runs = runs_too_long(target, start, colours);
   if (out.runs.empty()) return std::nullopt;
   out.kind = AssemblyObstacle::Kind::runs;
-  out.colours = colours;
   return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include "assembly/remainder.h"
 #include "assembly/run.h"
+#include "assembly/stretch.h"
 #include "assembly/uses.h"
 
 namespace stig::assembly {
@@ -14,13 +15,15 @@ struct AssemblyObstacle {
     exhausted,  ///< every order was looked at: each leaves a brick that nobody can put
     apart,      ///< bricks that share no face with the rest, and so are next to no column of it
     remainder,  ///< bricks of which none can be put last (remainder.h)
+    stretch,    ///< slices that so few colours do not tell apart (stretch.h)
     runs,       ///< runs of bricks that so few colours do not tell apart (run.h)
     rules,      ///< so few colours leave no rules at all that robots could follow (any_rules.h)
   } kind = Kind::exhausted;
   BrickSet part{0};     ///< apart: those that hang together with the first brick, or the start
   Remainder remainder;  ///< remainder: what is left
+  Stretch stretch;
   std::vector<FreeRun> runs;
-  int colours = 0;  ///< runs, rules: how many there are
+  int colours = 0;  ///< stretch, runs, rules: how many there are
   /// rules: how many bricks may be the start, and from one, at most, how many structures were
   /// looked at.
   std::size_t starts = 0, structures = 0;
@@ -28,7 +31,8 @@ struct AssemblyObstacle {
 
 /// Are colours what is missing? With more of them it may be possible.
 inline bool takes_more_colours(const AssemblyObstacle& obstacle) {
-  return obstacle.kind == AssemblyObstacle::Kind::runs ||
+  return obstacle.kind == AssemblyObstacle::Kind::stretch ||
+         obstacle.kind == AssemblyObstacle::Kind::runs ||
          obstacle.kind == AssemblyObstacle::Kind::rules;
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "compiler/precedence.h"
 #include "rules/cell_text.h"
 #include "sensing/led_code.h"
 
@@ -152,6 +153,7 @@ class Healer {
 std::vector<AssemblyRemedy> find_remedies(const AssemblyTask& task, const Assembly& made,
                                           const std::vector<OtherRobot>& others, double effort,
                                           const AssemblyHooks& hooks) {
+  if (task.target.cells.size() > kMostOrderedBricks) return {};  // no rules would be looked for
   return Healer(task, made, effort, hooks).find(others);
 }
 

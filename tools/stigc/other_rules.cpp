@@ -39,6 +39,10 @@ std::string why_not(const Target& target, const AssemblyObstacle& obstacle) {
     case AssemblyObstacle::Kind::remainder:
       return fmt::format("of {}, {} are left of which none can be put last", all,
                          obstacle.remainder.bricks.count());
+    case AssemblyObstacle::Kind::stretch:
+      return fmt::format("of {}, {} slices are alike, more than {} tell apart", all,
+                         obstacle.stretch.last - obstacle.stretch.first + 1,
+                         counted(static_cast<std::size_t>(obstacle.colours), "colour"));
     case AssemblyObstacle::Kind::runs:
       return fmt::format("of {}, {} stand alone in a row, more than {} tell apart", all,
                          obstacle.runs.front().size(),

@@ -174,6 +174,18 @@ std::string run_lines(const Target& target, const AssemblyObstacle& obstacle) {
   return out;
 }
 
+std::string stretch_line(const AssemblyObstacle& obstacle) {
+  const Stretch& stretch = obstacle.stretch;
+  const char axis = stretch.along_x ? 'x' : 'y';
+  return fmt::format(
+      "the slices from {0} = {1} to {0} = {2} are alike, {3} each; with {4} at most {5} of the "
+      "cuts "
+      "between them on one side of the start differ in what is put across them, and where two do "
+      "not, what rules build beyond the one they also build beyond the other\n",
+      axis, stretch.first, stretch.last, counted(stretch.bricks_of_slice, "brick"),
+      counted(static_cast<std::size_t>(obstacle.colours), "colour"), stretch.crossings);
+}
+
 std::string no_rules_line(const AssemblyObstacle& obstacle) {
   return fmt::format(
       "with {} there are no rules that robots could follow, whatever the colours, the rules and "
@@ -190,6 +202,8 @@ std::string_view word_of(AssemblyObstacle::Kind kind) {
       return "not-connected";
     case AssemblyObstacle::Kind::remainder:
       return "remainder";
+    case AssemblyObstacle::Kind::stretch:
+      return "stretch";
     case AssemblyObstacle::Kind::runs:
       return "runs";
     case AssemblyObstacle::Kind::rules:
@@ -206,6 +220,15 @@ Json obstacle_json(const Target& target, const AssemblyObstacle& obstacle) {
     Json cells = Json::array();
     for (const Cell cell : run) cells.push_back(to_json(cell));
     out["runs"].push_back(std::move(cells));
+  }
+  if (obstacle.kind == AssemblyObstacle::Kind::stretch) {
+    const Stretch& stretch = obstacle.stretch;
+    out["colours"] = obstacle.colours;
+    out["stretch"] = {{"along", stretch.along_x ? "x" : "y"},
+                      {"first", stretch.first},
+                      {"last", stretch.last},
+                      {"bricks_of_slice", stretch.bricks_of_slice},
+                      {"crossings", stretch.crossings}};
   }
   if (obstacle.kind == AssemblyObstacle::Kind::rules) {
     out["colours"] = obstacle.colours;
@@ -303,6 +326,8 @@ std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacl
              remainder_drawing(target, obstacle.part);
     case AssemblyObstacle::Kind::remainder:
       return impossible + remainder_lines(target, obstacle.remainder);
+    case AssemblyObstacle::Kind::stretch:
+      return impossible + stretch_line(obstacle);
     case AssemblyObstacle::Kind::runs:
       return impossible + run_lines(target, obstacle);
     case AssemblyObstacle::Kind::rules:
