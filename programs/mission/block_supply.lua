@@ -33,6 +33,14 @@ function BlockSupply.new(machine, map, navigation, sides, record, task)
    }, BlockSupply)
 end
 
+-- Whether a block stands beside another. What is never in one picture with it is the same block again, seen by its
+-- side alone and so taken to stand elsewhere.
+function BlockSupply:is_beside(other, known)
+   local now = self.process:time()
+   if (known.time == now or other.time == now) and known.time ~= other.time then return false end
+   return geometry.apart(other, known) < LINKED and math.abs(other.z - known.z) < LINKED
+end
+
 -- Dark, or dropped by a robot; on the floor, and with nothing beside it.
 function BlockSupply:is_unused(known)
    local transport = self.task.transport
@@ -41,8 +49,7 @@ function BlockSupply:is_unused(known)
       return false
    end
    for _, other in ipairs(self.tracker:blocks()) do
-      if other ~= known and geometry.apart(other, known) < LINKED and math.abs(other.z - known.z) < LINKED
-      then return false end
+      if other ~= known and self:is_beside(other, known) then return false end
    end
    return true
 end

@@ -524,6 +524,20 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    same('a new brick', begun(), true)
 end)
 
+case('a block that is never seen in one picture with another is not beside it', function()
+   local supply = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 }).supply
+   local function block(id, y, time)
+      return { id = id, x = 0.36, y = y, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 0, seen = 20, missed = 0,
+               time = time, top_time = time }
+   end
+   supply.process = { time = function() return 10 end }
+   for _, times in ipairs { { 10, 10, false }, { 10, 9, true }, { 9.8, 10, true }, { 8, 9, false } } do
+      local known, other = block(1, 0, times[1]), block(2, 0.054, times[2])
+      supply.tracker.tracks = { known, other }
+      same('unused', supply:is_unused(known), times[3])
+   end
+end)
+
 case('rows are known by heart, and forgotten where nothing is seen of them again', function()
    local task = { transport = 4, sides = { '+x' }, turns = false, levels = 1, asks = {}, delay = 0 }
    local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 2, 2, 0 } },
