@@ -11,6 +11,7 @@ local FRESH = 1                -- s, in which a block in sight was seen
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
+local SURE_VIEW = 0.28         -- m, from an empty cache, to wait for its next block
 local LINKED = 1.25 * geometry.SIDE
 local RESTS = 5                -- searches in vain, after which each rest is twice as long as the one before
 local SEARCHES = 2             -- likewise, from which on it leaves a cache that is empty
@@ -100,7 +101,12 @@ function BlockSupply:look_at_cache()
       block = self:at_cache()
    end
    self.last_cache = nil
-   return block or self.machine.search:look_about(self:wanted()) or self:at_cache(self:patience())
+   block = block or self.machine.search:look_about(self:wanted())
+   if block then return block end
+   -- what lies nearer than it should is below the picture
+   local nearer = SURE_VIEW - self.machine.odometry:distance_to(map.cache)
+   if nearer > 0 then self.machine.path:back_off(nearer) end
+   return self:at_cache(self:patience())
 end
 
 -- After one that could not be come near: another that is remembered, since what stands in the way may stay.
