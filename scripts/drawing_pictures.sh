@@ -38,6 +38,7 @@ keep() {
 keep fort/target.png target
 keep at-work.png at-work
 keep fort/built.png built
+keep overhang/built.png overhang
 keep tower/built.png tower
 for report in fort tower; do
   grep -q '"complete": true' "$folder/$report/report.json" || die "$report is not complete"
