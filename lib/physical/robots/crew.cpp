@@ -162,6 +162,7 @@ void Crew::sense(const World& world, const SensorIndex& index, std::size_t numbe
   senses_.sense(config_, world, index, number, out);
   out.radios = signals_.take_heard(number);
   read(world, model(number), config_.robots[number].body, robot.devices, out);
+  count_wheels(config_, world, number, out);
 }
 
 /// Its next step, or its first.

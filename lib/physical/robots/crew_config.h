@@ -24,6 +24,7 @@ struct CrewRobot {
   std::unique_ptr<RobotController> controller;
   CameraNoise camera_noise;
   RangeNoise range_noise;
+  EncoderNoise encoder_noise;
 };
 
 struct CrewBlock {

@@ -243,6 +243,14 @@ bool CrewSenses::fits(const CrewConfig& config) const {
   return true;
 }
 
+void count_wheels(const CrewConfig& config, const World& world, std::size_t number,
+                  RobotReadings& readings) {
+  const EncoderNoise& noise = config.robots[number].encoder_noise;
+  Random random = noise_stream(address_of(config, number, kDriveDevice, world));
+  readings.left_encoder = counted(readings.left_encoder, noise, random);
+  readings.right_encoder = counted(readings.right_encoder, noise, random);
+}
+
 Pose camera_pose(const World& world, const CrewRobot& robot, std::size_t camera) {
   assert(camera < robot.model->cameras.size());
   const CameraDevice& device = robot.model->cameras[camera];

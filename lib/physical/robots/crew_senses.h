@@ -64,6 +64,10 @@ class CrewSenses {
   std::vector<BodyId> obstacle_bodies_;  ///< of each obstacle
 };
 
+/// Makes true speeds of rims what encoders tell.
+void count_wheels(const CrewConfig& config, const World& world, std::size_t robot,
+                  RobotReadings& readings);
+
 /// From where a camera looks.
 Pose camera_pose(const World& world, const CrewRobot& robot, std::size_t camera);
 

@@ -210,8 +210,7 @@ void act(World& world, const RobotModel& robot, const RobotBody& body, RobotDevi
   }
 }
 
-// Encoders and switches are read off the true state: errors of motion come from contacts, not from
-// readings.
+// Read off the true state; what encoders make of it is the caller's business.
 void read(const World& world, const RobotModel& robot, const RobotBody& body,
           const RobotDevices& devices, RobotReadings& readings) {
   if (robot.drive) {

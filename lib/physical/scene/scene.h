@@ -119,6 +119,7 @@ struct Scene {
   bool lights = true;                           ///< false: no LED shines
   CameraNoise camera_noise;
   RangeNoise range_noise;
+  EncoderNoise encoder_noise;
   std::vector<SceneFile> files;  ///< the scene's own first
 };
 

@@ -35,6 +35,7 @@ CrewConfig crew_of(const Scene& scene, const PlacedScene& placed,
     if (controllers.robot) robot.controller = controllers.robot(scene, placed, i);
     robot.camera_noise = scene.camera_noise;
     robot.range_noise = scene.range_noise;
+    robot.encoder_noise = scene.encoder_noise;
     out.robots.push_back(std::move(robot));
   }
   for (std::size_t i = 0; i < placed.config.bodies.size(); ++i) {

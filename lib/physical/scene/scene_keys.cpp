@@ -232,6 +232,8 @@ const Form& noise_keys() {
           whole("camera_latency", "Control ticks.", 0, 100),
           real("distance", "Standard deviation of rangefinders, m.", 0, 1),
           whole("range_latency", "Control ticks.", 0, 100),
+          real("encoder_count",
+               "Speed of a rim that is one count of its encoder in a window, m/s; 0: exact.", 0, 1),
       }};
   return kKeys;
 }

@@ -96,6 +96,7 @@ void read_noise(const FormView& node, Scene& scene) {
   camera.latency = static_cast<int>(node.number("camera_latency"));
   scene.range_noise.distance = node.number("distance");
   scene.range_noise.latency = static_cast<int>(node.number("range_latency"));
+  scene.encoder_noise.count = node.number("encoder_count");
 }
 
 }  // namespace stig::physics

@@ -28,6 +28,11 @@ struct RangeNoise {
   int latency = 0;      ///< control ticks
 };
 
+/// A wheel encoder whose counts are read once in a short window.
+struct EncoderNoise {
+  double count = 0;  ///< m/s, of a rim that moves on by one count in a window; 0: exact
+};
+
 /// Where a device's errors are drawn. The caller numbers the devices of a robot across kinds, below
 /// 2^24.
 struct NoiseAddress {
@@ -37,6 +42,13 @@ struct NoiseAddress {
   std::uint64_t tick = 0;
 };
 Random noise_stream(const NoiseAddress& address);
+
+/// The device number of a robot's drive, after all others.
+inline constexpr std::uint32_t kDriveDevice = (1U << 24) - 1;
+
+/// A speed as an encoder tells it, m/s: whole counts in a window that begins anywhere between two of
+/// them, so that the mean over many windows is right.
+double counted(double speed, const EncoderNoise& noise, Random& random);
 
 /// Readings that arrive late. Until the first has arrived there are empty ones.
 template <class Reading>

@@ -2,6 +2,9 @@
 // What cameras and rangefinders of robots in a scene perceive, and when their programs learn it.
 #include <doctest/doctest.h>
 
+#include <set>
+#include <string>
+
 #include "physical/robots/crew_support.h"
 #include "physical/sensors/range_sensor.h"
 #include "support/uses.h"
@@ -87,6 +90,30 @@ init = say
 step = say)"}});
   CHECK(recorded(loaded, 0.6).said("r") ==
         std::vector<std::string>{"0.30 0", "0.30 0", "0.30 0", "0.11 2"});
+}
+
+TEST_CASE("encoders tell whole counts, whose mean is the speed") {
+  const LoadedScene loaded = crew_scene(
+      "stigc_scene: 1\nrobots: [{file: bebot.yaml, name: r, program: p.lua}]\n"
+      "noise: {encoder_count: 0.002}\n",
+      {{"p.lua", R"(
+local function say()
+  robot.differential_drive.set_target_velocity(0.0303, -0.0303)
+  log(string.format('%.3f', 1000 * robot.differential_drive.encoders.left))
+end
+init = say
+step = say)"}});
+  const auto said = recorded(loaded, 20).said("r");
+  REQUIRE(said.size() > 90);
+  double sum = 0;
+  std::set<std::string> seen;
+  // The first second is for getting up to speed.
+  for (std::size_t i = 5; i < said.size(); ++i) {
+    sum += std::stod(said[i]);
+    seen.insert(said[i]);
+  }
+  CHECK(seen == std::set<std::string>{"30.000", "32.000"});
+  CHECK(sum / static_cast<double>(said.size() - 5) == doctest::Approx(30.3).epsilon(0.01));
 }
 
 TEST_CASE("noise is a function of the seed") {

@@ -66,6 +66,10 @@ template <>
 struct MembersOf<RangeNoise> {
   static auto of(const RangeNoise& o) { return std::tie(o.distance, o.latency); }
 };
+template <>
+struct MembersOf<EncoderNoise> {
+  static auto of(const EncoderNoise& o) { return std::tie(o.count); }
+};
 // What comes from other files is known by its name.
 template <>
 struct MembersOf<BlockModel> {
@@ -96,10 +100,11 @@ struct MembersOf<Scene> {
     const auto& [source, title, seed, duration, stop_asleep, stop_failed, settings, magnets,
                  materials, models, blocks, robot_models, robots, obstacles, caches, interface,
                  programs, program_keys, block_programs, script, stock, stock_model, lights,
-                 camera_noise, range_noise, files] = o;
+                 camera_noise, range_noise, encoder_noise, files] = o;
     return std::tie(title, seed, duration, stop_asleep, stop_failed, settings, magnets, materials,
                     models, blocks, robot_models, robots, obstacles, caches, interface, programs,
-                    block_programs, script, stock, stock_model, lights, camera_noise, range_noise);
+                    block_programs, script, stock, stock_model, lights, camera_noise, range_noise,
+                    encoder_noise);
   }
 };
 
@@ -153,7 +158,7 @@ script: program.lua
 stock: 6
 lights: true
 noise: {pixels: 0.1, missed_tags: 0.1, missed_leds: 0.1, false_tags: 0.1, false_leds: 0.1, colour: 1, camera_latency: 1,
-  distance: 0.01, range_latency: 1}
+  distance: 0.01, range_latency: 1, encoder_count: 0.001}
 )";
 
 std::string robot_text(const std::string& name) {
