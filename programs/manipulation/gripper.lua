@@ -64,10 +64,17 @@ function Gripper:seat()
    return (left + right) / 2 - self.gap, math.atan((right - left) / FINDERS_APART)
 end
 
--- Whether the carried block was drawn ahead by more than `most`, or those finders see nothing.
-function Gripper:drawn_off(most)
-   local left, right = self.ranges:range('left'), self.ranges:range('right')
-   return not left or not right or (left + right) / 2 - self.gap > most
+-- A function that says, once a step, whether the carried block has been drawn ahead by more than `most`, and by
+-- `further` than it hangs now, or those finders see nothing: for two steps, since readings may be off.
+function Gripper:drawn_off(most, further)
+   local farthest, before = math.max(most, self:seat() + further) + self.gap, false
+   return function()
+      local left, right = self.ranges:range('left'), self.ranges:range('right')
+      local now = not left or not right or (left + right) / 2 > farthest
+      local drawn = now and before
+      before = now
+      return drawn
+   end
 end
 
 -- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark, or the kind of a code word.

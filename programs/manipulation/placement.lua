@@ -8,7 +8,8 @@ local SIDE = geometry.SIDE
 local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
 local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
 local ASIDE = 0.002            -- from a neighbour beside, which draws the block when it is there
-local DRAWN_OFF = 0.005        -- ahead in the gripper: neighbours have drawn the block into its place
+local DRAWN_OFF, FURTHER = 0.005, 0.003  -- ahead in the gripper, and than before: neighbours have drawn the block into
+                                         -- its place
 local REST = 0.0015            -- of a block over what it is put on, and less than 1 mm more, on its way in
 local LET_DOWN = 0.0003        -- likewise when it is let go: on a longer way down neighbours would draw it aside
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
@@ -54,15 +55,16 @@ end
 -- the level and on to it, or as far as the effector goes.
 function Placement:slide_in(level)
    self.process:enter('slide in')
-   local function drawn_off() return self.gripper:drawn_off(DRAWN_OFF) end
-   local watched = not drawn_off()
+   local drawn_off = self.gripper:drawn_off(DRAWN_OFF, FURTHER)
    local line = self.odometry:line_ahead()
    self.lift:to(SIDE * level + REST)
    -- what goes on would push a block that is in its place already
-   if watched and drawn_off() then return end
+   drawn_off()
+   coroutine.yield()
+   if drawn_off() then return end
    self.magnets:hold_fast(true)
    -- the neighbours draw the robot too
-   self.approach:creep(DRAW - SHY - self.odometry:on_line(line), nil, watched and drawn_off or nil)
+   self.approach:creep(DRAW - SHY - self.odometry:on_line(line), nil, drawn_off)
    self.magnets:hold_fast(false)
 end
 

@@ -27,6 +27,7 @@ function PathFollower.new(robot, description, odometry, process, ranges, clearan
 end
 
 function PathFollower:drive_rims(left, right)
+   self.odometry:tell(left, right)
    -- the right motor is the mirror image of the left one
    self.robot.differential_drive.set_target_velocity(left, -right)
 end

@@ -1,11 +1,15 @@
 -- SPDX-License-Identifier: MIT
--- The robot's pose, estimated from its wheel encoders, in the frame in which it stood at first.
+-- The robot's pose, estimated from its wheel encoders, in the frame in which it stood at first. Encoders tell whole
+-- counts, more coarsely than motors obey: a rim goes as it was told, unless its encoder contradicts.
 --
 -- Its wheels move the pivot, the point about which it turns on the spot, straight ahead (robot.description
 -- says where that is); the robot's middle, whose pose this is, goes round it.
 
 local geometry = require 'common.geometry'
 local profile = require 'motion.profile'
+
+local DOUBT = 0.0015           -- m/s, by which an encoder may be off: more than a count
+local TRUST = 0.1              -- in what it says, of what is less than that
 
 -- pose: {x, y, yaw}; ahead: of the pivot, before the middle, m; time and period: of this step, s; left, right: speeds of the rims, m/s;
 -- travelled: m, forwards and back.
@@ -17,17 +21,31 @@ function Odometry.new(robot, description)
       robot = robot, description = description, ahead = description.drive.pivot,
       pose = { x = 0, y = 0, yaw = 0 },
       time = robot.system.time or 0, period = 0.2,
-      left = 0, right = 0, travelled = 0,
+      left = 0, right = 0, told_left = 0, told_right = 0, travelled = 0,
    }, Odometry)
+end
+
+-- What rims were told last, m/s.
+function Odometry:tell(left, right)
+   self.told_left, self.told_right = left, right
+end
+
+-- The speed of a rim that ran at `before` and was told another, as its encoder bears it out.
+function Odometry:speed(before, told, encoder, time)
+   local most = self.description.drive.acceleration * time
+   local expected = before + geometry.clamp(told - before, -most, most)
+   local off = encoder - expected
+   return math.abs(off) < DOUBT and expected + TRUST * off or encoder
 end
 
 -- Once in each step. Returns by how much the robot has moved: m ahead and rad to the left.
 function Odometry:sense()
    local encoders = self.robot.differential_drive.encoders
-   -- the right motor is the mirror image of the left one
-   local left, right = encoders.left, -encoders.right
    local time = self.robot.system.time - self.time
    self.time = self.robot.system.time
+   local left = self:speed(self.left, self.told_left, encoders.left, time)
+   -- the right motor is the mirror image of the left one
+   local right = self:speed(self.right, self.told_right, -encoders.right, time)
    local ahead, turn = 0, 0
    if time > 0 then
       self.period = time
