@@ -266,9 +266,11 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
                        cache.at.x, cache.at.y, cache.at.z);
   }
   return out +
-         "# What cameras do in practice: a pixel off by a half, and 1 % of colours taken for "
-         "none or another.\n"
-         "noise: {pixels: 0.5, missed_tags: 0.02, colour: 8}\n";
+         "# What sensors do in practice: a pixel off by a half, 1 % of colours taken for none or "
+         "another,\n"
+         "# pictures a tick late, ranges off by a millimetre, encoders that tell whole counts.\n"
+         "noise: {pixels: 0.5, missed_tags: 0.02, colour: 8, camera_latency: 1, distance: 0.001, "
+         "encoder_count: 0.0012875}\n";
 }
 
 }  // namespace stig::validate
