@@ -70,6 +70,12 @@ std::int64_t integer_argument(lua_State* state, int index, const char* function,
   return number;
 }
 
+bool bool_argument(lua_State* state, int index, const char* function, const char* name) {
+  // Everything is true or false in Lua: a number here is a mistake.
+  if (!lua_isboolean(state, index)) bad_argument(state, index, function, name, "true or false");
+  return lua_toboolean(state, index) != 0;
+}
+
 std::string_view text_argument(lua_State* state, int index, const char* function,
                                const char* name) {
   if (lua_type(state, index) != LUA_TSTRING) bad_argument(state, index, function, name, "a text");

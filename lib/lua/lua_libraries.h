@@ -67,6 +67,7 @@ Quat turn_between(const Vec3& from, const Vec3& to);
 double number_argument(lua_State* state, int index, const char* function, const char* name);
 std::int64_t integer_argument(lua_State* state, int index, const char* function, const char* name,
                               std::int64_t low, std::int64_t high);
+bool bool_argument(lua_State* state, int index, const char* function, const char* name);
 std::string_view text_argument(lua_State* state, int index, const char* function, const char* name);
 Vec3 vector_argument(lua_State* state, int index, const char* function, const char* name);
 /// The argument as a quaternion of length 1, whatever the length of what was given.

@@ -22,7 +22,10 @@ namespace {
 constexpr std::uint64_t kLookCost = 20;  ///< instructions
 constexpr std::uint64_t kNameCost = 1, kPlaceCost = 10'000;
 constexpr std::size_t kMostName = 64;
-constexpr double kMostSeconds = 1e6;  ///< of a push
+constexpr double kMostSeconds = 1e6;   ///< of a push
+constexpr double kMostGrip = 10;       ///< times the friction of the materials
+constexpr std::uint64_t kBodies = 20;  ///< of a robot, about: what a search by name passes
+constexpr std::int64_t kFaces = 6, kLedsOfFace = 4;
 
 struct ScriptSide : LuaSide {
   ScriptWorld* world = nullptr;
@@ -109,6 +112,18 @@ ScriptThing named(lua_State* state, const ScriptWorld& world, const char* functi
   return *thing;
 }
 
+/// Likewise, of one kind.
+ScriptThing block_named(lua_State* state, const ScriptWorld& world, const char* function) {
+  const ScriptThing thing = named(state, world, function);
+  if (thing.robot) luaL_error(state, "%s: '%s' is no block", function, lua_tostring(state, 1));
+  return thing;
+}
+ScriptThing robot_named(lua_State* state, const ScriptWorld& world, const char* function) {
+  const ScriptThing thing = named(state, world, function);
+  if (!thing.robot) luaL_error(state, "%s: '%s' is no robot", function, lua_tostring(state, 1));
+  return thing;
+}
+
 int push_thing(lua_State* state, ScriptThing thing, const char* function) {
   const Vec3 force = vector_argument(state, 2, function, "force");
   // Without a time the push acts in the next step of physics alone.
@@ -156,18 +171,66 @@ int place(lua_State* state) {
 
 int halt(lua_State* state) {
   ScriptWorld& world = world_of(state);
-  const ScriptThing thing = named(state, world, "world.halt");
-  if (!thing.robot) luaL_error(state, "world.halt: '%s' is no robot", lua_tostring(state, 1));
-  world.halt(thing.place);
+  world.halt(robot_named(state, world, "world.halt").place);
   return 0;
 }
 
 int set_color(lua_State* state) {
   ScriptWorld& world = world_of(state);
-  const ScriptThing thing = named(state, world, "world.set_color");
-  if (thing.robot) luaL_error(state, "world.set_color: '%s' is no block", lua_tostring(state, 1));
+  const ScriptThing thing = block_named(state, world, "world.set_color");
   const auto colour = integer_argument(state, 2, "world.set_color", "color", 0, 4);
   world.set_colour(thing.place, static_cast<int>(colour));
+  return 0;
+}
+
+int set_camera(lua_State* state) {
+  ScriptWorld& world = world_of(state);
+  const ScriptThing robot = robot_named(state, world, "world.set_camera");
+  world.set_camera(robot.place, bool_argument(state, 2, "world.set_camera", "on"));
+  return 0;
+}
+
+int set_radio(lua_State* state) {
+  ScriptWorld& world = world_of(state);
+  const ScriptThing thing = named(state, world, "world.set_radio");
+  world.set_radio(thing, bool_argument(state, 2, "world.set_radio", "on"));
+  return 0;
+}
+
+/// A bit for each LED of these faces and places, from 1; 0: of all.
+std::uint32_t leds_of(std::int64_t face, std::int64_t place) {
+  std::uint32_t out = 0;
+  for (std::int64_t i = 0; i < kFaces * kLedsOfFace; ++i) {
+    const bool on_face = face == 0 || i / kLedsOfFace == face - 1;
+    if (on_face && (place == 0 || i % kLedsOfFace == place - 1)) out |= std::uint32_t{1} << i;
+  }
+  return out;
+}
+
+int kill_leds(lua_State* state) {
+  constexpr const char* kName = "world.set_leds";
+  ScriptWorld& world = world_of(state);
+  const ScriptThing block = block_named(state, world, kName);
+  const bool on = bool_argument(state, 2, kName, "on");
+  const auto optional = [state](int index, const char* name, std::int64_t most) {
+    if (lua_isnoneornil(state, index)) return std::int64_t{0};
+    return integer_argument(state, index, kName, name, 1, most);
+  };
+  const std::int64_t place = optional(3, "led", kLedsOfFace), face = optional(4, "face", kFaces);
+  world.set_leds(block.place, leds_of(face, place), on);
+  return 0;
+}
+
+int set_friction(lua_State* state) {
+  constexpr const char* kName = "world.set_friction";
+  ScriptWorld& world = world_of(state);
+  const std::string_view body = text_argument(state, 1, kName, "name");
+  const double factor = number_argument(state, 2, kName, "factor");
+  if (factor < 0 || factor > kMostGrip) luaL_error(state, "%s: factor must be from 0 to 10", kName);
+  LuaBox::of(state).charge(state, kNameCost * (world.blocks() + kBodies * world.robots()));
+  if (!world.set_friction(body, factor)) {
+    luaL_error(state, "%s: nothing is called '%s'", kName, lua_tostring(state, 1));
+  }
   return 0;
 }
 
@@ -222,6 +285,10 @@ int open_and_run(lua_State* state) {
                         {"push", push_block},
                         {"halt", halt},
                         {"set_color", set_color},
+                        {"set_camera", set_camera},
+                        {"set_radio", set_radio},
+                        {"set_leds", kill_leds},
+                        {"set_friction", set_friction},
                         {"push_block", block_push},
                         {"push_robot", robot_push},
                         {"drop", drop},

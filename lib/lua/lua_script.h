@@ -62,6 +62,14 @@ class ScriptWorld {
   virtual void halt(std::size_t robot) = 0;
   /// All LEDs of a block, 0 to 4.
   virtual void set_colour(std::size_t block, int colour) = 0;
+  /// Faults of devices, and their ends. A robot's cameras see nothing; radios neither send nor
+  /// receive; LEDs of a block, a bit each in their order, stay dark whatever is set.
+  virtual void set_camera(std::size_t robot, bool alive) = 0;
+  virtual void set_radio(ScriptThing thing, bool alive) = 0;
+  virtual void set_leds(std::size_t block, std::uint32_t which, bool alive) = 0;
+  /// What touches a body rubs it with so many times the friction of their materials. False: nothing
+  /// is called so.
+  virtual bool set_friction(std::string_view body, double factor) = 0;
   /// The new block's place; nothing, with a reason, when there is no room or no stock.
   virtual std::optional<std::size_t> drop(const Pose& X_WB, std::string& problem) = 0;
   virtual void stop(std::string reason) = 0;

@@ -263,6 +263,33 @@ bool read_magnets(WorldState& world, Taker& in) {
   return true;
 }
 
+// Last, and only of bodies whose grip somebody has changed: a world in which nobody has keeps the
+// bytes, and the hash, that it had before there were grips.
+void write_grips(Writer& out, const WorldState& world) {
+  const auto changed = [](const Body& body) { return body.grip != 1; };
+  const auto count = std::count_if(world.bodies.begin(), world.bodies.end(), changed);
+  if (count == 0) return;
+  out(static_cast<std::uint64_t>(count));
+  for (std::uint32_t i = 0; i < world.bodies.size(); ++i) {
+    if (changed(world.bodies[i])) out(i), out(world.bodies[i].grip);
+  }
+}
+
+bool read_grips(WorldState& world, Taker& in) {
+  for (Body& body : world.bodies) body.grip = 1;
+  if (in.left() == 0) return in.good();
+  std::uint64_t count = 0;
+  in(count);
+  for (std::uint64_t i = 0; i < count && in.good(); ++i) {
+    std::uint32_t body = 0;
+    double grip = 0;
+    in(body), in(grip);
+    if (body >= world.bodies.size() || !std::isfinite(grip) || grip < 0) return false;
+    world.bodies[body].grip = grip;
+  }
+  return in.finished();
+}
+
 bool sound(const Contact& contact, std::size_t bodies) {
   return contact.a < bodies && (contact.b < bodies || contact.b == kFloorBody) &&
          contact.count >= 0 && contact.count <= 4;
@@ -286,6 +313,7 @@ std::string write_checkpoint(const WorldState& world) {
   // elsewhere.
   out(static_cast<std::uint64_t>(world.contacts.size()));
   for (const Contact& contact : world.contacts) visit_contact(out, contact);
+  write_grips(out, world);
   return out.take();
 }
 
@@ -359,7 +387,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
     visit_contact(in, contact);
     if (!in.good() || !sound(contact, next.bodies.size())) return false;
   }
-  if (!in.finished()) return false;
+  if (!read_grips(next, in)) return false;
   next.events.clear();
   // Lists are made again in the next step.
   next.changed = true;

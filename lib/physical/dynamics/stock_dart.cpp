@@ -110,7 +110,7 @@ StockStep::StockStep(const WorldState& state) {
     dart_->nodes.push_back(body.left ? nullptr : add_body(world, std::to_string(i), body));
     if (body.left) continue;
     add_shape(*dart_->nodes.back(), shape_of(body.shape),
-              friction_of(config, body.material, body.material));
+              body.grip * friction_of(config, body.material, body.material));
   }
   if (!config.floor) return;
   BodyNode* floor = add_welded(world, "floor", to_dart(Pose{{0, 0, -kFloorHalf}, {}}));

@@ -350,6 +350,23 @@ void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
   }
 }
 
+void World::set_grip(BodyId id, double factor) {
+  assert(std::isfinite(factor) && factor >= 0);
+  WorldState& world = *state_;
+  const auto number = static_cast<std::uint32_t>(id);
+  double& now = entry(world.bodies, number).grip;
+  if (now == factor) return;
+  now = factor;
+  // DART has the coefficients from the beginning on.
+  world.stock.reset();
+  wake_early(world, id);
+  // What is fixed does not wake, and so wakes nobody, but what lies on it may begin to slide.
+  for (const Contact& contact : world.contacts) {
+    if (contact.a == number && contact.b != kFloorBody) wake_early(world, BodyId{contact.b});
+    if (contact.b == number) wake_early(world, BodyId{contact.a});
+  }
+}
+
 std::vector<DofState> World::joint(JointId id) const {
   const auto number = static_cast<std::size_t>(id);
   const JointPlace& place = entry(state_->articulations.joints, number);

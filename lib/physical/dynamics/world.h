@@ -161,6 +161,9 @@ class World {
   void add_force(ForceFunction function);
   /// Acts during the next step alone, at the centre of mass; wakes the body.
   void push(BodyId id, const Vec3& force, const Vec3& torque);
+  /// What touches the body rubs it with so many times the friction of their materials from now on;
+  /// finite, not negative, 1 at the start. A change wakes the body and what it touches.
+  void set_grip(BodyId id, double factor);
   /// Not of a link. Of a fixed body: it moves so from now on, whatever is in its way. Wakes the
   /// body.
   void set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin);

@@ -103,7 +103,8 @@ void add_contact(const WorldState& world, std::uint32_t a, std::uint32_t b, cons
   contact.normal = touch.normal;
   contact.count = touch.count;
   const Material other = b == kFloorBody ? kFloorMaterial : world.bodies[b].material;
-  contact.friction = friction_of(world.config, body.material, other);
+  const double grip = b == kFloorBody ? body.grip : body.grip * world.bodies[b].grip;
+  contact.friction = grip * friction_of(world.config, body.material, other);
   // The wheel's axle decides; two wheels that touch are taken as the first's.
   const std::uint32_t wheel = b == kFloorBody || !(axle_of(world, a) == Vec3{}) ? a : b;
   contact.axle = world.bodies[wheel].r * axle_of(world, wheel);

@@ -26,6 +26,7 @@ struct Body {
   bool round = false;  ///< equal moments about all axes
   bool fixed = false;
   Material material = 0;
+  double grip = 1;  ///< times the friction of its material
 
   Vec3 p;
   Quat q;

@@ -93,6 +93,15 @@ class Crew {
   bool mend(std::size_t robot, std::uint64_t tick);
   /// All LEDs of a block, until its program sets them.
   void set_colour(std::size_t block, Led colour) { signals_.set_colour(block, colour); }
+  /// Faults of devices, and their ends. Programs learn of them by what they read, or do not.
+  void set_dark(std::size_t robot, bool dark) { senses_.set_dark(robot, dark); }
+  void set_radio(std::size_t robot, bool alive) { signals_.set_radio(robot, alive); }
+  void set_radio_of_block(std::size_t block, bool alive) {
+    signals_.set_radio_of_block(block, alive);
+  }
+  void set_leds(std::size_t block, LedSet which, bool alive) {
+    signals_.set_leds(block, which, alive);
+  }
 
   /// Lines since the last call.
   std::vector<CrewLine> take_log();
@@ -142,7 +151,9 @@ class Crew {
   bool bring_back_robot(std::size_t robot);
   bool bring_back_block(std::size_t block);
   static void crew_members(auto& each, auto& crew);
+  static void faults(auto& each, auto& crew);
   static void histories(auto& each, auto& crew);
+  bool faulty() const;
 
   CrewConfig config_;
   double step_ = 0;

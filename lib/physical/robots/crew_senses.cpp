@@ -192,7 +192,7 @@ CameraReading CrewSenses::see(const CrewConfig& config, const World& world,
   const RobotSenses& senses = robots_[number];
   const Pose X_WC = camera_pose(world, robot, camera);
   CameraReading out;
-  if (senses.enabled[camera]) {
+  if (senses.enabled[camera] && !senses.dark) {
     // Addressed noise: what one sensor draws does not depend on what others do.
     const std::size_t place = first_number<CameraKind>(*robot.model) + camera;
     const NoiseAddress address = address_of(config, number, place, world);

@@ -16,6 +16,7 @@ namespace stig::physics {
 struct RobotSenses {
   std::vector<CameraView> views;
   std::vector<bool> enabled;  ///< cameras
+  bool dark = false;          ///< no light comes into its cameras
   std::vector<Late<CameraReading>> late_cameras;
   std::vector<Late<std::vector<RangeReading>>> late_ranges;
 
@@ -37,6 +38,8 @@ class CrewSenses {
   /// Fills in what sensors read.
   void sense(const CrewConfig& config, const World& world, const SensorIndex& index,
              std::size_t robot, RobotReadings& readings);
+  /// Covers a robot's cameras, or uncovers them: their pictures are empty as long as they are dark.
+  void set_dark(std::size_t robot, bool dark) { robots_[robot].dark = dark; }
   /// Switches cameras on and off.
   void obey(std::size_t robot, const RobotCommands& commands);
 
@@ -47,6 +50,7 @@ class CrewSenses {
   static void robot_members(auto& each, auto& senses, std::size_t robot) {
     each_member(each, senses.robots_[robot]);
   }
+  static auto& dark(auto& senses, std::size_t robot) { return senses.robots_[robot].dark; }
   /// Lists as long as the robots' devices are many, as after bytes from outside they might not be.
   bool fits(const CrewConfig& config) const;
 

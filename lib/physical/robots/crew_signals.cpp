@@ -73,9 +73,23 @@ Led CrewSignals::colour(std::size_t block) const {
 
 void CrewSignals::set_colour(std::size_t number, Led colour) {
   assert(number < blocks_.size());
+  light(number, leds_showing(colour));
+}
+
+void CrewSignals::set_leds(std::size_t number, LedSet which, bool alive) {
+  assert(number < blocks_.size());
   BlockSignals& block = blocks_[number];
-  const BlockLeds before = std::exchange(block.leds, leds_showing(colour));
-  if (block.leds != before) changed_[number] = true;
+  block.dead_leds = alive ? block.dead_leds & ~which : block.dead_leds | which;
+  light(number, block.leds);
+}
+
+/// Lets LEDs shine as they are told, but for dead ones.
+void CrewSignals::light(std::size_t number, BlockLeds leds) {
+  BlockSignals& block = blocks_[number];
+  for (std::size_t i = 0; i < leds.size(); ++i) {
+    if ((block.dead_leds >> i & 1) != 0) leds[i] = Led::off;
+  }
+  if (std::exchange(block.leds, leds) != leds) changed_[number] = true;
 }
 
 std::vector<std::size_t> CrewSignals::take_changed() {
@@ -92,7 +106,11 @@ bool CrewSignals::carry(const CrewConfig& config, const World& world) {
   // Emptied even where nobody hears: a message not heard at once is lost, as in air.
   std::vector<std::vector<Message>> sends;
   const auto send_all = [&sends](Mailbox& mail) {
-    for (auto& messages : mail.outbox) sends.push_back(std::exchange(messages, {}));
+    for (auto& messages : mail.outbox) {
+      sends.push_back(std::exchange(messages, {}));
+      // A dead radio does not even keep others silent.
+      if (mail.dead) sends.back().clear();
+    }
   };
   for (Mailbox& robot : robots_) send_all(robot);
   for (BlockSignals& block : blocks_) send_all(block.mail);
@@ -101,9 +119,10 @@ bool CrewSignals::carry(const CrewConfig& config, const World& world) {
   const auto take_all = [&next](Mailbox& mail) {
     bool any = false;
     for (auto& messages : mail.inbox) {
-      any = any || !next->empty();
-      messages.insert(messages.end(), next->begin(), next->end());
-      ++next;
+      const std::vector<Message>& arrived = *next++;
+      if (mail.dead) continue;
+      any = any || !arrived.empty();
+      messages.insert(messages.end(), arrived.begin(), arrived.end());
     }
     return any;
   };
@@ -126,7 +145,9 @@ std::vector<std::vector<Message>> CrewSignals::take_heard_by_block(std::size_t n
   BlockSignals& block = blocks_[number];
   if (block.quiet) return block.mail.inbox;
   block.quiet = true;
-  return std::exchange(block.mail, mailbox(kBlockRadios)).inbox;
+  Mailbox empty = mailbox(kBlockRadios);
+  empty.dead = block.mail.dead;
+  return std::exchange(block.mail, std::move(empty)).inbox;
 }
 
 void CrewSignals::forget_heard(std::size_t robot) {
@@ -151,16 +172,14 @@ void CrewSignals::send(std::size_t robot, const std::vector<std::vector<Message>
 // program may say anything.
 void CrewSignals::apply(std::size_t number, const BlockCommands& commands) {
   BlockSignals& block = blocks_[number];
-  const auto before = block.leds;
+  BlockLeds leds = block.leds;
   if (commands.all_leds && *commands.all_leds < kLedStates) {
-    block.leds.fill(static_cast<Led>(*commands.all_leds));
+    leds.fill(static_cast<Led>(*commands.all_leds));
   }
   for (const auto& [led, colour] : commands.leds) {
-    if (led < block.leds.size() && colour < kLedStates) {
-      block.leds[led] = static_cast<Led>(colour);
-    }
+    if (led < leds.size() && colour < kLedStates) leds[led] = static_cast<Led>(colour);
   }
-  if (block.leds != before) changed_[number] = true;
+  light(number, leds);
   for (std::size_t i = 0; i < std::min(commands.sends.size(), kBlockRadios); ++i) {
     if (commands.sends[i].empty()) continue;
     block.mail.outbox[i] = commands.sends[i];
@@ -174,7 +193,7 @@ bool CrewSignals::fits(const CrewConfig& config) const {
     if (!has_radios(robots_[i], config.robots[i].model->radios.size())) return false;
   }
   return std::all_of(blocks_.begin(), blocks_.end(), [](const BlockSignals& block) {
-    return has_radios(block.mail, kBlockRadios);
+    return has_radios(block.mail, kBlockRadios) && block.dead_leds <= kAllLeds;
   });
 }
 

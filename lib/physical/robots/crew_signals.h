@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <vector>
 
 #include "physical/robots/crew_config.h"
@@ -16,6 +17,7 @@ namespace stig::physics {
 /// Messages of one robot or block: a list for each of its radios.
 struct Mailbox {
   std::vector<std::vector<Message>> inbox, outbox;
+  bool dead = false;  ///< its radios neither send nor receive
 
   static void members(auto& each, auto& mail) { each.list(mail.inbox), each.list(mail.outbox); }
 };
@@ -24,10 +26,16 @@ struct Mailbox {
 /// checkpoints and hashes have, and so not dropped altogether.
 inline constexpr std::size_t kMostUnread = 100;
 
+/// A bit for each LED of a block, in their order.
+using LedSet = std::uint32_t;
+static_assert(kBlockLeds < 32);
+inline constexpr LedSet kAllLeds = (LedSet{1} << kBlockLeds) - 1;
+
 struct BlockSignals {
-  BlockLeds leds{};
+  BlockLeds leds{};  ///< as they shine
   Mailbox mail;
-  bool quiet = true;  ///< nothing in the mailbox
+  bool quiet = true;     ///< nothing in the mailbox
+  LedSet dead_leds = 0;  ///< those that are dead: dark, whatever is set
 };
 
 class CrewSignals {
@@ -41,6 +49,11 @@ class CrewSignals {
   Led colour(std::size_t block) const;
   /// All LEDs of a block.
   void set_colour(std::size_t block, Led colour);
+  /// LEDs that die are dark from now on, whatever is set; others obey, or do again when next set.
+  void set_leds(std::size_t block, LedSet which, bool alive);
+  /// All radios of a robot, or of a block.
+  void set_radio(std::size_t robot, bool alive) { robots_[robot].dead = !alive; }
+  void set_radio_of_block(std::size_t block, bool alive) { blocks_[block].mail.dead = !alive; }
   /// Blocks whose LEDs have changed since the last call, rising.
   std::vector<std::size_t> take_changed();
 
@@ -62,11 +75,14 @@ class CrewSignals {
   static void robot_members(auto& each, auto& signals, std::size_t robot) {
     each_member(each, signals.robots_[robot]);
   }
+  static auto& mail(auto& signals, std::size_t robot) { return signals.robots_[robot]; }
   static auto& block(auto& signals, std::size_t number) { return signals.blocks_[number]; }
   /// A list for each radio, as after bytes from outside it might not be.
   bool fits(const CrewConfig& config) const;
 
  private:
+  void light(std::size_t block, BlockLeds leds);
+
   std::vector<Mailbox> robots_;
   std::vector<BlockSignals> blocks_;
   std::vector<bool> changed_;

@@ -82,6 +82,25 @@ void Crew::crew_members(auto& each, auto& crew) {
   }
 }
 
+// Behind the other members, and only where something is broken: a crew in which nothing is keeps
+// the bytes, and the hash, that it had before there were faults.
+void Crew::faults(auto& each, auto& crew) {
+  for (std::size_t i = 0; i < crew.robots_.size(); ++i) {
+    each(CrewSenses::dark(crew.senses_, i)), each(CrewSignals::mail(crew.signals_, i).dead);
+  }
+  for (std::size_t i = 0; i < crew.blocks_.size(); ++i) {
+    auto& signals = CrewSignals::block(crew.signals_, i);
+    each(signals.mail.dead), each(signals.dead_leds);
+  }
+}
+
+bool Crew::faulty() const {
+  bool out = false;
+  const auto broken = [&out](auto value) { out = out || value != 0; };
+  faults(broken, *this);
+  return out;
+}
+
 void Crew::histories(auto& each, auto& crew) {
   for (auto& robot : crew.robots_) each_member(each, robot.history);
   for (auto& block : crew.blocks_) each_member(each, block.history);
@@ -91,6 +110,7 @@ void Crew::histories(auto& each, auto& crew) {
 std::string Crew::state() const {
   BytesOut out;
   crew_members(out, *this);
+  if (faulty()) faults(out, *this);
   return out.take();
 }
 
@@ -154,6 +174,7 @@ bool Crew::resume(std::string_view checkpoint) {
   ByteReader in(whole.block());
   BytesIn each(in);
   crew_members(each, *this);
+  if (in.good() && in.left() > 0) faults(each, *this);
   if (!in.good() || in.left() > 0 || !fits()) return false;
   BytesIn rest(whole);
   histories(rest, *this);

@@ -119,10 +119,39 @@ std::string SceneScript::place(ScriptThing thing, const Vec3& at, const std::opt
 void SceneScript::halt(std::size_t robot) { run_.agents.crew()->halt(robot, run_.world.tick()); }
 
 void SceneScript::set_colour(std::size_t block, int colour) {
-  assert(block < bodies_.size());
-  run_.agents.crew()->set_colour(run_.agents.crew()->block_of(bodies_[block]),
-                                 static_cast<Led>(colour));
+  run_.agents.crew()->set_colour(block_of(block), static_cast<Led>(colour));
   read_.reset();
+}
+
+/// The crew's number of a block.
+std::size_t SceneScript::block_of(std::size_t place) const {
+  assert(place < bodies_.size());
+  return run_.agents.crew()->block_of(bodies_[place]);
+}
+
+void SceneScript::set_camera(std::size_t robot, bool alive) {
+  run_.agents.crew()->set_dark(robot, !alive);
+}
+
+void SceneScript::set_radio(ScriptThing thing, bool alive) {
+  Crew& crew = *run_.agents.crew();
+  if (thing.robot) return crew.set_radio(thing.place, alive);
+  crew.set_radio_of_block(block_of(thing.place), alive);
+}
+
+void SceneScript::set_leds(std::size_t block, std::uint32_t which, bool alive) {
+  run_.agents.crew()->set_leds(block_of(block), which, alive);
+  read_.reset();
+}
+
+// Bodies of blocks, of obstacles, and of robots, whose parts a program does not know by name.
+bool SceneScript::set_friction(std::string_view body, double factor) {
+  for (std::uint32_t i = 0; i < run_.world.size(); ++i) {
+    if (run_.placed.bodies[i].name != body) continue;
+    run_.world.set_grip(BodyId{i}, factor);
+    return true;
+  }
+  return false;
 }
 
 std::optional<std::size_t> SceneScript::drop(const Pose& X_WB, std::string& problem) {

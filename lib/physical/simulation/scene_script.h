@@ -24,6 +24,10 @@ class SceneScript final : public ScriptWorld {
   std::string place(ScriptThing thing, const Vec3& at, const std::optional<Quat>& turn) override;
   void halt(std::size_t robot) override;
   void set_colour(std::size_t block, int colour) override;
+  void set_camera(std::size_t robot, bool alive) override;
+  void set_radio(ScriptThing thing, bool alive) override;
+  void set_leds(std::size_t block, std::uint32_t which, bool alive) override;
+  bool set_friction(std::string_view body, double factor) override;
   std::optional<std::size_t> drop(const Pose& X_WB, std::string& problem) override;
   void stop(std::string reason) override;
   void measure(std::string name, double value) override;
@@ -31,6 +35,7 @@ class SceneScript final : public ScriptWorld {
  private:
   void read() const;
   BodyId body_of(ScriptThing thing) const;
+  std::size_t block_of(std::size_t place) const;
   std::string name_of(BodyId body) const;
 
   RunState& run_;

@@ -76,6 +76,9 @@ std::string RecordedWorld::place(ScriptThing thing, const Vec3& at,
                                  const std::optional<Quat>& turn) {
   return noted(world_.place(thing, at, turn));
 }
+bool RecordedWorld::set_friction(std::string_view body, double factor) {
+  return noted(world_.set_friction(body, factor));
+}
 std::optional<std::size_t> RecordedWorld::drop(const Pose& X_WB, std::string& problem) {
   const auto place = world_.drop(X_WB, problem);
   noted(Dropped{place.has_value(), place.value_or(0), problem});
@@ -101,6 +104,9 @@ bool ReplayedWorld::push(ScriptThing /*thing*/, const Vec3& /*force*/, double /*
 std::string ReplayedWorld::place(ScriptThing /*thing*/, const Vec3& /*at*/,
                                  const std::optional<Quat>& /*turn*/) {
   return taken<std::string>();
+}
+bool ReplayedWorld::set_friction(std::string_view /*body*/, double /*factor*/) {
+  return taken<bool>();
 }
 std::optional<std::size_t> ReplayedWorld::drop(const Pose& /*X_WB*/, std::string& problem) {
   const auto dropped = taken<Dropped>();

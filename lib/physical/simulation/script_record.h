@@ -27,6 +27,12 @@ class RecordedWorld final : public ScriptWorld {
   std::string place(ScriptThing thing, const Vec3& at, const std::optional<Quat>& turn) override;
   void halt(std::size_t robot) override { world_.halt(robot); }
   void set_colour(std::size_t block, int colour) override { world_.set_colour(block, colour); }
+  void set_camera(std::size_t robot, bool alive) override { world_.set_camera(robot, alive); }
+  void set_radio(ScriptThing thing, bool alive) override { world_.set_radio(thing, alive); }
+  void set_leds(std::size_t block, std::uint32_t which, bool alive) override {
+    world_.set_leds(block, which, alive);
+  }
+  bool set_friction(std::string_view body, double factor) override;
   std::optional<std::size_t> drop(const Pose& X_WB, std::string& problem) override;
   void stop(std::string reason) override { world_.stop(std::move(reason)); }
   void measure(std::string name, double value) override { world_.measure(std::move(name), value); }
@@ -56,6 +62,10 @@ class ReplayedWorld final : public ScriptWorld {
   std::string place(ScriptThing thing, const Vec3& at, const std::optional<Quat>& turn) override;
   void halt(std::size_t /*robot*/) override {}
   void set_colour(std::size_t /*block*/, int /*colour*/) override {}
+  void set_camera(std::size_t /*robot*/, bool /*alive*/) override {}
+  void set_radio(ScriptThing /*thing*/, bool /*alive*/) override {}
+  void set_leds(std::size_t /*block*/, std::uint32_t /*which*/, bool /*alive*/) override {}
+  bool set_friction(std::string_view body, double factor) override;
   std::optional<std::size_t> drop(const Pose& X_WB, std::string& problem) override;
   void stop(std::string reason) override { stopped = std::move(reason); }
   void measure(std::string name, double value) override { measures[std::move(name)] = value; }
