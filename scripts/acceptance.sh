@@ -3,31 +3,36 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--against R] [PART…]
+#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--runs N] [--against R]
+#                         [PART…]
 #
 # Parts: against bench engines laws validate robots five viewer packages assembly fuzz sanitizers;
-# without one, all but robots and assembly, which take hours. `engines` sets what the lattice's engines do a
+# without one, all but robots and assembly, which take hours. `robots` lets robots build with the
+# seeds S, S + 1 … of N runs (20) a row; rows of `validate` and `robots` that stand in out/ for this
+# commit and these arguments are not done again. `engines` sets what the lattice's engines do a
 # second beside what is aimed at, in a few minutes; `against` sets the speed against that of revision
 # R (e10fcc8). Each fuzz target runs for N seconds (600), J of them at a time (as many as there are
-# cores). S is the seed of the laws' random cases, of the fuzzers and of drawn targets (the time);
-# the report begins with it, for repeating.
+# cores). S is the seed of the laws' random cases, of the fuzzers, of robots and of drawn targets (the
+# time); the report begins with it, for repeating.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) against=e10fcc8 parts=()
+fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) runs=20 against=e10fcc8 parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
+    --runs) runs=${2:?--runs needs a number}; shift ;;
     --against) against=${2:?--against needs a revision}; shift ;;
     against | bench | engines | laws | validate | robots | five | viewer | packages | assembly | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,13s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,16s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
 done
 [[ $seed =~ ^[1-9][0-9]{0,8}$|^[1-3][0-9]{9}$ ]] ||
   die "--seed takes a number from 1 to 3999999999, not '$seed'"
+[[ $runs =~ ^[1-9][0-9]{0,3}$ ]] || die "--runs takes a number from 1 to 9999, not '$runs'"
 [[ ${#parts[@]} -gt 0 ]] || parts=(against bench engines laws validate five viewer packages fuzz sanitizers)
 
 failures=0
@@ -126,42 +131,76 @@ laws_part() {
   done
 }
 
-# One row: what stigc validate said of these arguments.
+# One row: what stigc validate says of these arguments, which stays in `rows`, a folder of the
+# caller's. What is there of the same commit, without changes since, is not done again.
 validate_row() {
-  local name=$1 log
+  local name=$1 file=$rows/$1.json work status=0
   shift
-  log=out/validate-$name.log
-  say "stigc validate $*" >&2
-  # 1 says that not every run was complete, which the row shows; anything else is a failure.
-  build/dev/stigc validate "$@" --quiet >"$log" 2>&1 || [[ $? -eq 1 ]] || failures=$((failures + 1))
-  printf '| %s | %s | %s | %s | %s |\n' "$name" "$(sed -n 's/^  verdict *//p' "$log")" \
-    "$(sed -n 's/^  time *//p' "$log")" "$(sed -n 's/^  efficiency *//p' "$log")" \
-    "$(sed -n 's/^  \(wrong\|seed [0-9][0-9]*\)  *//p' "$log" | head -n 3 | paste -sd ';')"
+  work="$(git describe --always --dirty 2>/dev/null || echo unknown) $*"
+  if [[ ! -f $file || $work == *-dirty\ * || $work == unknown* ||
+    $(cat "$rows/$name.work" 2>/dev/null) != "$work" ]]; then
+    say "stigc validate $*" >&2
+    build/dev/stigc validate "$@" --json --quiet >"$rows/running.json" 2>"$rows/$name.log" || status=$?
+    # 1 says that not every run was complete, which the row shows; anything else is a failure.
+    if [[ $status -gt 1 || ! -s $rows/running.json ]]; then
+      failures=$((failures + 1))
+      printf '| %s | **failed**, see %s |\n' "$name" "$rows/$name.log"
+      return
+    fi
+    mv "$rows/running.json" "$file"
+    printf '%s\n' "$work" >"$rows/$name.work"
+  fi
+  python3 scripts/validate_row.py "$name" "$file"
 }
 
-validate_part() {
-  printf '\n## Structures built by robots\n\n| | verdict | time | efficiency | what went wrong first |\n|---|---|---|---|---|\n'
-  scripts/install.sh build >&2
-  configure_and_build dev >&2
-  validate_row staircase rulesets/staircase.yaml --runs 25
-  validate_row staircase-later-robot rulesets/staircase.yaml --robot robots/builderbot.yaml --runs 10
-  validate_row pyramid rulesets/stepped-pyramid.yaml
-  validate_row pyramid-four rulesets/stepped-pyramid.yaml --robots 4 --runs 20
+# fault_rows [ARGUMENT…]: a row for each scene of faults in which something is built, and what
+# becomes of the one in which nothing is.
+fault_rows() {
   local scene name rules
-  for name in plus wall u plate; do
-    validate_row "$name-two" "tests/compiler/$name.yaml" --robots 2 --runs 20
-  done
   for scene in scenes/faults/*.yaml; do
     name=$(basename "$scene" .yaml) rules=rulesets/staircase.yaml
     case $name in
       robots-head-on) continue ;;
       pyramid-*) rules=rulesets/stepped-pyramid.yaml ;;
     esac
-    validate_row "$name" "$rules" --scene "$scene" --duration 1200
+    validate_row "$name" "$rules" --scene "$scene" --duration 1200 "$@"
   done
-  printf '\n`robots-head-on`, 20 seeds (through the corridor: 2 are both robots):\n\n'
-  fenced build/dev/stigc simulate scenes/faults/robots-head-on.yaml --runs 20 --quiet ||
+}
+
+# head_on RUNS [ARGUMENT…]
+head_on() {
+  printf '\n`robots-head-on`, %s seeds (through the corridor: 2 are both robots):\n\n' "$1"
+  fenced build/dev/stigc simulate scenes/faults/robots-head-on.yaml --runs "$@" --quiet ||
     [[ $? -eq 1 ]] || failures=$((failures + 1))
+}
+
+# begin_rows FOLDER: the head of a table of validate_row, whose files come there.
+begin_rows() {
+  rows=$1
+  mkdir -p "$rows"
+  python3 scripts/validate_row.py --head
+}
+
+validate_part() {
+  printf '\n## Structures built by robots\n\n'
+  scripts/install.sh build >&2
+  configure_and_build dev >&2
+  begin_rows out/validate
+  validate_row staircase rulesets/staircase.yaml --runs 25
+  validate_row staircase-later-robot rulesets/staircase.yaml --robot robots/builderbot.yaml --runs 10
+  validate_row pyramid rulesets/stepped-pyramid.yaml
+  validate_row pyramid-four rulesets/stepped-pyramid.yaml --robots 4 --runs 20
+  shape_rows --runs 20
+  fault_rows
+  head_on 20
+}
+
+# shape_rows [ARGUMENT…]: four shapes, each by two robots.
+shape_rows() {
+  local name
+  for name in plus wall u plate; do
+    validate_row "$name-two" "tests/compiler/$name.yaml" --robots 2 "$@"
+  done
 }
 
 # Twenty robots at five structures: how fast a core simulates them.
@@ -226,10 +265,25 @@ packages_part() {
 }
 
 robots_part() {
-  printf '\n## More robots at one pyramid\n\n'
+  local seeds=(--runs "$runs" --seed "$seed")
+  local pyramid=rulesets/stepped-pyramid.yaml staircase=rulesets/staircase.yaml
+  printf '\n## Robots, %s runs a row, from seed %s on\n\n' "$runs" "$seed"
   scripts/install.sh build >&2
   configure_and_build dev stigc >&2
-  STIGC=build/dev/stigc scripts/scaling.sh || failures=$((failures + 1))
+  begin_rows "out/robots-$seed"
+  validate_row pyramid-four "$pyramid" --robots 4 "${seeds[@]}"
+  validate_row staircase "$staircase" "${seeds[@]}"
+  validate_row staircase-later-robot "$staircase" --robot robots/builderbot.yaml "${seeds[@]}"
+  validate_row pyramid-four-later-robots "$pyramid" --robots 4 --robot robots/builderbot.yaml \
+    "${seeds[@]}"
+  shape_rows "${seeds[@]}"
+  fault_rows "${seeds[@]}"
+  validate_row pyramid-eight "$pyramid" --robots 8 "${seeds[@]}"
+  validate_row five-pyramids-twenty "$pyramid" --structures 5 --robots 20 "${seeds[@]}"
+  head_on "${seeds[@]:1}"
+  printf '\n### More robots at one pyramid\n\n'
+  STIGC=build/dev/stigc scripts/scaling.sh --seed "$seed" --runs "$((runs < 5 ? runs : 5))" ||
+    failures=$((failures + 1))
 }
 
 # Targets of every kind, drawn by the seed. What out/assembly-SEED has of them is not done again.
