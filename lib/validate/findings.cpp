@@ -128,6 +128,8 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
     case TrialEnd::built:
       return;
   }
+  // What a script broke explains what robots did.
+  out.insert(out.end(), trial.broken.begin(), trial.broken.end());
   // Every robot is accounted for: the one that is at fault may be any.
   for (const RobotRecord& robot : trial.robots) of_robot(target, robot, trial, out);
   if (trial.loose.empty()) out.emplace_back("no loose block lies in the arena");

@@ -155,6 +155,7 @@ class TrialRun {
     std::vector<WatchedBlock> free = blocks();
     // Counted before those in hands are taken out.
     out.blocks = count(free);
+    out.broken = broken_parts();
     out.caches = cache_troubles(*target_.rules, free, watch_, run_.scene().caches);
     // A block that is being carried is not in anybody's way yet.
     std::erase_if(free, [this](const WatchedBlock& block) { return watch_.held(block.block); });
@@ -168,6 +169,18 @@ class TrialRun {
     out.lines = {lines_.begin(), lines_.end()};
     if (settings_.pictures >= 0) pictures_.push_back(picture());
     out.pictures = std::move(pictures_);
+    return out;
+  }
+
+  std::vector<std::string> broken_parts() const {
+    std::vector<std::string> out;
+    if (run_.crew() != nullptr) out = run_.crew()->broken();
+    for (std::uint32_t i = 0; i < run_.world().size(); ++i) {
+      const double grip = run_.world().grip(BodyId{i});
+      if (grip == 1) continue;
+      out.push_back(fmt::format("{} rubs with {:.3g} times its friction",
+                                run_.placed().bodies[i].name, grip));
+    }
     return out;
   }
 

@@ -86,6 +86,7 @@ struct Trial {
   std::vector<RobotRecord> robots;
   std::vector<WatchedBlock> loose;  ///< blocks that are no bricks, not fixed, and that nobody holds
   BlockCount blocks;                ///< where each is at the end
+  std::vector<std::string> broken;  ///< devices and parts that the scene's script broke: sentences
   std::vector<std::string> caches;  ///< what keeps them from dropping blocks: sentences
   std::vector<TrialLine> lines;     ///< the last of what programs said
   std::vector<TrialPicture> pictures;

@@ -104,5 +104,18 @@ TEST_CASE("a robot that was stopped is told with where it stands and what is mis
   CHECK(text("m from the missing brick at ("));
 }
 
+TEST_CASE("what a script broke is told after why the run ended, and not of complete runs") {
+  const Yard yard;
+  Trial trial;
+  trial.broken = {"the cameras of robot 1 see nothing"};
+  trial.judgements = {judge(yard.target, 0, {yard.blocks[0]}, {})};
+  const std::vector<std::string> findings = findings_of(yard.target, trial);
+  REQUIRE(findings.size() > 2);
+  CHECK(findings[1] == trial.broken[0]);
+  trial.judgements[0].verdict = BuildVerdict::complete;
+  const std::vector<std::string> whole = findings_of(yard.target, trial);
+  CHECK(std::find(whole.begin(), whole.end(), trial.broken[0]) == whole.end());
+}
+
 }  // namespace
 }  // namespace stig

@@ -43,6 +43,7 @@ Trial full_trial() {
   t.robots = {robot};
   t.loose = {{3, {}, Led::q3, true}};
   t.blocks.left = 2;
+  t.broken = {"dark", "dead"};
   t.caches = {"empty"};
   t.lines = {{1, "one", "hello", true}};
   t.pictures = {{2, std::string("\0png", 4)}};

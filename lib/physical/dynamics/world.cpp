@@ -367,6 +367,8 @@ void World::set_grip(BodyId id, double factor) {
   }
 }
 
+double World::grip(BodyId id) const { return entry(state_->bodies, id).grip; }
+
 std::vector<DofState> World::joint(JointId id) const {
   const auto number = static_cast<std::size_t>(id);
   const JointPlace& place = entry(state_->articulations.joints, number);

@@ -164,6 +164,7 @@ class World {
   /// What touches the body rubs it with so many times the friction of their materials from now on;
   /// finite, not negative, 1 at the start. A change wakes the body and what it touches.
   void set_grip(BodyId id, double factor);
+  double grip(BodyId id) const;
   /// Not of a link. Of a fixed body: it moves so from now on, whatever is in its way. Wakes the
   /// body.
   void set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin);

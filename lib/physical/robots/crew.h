@@ -102,6 +102,8 @@ class Crew {
   void set_leds(std::size_t block, LedSet which, bool alive) {
     signals_.set_leds(block, which, alive);
   }
+  /// What of this is broken now: a sentence each, robots first.
+  std::vector<std::string> broken() const;
 
   /// Lines since the last call.
   std::vector<CrewLine> take_log();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A crew as bytes, and back.
 #include <algorithm>
+#include <bit>
 #include <cassert>
 #include <utility>
 
@@ -92,6 +93,28 @@ void Crew::faults(auto& each, auto& crew) {
     auto& signals = CrewSignals::block(crew.signals_, i);
     each(signals.mail.dead), each(signals.dead_leds);
   }
+}
+
+std::vector<std::string> Crew::broken() const {
+  const auto deaf = [](const std::string& name) {
+    return "the radios of " + name + " neither send nor receive";
+  };
+  std::vector<std::string> out;
+  for (std::size_t i = 0; i < robots_.size(); ++i) {
+    const std::string& name = robot_name(i);
+    if (CrewSenses::dark(senses_, i)) out.push_back("the cameras of " + name + " see nothing");
+    if (CrewSignals::mail(signals_, i).dead) out.push_back(deaf(name));
+  }
+  for (std::size_t i = 0; i < blocks_.size(); ++i) {
+    const BlockSignals& block = CrewSignals::block(signals_, i);
+    const std::string& name = config_.blocks[i].name;
+    if (block.mail.dead) out.push_back(deaf(name));
+    const int dead = std::popcount(block.dead_leds);
+    if (dead == 0) continue;
+    out.push_back(std::to_string(dead) + " of " + std::to_string(kBlockLeds) + " LEDs of " + name +
+                  " are dead");
+  }
+  return out;
 }
 
 bool Crew::faulty() const {

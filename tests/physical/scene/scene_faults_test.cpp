@@ -232,6 +232,20 @@ TEST_CASE("every fault is part of the hash, and none when it is over") {
   CHECK(hash("world.set_friction('b', 1)") == sound);
 }
 
+TEST_CASE("what is broken is told, robots first") {
+  const Scripted out(kOneBlock, R"(
+function on_start(world)
+  world.set_leds('b', false, 2)
+  world.set_radio('b', false)
+  world.set_camera('r', false)
+  world.set_radio('r', false)
+end)",
+                     0.5, {{"p.lua", "function step() end"}});
+  CHECK(out.run.crew()->broken() ==
+        Said{"the cameras of r see nothing", "the radios of r neither send nor receive",
+             "the radios of b neither send nor receive", "6 of 24 LEDs of b are dead"});
+}
+
 TEST_CASE("nonsense about devices ends the run and says where") {
   const auto message = [](const std::string& call) {
     const Scripted out(kOneBlock, "function on_step(world) " + call + " end", 1,
