@@ -6,7 +6,8 @@
 // could be put first, the brick never could be, and the proof says that every order of events ends
 // in the whole structure. So whatever can stand is *closed*: with a brick it has all that come
 // before. A rule that asks for a brick and forbids one that comes before it matches nothing closed
-// and never fires; without such rules more can follow, and so on.
+// and never fires, nor does one that asks for what comes after its own brick; without such rules
+// more can follow, and so on.
 //
 // Robots may obey more than the rules ask for. What would stand in the way to a brick has to come
 // after it, and robots see to that where they put a brick only when they know that all stand that

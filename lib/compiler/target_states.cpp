@@ -117,14 +117,19 @@ Demands TargetStates::demands(std::size_t brick, const ComesBefore& comes_before
     return static_cast<std::uint32_t>(start_bricks() + site.brick[place]);
   };
   Below below{};
+  Mask after = 0;  ///< what comes after the brick is not there while its site is empty
   for_each_place(site.bricks, [&](std::size_t k) {
+    if (comes_before(static_cast<std::uint32_t>(brick), number(k))) {
+      after |= bit(static_cast<int>(k));
+    }
     for_each_place(site.bricks & ~bit(static_cast<int>(k)), [&](std::size_t j) {
       if (comes_before(number(j), number(k))) below[k] |= bit(static_cast<int>(j));
     });
   });
   Mask always = site.bricks, never = site.bricks;
   for (const LocalRule& rule : site.rules) {
-    if (rule.colour != site.colour || !ever_matches(rule, below)) continue;
+    const bool in_vain = (rule.need & after) != 0 || !ever_matches(rule, below);
+    if (rule.colour != site.colour || in_vain) continue;
     always &= rule.need;
     never &= rule.forbid;
   }

@@ -41,7 +41,8 @@ class TargetStates : public TargetBricks {
   /// Does the one stand whenever the other does? As far as it is known.
   using ComesBefore = std::function<bool(std::uint32_t first, std::uint32_t then)>;
   /// The demands on a brick that is not of the start; neighbours of the start are left out. A rule
-  /// that asks for a brick and forbids one that comes before it never fires here, and is left out.
+  /// that asks for a brick and forbids one that comes before it, or asks for one that comes after
+  /// the brick itself, never fires here, and is left out.
   Demands demands(std::size_t brick, const ComesBefore& comes_before) const;
   /// Bricks that may be placed now, rising.
   std::vector<std::uint32_t> open(const BrickSet& state) const;

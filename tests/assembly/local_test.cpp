@@ -197,5 +197,48 @@ TEST_CASE("a rule that never fires does not hide what another demands") {
   CHECK(precedence.below(target.brick_at({2, 0, 0})).has(target.brick_at({2, 1, 0})));
 }
 
+TEST_CASE("a rule that asks for a brick that comes later does not hide what another demands") {
+  // The last rule would put the third's brick without its western neighbour, but asks for the
+  // fourth's, which waits for it.
+  const RuleSet rules = small_set(
+      R"(  - name: first
+    place: 2
+    when: |
+      . . .   . . .   . . .
+      . . .   1 * .   . . .
+      . . .   . . .   . . .
+  - name: second
+    place: 3
+    when: |
+      . . .   . . .   . . .
+      . . .   . * .   . . .
+      . . .   1 2 .   . . .
+  - name: third
+    place: 2
+    when: |
+      . . .   . . .   . . .
+      . . .   3 * .   . . .
+      . . .   2 . .   . . .
+  - name: fourth
+    place: 1
+    when: |
+      . . .   ? 2 .   . . .
+      . . .   2 * .   . . .
+      . . .   . . .   . . .
+  - name: never
+    place: 2
+    when: |
+      . . .   . . .   . . .
+      . . .   . * .   . . .
+      . . .   2 1 .   . . .
+)");
+  const VerifyResult proof = verify::verify(rules, {});
+  REQUIRE(proof.verdict == ProofVerdict::proved);
+  const TargetStates target(rules, proof);
+  REQUIRE(target.bricks() == 5);
+  const Precedence precedence = precedence_of(target);
+  CHECK(precedence.below(target.brick_at({2, 1, 0})).has(target.brick_at({1, 1, 0})));
+}
+
 }  // namespace
 }  // namespace stig
