@@ -77,6 +77,8 @@ class Assembler {
     if (out_.obstacle || out_.too_many) return result();
     set_likings();
     std::vector<Sides> sides = choices_of_sides(task_);
+    if (task_.sides.empty() && counts())
+      sides.emplace_back(kCountedSides.begin(), kCountedSides.end());
     // A set of sides from which even a robot that knows all could not build is left out for good.
     std::erase_if(sides, [&](const Sides& some) {
       return !find_remainder(bricks_, {task_.robot, some}, start_).barred.empty();
@@ -118,8 +120,8 @@ class Assembler {
     if (!large()) return;
     std::stable_partition(regular_.begin(), regular_.end(),
                           [](const Liking& one) { return one.spine != Liking::Spine::none; });
-    const std::vector<Liking> swept = swept_likings(bricks_, task_.most_colours);
-    regular_.insert(regular_.begin(), swept.begin(), swept.end());
+    const std::vector<Liking> first = large_likings(bricks_, task_.most_colours);
+    regular_.insert(regular_.begin(), first.begin(), first.end());
   }
 
   Assembly result() {
@@ -183,6 +185,11 @@ class Assembler {
   }
 
   bool small() const { return bricks_.bricks() <= kMostWalkedFirst; }
+  /// Is there a liking that counts?
+  bool counts() const {
+    return std::any_of(regular_.begin(), regular_.end(),
+                       [](const Liking& one) { return one.counting_rows > 0; });
+  }
   bool large() const { return bricks_.bricks() > kMostPlainBricks; }
 
   /// False when there is no order at all from these sides.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "assembly/counted.h"
 #include "assembly/path.h"
 #include "assembly/span.h"
 #include "base/hash.h"
@@ -18,6 +19,8 @@ using Spine = Liking::Spine;
 constexpr int kAlongRow = 100, kLevels = 1, kSteps = 150;
 /// Places where a closed chain may begin, at most.
 constexpr std::size_t kMostRings = 16;
+/// A longer spine is seldom coloured by the conflicts there are for it.
+constexpr int kLongSpine = 64;
 
 /// How many bricks a target is wide along x, or y.
 int width_of(const TargetBricks& target, bool along_x) {
@@ -116,6 +119,19 @@ std::vector<Liking> swept_likings(const TargetBricks& target, int colours) {
   return out;
 }
 
+std::vector<Liking> large_likings(const TargetBricks& target, int colours) {
+  std::vector<Liking> out = swept_likings(target, colours);
+  const auto rows = colours < kCountedColours ? std::nullopt : rows_to_count(target);
+  if (!rows) return out;
+  Liking counted;
+  counted.counting_rows = *rows;
+  const auto is_long = [&](const Liking& one) {
+    return width_of(target, one.spine == Spine::along_x) > kLongSpine;
+  };
+  out.insert(std::find_if(out.begin(), out.end(), is_long), counted);
+  return out;
+}
+
 std::vector<Liking> regular_likings() {
   std::vector<Liking> out;
   for (const bool along_x : {true, false}) {
@@ -162,6 +178,10 @@ Liking liking_of(std::uint64_t seed) {
 
 bool suits(const TargetBricks& target, const Liking& liking,
            const std::vector<ApproachSide>& sides) {
+  if (liking.counting_rows > 0) {
+    return std::is_permutation(sides.begin(), sides.end(), kCountedSides.begin(),
+                               kCountedSides.end());
+  }
   if (liking.round) return sides.size() == kAllSides.size();
   const auto both = [&](bool along_x) {
     const auto has = [&](ApproachSide side) {

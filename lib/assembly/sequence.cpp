@@ -7,6 +7,7 @@
 #include <numeric>
 #include <set>
 
+#include "assembly/counted.h"
 #include "assembly/last_brick.h"
 #include "assembly/path.h"
 #include "assembly/span.h"
@@ -44,6 +45,7 @@ std::vector<std::uint32_t> by_liking(const TargetBricks& target, const Liking& l
     score[i] =
         std::int64_t{liking.x} * x + std::int64_t{liking.y} * y + std::int64_t{liking.z} * c.z;
     score[i] += kSpine * row + kStep * steps[i];
+    if (liking.counting_rows > 0) score[i] = counted_turn(liking.counting_rows, wide, deep, c);
     if (liking.chance > 0) {
       score[i] += static_cast<std::int64_t>(combine(liking.seed, i) %
                                             static_cast<std::uint64_t>(liking.chance));

@@ -36,6 +36,8 @@ struct Liking {
     Cell first, last;
   };
   std::optional<Round> round;
+  /// Of a plate so many rows come first, which count (counted.h); 0: no such thing.
+  int counting_rows = 0;
   int chance = 0;  ///< a number below this is added
   std::uint64_t seed = 0;
   bool in_chains = false;  ///< what is next to the last brick that went goes first

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <tuple>
 
+#include "assembly/counted.h"
 #include "assembly/span.h"
 
 namespace stig::assembly {
@@ -56,6 +57,7 @@ Texture no_texture(std::size_t bricks) {
 }
 
 Texture texture_of(const TargetBricks& target, const Liking& liking) {
+  if (liking.counting_rows > 0) return counted_texture(target, liking.counting_rows);
   Texture out = no_texture(target.bricks());
   if (liking.spine == Liking::Spine::none) return out;
   const Rows rows(target, liking);

@@ -35,8 +35,8 @@ using Texture = std::vector<std::uint32_t>;
 
 /// Every brick by itself.
 Texture no_texture(std::size_t bricks);
-/// The texture of rows beside a spine, swept where the liking is; without a spine every brick is by
-/// itself.
+/// The texture of rows beside a spine, swept where the liking is, or of a plate that is counted;
+/// otherwise every brick is by itself.
 Texture texture_of(const TargetBricks& target, const Liking& liking);
 
 }  // namespace stig::assembly

@@ -154,6 +154,11 @@ TEST_CASE("a wall, plates and a slab of more than 200 bricks are compiled at sma
   CHECK(check_assembled(24, 24, 1) < 130);
 }
 
+TEST_CASE("plates too wide for a spine in four colours are counted, by rules that hardly grow") {
+  CHECK(check_assembled(30, 70, 1) < 140);
+  CHECK(check_assembled(66, 65, 1) < 150);
+}
+
 TEST_CASE("a rule that never fires does not hide what another demands") {
   // The last rule would put the same brick without its western and northern neighbours, but the
   // northwestern one never stands without the western.

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <string>
 
+#include "assembly/counted.h"
 #include "assembly/likings.h"
 #include "support/uses.h"
 
@@ -102,6 +103,67 @@ TEST_CASE("a spine wants robots at its sides, or at its ends and beside the rows
   CHECK_FALSE(suits(rectangle(9, 9), liking, flanks));
   CHECK(suits(rectangle(9, 9), liking, all));
   CHECK(suits(rectangle(9, 3), liking, ends));
+}
+
+/// The number that the rows below the border show, the lowest digit in row 0.
+int number_at(const TargetBricks& target, const Texture& texture, int digits, int x) {
+  // Behind the end, in the highest digit's row, there are zeros up to the last column.
+  const std::uint32_t zero =
+      texture[target.brick_at({target.cell(target.bricks() - 1).x - 1, digits - 1, 0})];
+  int out = 0;
+  for (int row = 0; row < digits; ++row) {
+    if (texture[target.brick_at({x, row, 0})] != zero) out |= 1 << row;
+  }
+  return out;
+}
+
+TEST_CASE("rows that count go up by one a column and carry over once, in time for the end") {
+  for (const int wide : {16, 23, 40, 77}) {
+    CAPTURE(wide);
+    const TargetBricks target = rectangle(wide, wide);
+    const auto rows = rows_to_count(target);
+    REQUIRE(rows);
+    const int digits = *rows - 1;
+    const Texture texture = counted_texture(target, *rows);
+    // The end takes a column for each digit on its way down.
+    const int carry = wide - digits;
+    for (int x = digits; x < carry; ++x) {
+      CHECK(number_at(target, texture, digits, x) == (1 << digits) - (carry - x));
+    }
+    const std::uint32_t end = texture[target.brick_at({wide - 1, wide - 1, 0})];
+    for (int i = 0; i + 1 < digits; ++i) {
+      CHECK(texture[target.brick_at({carry + i, digits - 1 - i, 0})] == end);
+      CHECK(texture[target.brick_at({digits - 1 - i, carry + i, 0})] == end);
+    }
+  }
+}
+
+TEST_CASE("rows to count are as few as hold the longer side, and the corner is the solver's") {
+  CHECK(rows_to_count(rectangle(16, 16)) == 5);
+  CHECK(rows_to_count(rectangle(76, 76)) == 7);
+  CHECK(rows_to_count(rectangle(77, 40)) == 8);
+  CHECK(rows_to_count(rectangle(40, 77)) == 8);
+  CHECK_FALSE(rows_to_count(rectangle(10, 77)));
+  CHECK_FALSE(rows_to_count(TargetBricks({{{0, 0, 0}, 1}, {{1, 1, 0}, 1}}, 0)));
+  const TargetBricks target = rectangle(16, 16);
+  const Texture texture = counted_texture(target, 5);
+  for (std::uint32_t i = 0; i < target.bricks(); ++i) {
+    const Cell c = target.cell(i);
+    if (c.x < 4 && c.y < 4) CHECK(texture[i] == i);
+  }
+}
+
+TEST_CASE("a plate is counted when a spine would be long, with four colours and from two sides") {
+  const auto counts = [](const Liking& one) { return one.counting_rows > 0; };
+  const auto small = large_likings(rectangle(40, 40), 4);
+  CHECK(counts(small.back()));
+  const auto large = large_likings(rectangle(77, 77), 4);
+  CHECK(counts(large.front()));
+  CHECK(std::none_of(large.begin() + 1, large.end(), counts));
+  const auto three = large_likings(rectangle(77, 77), 3);
+  CHECK(std::none_of(three.begin(), three.end(), counts));
+  CHECK(suits(rectangle(77, 77), large.front(), {ApproachSide::plus_y, ApproachSide::plus_x}));
+  CHECK_FALSE(suits(rectangle(77, 77), large.front(), {ApproachSide::plus_y}));
 }
 
 }  // namespace
