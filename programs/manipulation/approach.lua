@@ -46,11 +46,12 @@ local ASIDE_ANGLE = 0.19       -- rad, from the pivot, within which such a block
 local ASIDE_RIM = 0.03         -- m/s
 local COLUMN_AHEAD = 0.020     -- m, before the effector
 local NEXT_CELL = 0.040        -- m, likewise, nearer than a column two cells on
-local EFFECTOR_GAP = 0.0015    -- left between the effector and a column before it, at least
+local EFFECTOR_GAP = 0.0010    -- left between the effector and a column before it, at least: with the effector's 8.5 mm
+                               -- before the block little less than its magnets reach
 local HELD_OFF = 0.010         -- of a carried block's face from a column's, which would draw it off
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
 local CREEP_SPEED = 0.02       -- m/s
-local READINGS = 6             -- of what is ahead, before that
+local READINGS, MORE = 6, 10   -- of what is ahead, before that; and where it ends the way
 local UNDER_TOP = 0.0005       -- m, of the lift
 
 local Approach = {}
@@ -129,25 +130,28 @@ function Approach:next_cell_filled()
    return ahead ~= nil and ahead < NEXT_CELL
 end
 
--- How far what is ahead of the effector is, of some readings, since one may be off by a millimetre or two; nil where
--- nothing is.
-function Approach:mean_ahead()
-   local sum = 0
-   for reading = 1, READINGS do
+-- How far what is ahead of the effector is, of some readings, since one may be off by a millimetre or two, and of more
+-- where it is nearer than `near`; nil where nothing is.
+function Approach:mean_ahead(near)
+   local sum, count = 0, READINGS
+   for reading = 1, READINGS + MORE do
       local ahead = self.ranges:range('front')
       if not ahead then return nil end
       sum = sum + ahead
-      if reading < READINGS then coroutine.yield() end
+      if reading == READINGS and sum / READINGS < near then count = READINGS + MORE end
+      if reading == count then break end
+      coroutine.yield()
    end
-   return sum / READINGS
+   return sum / count
 end
 
 -- Straight on, slowly, as far as that leaves the effector before what is ahead of it, and the block's
 -- face `off` it: the effector is longer by a little.
 function Approach:creep(way, off, each)
-   local ahead = self:mean_ahead()
    local longer = self.description.effector.front - self.description.magnets.ahead - SIDE / 2
-   if ahead then way = math.min(way, ahead - math.max(EFFECTOR_GAP, (off or 0) - longer)) end
+   local gap = math.max(EFFECTOR_GAP, (off or 0) - longer)
+   local ahead = self:mean_ahead(way + gap)
+   if ahead then way = math.min(way, ahead - gap) end
    if math.abs(way) > 0.0002 then self.path:go_by(way, CREEP_SPEED, each) end
 end
 
