@@ -63,7 +63,7 @@ function Machine:move_with(robot, description)
    self.magnets = Magnets.new(robot, self.ranges)
    self.lift = Lift.new(robot, description, self.odometry, self.process, self.magnets)
    self.clearance = Clearance.new(robot, description, self.process, self.ranges, self.magnets,
-                                  self.sweep)
+                                  self.sweep, self.returns)
    self.path = PathFollower.new(robot, description, self.odometry, self.process, self.ranges,
                                 self.clearance)
    self.search = Search.new(self.odometry, self.process, self.tracker, self.magnets, self.lift,

@@ -55,6 +55,7 @@ function Builder.new(robot, chart, task)
    self.builder = self
    machine.placement.transport = task.transport
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
+   machine.clearance.alone = task.delay == 0
    if task.widest then machine.sight:reads_up_to(task.widest) end
    if task.kinds then machine.tracker.detector.kinds = task.kinds end
    machine:start(function() self:follow_chart() end)

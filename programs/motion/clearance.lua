@@ -13,25 +13,29 @@ local AT_EFFECTOR = 0.05       -- m, before the effector
 local BEHIND = 0.07            -- m, behind the chassis, which the body sticks out by 0.03, to stop from 0.1 m/s
 local BEHIND_BODY = 0.025      -- m, behind the body, likewise from a brick that is remembered
 local SPARE = 0.03             -- m, about what a turn sweeps: an arm over what a ray sees
-local FACING = 0.18            -- m, before the effector, where another's may come towards it
-local MEETING = 0.17           -- m, before the chassis, of which the effector takes 0.085
+local MEETING = 0.2            -- m, before chassis and effector, as far as they see: two that come towards each other
+                               -- have two effectors of 0.085 between them, and need 0.05 each to stop
 local EFFECTOR = 0.095         -- m, the effector before the chassis, and some more
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local FREE = 1                 -- m, more than any rangefinder sees
 local SEES_FAR = 0.1           -- m, of rangefinders that see another robot before its arm touches
+local SEEN_LATELY = 2          -- s, that a place counts where another robot's chassis was seen
+local OF_BRICK = 0.012         -- m, from a brick that is remembered, of what is no robot
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
 
--- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m.
+-- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m. alone: set by
+-- who knows that there is no other robot.
 -- ahead, behind: names of the chassis' rangefinders that look there; beside: those that look elsewhere than
 -- ahead, with how far each has to see so that a turn is free; front: where the foremost of them are, m ahead.
 local Clearance = {}
 Clearance.__index = Clearance
 
 -- `magnets` tells whether a block is carried, which hides what is before the chassis.
-function Clearance.new(robot, description, process, ranges, magnets, sweep)
+function Clearance.new(robot, description, process, ranges, magnets, sweep, returns)
    local self = setmetatable({
       robot = robot, process = process, ranges = ranges, magnets = magnets, body = description.body,
-      odometry = process.odometry, room = function() return math.huge end,
+      sweep = sweep, returns = returns,
+      odometry = process.odometry, room = function() return math.huge end, alone = false,
       short_sighted = ranges:reach() < SEES_FAR, front = 0, ahead = {}, behind = {}, beside = {},
    }, Clearance)
    for _, ray in ipairs(ranges:chassis_rays()) do
@@ -79,13 +83,25 @@ end
 -- beyond does not count.
 function Clearance:meets(left)
    return self:blocked(math.min(MEETING, (left or 1) + EFFECTOR)) or
-          self.ranges:nearest { 'front' } < math.min(FACING, left or 0)
+          self.ranges:nearest { 'front' } < math.min(MEETING, left or 0)
 end
 
 -- How far ahead the effector has room, m.
 function Clearance:room_ahead()
    local room = math.min(self:before_chassis() - EFFECTOR, self.ranges:nearest { 'front' } - AT_EFFECTOR)
    return math.max(0, room)
+end
+
+-- Whether another robot's chassis was seen so near that its arm, wherever that points, and what a turn on the
+-- spot sweeps may touch.
+function Clearance:has_company()
+   if self.alone then return false end
+   local pivot = self.odometry:pivot()
+   for _, point in ipairs(self.returns:near(pivot.x, pivot.y, self.sweep.reach + EFFECTOR,
+                                            self.odometry.time - SEEN_LATELY)) do
+      if self.room(point.x, point.y) > OF_BRICK then return true end
+   end
+   return false
 end
 
 -- Waits a while for those to go whom the effector would sweep in a turn on the spot.
@@ -96,7 +112,7 @@ function Clearance:await_room()
          local range = self.ranges:range(name)
          if range and range < needed then return false end
       end
-      return true
+      return not self:has_company()
    end
    if not room() then self.process:wait_until(room, PATIENCE * math.random()) end
 end

@@ -6,7 +6,7 @@ local geometry = require 'common.geometry'
 
 local apart, clamp = geometry.apart, geometry.clamp
 local LOOK_TIME = 1.0          -- s
-local DRIVE_LOW = 0.020        -- height of the lift at which the front rangefinder sees columns of two
+local DRIVE_LOW = 0.030        -- height of the lift at which the front rangefinder sees columns of two, and what others carry
 local TOO_NEAR = 0.165         -- m, of a way past a brick
 local PAST_CACHE = 0.17        -- m, from a cache, of a way past it
 local FAR = 0.9                -- m, from the structure's middle, that a search goes at most
