@@ -26,6 +26,7 @@ local StructureMap = require 'mission.structure_map'
 
 local LOOK_TIME = 1.0          -- s
 local LEGS = 12                -- of a search for the structure
+local BEHIND = { x = -0.2, y = 0 }  -- where it is most likely, as robots begin with their backs to it
 local FIRST_WAIT = 0.125       -- of the longest wait, since the last brick
 local TURNS = 2                -- approaches that the longest wait lasts at least, of those that take long
 
@@ -95,13 +96,14 @@ function Builder:wait()
    return 'done'
 end
 
--- The structure in memory, or after a look where it is known, or a search.
+-- The structure in memory, or after a look where it is known or was at first, or a search.
 function Builder:find_structure()
    local map = self.map
    local function in_memory() return map:in_memory() end
    local found = in_memory()
-   if not found and map.known then
-      self.navigation:look_again(map.known, in_memory)
+   if not found and (map.known or not map.lost) then
+      self.navigation:look_again(map.known or BEHIND, in_memory)
+      if not map.known then self.process:wait(LOOK_TIME) end
       found = in_memory()
    end
    if found then return found end
