@@ -2,9 +2,11 @@
 -- The program of the stigmergic block of 2017: dark until somebody touches one of its faces with
 -- a radio. A message's first byte, '1' to '4', sets all LEDs to that colour; anything else turns
 -- them off. A 'w' and four such digits, which blocks of 2017 did not know, set the four LEDs of each
--- face one by one, as a code word for more kinds of brick than four.
+-- face one by one, as a code word for more kinds of brick than four. Nor did they answer, as ours do: an
+-- 'a' and the message tell whoever sent it that it came. Neighbours hear that too, and do nothing.
 
 local FACES, LEDS = 6, 4
+local ANSWER = string.byte("a")
 
 local function colour_of(byte)
    local colour = (byte or 0) - string.byte("0")
@@ -26,7 +28,10 @@ end
 function step()
    for _, radio in pairs(robot.simple_radios) do
       for _, message in ipairs(radio.recv) do
-         show(message)
+         if message[1] ~= ANSWER then
+            show(message)
+            radio.send({ ANSWER, table.unpack(message, 1, LEDS + 1) })
+         end
       end
    end
 end

@@ -94,6 +94,7 @@ Abilities abilities_of(const RobotModel& robot, const BlockFigures& block) {
   out.magnet_reach = reach_of(block);
   out.face_hold = face_force(block, 0);
   out.friction = block.block_friction;
+  out.answers = block.answers;
   measure_bodies(robot, out);
   const std::vector<bool> lifted = lifted_bodies(robot);
   for (const CameraDevice& camera : robot.cameras) {

@@ -41,6 +41,7 @@ struct BlockFigures {
   double magnet_offset = 0.0225;  ///< of a magnet from the middle, along each axis
   double magnet_moment = 0.199;   ///< A·m²
   double block_friction = 0.2, floor_friction = 0.4;
+  bool answers = false;  ///< what it is told by radio
 };
 
 struct Abilities {
@@ -63,6 +64,7 @@ struct Abilities {
   /// What the magnets of one pair of faces hold, pulled straight.
   double face_hold = 9.5;
   double friction = 0.2;  ///< block on block
+  bool answers = false;   ///< a block, when the robot's radio tells it a colour
   std::vector<CarriedCamera> cameras;
 
   /// Height of the lift at which a carried block clears the bricks below a level.

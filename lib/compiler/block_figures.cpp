@@ -20,6 +20,7 @@ BlockFigures figures_of(const BlockModel& block) {
   out.magnet_offset = block.magnet_offset;
   out.magnet_moment = block.magnet_moment();
   out.block_friction = out.floor_friction = block.friction;
+  out.answers = block.radios.answers;
   return out;
 }
 

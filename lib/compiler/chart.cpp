@@ -12,7 +12,11 @@ const Chart& building_chart() {
   static const Chart chart{{
       {"search block", "search_block", {{"found", "approach block"}, {"none", "search block"}}},
       {"approach block", "approach_block", {{"near", "pick up"}, {"lost", "search block"}}},
-      {"pick up", "pick_up", {{"holds", "search structure"}, {"failed", "search block"}}},
+      {"pick up",
+       "pick_up",
+       {{"holds", "search structure"}, {"mute", "lay aside"}, {"failed", "search block"}}},
+      {"lay aside", "lay_aside", {{"done", "search block"}, {"useless", "sleep"}}},
+      {"sleep", "sleep", {{"done", "search block"}}},
       {"search structure",
        "search_structure",
        {{"found", "wait"},

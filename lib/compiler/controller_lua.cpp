@@ -204,6 +204,7 @@ void print_task(Printer& out, const ControllerPlan& plan) {
   out.line(fmt::format("   sides = {{ {}}}, turns = {},", list, plan.turns));
   out.line(fmt::format("   levels = {}, transport = {}, delay = {:.1f},", plan.levels,
                        plan.transport, plan.longest_wait));
+  if (plan.answers) out.line("   answers = true,  -- blocks, when they are told a colour");
   if (plan.kinds > kBlockColours) {
     out.line(fmt::format("   kinds = {},  -- that blocks show as code words", plan.kinds));
   }

@@ -62,6 +62,7 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   // act at the same moment.
   out.longest_wait = compiled.robots == 1 ? 0 : kLongestWait;
   out.widest = robot.block.most_angle;
+  out.answers = robot.answers;
   return out;
 }
 

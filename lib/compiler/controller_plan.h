@@ -26,6 +26,7 @@ struct ControllerPlan {
   int levels = 0;           ///< of the structure
   int transport = 4;        ///< what a block on its way shows; 0: dark
   int kinds = 4;            ///< that the code has by which blocks are read (sensing/led_code.h)
+  bool answers = false;     ///< blocks do, when they are told a colour
   double longest_wait = 0;  ///< s, before a site is approached
   double widest = 0;        ///< rad, of a tag's normal from the line to a camera that reads it
 };

@@ -30,6 +30,8 @@ struct BlockLights {
 struct BlockRadioModel {
   double depth = 0;  ///< below the face's middle
   double range = 0;  ///< 0: there are none
+  /// The program sends back an 'a' and each message that came in.
+  bool answers = false;
 };
 
 /// As the file says it. Lengths in m, masses in kg.

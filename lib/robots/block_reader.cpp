@@ -66,7 +66,8 @@ const Form& led_keys() {
 const Form& radio_keys() {
   static const Form kKeys{
       "block's radios",
-      {number("depth", "m below the face's middle.", 0, 1), needed("range", "m.", 1e-4, 10)}};
+      {number("depth", "m below the face's middle.", 0, 1), needed("range", "m.", 1e-4, 10),
+       words("answers", FormKind::boolean, "Whether its program answers what it is told.")}};
   return kKeys;
 }
 
@@ -110,7 +111,7 @@ BlockModel read_model(const FormView& root) {
   const FormView tags = root.form("tags"), leds = root.form("leds"), radios = root.form("radios");
   out.tags = {tags.number("side"), tags.number("proud"), tags.number("widest") * kDegree};
   out.leds = {leds.number("offset"), leds.number("widest") * kDegree};
-  out.radios = {radios.number("depth"), radios.number("range")};
+  out.radios = {radios.number("depth"), radios.number("range"), radios.flag("answers")};
   return out;
 }
 

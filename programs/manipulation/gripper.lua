@@ -17,6 +17,9 @@ local SLIPPED = 0.005          -- m, off what was read before: the block hangs o
 local REMEMBERED = 25          -- readings of a carried block's back, at most
 local FIRST_CHARACTER = 48     -- '0', of colours as the radio sends them
 local WORD = 119               -- 'w', before the four of a code word
+local ANSWER = 97              -- 'a', before what a block says to have heard
+local ANSWER_TIME = 0.3        -- s, since the step after it was sent: it hears in that, and is heard in the next
+local SENDS = 2
 
 -- neutral: the charge at which a current takes the magnets' field away. gap: from the rangefinders
 -- behind a block to its face, m, when it hangs right below the magnets.
@@ -77,15 +80,30 @@ function Gripper:drawn_off(most, further)
    end
 end
 
--- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark, or the kind of a code word.
+-- Whether a block's answer to a message has come in.
+function Gripper:hears_answer(message)
+   for _, heard in ipairs(self.robot.simple_radios.nfc.recv or {}) do
+      local same = heard[1] == ANSWER
+      for i, byte in ipairs(message) do same = same and heard[i + 1] == byte end
+      if same then return true end
+   end
+   return false
+end
+
+-- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark, or the kind of a code word. Whether it
+-- answered.
 function Gripper:colour(colour)
    local message = { FIRST_CHARACTER + colour }
    if colour > led_code.PLAIN then
       message = { WORD }
       for i, letter in ipairs(led_code.word_of(colour)) do message[i + 1] = FIRST_CHARACTER + letter end
    end
-   self.robot.simple_radios.nfc.send(message)
-   coroutine.yield()
+   for _ = 1, SENDS do
+      self.robot.simple_radios.nfc.send(message)
+      coroutine.yield()
+      if self.process:wait_until(function() return self:hears_answer(message) end, ANSWER_TIME) then return true end
+   end
+   return false
 end
 
 -- Takes the block that lies below the magnets. Whether it came along.

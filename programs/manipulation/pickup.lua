@@ -29,12 +29,11 @@ function Pickup:approach_block(block, heading)
    return true, seen
 end
 
--- Lifts the block that lies below the magnets, and colours it.
+-- Lifts the block that lies below the magnets, and colours it. True and whether it answered, or false and why not.
 function Pickup:grip_block(block, colour)
    if self.gripper:pull() then
       self.tracker:forget(block)
-      self.gripper:colour(colour or IN_TRANSPORT)
-      return true
+      return true, self.gripper:colour(colour or IN_TRANSPORT)
    end
    self.gripper:let_go()
    return false, 'it does not hold'

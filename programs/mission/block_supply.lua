@@ -15,11 +15,18 @@ local SURE_VIEW = 0.28         -- m, from an empty cache, to wait for its next b
 local LINKED = 1.25 * geometry.SIDE
 local RESTS = 5                -- searches in vain, after which each rest is twice as long as the one before
 local SEARCHES = 2             -- likewise, from which on it leaves a cache that is empty
+local LAID_ASIDE = 0.36        -- m, from where it was found, of the robot that lays a block down that does not answer: at
+                               -- a cache the next one comes when none lies within 0.35
+local LAY_BACK = 0.15          -- m, by which it has gone back from there
+local MUTE = 0.10              -- m, about where one was laid down
+local MUTES = 3                -- so many one after the other that do not answer: its own radio is dead
+local ASLEEP = 600             -- s, of a robot that can do nothing, until it tries again
 local ELSEWHERE = 2            -- searches in vain after which a robot that is bound to a side takes others' blocks
 
 -- block: the one to be fetched. refused: one that could not be come near. last_cache: that of the
 -- side before, until a block was seen at this
--- side's. in_vain: searches one after the other that found nothing at a cache.
+-- side's. in_vain: searches one after the other that found nothing at a cache. mute: where blocks were laid aside
+-- that did not answer; silent: how many, since one did.
 local BlockSupply = {}
 BlockSupply.__index = BlockSupply
 
@@ -30,7 +37,7 @@ function BlockSupply.new(machine, map, navigation, sides, record, task)
    end
    return setmetatable({
       machine = machine, tracker = machine.tracker, process = machine.process, map = map,
-      navigation = navigation, sides = sides, record = record, task = task, in_vain = 0,
+      navigation = navigation, sides = sides, record = record, task = task, in_vain = 0, mute = {}, silent = 0,
    }, BlockSupply)
 end
 
@@ -51,6 +58,9 @@ function BlockSupply:is_unused(known)
    end
    for _, other in ipairs(self.tracker:blocks()) do
       if other ~= known and self:is_beside(other, known) then return false end
+   end
+   for _, place in ipairs(self.mute) do
+      if geometry.apart(place, known) < MUTE then return false end
    end
    return true
 end
@@ -154,15 +164,35 @@ end
 function BlockSupply:pick_up()
    local block = self.block
    local place, fresh = { x = block.x, y = block.y }, block.colour == 0
-   if self.machine.pickup:grip_block(block, self.task.transport) then
+   local holds, answers = self.machine.pickup:grip_block(block, self.task.transport)
+   if holds then
       self.map.side, self.in_vain = nil, 0
       if fresh then self.map.cache = place end
       self.machine.path:back_off(0.10)
-      return 'holds'
+      self.silent = answers and 0 or self.silent + 1
+      return self.task.answers and not answers and 'mute' or 'holds'
    end
    self.record:tally('aborted')
    self.machine.path:back_off(0.12)
    return 'failed'
+end
+
+-- One that no radio reaches would be built in without its colour: farther out, where it keeps no other from coming.
+function BlockSupply:lay_aside()
+   local machine, home, block = self.machine, self.map.known or { x = 0, y = 0 }, self.block
+   local out = math.atan(block.y - home.y, block.x - home.x)
+   self.navigation:straight_to(block.x + LAID_ASIDE * math.cos(out), block.y + LAID_ASIDE * math.sin(out))
+   machine.placement:release(0)
+   local pose = machine.odometry.pose
+   local x, y = geometry.out_of(pose, machine.description.magnets.ahead + LAY_BACK, 0)
+   table.insert(self.mute, { x = x, y = y })
+   return self.silent < MUTES and 'done' or 'useless'
+end
+
+-- Out there, where others do the work.
+function BlockSupply:sleep()
+   self.process:wait(ASLEEP)
+   return 'done'
 end
 
 -- Lost: where blocks come from tells the directions.

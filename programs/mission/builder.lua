@@ -11,6 +11,7 @@
 --     task.sides           sides to work from, '+x' ...; task.turns: the rules hold in every turn
 --     task.widest          rad, between a tag's normal and the line to a camera that reads it
 --     task.transport       colour of a block on its way (0: dark)
+--     task.answers         blocks do, when they are told a colour
 --     task.kinds           of brick, where blocks show code words (common/led_code.lua); nil: four colours
 --     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
 --
@@ -36,7 +37,8 @@ Builder.__index = Builder
 -- What the chart's states do: a method of the builder or of one of its parts.
 Builder.BEHAVIOURS = {
    wait = 'builder', search_structure = 'builder', next_side = 'builder', let_go = 'builder',
-   search_block = 'supply', approach_block = 'supply', pick_up = 'supply', find_cache = 'supply',
+   search_block = 'supply', approach_block = 'supply', pick_up = 'supply', lay_aside = 'supply',
+   sleep = 'supply', find_cache = 'supply',
    choose_row = 'work', stand_before = 'work', look = 'work', approach_site = 'work', attach = 'work',
 }
 

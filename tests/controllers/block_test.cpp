@@ -50,6 +50,7 @@ TEST_CASE("the paper's block: mass, inertia, magnets") {
   CHECK(block->leds.offset == 0.02);
   CHECK(block->radios.depth == 0.005);
   CHECK(block->radios.range == 0.02);
+  CHECK(block->radios.answers);
   CHECK(block->program == "stigmergic.lua");
   const auto later = read_block_file(STIG_SOURCE_DIR "/blocks/stigmergic-2021.yaml", diagnostics);
   REQUIRE(later);

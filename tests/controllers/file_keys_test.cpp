@@ -119,7 +119,7 @@ struct MembersOf<BlockLights> {
 };
 template <>
 struct MembersOf<BlockRadioModel> {
-  static auto of(const BlockRadioModel& o) { return std::tie(o.depth, o.range); }
+  static auto of(const BlockRadioModel& o) { return std::tie(o.depth, o.range, o.answers); }
 };
 template <>
 struct MembersOf<BlockModel> {
@@ -214,7 +214,7 @@ body: {side: 0.055, mass: 0.102, friction: 0.5}
 magnets: {offset: 0.022, radius: 0.003, mass: 0.001, field: 75, cutoff: 0.04}
 tags: {side: 0.024, proud: 0.001, widest: 75}
 leds: {offset: 0.02, widest: 75}
-radios: {depth: 0.005, range: 0.02}
+radios: {depth: 0.005, range: 0.02, answers: true}
 program: full.lua
 )";
 

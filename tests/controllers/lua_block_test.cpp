@@ -48,6 +48,23 @@ TEST_CASE("the paper's program: a message's first byte sets all LEDs") {
   CHECK(step(controller, {{""}, {}, {}, {}, {}, {}}).all_leds == 0);
 }
 
+TEST_CASE("our block answers what it is told on the same radio, and leaves answers alone") {
+  FileError error;
+  const auto program = read_lua_program(STIG_SOURCE_DIR "/blocks/stigmergic.lua", error);
+  REQUIRE(program);
+  LuaBlockController controller = block(program->text);
+  BlockCommands commands;
+  REQUIRE(controller.init(commands).ok);
+  const BlockCommands told = step(controller, {{}, {}, {}, {}, {"3", "w1234"}, {}});
+  REQUIRE(told.sends.size() == 6);
+  CHECK(told.sends[4] == std::vector<Message>{"a3", "aw1234"});
+  for (const std::size_t other : {0, 1, 2, 3, 5}) CHECK(told.sends[other].empty());
+  // A neighbour's, which is not for it.
+  const BlockCommands heard = step(controller, {{"a4"}, {}, {}, {}, {}, {}});
+  CHECK(!heard.all_leds);
+  for (const auto& sent : heard.sends) CHECK(sent.empty());
+}
+
 TEST_CASE("LEDs one by one, colours by number and name, radios of six faces") {
   LuaBlockController controller = block(R"(function step()
     local leds = robot.directional_leds

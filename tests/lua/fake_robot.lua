@@ -78,7 +78,7 @@ function FakeRobot:tables()
          detect_led = function(at) return self:led_at(at) end,
       },
       rangefinders = finders,
-      simple_radios = { nfc = { send = function(message) self:colour(message) end } },
+      simple_radios = { nfc = { send = function(message) self:colour(message) end, recv = {} } },
    }
 end
 
@@ -137,15 +137,17 @@ function FakeRobot:block_below()
    end
 end
 
--- What the radio says to the block that is held.
+-- What the radio says to the block that is held, which answers unless it is mute.
 function FakeRobot:colour(message)
+   if not self.held or self.held.mute then return end
+   self.answers = { { string.byte('a'), table.unpack(message) } }
    local colour = message[1] - 48
    if message[1] == string.byte('w') then
       local word = {}
       for i = 1, 4 do word[i] = message[i + 1] - 48 end
       colour = led_code.kind_of(word, 62)
    end
-   if self.held then self.held.colour = colour end
+   self.held.colour = colour
 end
 
 -- Of the arm, as its block or one on the floor right before it gives them.
@@ -168,6 +170,7 @@ function FakeRobot:step()
    self:drive()
    self.robot.lift_system.position = self.sent.lift
    self.robot.system.time = self.robot.system.time + PERIOD
+   self.robot.simple_radios.nfc.recv, self.answers = self.answers or {}, nil
    self:magnetise()
    self:feel()
    self:look()
