@@ -75,17 +75,13 @@ bench_part() {
     # Those that print tables of their own also say which bounds or shares were missed.
     if [[ $program == */bench_physics ]]; then
       "$program" || failures=$((failures + 1))
-    elif [[ $program == */bench_assembly ]]; then
-      fenced "$program" 10 "$seed" || failures=$((failures + 1))
-    elif [[ $program == */bench_assembly_sizes ]]; then
-      fenced "$program" || failures=$((failures + 1))
     elif "$program" --benchmark_out=out/bench.json --benchmark_out_format=json >&2; then
       python3 scripts/bench_table.py out/bench.json
     else
       printf '**failed**\n'
       failures=$((failures + 1))
     fi
-  done < <(find build/release -name 'bench_*' -type f -executable | sort)
+  done < <(find build/release -name 'bench_*' -type f -executable ! -name 'bench_assembly*' | sort)
   rm -f out/bench.json
   [[ -n $found ]] || { printf '\nNo benchmark was built.\n'; failures=$((failures + 1)); }
 }
@@ -286,7 +282,7 @@ robots_part() {
     failures=$((failures + 1))
 }
 
-# Targets of every kind, drawn by the seed. What out/assembly-SEED has of them is not done again.
+# Targets of every kind, drawn by the seed. What out/assembly-SEED has of them is not done again. And large ones.
 assembly_part() {
   printf '\n## Drawn targets, built by one robot and by two\n\n'
   scripts/install.sh build bench >&2
@@ -295,6 +291,8 @@ assembly_part() {
     "$seed")
   printf '`%s`\n\n' "${command[*]}"
   fenced "${command[@]}" || failures=$((failures + 1))
+  printf '\n## Large targets\n\n`build/release/bench_assembly_sizes`\n\n'
+  fenced build/release/bench_assembly_sizes || failures=$((failures + 1))
 }
 
 # Runs one target on its corpus; its log says what came of it. New inputs go to the first folder,
