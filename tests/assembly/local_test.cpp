@@ -159,11 +159,10 @@ TEST_CASE("plates too wide for a spine in four colours are counted, by rules tha
   CHECK(check_assembled(66, 65, 1) < 150);
 }
 
-TEST_CASE("a rule that never fires does not hide what another demands") {
-  // The last rule would put the same brick without its western and northern neighbours, but the
-  // northwestern one never stands without the western.
-  const RuleSet rules = small_set(
-      R"(  - name: first
+/// Of the bricks that three rules put, and two more by the rules given, whether the one at `below`
+/// comes before that at `above` in every order.
+bool comes_before(const std::string& more, Cell below, Cell above) {
+  const RuleSet rules = small_set(R"(  - name: first
     place: 2
     when: |
       . . .   . . .   . . .
@@ -181,7 +180,18 @@ TEST_CASE("a rule that never fires does not hide what another demands") {
       . . .   . . .   . . .
       . . .   3 * .   . . .
       . . .   2 . .   . . .
-  - name: fourth
+)" + more);
+  const VerifyResult proof = verify::verify(rules, {});
+  REQUIRE(proof.verdict == ProofVerdict::proved);
+  const TargetStates target(rules, proof);
+  REQUIRE(target.bricks() == 5);
+  return precedence_of(target).below(target.brick_at(above)).has(target.brick_at(below));
+}
+
+TEST_CASE("a rule that never fires does not hide what another demands") {
+  // The last rule would put the same brick without its western and northern neighbours, but the
+  // northwestern one never stands without the western.
+  CHECK(comes_before(R"(  - name: fourth
     place: 1
     when: |
       . . .   3 2 .   . . .
@@ -193,38 +203,14 @@ TEST_CASE("a rule that never fires does not hide what another demands") {
       . . .   3 . .   . . .
       . . .   . * .   . . .
       . . .   . . .   . . .
-)");
-  const VerifyResult proof = verify::verify(rules, {});
-  REQUIRE(proof.verdict == ProofVerdict::proved);
-  const TargetStates target(rules, proof);
-  REQUIRE(target.bricks() == 5);
-  const Precedence precedence = precedence_of(target);
-  CHECK(precedence.below(target.brick_at({2, 0, 0})).has(target.brick_at({2, 1, 0})));
+)",
+                     {2, 1, 0}, {2, 0, 0}));
 }
 
 TEST_CASE("a rule that asks for a brick that comes later does not hide what another demands") {
   // The last rule would put the third's brick without its western neighbour, but asks for the
   // fourth's, which waits for it.
-  const RuleSet rules = small_set(
-      R"(  - name: first
-    place: 2
-    when: |
-      . . .   . . .   . . .
-      . . .   1 * .   . . .
-      . . .   . . .   . . .
-  - name: second
-    place: 3
-    when: |
-      . . .   . . .   . . .
-      . . .   . * .   . . .
-      . . .   1 2 .   . . .
-  - name: third
-    place: 2
-    when: |
-      . . .   . . .   . . .
-      . . .   3 * .   . . .
-      . . .   2 . .   . . .
-  - name: fourth
+  CHECK(comes_before(R"(  - name: fourth
     place: 1
     when: |
       . . .   ? 2 .   . . .
@@ -236,13 +222,8 @@ TEST_CASE("a rule that asks for a brick that comes later does not hide what anot
       . . .   . . .   . . .
       . . .   . * .   . . .
       . . .   2 1 .   . . .
-)");
-  const VerifyResult proof = verify::verify(rules, {});
-  REQUIRE(proof.verdict == ProofVerdict::proved);
-  const TargetStates target(rules, proof);
-  REQUIRE(target.bricks() == 5);
-  const Precedence precedence = precedence_of(target);
-  CHECK(precedence.below(target.brick_at({2, 1, 0})).has(target.brick_at({1, 1, 0})));
+)",
+                     {1, 1, 0}, {2, 1, 0}));
 }
 
 }  // namespace

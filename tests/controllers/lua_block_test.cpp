@@ -13,6 +13,13 @@ LuaBlockController block(const std::string& text) {
   return {{"block.lua", text}, settings};
 }
 
+LuaBlockController our_block() {
+  FileError error;
+  const auto program = read_lua_program(STIG_SOURCE_DIR "/blocks/stigmergic.lua", error);
+  REQUIRE(program);
+  return block(program->text);
+}
+
 BlockCommands step(LuaBlockController& controller, std::vector<std::vector<Message>> radios) {
   BlockCommands commands;
   BlockReadings readings;
@@ -23,10 +30,7 @@ BlockCommands step(LuaBlockController& controller, std::vector<std::vector<Messa
 }
 
 TEST_CASE("the paper's program: a message's first byte sets all LEDs") {
-  FileError error;
-  const auto program = read_lua_program(STIG_SOURCE_DIR "/blocks/stigmergic.lua", error);
-  REQUIRE(program);
-  LuaBlockController controller = block(program->text);
+  LuaBlockController controller = our_block();
   BlockCommands commands;
   REQUIRE(controller.init(commands).ok);
   CHECK(commands.all_leds == 0);
@@ -49,10 +53,7 @@ TEST_CASE("the paper's program: a message's first byte sets all LEDs") {
 }
 
 TEST_CASE("our block answers what it is told on the same radio, and leaves answers alone") {
-  FileError error;
-  const auto program = read_lua_program(STIG_SOURCE_DIR "/blocks/stigmergic.lua", error);
-  REQUIRE(program);
-  LuaBlockController controller = block(program->text);
+  LuaBlockController controller = our_block();
   BlockCommands commands;
   REQUIRE(controller.init(commands).ok);
   const BlockCommands told = step(controller, {{}, {}, {}, {}, {"3", "w1234"}, {}});

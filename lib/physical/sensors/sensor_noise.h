@@ -46,8 +46,8 @@ Random noise_stream(const NoiseAddress& address);
 /// The device number of a robot's drive, after all others.
 inline constexpr std::uint32_t kDriveDevice = (1U << 24) - 1;
 
-/// A speed as an encoder tells it, m/s: whole counts in a window that begins anywhere between two of
-/// them, so that the mean over many windows is right.
+/// A speed as an encoder tells it, m/s: whole counts in a window that begins anywhere between two
+/// of them, so that the mean over many windows is right.
 double counted(double speed, const EncoderNoise& noise, Random& random);
 
 /// Readings that arrive late. Until the first has arrived there are empty ones.

@@ -360,26 +360,29 @@ case('a robot that finds nothing to do among others looks beyond the rows that i
    same('alone', work:choose_row(), 'none')
 end)
 
--- The supply's tasks from the search on, until a block is held or laid aside.
-local function fetches(supply)
-   while supply:search_block() ~= 'found' do end
-   supply:approach_block()
-   local event = supply:pick_up()
-   return event == 'mute' and supply:lay_aside() or event
+-- A robot's supply, and how each of so many blocks one after the other was fetched: 'holds', or how it was laid aside.
+local function fetches(blocks, count, task)
+   local fake, events = FakeRobot.new(blocks), {}
+   task.sides, task.turns, task.transport, task.delay = ALL, true, 4, 0
+   local supply = Builder.new(fake.robot, CHART, task).supply
+   supply.machine:start(function()
+      for i = 1, count do
+         while supply:search_block() ~= 'found' do end
+         supply:approach_block()
+         events[i] = supply:pick_up()
+         if events[i] == 'mute' then events[i] = supply:lay_aside() end
+      end
+   end)
+   for _ = 1, 9000 do
+      if not supply.machine:step() then break end
+      fake:step()
+   end
+   return events, supply
 end
 
 case('a block that does not answer is laid aside, and not taken again', function()
    local blocks = { { x = 0.35, y = 0, mute = true }, { x = 0.30, y = 0.30 } }
-   local fake = FakeRobot.new(blocks)
-   local task = { sides = ALL, turns = true, transport = 4, delay = 0, answers = true }
-   local supply, events = Builder.new(fake.robot, CHART, task).supply, {}
-   supply.machine:start(function()
-      for i = 1, 2 do events[i] = fetches(supply) end
-   end)
-   for _ = 1, 5000 do
-      if not supply.machine:step() then break end
-      fake:step()
-   end
+   local events, supply = fetches(blocks, 2, { answers = true })
    same('the first', events[1], 'done')
    same('lies farther off than one lets others come', geometry.apart(blocks[1], { x = 0.35, y = 0 }) > 0.36, true)
    same('farther out', blocks[1].x > 0.7, true)
@@ -391,29 +394,12 @@ case('a block that does not answer is laid aside, and not taken again', function
 end)
 
 case('of blocks that never answer nothing is expected', function()
-   local fake = FakeRobot.new { { x = 0.35, y = 0, mute = true } }
-   local supply = Builder.new(fake.robot, CHART, { sides = ALL, turns = true, transport = 4, delay = 0 }).supply
-   local event
-   supply.machine:start(function() event = fetches(supply) end)
-   for _ = 1, 5000 do
-      if not supply.machine:step() then break end
-      fake:step()
-   end
-   same('taken', event, 'holds')
+   same('taken', fetches({ { x = 0.35, y = 0, mute = true } }, 1, {})[1], 'holds')
 end)
 
 case('a robot to which no block answers gives up', function()
-   local fake = FakeRobot.new { { x = 0.35, y = 0, mute = true }, { x = 0.30, y = 0.30, mute = true },
-                                { x = 0.30, y = -0.30, mute = true } }
-   local task = { sides = ALL, turns = true, transport = 4, delay = 0, answers = true }
-   local supply, events = Builder.new(fake.robot, CHART, task).supply, {}
-   supply.machine:start(function()
-      for i = 1, 3 do events[i] = fetches(supply) end
-   end)
-   for _ = 1, 9000 do
-      if not supply.machine:step() then break end
-      fake:step()
-   end
+   local events = fetches({ { x = 0.35, y = 0, mute = true }, { x = 0.30, y = 0.30, mute = true },
+                            { x = 0.30, y = -0.30, mute = true } }, 3, { answers = true })
    same('one', events[1], 'done')
    same('two', events[2], 'done')
    same('three', events[3], 'useless')

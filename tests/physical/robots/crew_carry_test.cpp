@@ -49,14 +49,7 @@ TEST_CASE("robots that carry blocks, brought back at any tick, go on to the byte
   Random random(1, 0, Purpose::test, 0, 0);
   for (int i = 0; i < 5; ++i) {
     const double at = static_cast<double>(1 + random.below(1599)) * 0.005;
-    CAPTURE(at);
-    Simulation first(loaded.scene, loaded.placed), second(loaded.scene, loaded.placed);
-    const CrewRun half = recorded(first, loaded, at);
-    REQUIRE(second.resume(half.state));
-    const CrewRun rest = recorded(second, loaded, 8, half.trace);
-    CHECK(rest.hash == whole.hash);
-    CHECK(rest.state == whole.state);
-    CHECK(rest.trace == whole.trace);
+    check_brought_back(loaded, at, 8, whole);
   }
 }
 

@@ -91,6 +91,19 @@ inline CrewRun recorded(const LoadedScene& loaded, double duration) {
   return recorded(run, loaded, duration);
 }
 
+/// Stopped at `at` seconds and brought back, a run of `whole`'s duration goes on to the same bytes.
+inline void check_brought_back(const LoadedScene& loaded, double at, double duration,
+                               const CrewRun& whole) {
+  CAPTURE(at);
+  Simulation first(loaded.scene, loaded.placed), second(loaded.scene, loaded.placed);
+  const CrewRun half = recorded(first, loaded, at);
+  REQUIRE(second.resume(half.state));
+  const CrewRun rest = recorded(second, loaded, duration, half.trace);
+  CHECK(rest.hash == whole.hash);
+  CHECK(rest.state == whole.state);
+  CHECK(rest.trace == whole.trace);
+}
+
 /// A run of a scene of these blocks and robots under a script.
 struct Scripted {
   LoadedScene loaded;

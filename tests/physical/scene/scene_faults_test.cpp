@@ -201,16 +201,7 @@ end)",
                                                       kTalkers);
   Simulation straight(loaded.scene, loaded.placed);
   const CrewRun whole = recorded(straight, loaded, 2);
-  for (const double at : {0.3, 0.5, 0.7, 0.9, 1.105}) {
-    CAPTURE(at);
-    Simulation first(loaded.scene, loaded.placed), second(loaded.scene, loaded.placed);
-    const CrewRun half = recorded(first, loaded, at);
-    REQUIRE(second.resume(half.state));
-    const CrewRun rest = recorded(second, loaded, 2, half.trace);
-    CHECK(rest.hash == whole.hash);
-    CHECK(rest.state == whole.state);
-    CHECK(rest.trace == whole.trace);
-  }
+  for (const double at : {0.3, 0.5, 0.7, 0.9, 1.105}) check_brought_back(loaded, at, 2, whole);
 }
 
 TEST_CASE("every fault is part of the hash, and none when it is over") {
