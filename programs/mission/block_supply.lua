@@ -7,6 +7,7 @@ local geometry = require 'common.geometry'
 local OFTEN = 3                -- sightings that count
 local LOOK_TIME = 1.0          -- s, for each look
 local FIRST_LOOK = 2.5         -- s, for one at blocks not seen before
+local FURTHER, STEP_OUT = 4, 0.1  -- looks for a side's cache beyond where one was expected, and m between them
 local FRESH = 1                -- s, in which a block in sight was seen
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
@@ -95,6 +96,20 @@ function BlockSupply:at_cache(time)
    return self.navigation:look_again(self.map.cache, seen, time) and self.tracker:recall(is_wanted)
 end
 
+-- A block at the cache of a side where none was found yet: farther out than the last one's, since a structure that has
+-- grown this way has its cache before that end.
+function BlockSupply:at_cache_further_out()
+   local map = self.map
+   if not map.known or not map.side or map.caches[map.side] then return nil end
+   local expected, heading = map.cache, map:heading_of(map.side)
+   for step = 1, FURTHER do
+      local x, y = geometry.out_of({ x = expected.x, y = expected.y, yaw = heading }, -step * STEP_OUT, 0)
+      map.cache = { x = x, y = y }
+      local block = self:at_cache(LOOK_TIME)
+      if block then return block end
+   end
+end
+
 -- Of a rest before it searches again, s: ever longer, since what lies nowhere now may not come for long, and looks about
 -- and ways cost the robot what it knows of where it is.
 function BlockSupply:patience()
@@ -107,8 +122,11 @@ function BlockSupply:look_at_cache()
    if not map.cache then return nil end
    local block = self:at_cache(self.last_cache and FIRST_LOOK or LOOK_TIME)
    if not block and self.last_cache then
-      map.cache = self.last_cache
-      block = self:at_cache()
+      block = self:at_cache_further_out()
+      if not block then
+         map.cache = self.last_cache
+         block = self:at_cache()
+      end
    end
    self.last_cache = nil
    block = block or self.machine.search:look_about(self:wanted())

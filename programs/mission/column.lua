@@ -135,6 +135,18 @@ function Column:down_from(highest)
    return out
 end
 
+-- Bricks beside the site before the column, from a level down, as far as they are known: {brick, left}, in cells.
+function Column:beside_site(highest)
+   local out = {}
+   for level = highest, 0, -1 do
+      for left = -1, 1, 2 do
+         local brick = self:brick(1, left, level)
+         if brick then table.insert(out, { brick = brick, left = left }) end
+      end
+   end
+   return out
+end
+
 -- A cell, as a decision asks for it, noted once for those who watch.
 function Column:answer(du, dv, level)
    local is = self:cell(du, dv, level)
@@ -147,7 +159,8 @@ function Column:answer(du, dv, level)
 end
 
 -- What the rules want here, for the task's decision: {what, colour, level, left, rule} with top, feet
--- (what the place is next to) and aside, or nil. The second result says whether the column's top was seen.
+-- (what the place is next to), next_to and aside, or nil, also where no brick of the column was seen yet, by which a robot
+-- would find the place. The second result says whether the column's top was seen.
 function Column:decide()
    local top = self:top()
    self.told = { top and string.format('top Q%d, level %d', top.colour, top.level) or 'top not seen' }
@@ -157,7 +170,9 @@ function Column:decide()
    }
    if not wish then return nil, top ~= nil end
    wish.top = self:highest()
+   if not wish.top then return nil, false end
    wish.feet = self:down_from(wish.level or 0)
+   wish.next_to = wish.what == 'extend' and self:beside_site(wish.level or 0) or {}
    wish.aside = self:room_beside(wish)
    wish.clear = wish.what == 'raise' and self:cell(-1, 0, geometry.level_of(wish.top.z) + 1) == 'empty'
    return wish, top ~= nil

@@ -330,20 +330,26 @@ function SiteWork:is_alone(line)
    return not busy
 end
 
--- The brick to go by to a place in front of a column or beside it: the one on the place's level, or one
--- below it where that is too high to be seen on the whole way.
-function SiteWork:foot_of(wish)
+-- What leads to the site: a brick, how the site lies from it, and how far that is to its left, m. The highest of the
+-- column that is in the picture from where an approach begins; before one that hangs over, with none such below it, a
+-- brick next to the site.
+function SiteWork:guide_of(wish)
+   if wish.what == 'raise' then return wish.top, 'raise', 0 end
+   local left, approach = (wish.left or 0) * SIDE, self.machine.approach
    for _, brick in ipairs(wish.feet) do
-      if self.machine.approach:begins_in_sight(brick) then return brick end
+      if approach:begins_in_sight(brick) then return brick, wish.what, left end
    end
-   return wish.feet[1] or wish.top
+   for _, next_to in ipairs(wish.next_to) do
+      if approach:begins_in_sight(next_to.brick) then return next_to.brick, 'beside', -next_to.left * SIDE end
+   end
+   return wish.feet[1] or wish.top, wish.what, left
 end
 
 function SiteWork:approach_site()
    local wish, start = self.wish, self.odometry.time
-   local target = wish.what == 'raise' and wish.top or self:foot_of(wish)
-   local near, problem = self.placement:approach_site(target, wish.what, {
-      heading = self.row.frame.yaw, level = wish.level, left = wish.left and wish.left * SIDE,
+   local guide, where, left = self:guide_of(wish)
+   local near, problem = self.placement:approach_site(guide, where, {
+      heading = self.row.frame.yaw, level = wish.level, left = left,
       aside = wish.aside, colour = wish.colour, clear = wish.clear and self.task.delay > 0,
       alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
    })

@@ -674,11 +674,20 @@ case('a place on the third level is gone to by a brick that is seen from afar', 
    local work = Builder.new(FakeRobot.new().robot, CHART, { sides = ALL, transport = 4, delay = 0 }).work
    local feet = {}
    for level = 2, 0, -1 do table.insert(feet, { level = level, z = geometry.SIDE * (level + 0.5) }) end
-   same('level', work:foot_of({ feet = feet }).level, 1)
+   local function guide(known, next_to, top)
+      return work:guide_of { what = 'extend', feet = known, next_to = next_to or {}, top = top }
+   end
+   same('level', guide(feet).level, 1)
    table.remove(feet, 1)
-   same('level below', work:foot_of({ feet = feet }).level, 1)
-   same('only the high one is known', work:foot_of({ feet = { { z = 0.1375 } } }).z, 0.1375)
-   same('none is known', work:foot_of({ feet = {}, top = 'top' }), 'top')
+   same('level below', guide(feet).level, 1)
+   local high = { { z = 0.1375 } }
+   same('only the high one is known', guide(high).z, 0.1375)
+   same('none is known', guide({}, {}, 'top'), 'top')
+   local brick, where, left = guide(high, { { brick = feet[1], left = -1 } })
+   same('a brick to the right of the site', brick.level, 1)
+   same('beside it', where, 'beside')
+   same('to its left', left, geometry.SIDE)
+   same('a tower goes by its top', work:guide_of { what = 'raise', feet = feet, top = 'top' }, 'top')
 end)
 
 case('a column of two with one in front is built', function()
