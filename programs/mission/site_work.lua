@@ -18,6 +18,9 @@ local LATEST = 0.25            -- part of the last approach in their mean time
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
 local EXPLORES = 3             -- rounds in vain, from which on it looks beyond the rows it knows
+local FAR_EXPLORES = 7         -- likewise farther beside them, where another side of the structure may begin
+local FAR_BESIDE, FAR_IN = { 3, 6 }, 4  -- cells beside the outermost row, in turn, and in from the foremost brick: as
+                               -- near as a robot passes a row that juts out
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AWAKE, RESTS = 1, 6      -- rounds in vain, after which each rest is twice as long as the one before, so often
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -32,10 +35,10 @@ local TOO_FAR = 0.20           -- m, likewise, from where it looks
 local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
--- tried: rows of this side that asked for nothing; explored: places beside its rows that were looked at. in_vain: how
--- often all rows of a side were tried since the last brick; rounds: likewise of this side. patience: how often it tries
--- them before it goes elsewhere, of sides that are shared: once, and twice as often each time. obstructed: how often somebody was in the way, or nothing to be done, since the last
--- brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front, frame,
+-- tried: rows of this side that asked for nothing; explored: ways beside its rows that were gone, 1 to the left, -1 to
+-- the right. in_vain: how often all rows of a side were tried since the last brick; rounds: likewise of this side.
+-- patience: how often it tries them before it goes elsewhere, of sides that are shared: once, and twice as often each
+-- time. obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front, frame,
 -- juts}, the one it stands before. wish: what is to be done there (Column:decide). approach_time: mean of the last
 -- approaches to a site, s.
 local SiteWork = {}
@@ -93,6 +96,13 @@ function SiteWork:idle_rounds()
    return self.in_vain // (self:keeps_to_side() and 1 or #self.task.sides)
 end
 
+-- How far beside the outermost rows, and in from the foremost brick, a robot explores in its round, in cells.
+function SiteWork:explores()
+   local round = self:idle_rounds() + 1
+   if round < FAR_EXPLORES then return 1, 0 end
+   return FAR_BESIDE[(round - FAR_EXPLORES) % #FAR_BESIDE + 1], FAR_IN
+end
+
 -- A place beside the outermost rows that are known, as if a row began there, or nil: others may have built
 -- where no look at a known row shows it. Whoever is alone has seen what it built.
 function SiteWork:flank_of(rows)
@@ -101,10 +111,12 @@ function SiteWork:flank_of(rows)
    for v, of in pairs(rows) do
       first, last, front, frame = math.min(first, v), math.max(last, v), math.max(front, of.front), of.frame
    end
-   for _, v in ipairs { last + 1, first - 1 } do
-      if not self.explored[v] then
-         self.explored[v] = true
-         return { v = v, front = front, frame = frame, juts = 0, flank = true }
+   local beside, further_in = self:explores()
+   for way = 1, -1, -2 do
+      if not self.explored[way] then
+         self.explored[way] = true
+         local v = (way > 0 and last or first) + way * beside
+         return { v = v, front = front - further_in, frame = frame, juts = 0, flank = true }
       end
    end
 end

@@ -527,19 +527,20 @@ case('a robot with nothing to do looks beside its rows from the lift\'s top, rou
    work.lift.to = function(_, height) table.insert(lifted, height) end
    work.look_from = function() return true end
    local flanks = {}
-   for round = 1, 5 do
+   for round = 1, 8 do
       while work:choose_row() == 'chosen' do
          lifted = {}
          work.tried[work.row.v] = true
          if work.row.flank then
-            table.insert(flanks, round .. ':' .. work.row.v)
+            table.insert(flanks, round .. ':' .. work.row.v .. (work.row.front < 0 and ' farther in' or ''))
             same('nothing', work:look(), 'nothing')
             near('from the top', lifted[#lifted], work.lift:top(), 1e-9)
          end
       end
       work:stays()
    end
-   same('from the third round on', table.concat(flanks, ' '), '3:1 3:-1 4:1 4:-1 5:1 5:-1')
+   same('from the third round on', table.concat(flanks, ', '),
+        '3:1, 3:-1, 4:1, 4:-1, 5:1, 5:-1, 6:1, 6:-1, 7:3 farther in, 7:-3 farther in, 8:6 farther in, 8:-6 farther in')
 end)
 
 case('a robot with nothing to do rests ever longer, until it sees a brick that is new', function()
