@@ -287,12 +287,16 @@ assembly_part() {
   printf '\n## Drawn targets, built by one robot and by two\n\n'
   scripts/install.sh build bench >&2
   configure_and_build release >&2
-  local command=(build/release/bench_assembly --build build/release/stigc -o "out/assembly-$seed" 10
+  local command drawn=(build/release/bench_assembly --build build/release/stigc -o "out/assembly-$seed" 10
     "$seed")
-  printf '`%s`\n\n' "${command[*]}"
-  fenced "${command[@]}" || failures=$((failures + 1))
-  printf '\n## Large targets\n\n`build/release/bench_assembly_sizes`\n\n'
-  fenced build/release/bench_assembly_sizes || failures=$((failures + 1))
+  printf '`%s`\n\n' "${drawn[*]}"
+  fenced "${drawn[@]}" || failures=$((failures + 1))
+  printf '\n## Large targets\n'
+  for command in 'build/release/bench_assembly_sizes named' build/release/bench_assembly_sizes; do
+    printf '\n`%s`\n\n' "$command"
+    # shellcheck disable=SC2086
+    fenced $command || failures=$((failures + 1))
+  done
 }
 
 # Runs one target on its corpus; its log says what came of it. New inputs go to the first folder,
