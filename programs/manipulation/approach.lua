@@ -268,18 +268,25 @@ end
 local states = {}
 Approach.states = states
 
+-- How near the block an approach may begin: out of its reach, and, where it is beside the way and below, so far off that
+-- it is in the picture.
+function Approach:nearest_beginning(run)
+   if not is_beside(run.target) then return NEAREST_TURN end
+   return math.max(NEAREST_TURN, math.min(STAND_OFF, self.camera:nearest_in_sight(run.lowest, self.tracker:mark_of(run.block))))
+end
+
 function states.travel(self, run)
    self.process:enter('approach')
    run.heading = run.target.heading or self:heading_to(run.block, run)
    run.line = self:line_to(run.block, run)
    local along, aside, angle = self.odometry:on_line(run.line)
-   local first = run.attempt == 1
-   if first and along > -NEAREST_TURN and math.abs(aside) < ON_LINE and math.abs(angle) < FACES_IT then
+   local first, least = run.attempt == 1, self:nearest_beginning(run)
+   if first and along > -least and math.abs(aside) < ON_LINE and math.abs(angle) < FACES_IT then
       -- it faces it already, and a turn sweeps more than going back
       self.path:follow_back(run.line, -self:stand_off_on(run.line, run), 0.1)
    end
    along, aside = self.odometry:turned_onto(run.line)
-   if first and along <= -NEAREST_TURN and math.abs(aside) <= ON_LINE then return 'arrived' end
+   if first and along <= -least and math.abs(aside) <= ON_LINE then return 'arrived' end
    return self:go_to_stand_off(run) and 'arrived' or 'obstructed'
 end
 
