@@ -15,6 +15,13 @@ local function show(message)
    end
 end
 
+-- What was heard, said again with an 'a' before it: bytes come in as numbers with a fraction, and go out as whole ones.
+local function answer(message)
+   local out = { ANSWER }
+   for i = 1, math.min(#message, LEDS + 1) do out[i + 1] = math.floor(message[i]) end
+   return out
+end
+
 function init() end
 
 function step()
@@ -22,7 +29,7 @@ function step()
       for _, message in ipairs(radio.recv) do
          if message[1] ~= ANSWER then
             show(message)
-            radio.send({ ANSWER, table.unpack(message, 1, LEDS + 1) })
+            radio.send(answer(message))
          end
       end
    end
