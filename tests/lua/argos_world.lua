@@ -23,6 +23,42 @@ local function random()
    return seed / 0x80000000
 end
 
+-- Radios --------------------------------------------------------------------------------------
+
+-- Numbers come as floats.
+local function copy_of(message)
+   local copy = {}
+   for i, byte in ipairs(message) do copy[i] = byte + 0.0 end
+   return copy
+end
+
+local function in_reach(from, to)
+   local dx, dy, dz = to[1] - from[1], to[2] - from[2], to[3] - from[3]
+   return dx * dx + dy * dy + dz * dz < RADIO * RADIO
+end
+
+local function radio_of(robot)
+   return on_robot(robot, EFFECTOR - 0.0343, 0, UNDER + robot.lift - 0.0275)
+end
+
+-- From a robot to blocks.
+local function send(robot, message)
+   for _, block in ipairs(world.blocks) do
+      for _, face in ipairs(mock.FACES) do
+         if in_reach(radio_of(robot), senses.face_of(block, face)) then
+            table.insert(block.inbox[face], copy_of(message))
+         end
+      end
+   end
+end
+
+-- From a block to robots.
+local function answer(block, face, message)
+   for _, robot in ipairs(world.robots) do
+      if in_reach(radio_of(robot), senses.face_of(block, face)) then table.insert(robot.inbox, copy_of(message)) end
+   end
+end
+
 -- Blocks --------------------------------------------------------------------------------------
 
 local function add_block(one, program)
@@ -38,7 +74,7 @@ local function add_block(one, program)
          -- as the first face shows it
          if led == 4 then block.colour = table.concat(block.leds, '/') end
       end,
-      send = function() error('a block says nothing') end,
+      send = function(face, message) answer(block, face, message) end,
    })
    block.script.init()
    table.insert(world.blocks, block)
@@ -86,25 +122,10 @@ end
 
 -- Robots --------------------------------------------------------------------------------------
 
-local function send(robot, message)
-   local from = on_robot(robot, EFFECTOR - 0.0343, 0, UNDER + robot.lift - 0.0275)
-   for _, block in ipairs(world.blocks) do
-      for _, face in ipairs(mock.FACES) do
-         local at = senses.face_of(block, face)
-         local dx, dy, dz = at[1] - from[1], at[2] - from[2], at[3] - from[3]
-         if dx * dx + dy * dy + dz * dz < RADIO * RADIO then
-            local copy = {}
-            for i, byte in ipairs(message) do copy[i] = byte + 0.0 end  -- numbers come as floats
-            table.insert(block.inbox[face], copy)
-         end
-      end
-   end
-end
-
 local function add_robot(one, program)
    local robot = {
       id = one.id, x = one.x, y = one.y, yaw = math.rad(one.turn), left = 0, right = 0, spin = 0, travelled = 0,
-      lift = 0, voltage = 0, mode = 'disable', watches = false, leds = {}, picked = 0,
+      lift = 0, voltage = 0, mode = 'disable', watches = false, leds = {}, picked = 0, inbox = {},
    }
    robot.script = mock.load(program.script, program.devices, one.id, program.params, {
       log = print, random = random, radios = { 'nfc', 'wifi' }, finders = senses.finders,
@@ -176,6 +197,7 @@ local function step_robot(robot)
    f.switches.top, f.switches.bottom = robot.lift > 0.1375 and 1 or 0, robot.lift < 0.001 and 1 or 0
    for _, name in ipairs(senses.finders) do f['finder ' .. name].proximity = senses.range(robot, name) end
    f.system.time = world.time
+   if f['radio nfc'] then f['radio nfc'].recv, robot.inbox = robot.inbox, {} end
    robot.script.step()
 end
 
