@@ -2,7 +2,6 @@
 // The editor of rule sets.
 import {autocompletion, completionKeymap} from '@codemirror/autocomplete';
 import {defaultKeymap, history, historyKeymap, indentWithTab} from '@codemirror/commands';
-import {yaml} from '@codemirror/lang-yaml';
 import {bracketMatching, syntaxHighlighting} from '@codemirror/language';
 import {EditorState, Prec} from '@codemirror/state';
 import {EditorView, drawSelection, highlightActiveLine, keymap, lineNumbers} from
@@ -11,6 +10,7 @@ import {classHighlighter} from '@lezer/highlight';
 import {completer} from './completion.js';
 import {messages} from './messages.js';
 import type {Schema} from './schema_path.js';
+import {yaml} from './yaml_language.js';
 
 export interface EditorWishes {
   parent: HTMLElement;
