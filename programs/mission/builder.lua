@@ -56,8 +56,9 @@ function Builder.new(robot, chart, task)
       work = SiteWork.new(machine, map, navigation, sides, record, task),
    }, Builder)
    self.builder = self
-   machine.placement.transport = task.transport
+   machine.placement.transport, machine.clearance.transport = task.transport, task.transport
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
+   machine.clearance.explained = function(x, y) return map:explains(x, y) end
    machine.clearance.alone = task.delay == 0
    if task.widest then machine.sight:reads_up_to(task.widest) end
    if task.kinds then machine.tracker.detector.kinds = task.kinds end
@@ -131,6 +132,8 @@ end
 function Builder:next_side()
    if self.work:stays() then return 'there' end
    local map = self.map
+   -- what came in sight in a rest may have told that the structure is elsewhere
+   if not map.known then return 'lost' end
    local cache = map.cache
    if self.sides:change() then self.supply.last_cache = cache end
    -- what was seen before the turns on the way does not fit what is seen now

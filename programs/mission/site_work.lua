@@ -13,6 +13,7 @@ local PEEK_RIM = 0.05          -- m/s, of that turn, at most: a robot stands acr
 local PEEK_STOP = 0.2          -- rad, in which it ends
 local PEEK_TIME = 0.6          -- s
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
+local COMES_UP = 0.03          -- m, before the effector, likewise on the way in along a row's line
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
 local LATEST = 0.25            -- part of the last approach in their mean time
 local BUSY = 10                -- s, the longest wait where another robot is at a row
@@ -148,9 +149,12 @@ function SiteWork:stays()
    return false
 end
 
--- Says whether another robot stands before the row, on the way in along a line.
+-- Says whether another robot stands before the row, on the way in along a line, or beside it so that its arm may be there.
 function SiteWork:in_between(line)
-   return function() return self.clearance:between(-self.odometry:on_line(line)) end
+   local function counts(point) return self:comes_and_goes(point) end
+   return function()
+      return self.clearance:between(-self.odometry:on_line(line)) or self.clearance:meets_arm_ahead(COMES_UP, counts)
+   end
 end
 
 -- Along the row's line, or what a function says of it in each step, up to a place `away` from its column.
@@ -215,6 +219,7 @@ function SiteWork:stand_for(column, look)
    for attempt = 1, REJOINS + 1 do
       if attempt > 1 then self.path:follow_back(line(), -away - REJOIN, 0.08) end
       if not self:come_up(attempt > 1 and line or line(), away, 0.08) then return false end
+      if look.lift < self.lift:height() and not self.clearance:await_room_below() then return false end
       self.lift:to(look.lift)
       local _, aside, angle = self.odometry:on_line(line())
       if math.abs(aside) < LOOKS_ASIDE and math.abs(angle) < LOOKS_ASKEW then break end

@@ -16,6 +16,7 @@ local apart, wrap, wrap_quarter = geometry.apart, geometry.wrap, geometry.wrap_q
 local FAR_LINKED = 2.3 * SIDE
 local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
 local TURNED = 0.35            -- rad, likewise
+local OF_BRICK, OF_CACHE = 0.012, 0.07  -- m, from a brick's edge and from a cache's middle, of what is no robot
 
 -- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels}.
 -- known: {x, y, reach, yaw, origin}: middle and radius of all these bricks, also those out of sight, the
@@ -209,6 +210,18 @@ function StructureMap:room_about(x, y)
       least = math.min(least, math.sqrt(du * du + dv * dv))
    end
    return least
+end
+
+-- Whether what stands at a place is a brick, or the cache.
+function StructureMap:explains(x, y)
+   if self:room_about(x, y) < OF_BRICK then return true end
+   if self.cache and apart(self.cache, { x = x, y = y }) < OF_CACHE then return true end
+   if not self.known then return false end
+   local along, left = geometry.into(self:lattice(), x, y)
+   for _, cache in pairs(self.caches) do
+      if (cache.along - along) ^ 2 + (cache.left - left) ^ 2 < OF_CACHE ^ 2 then return true end
+   end
+   return false
 end
 
 -- The middle of the structure as it was first seen.

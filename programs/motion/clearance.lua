@@ -16,15 +16,18 @@ local SPARE = 0.03             -- m, about what a turn sweeps: an arm over what 
 local MEETING = 0.2            -- m, before chassis and effector, as far as they see: two that come towards each other
                                -- have two effectors of 0.085 between them, and need 0.05 each to stop
 local EFFECTOR = 0.095         -- m, the effector before the chassis, and some more
+local STOPS = 0.08             -- m, in which a robot stops from its speed of travel, a step late
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local FREE = 1                 -- m, more than any rangefinder sees
 local SEES_FAR = 0.1           -- m, of rangefinders that see another robot before its arm touches
-local SEEN_LATELY = 2          -- s, that a place counts where another robot's chassis was seen
-local OF_BRICK = 0.012         -- m, from a brick that is remembered, of what is no robot
+local SEEN_LATELY = 2          -- s, that a place counts where another robot's chassis was seen, in a turn
+local STANDS = 10              -- s, likewise ahead: who stands there is passed by, and out of the rangefinders' lines
+local OF_HELD = 0.05           -- m, from the middle of a block that another robot holds
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
 
--- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m. alone: set by
--- who knows that there is no other robot.
+-- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m. explained:
+-- likewise: whether what stands at a place is no robot. alone: set by who knows that there is no other robot. transport:
+-- the colour of a block in a robot's hand.
 -- ahead, behind: names of the chassis' rangefinders that look there; beside: those that look elsewhere than
 -- ahead, with how far each has to see so that a turn is free; front: where the foremost of them are, m ahead.
 local Clearance = {}
@@ -34,8 +37,10 @@ Clearance.__index = Clearance
 function Clearance.new(robot, description, process, ranges, magnets, sweep, returns)
    local self = setmetatable({
       robot = robot, process = process, ranges = ranges, magnets = magnets, body = description.body,
+      effector = description.effector,
       sweep = sweep, returns = returns,
       odometry = process.odometry, room = function() return math.huge end, alone = false,
+      explained = function() return false end, transport = 4,
       short_sighted = ranges:reach() < SEES_FAR, front = 0, ahead = {}, behind = {}, beside = {},
    }, Clearance)
    for _, ray in ipairs(ranges:chassis_rays()) do
@@ -61,29 +66,80 @@ function Clearance:blocked(distance)
    return self:before_chassis() < (distance or STOP) or self.ranges:nearest { 'front' } < AT_EFFECTOR
 end
 
--- Whether something stands behind, which would be pushed: what the rangefinders see, or bricks that are
--- remembered, higher ones too.
+-- Places {x, y} of blocks that other robots were seen to hold lately.
+function Clearance:held_by_others()
+   local out = {}
+   for _, known in ipairs(self.returns.tracker:blocks()) do
+      if known.colour == self.transport and known.z > SIDE and self.odometry.time - known.time < STANDS then
+         table.insert(out, known)
+      end
+   end
+   return out
+end
+
+-- Whether another robot's arm may be in the place from `first` to `last` m before the middle, as wide as the body: a
+-- block that it holds was seen there, or its chassis so near that the arm may reach there. Lifts at different heights
+-- leave each robot's arm out of the lines of all of the other's rangefinders. `counts(point)`, if given, says which of
+-- the returns count.
+function Clearance:meets_arm(first, last, counts)
+   if self.alone or self.short_sighted then return false end
+   local arm, half = self.effector.front - self.body.front, (last - first) / 2
+   local function within(point, reach)
+      local ahead, beside = geometry.into(self.odometry.pose, point.x, point.y)
+      local dx = math.max(math.abs(ahead - (first + last) / 2) - half, 0)
+      local dy = math.max(math.abs(beside) - self.body.half_width, 0)
+      -- what stands beside the body is passed already
+      local passed = ahead < self.body.front and ahead > -self.body.back
+      return not passed and dx * dx + dy * dy < reach * reach
+   end
+   for _, block in ipairs(self:held_by_others()) do
+      if within(block, OF_HELD) then return true end
+   end
+   local x, y = geometry.out_of(self.odometry.pose, (first + last) / 2, 0)
+   local near = half + self.body.half_width + arm
+   for _, point in ipairs(self.returns:near(x, y, near, self.odometry.time - STANDS)) do
+      if within(point, arm) and not self.explained(point.x, point.y) and (not counts or counts(point)) then return true end
+   end
+   return false
+end
+
+-- Likewise ahead of the chassis, as far as `way` m before the effector.
+function Clearance:meets_arm_ahead(way, counts)
+   return self:meets_arm(self.body.front, self.effector.front + way, counts)
+end
+
+-- Whether something stands behind, which would be pushed: what the rangefinders see, bricks that are
+-- remembered, higher ones too, or another robot's arm.
 function Clearance:backed()
    for side = -1, 1 do
       local x, y = geometry.out_of(self.odometry.pose, -self.body.back, side * self.body.half_width)
       if self.room(x, y) < BEHIND_BODY then return true end
    end
-   return not self.short_sighted and self.ranges:nearest(self.behind) < BEHIND
+   return not self.short_sighted and self.ranges:nearest(self.behind) < BEHIND or
+          self:meets_arm(-self.body.back - BEHIND_BODY, -self.body.back)
 end
 
 -- Whether something stands between the robot and a column, `away` from its middle, that it faces;
 -- one beside it may jut out by a block.
 function Clearance:between(away)
    if self.short_sighted then return false end
-   local face = away - self.front - SIDE / 2
-   return self:before_chassis() < face - SIDE - 0.02
+   local nearest = away - SIDE / 2 - SIDE - 0.02
+   return self:before_chassis() < nearest - self.front or
+          self.ranges:nearest { 'front' } < math.min(AT_EFFECTOR, nearest - self.effector.front)
 end
 
 -- What stands ahead within the effector's reach, at the speed of travel. With `left` m to go what is
 -- beyond does not count.
 function Clearance:meets(left)
    return self:blocked(math.min(MEETING, (left or 1) + EFFECTOR)) or
-          self.ranges:nearest { 'front' } < math.min(MEETING, left or 0)
+          self.ranges:nearest { 'front' } < math.min(MEETING, left or 0) or
+          self:meets_arm_ahead(math.min(STOPS, left or STOPS))
+end
+
+-- For a random while, until nothing stands where the effector would come down on it. Whether nothing does.
+function Clearance:await_room_below()
+   if self.alone then return true end
+   return self.process:wait_until(function() return not self:blocked(EFFECTOR) end, PATIENCE * math.random())
 end
 
 -- How far ahead the effector has room, m.
@@ -93,20 +149,23 @@ function Clearance:room_ahead()
 end
 
 -- Whether another robot's chassis was seen so near that its arm, wherever that points, and what a turn on the
--- spot sweeps may touch.
+-- spot sweeps may touch, or a block that it holds.
 function Clearance:has_company()
    if self.alone then return false end
    local pivot = self.odometry:pivot()
+   for _, block in ipairs(self:held_by_others()) do
+      if geometry.apart(pivot, block) < self.sweep.reach + OF_HELD then return true end
+   end
    for _, point in ipairs(self.returns:near(pivot.x, pivot.y, self.sweep.reach + EFFECTOR,
                                             self.odometry.time - SEEN_LATELY)) do
-      if self.room(point.x, point.y) > OF_BRICK then return true end
+      if not self.explained(point.x, point.y) then return true end
    end
    return false
 end
 
--- Waits a while for those to go whom the effector would sweep in a turn on the spot.
+-- Waits a while for those to go whom the effector would sweep in a turn on the spot. Whether there is nobody.
 function Clearance:await_room()
-   if self.short_sighted then return end
+   if self.short_sighted then return true end
    local function room()
       for name, needed in pairs(self.beside) do
          local range = self.ranges:range(name)
@@ -114,7 +173,7 @@ function Clearance:await_room()
       end
       return not self:has_company()
    end
-   if not room() then self.process:wait_until(room, PATIENCE * math.random()) end
+   return room() or self.process:wait_until(room, PATIENCE * math.random())
 end
 
 -- For a random while, until nothing is met with `left()` m to go. Whether it has gone.

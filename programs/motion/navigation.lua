@@ -53,7 +53,7 @@ end
 -- Back, and aside.
 function Navigation:give_way()
    self.path:back_off(0.08)
-   self.clearance:await_room()
+   self.path:clear_round()
    local pose, known = self.odometry.pose, self.map.known
    local turn = math.random() < 0.5 and 1 or -1
    if known then
@@ -68,7 +68,7 @@ end
 
 -- Straight to a place. Where something stands in the way: waits for it to go, then gives way.
 function Navigation:straight_to(x, y)
-   if not self.magnets.carrying then self.lift:to(DRIVE_LOW) end
+   if not self.magnets.carrying and self.path:clear_below() then self.lift:to(DRIVE_LOW) end
    local place = { x = x, y = y }
    local function left() return apart(self.odometry:pivot(), place) end
    local function meets() return self.clearance:meets(left()) end
@@ -157,7 +157,7 @@ function Navigation:look_again(place, found, time)
       away = FAR_LOOK
    end
    local pivot = odometry:pivot()
-   self.lift:look_to(self.camera, math.max(away, NEAR_LOOK))
+   if self.path:clear_below() then self.lift:look_to(self.camera, math.max(away, NEAR_LOOK)) end
    self.path:turn_to(math.atan(place.y - pivot.y, place.x - pivot.x))
    if away < NEAR_LOOK - 0.02 then self.path:back_off(NEAR_LOOK - away) end
    return self.process:wait_until(found, time or LOOK_TIME)

@@ -8,6 +8,7 @@ local profile = require 'motion.profile'
 local STRAIGHT = 0.04          -- m, in which a line is joined
 local TURN_RIM = 0.06          -- m/s, of the rims in a turn on the spot
 local BACK_SPEED = 0.1         -- m/s
+local OUT = 0.1                -- m, back from another robot
 local STOP_TIME = 0.5          -- s, two steps and some more
 local SWUNG = 0.05             -- rad, before its end, at which a swing is over
 local LONGEST_TURN, LONGEST_DRIVE = 20, 60  -- s
@@ -139,7 +140,7 @@ function PathFollower:go_to(x, y, speed, each)
    local dx, dy = x - pivot.x, y - pivot.y
    if dx * dx + dy * dy < 1e-4 then return true end
    local yaw = math.atan(dy, dx)
-   if math.abs(geometry.wrap(yaw - odometry.pose.yaw)) > 0.3 then self.clearance:await_room() end
+   if math.abs(geometry.wrap(yaw - odometry.pose.yaw)) > 0.3 then self:clear_round() end
    self:turn_to(yaw)
    return self:follow({ x = x, y = y, yaw = yaw }, -odometry.ahead, speed or self.cruise, each)
 end
@@ -152,6 +153,18 @@ end
 -- Back by so much, or as far as there is room.
 function PathFollower:back_off(way)
    return self:follow_back(self.odometry:line_ahead(), -way, BACK_SPEED)
+end
+
+-- Waits for who stands where a turn on the spot sweeps, and then backs out.
+function PathFollower:clear_round()
+   if not self.clearance:await_room() then self:back_off(OUT) end
+end
+
+-- Waits for who stands below the effector, and then backs out from above. Whether the lift may go down.
+function PathFollower:clear_below()
+   if self.clearance:await_room_below() then return true end
+   self:back_off(OUT)
+   return self.clearance:await_room_below()
 end
 
 return PathFollower

@@ -26,7 +26,7 @@ end
 
 -- Once round on the spot, until `found()` is something.
 function Search:look_round(found)
-   self.clearance:await_room()
+   self.path:clear_round()
    local turned, before = 0, self.odometry.pose.yaw
    local block
    while turned < 2 * math.pi and not block do
@@ -47,7 +47,7 @@ end
 function Search:look_about(wanted)
    for _, height in ipairs { self.lift:top(), NEAR_LOOK, LOW_LOOK } do
       if self.magnets.carrying and height == LOW_LOOK then break end
-      self.lift:to(height)
+      if height > self.lift:height() or self.path:clear_below() then self.lift:to(height) end
       local block = self:look_round(function() return self.tracker:recall(wanted, FRESH) end)
       if block then return block end
    end

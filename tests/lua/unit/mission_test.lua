@@ -295,6 +295,53 @@ case('a robot that is off the line of a row joins it before it looks', function(
    near('squarely', angle, 0, 0.03)
 end)
 
+case('a robot comes up to no row into which an arm may reach, but for what stands there for good', function()
+   local machine, fake, run = machine_with { { x = 0.50, y = 0, colour = 1 } }
+   local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, looks = {} }
+   local map = StructureMap.new(fake.robot, machine.odometry, machine.tracker, task)
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   local line = { x = 0.50, y = 0, yaw = 0 }
+   local function sees()
+      machine.returns.points.seen = { x = 0.35, y = 0.10, time = machine.odometry.time }
+   end
+   sees()
+   same('somebody', run(function() return work:come_up(line, 0.25, 0.08) end, sees), false)
+   assert(fake.pose.x > 0.05 and fake.pose.x < 0.15, fake.pose.x)
+   same('for good', run(function()
+      machine.process:wait(26)
+      return work:come_up(line, 0.25, 0.08)
+   end, sees), true)
+   near('there', fake.pose.x, 0.25, 2e-3)
+end)
+
+case('a structure that is lost in a rest is looked for', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task, { side = '+x' })
+   map.cache = { x = 0.2, y = 0 }
+   map:remember(map:in_memory())
+   map:settle()
+   local builder = setmetatable({
+      machine = machine, map = map, sides = SideAllocation.new(machine, map, nil, task), supply = {},
+      work = { stays = function() map:lose() return false end },
+   }, Builder)
+   same('event', builder:next_side(), 'lost')
+end)
+
+case('what stands at a brick or a cache is explained', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map = map_of({ { 0, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task, { side = '+x' })
+   map.cache = { x = 0.2, y = 0 }
+   map:remember(map:in_memory())
+   map:settle()
+   map.cache = { x = -0.3, y = 0.5 }
+   same('a brick', map:explains(-0.3 + 0.03, 0), true)
+   same('its cache', map:explains(-0.3, 0.46), true)
+   same('the one of a side before', map:explains(0.17, 0.01), true)
+   same('nothing known', map:explains(0, 0.2), false)
+   map:lose()
+   same('nor any more', map:explains(0.17, 0.01), false)
+end)
+
 case('a structure that is lost in a look is looked for, not built at', function()
    local machine, fake, run = machine_with { { x = 0.30, y = 0, colour = 1 } }
    local task = { transport = 4, sides = ALL, turns = false, levels = 1, asks = {},

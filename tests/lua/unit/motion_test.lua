@@ -160,12 +160,82 @@ case('what the rangefinders see is in the way', function()
    machine.magnets.carrying = true
    same('hidden by what is carried', clearance:blocked(), false)
    machine.magnets.carrying = false
-   finders['12'].proximity, finders.front.proximity = 0.2, 0.1
+   finders['12'].proximity, finders.front.proximity = 0.2, 0.02
+   same('an arm between', clearance:between(0.3), true)
+   same('the column itself', clearance:between(0.24), false)
+   finders.front.proximity = 0.1
    same('an arm', clearance:meets(0.5), true)
    same('beyond the end', clearance:meets(0.05), false)
    finders.front.proximity, finders['7'].proximity = 0.2, 0.06
    run(function() return machine.path:back_off(0.1) end)
    near('no room behind', fake.pose.x, 0, 1e-9)
+end)
+
+-- As if a rangefinder had seen something at a place of the robot's frame, where none sees it now.
+local function saw(machine, x, y)
+   local place_x, place_y = geometry.out_of(machine.odometry.pose, x, y)
+   machine.returns.points = { seen = { x = place_x, y = place_y, time = machine.odometry.time } }
+end
+
+case('an arm may reach out from where another robot was seen, though no rangefinder sees it', function()
+   local machine = machine_with()
+   local clearance = machine.clearance
+   saw(machine, 0.25, 0.09)
+   same('ahead', clearance:meets(1), true)
+   same('beyond the end', clearance:meets(0), false)
+   clearance.explained = function(x, y) return x > 0.2 and y > 0 end
+   same('no robot', clearance:meets(1), false)
+   clearance.explained = function() return false end
+   same('none that counts', clearance:meets_arm_ahead(0.08, function() return false end), false)
+   saw(machine, 0.25, 0.14)
+   same('too far aside', clearance:meets(1), false)
+   saw(machine, 0, 0.08)
+   same('beside', clearance:meets(1) or clearance:backed(), false)
+   saw(machine, -0.16, -0.08)
+   same('behind', clearance:backed(), true)
+   machine.odometry.time = machine.odometry.time + 11
+   same('long ago', clearance:backed(), false)
+   saw(machine, -0.16, -0.08)
+   clearance.alone = true
+   same('of one that is alone', clearance:backed(), false)
+end)
+
+case('a block that another robot was seen to hold is in the way', function()
+   local machine = machine_with()
+   local clearance, tracker = machine.clearance, machine.tracker
+   local held = { x = 0.17, y = 0.06, z = 0.11, colour = 4, seen = 3, time = 0 }
+   tracker.tracks = { held }
+   same('ahead', clearance:meets(1), true)
+   same('in a turn', clearance:has_company(), true)
+   held.colour = 1
+   same('a brick', clearance:meets(1) or clearance:has_company(), false)
+   clearance.transport = 1
+   same('of the colour that blocks have on their way', clearance:meets(1), true)
+   held.z = 0.0275
+   same('lying', clearance:meets(1), false)
+   held.z, held.x, held.y = 0.11, -0.05, 0.12
+   same('aside', clearance:meets(1), false)
+   same('where a turn sweeps', clearance:has_company(), true)
+   held.seen = 1
+   same('hardly seen', clearance:has_company(), false)
+end)
+
+case('the lift does not come down on who stands below it', function()
+   local machine, fake, run = machine_with()
+   run(function() machine.lift:to(0.12) end)
+   fake.robot.rangefinders['1'].proximity = 0.06
+   same('below', run(function() return machine.path:clear_below() end), false)
+   near('backed out', fake.pose.x, -0.1, 2e-3)
+   fake.robot.rangefinders['1'].proximity = 0.2
+   same('gone', run(function() return machine.path:clear_below() end), true)
+   near('stays', fake.pose.x, -0.1, 2e-3)
+end)
+
+case('a robot backs out of the reach of who stays beside it before it turns', function()
+   local machine, fake, run = machine_with()
+   fake.robot.rangefinders['4'].proximity = 0.05
+   run(function() machine.path:clear_round() end)
+   near('back', fake.pose.x, -0.1, 2e-3)
 end)
 
 case('it backs into no remembered brick', function()
