@@ -31,6 +31,11 @@ function Lift:height()
    return self.robot.lift_system.position
 end
 
+-- Whether it does not have to go down to be at a height.
+function Lift:is_below(height)
+   return self:height() < height + WORTH
+end
+
 function Lift:top()
    return self.highest - NEAR_TOP
 end

@@ -219,7 +219,7 @@ function SiteWork:stand_for(column, look)
    for attempt = 1, REJOINS + 1 do
       if attempt > 1 then self.path:follow_back(line(), -away - REJOIN, 0.08) end
       if not self:come_up(attempt > 1 and line or line(), away, 0.08) then return false end
-      if look.lift < self.lift:height() and not self.clearance:await_room_below() then return false end
+      if not self.lift:is_below(look.lift) and not self.clearance:await_room_below() then return false end
       self.lift:to(look.lift)
       local _, aside, angle = self.odometry:on_line(line())
       if math.abs(aside) < LOOKS_ASIDE and math.abs(angle) < LOOKS_ASKEW then break end

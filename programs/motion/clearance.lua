@@ -26,8 +26,8 @@ local OF_HELD = 0.05           -- m, from the middle of a block that another rob
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
 
 -- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m. explained:
--- likewise: whether what stands at a place is no robot. alone: set by who knows that there is no other robot. transport:
--- the colour of a block in a robot's hand.
+-- likewise: whether what stands at a place is no robot; nil where nothing tells robots from walls. alone: set by who knows
+-- that there is no other robot. transport: the colour of a block in a robot's hand.
 -- ahead, behind: names of the chassis' rangefinders that look there; beside: those that look elsewhere than
 -- ahead, with how far each has to see so that a turn is free; front: where the foremost of them are, m ahead.
 local Clearance = {}
@@ -40,7 +40,7 @@ function Clearance.new(robot, description, process, ranges, magnets, sweep, retu
       effector = description.effector,
       sweep = sweep, returns = returns,
       odometry = process.odometry, room = function() return math.huge end, alone = false,
-      explained = function() return false end, transport = 4,
+      transport = 4,
       short_sighted = ranges:reach() < SEES_FAR, front = 0, ahead = {}, behind = {}, beside = {},
    }, Clearance)
    for _, ray in ipairs(ranges:chassis_rays()) do
@@ -95,6 +95,7 @@ function Clearance:meets_arm(first, last, counts)
    for _, block in ipairs(self:held_by_others()) do
       if within(block, OF_HELD) then return true end
    end
+   if not self.explained then return false end
    local x, y = geometry.out_of(self.odometry.pose, (first + last) / 2, 0)
    local near = half + self.body.half_width + arm
    for _, point in ipairs(self.returns:near(x, y, near, self.odometry.time - STANDS)) do
@@ -158,7 +159,7 @@ function Clearance:has_company()
    end
    for _, point in ipairs(self.returns:near(pivot.x, pivot.y, self.sweep.reach + EFFECTOR,
                                             self.odometry.time - SEEN_LATELY)) do
-      if not self.explained(point.x, point.y) then return true end
+      if not self.explained or not self.explained(point.x, point.y) then return true end
    end
    return false
 end

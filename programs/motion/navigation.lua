@@ -68,7 +68,9 @@ end
 
 -- Straight to a place. Where something stands in the way: waits for it to go, then gives way.
 function Navigation:straight_to(x, y)
-   if not self.magnets.carrying and self.path:clear_below() then self.lift:to(DRIVE_LOW) end
+   if not self.magnets.carrying and (self.lift:is_below(DRIVE_LOW) or self.path:clear_below()) then
+      self.lift:to(DRIVE_LOW)
+   end
    local place = { x = x, y = y }
    local function left() return apart(self.odometry:pivot(), place) end
    local function meets() return self.clearance:meets(left()) end

@@ -155,9 +155,9 @@ function PathFollower:back_off(way)
    return self:follow_back(self.odometry:line_ahead(), -way, BACK_SPEED)
 end
 
--- Waits for who stands where a turn on the spot sweeps, and then backs out.
+-- Waits for who stands where a turn on the spot sweeps, and then backs out, unless that may be a wall.
 function PathFollower:clear_round()
-   if not self.clearance:await_room() then self:back_off(OUT) end
+   if not self.clearance:await_room() and self.clearance.explained then self:back_off(OUT) end
 end
 
 -- Waits for who stands below the effector, and then backs out from above. Whether the lift may go down.

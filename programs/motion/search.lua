@@ -47,7 +47,7 @@ end
 function Search:look_about(wanted)
    for _, height in ipairs { self.lift:top(), NEAR_LOOK, LOW_LOOK } do
       if self.magnets.carrying and height == LOW_LOOK then break end
-      if height > self.lift:height() or self.path:clear_below() then self.lift:to(height) end
+      if self.lift:is_below(height) or self.path:clear_below() then self.lift:to(height) end
       local block = self:look_round(function() return self.tracker:recall(wanted, FRESH) end)
       if block then return block end
    end

@@ -300,6 +300,7 @@ case('a robot comes up to no row into which an arm may reach, but for what stand
    local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, looks = {} }
    local map = StructureMap.new(fake.robot, machine.odometry, machine.tracker, task)
    local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   machine.clearance.explained = function() return false end
    local line = { x = 0.50, y = 0, yaw = 0 }
    local function sees()
       machine.returns.points.seen = { x = 0.35, y = 0.10, time = machine.odometry.time }
