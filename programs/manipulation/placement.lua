@@ -80,13 +80,14 @@ function Placement:held_near(x, y, within, counts)
    return false
 end
 
--- Whether another robot's block is in sight about a place, on its way there or next to it: two that looked in
--- the same second meet there.
-function Placement:is_contested(x, y)
+-- Whether another robot's block is in sight about a place, on its way there or next to it, or, in its colour by now, in
+-- it or over it: two that looked in the same second meet there.
+function Placement:is_contested(x, y, level)
    for _, known in ipairs(self.tracker.tracks) do
       local dx, dy = known.x - x, known.y - y
-      if known.colour == self.transport and self.odometry.time - known.time < SEEN_NOW and
-         dx * dx + dy * dy < CONTESTED ^ 2 then return true end
+      local near = known.z > SIDE * level and TAKEN or 0
+      if known.colour == self.transport then near = CONTESTED end
+      if dx * dx + dy * dy < near * near and self.odometry.time - known.time < SEEN_NOW then return true end
    end
    return false
 end
@@ -123,7 +124,7 @@ function Placement:target(block, where, level, back, options)
                 (not raise or self.odometry.time - top.top_time < SEEN_NOW)
       end,
       alone = options.alone,
-      contested = options.alone and function(line) return self:is_contested(line.x, line.y) end or nil,
+      contested = options.alone and function(line) return self:is_contested(line.x, line.y, level) end or nil,
       clear = options.clear, begin = self:before_docking(raise, options),
    }
 end

@@ -283,6 +283,20 @@ case('where no brick stands behind a place, what comes up there is another robot
    near('over its place', nearest, 0.094, 2e-3)
 end)
 
+case('a place over which another robot holds a block is contested, whatever the block shows', function()
+   local machine = machine_with()
+   local placement = machine.placement
+   local held = { x = 0.31, y = 0.01, z = 0.11, colour = 2, time = machine.odometry.time }
+   machine.tracker.tracks = { held }
+   same('over it', placement:is_contested(0.3, 0, 0), true)
+   same('beside it', placement:is_contested(0.255, 0, 0), false)
+   same('below it', placement:is_contested(0.3, 0, 2), false)
+   held.colour = 4
+   same('in transport', placement:is_contested(0.25, 0, 0), true)
+   machine.odometry.time = machine.odometry.time + 1
+   same('no longer in sight', placement:is_contested(0.3, 0, 0), false)
+end)
+
 case('in front of another a block goes down before its face, and then in', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
    local block = run(function() return machine.search:find(dark) end)
