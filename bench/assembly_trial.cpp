@@ -126,13 +126,14 @@ AssemblyRow try_target(const std::string& kind, std::uint64_t seed, const std::s
   if (!made.plan) return row;
   row.synthesised = true;
   row.compiled = compiles(made.plan->text);
-  row.any_number = row.for_two = made.plan->any_number;
+  row.any_number = made.plan->any_number;
+  row.for_two = row.any_number || (made.plan->one_a_side && made.plan->compiled.sides.size() > 1);
   row.sides = made.plan->compiled.sides.size();
   const std::string name = fmt::format("{}-{}", kind, seed);
   const std::string rules = write_rules(folder, name, made.plan->text);
   if (!row.compiled || stigc.empty()) return row;
   std::string rules_for_two = rules;
-  if (!made.plan->any_number) {
+  if (!row.for_two) {
     task.robots = 2;
     const Assembly other = assemble(task, kEffort);
     row.for_two = other.plan.has_value();

@@ -147,16 +147,20 @@ class Assembler {
     return std::min(robots, widest_.sides.size());
   }
 
-  /// What is better of a plan: first that it is for any number of robots, then its sides.
-  std::pair<bool, std::size_t> merit(const AssemblyPlan& plan) const {
+  /// What is better of a plan: first how many robots it is for, any number before one a side and
+  /// one alone, then its sides.
+  using Merit = std::pair<int, std::size_t>;
+  static constexpr int kAnyNumber = 2, kOneASide = 1, kOneAlone = 0;
+  Merit merit(const AssemblyPlan& plan) const {
     const std::size_t sides = std::min(plan.compiled.sides.size(), wanted_sides());
-    return {plan.any_number, plan.any_number ? sides : 0};
+    const int crowd = plan.any_number ? kAnyNumber : plan.one_a_side ? kOneASide : kOneAlone;
+    return {crowd, crowd == kOneAlone ? 0 : sides};
   }
 
   /// May a plan from these sides be better than the one there is?
   bool worth_trying(const Sides& sides) const {
     return !out_.plan ||
-           std::pair(true, std::min(sides.size(), wanted_sides())) > merit(*out_.plan);
+           Merit(kAnyNumber, std::min(sides.size(), wanted_sides())) > merit(*out_.plan);
   }
 
   /// Nothing better is to be had, or not for as much work again as the plan took, and a little.
@@ -304,15 +308,16 @@ class Assembler {
     RuleSet rules = rules_of(task_.target, candidate, view, colours, builders.sides, task_.robots,
                              task_.wording);
     auto plan = compiled(rules);
-    if (plan && !plan->any_number && !out_.plan && !task_.robots) {
-      rules.physical->robots = 1;  // or compile would warn that nobody said how many
+    if (plan && out_.plan && merit(*plan) <= merit(*out_.plan)) return;
+    if (plan && !plan->any_number && !task_.robots) {
+      // Or compile would warn that nobody said how many.
+      rules.physical->robots = plan->one_a_side ? static_cast<int>(builders.sides.size()) : 1;
       plan = compiled(rules);
     }
     if (!plan) {
       ++out_.counts.refused;
       return;
     }
-    if (out_.plan && merit(*plan) <= merit(*out_.plan)) return;
     if (!out_.plan) found_after_ = effort_.spent();
     // The bricks of a candidate are numbered by the order of work, the start first.
     std::vector<Cell> order;
@@ -344,6 +349,7 @@ class Assembler {
                      kStepsOfJudging);
     if (!plan.compiled.decision || diagnostics.has_errors()) return std::nullopt;
     plan.any_number = plan.compiled.concurrency.conflicts.empty();
+    plan.one_a_side = plan.compiled.concurrency.one_a_side;
     return plan;
   }
 

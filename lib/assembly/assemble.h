@@ -62,6 +62,8 @@ struct AssemblyPlan {
   Cell start;
   std::vector<WorkStep> work;  ///< one order of it
   bool any_number = false;     ///< of robots may work at once
+  /// Otherwise: as many as there are sides may, each with sides of its own.
+  bool one_a_side = false;
 };
 
 struct Assembly {

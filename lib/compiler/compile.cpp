@@ -158,6 +158,12 @@ std::string_view to_string(KnownDirections directions) {
   return {};
 }
 
+bool robots_may_work(const CompiledRules& compiled) {
+  if (compiled.robots == 1 || compiled.concurrency.conflicts.empty()) return true;
+  return compiled.concurrency.one_a_side && compiled.own_sides && compiled.robots &&
+         *compiled.robots <= static_cast<int>(compiled.sides.size());
+}
+
 /// Examples of structures that a local proof has collected are not counted as all.
 std::size_t structures_on_the_way(const CompiledRules& compiled) {
   if (compiled.local_situations > 0) return 0;
@@ -234,7 +240,7 @@ bool find_decision(const Abilities& robot, const CompileOptions& options, Compil
     return walk_structures(robot, options, out) || settle_locally(robot, options.limits, out);
   }
   const bool local = settle_locally(robot, options.limits, out);
-  if (local && (out.robots == 1 || out.concurrency.conflicts.empty())) return true;
+  if (local && robots_may_work(out)) return true;
   // A walk may find several robots no harm where this does: both err on the side of
   // conflicts between robots, the walk less so.
   LocalProof proof = taken_from(out);
@@ -252,6 +258,7 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& abilities,
   const Abilities robot = seeing(rules.highest_kind(), abilities);
   choose_sides(rules, options, out);
   out.robots = options.robots;
+  out.own_sides = options.own_sides;
   if (!out.robots && rules.physical) out.robots = rules.physical->robots;
   const bool form = report_form(rules, diagnostics);
   if (!report_colours(rules, diagnostics) || !form) return out;

@@ -41,6 +41,7 @@ std::string_view to_string(KnownDirections directions);
 struct CompileOptions {
   std::vector<ApproachSide> sides;  ///< empty: the file's, or all
   std::optional<int> robots;        ///< that will work at once; otherwise the file's
+  bool own_sides = true;            ///< each has sides of its own, as far as there are as many
   VerifyOptions verify;
   PolicyLimits limits;
 };
@@ -83,6 +84,7 @@ struct CompiledRules {
   std::unique_ptr<TargetStates> target;
   std::vector<ApproachSide> sides;
   std::optional<int> robots;  ///< that will work at once; none: nobody said
+  bool own_sides = true;      ///< each has sides of its own, as far as there are as many
   KnownDirections directions = KnownDirections::symmetric;
   Policy policy;
   /// A proof column by column (local_policy.h) looked at so many situations; the policy's
@@ -96,6 +98,9 @@ struct CompiledRules {
   std::vector<RefusalDrawing> drawings;    ///< that go with what is reported
 };
 
+/// Is it proved that as many robots as are wanted may work at once? Not where nobody said how many,
+/// unless any number may.
+bool robots_may_work(const CompiledRules& compiled);
 /// Structures that can occur on the way, where all were walked.
 std::size_t structures_on_the_way(const CompiledRules& compiled);
 /// "every order of work completes it: …", what that rests on.

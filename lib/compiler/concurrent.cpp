@@ -47,14 +47,16 @@ bool can_bar(const Stand& a, const Stand& b, const Abilities& robot) {
 class Checker {
  public:
   Checker(const TargetStates& target, const Abilities& robot, const Policy& policy,
-          const DecisionNode& decision)
-      : target_(target), robot_(robot), policy_(policy), decision_(decision) {
+          const DecisionNode& decision, Crowd crowd)
+      : target_(target), robot_(robot), policy_(policy), decision_(decision), crowd_(crowd) {
     for (std::uint32_t s = 0; s < policy.states.size(); ++s) numbers_.emplace(policy.states[s], s);
     for (const Situation& at : policy.situations) sides_.insert(at.side);
     // The start has number 0.
     met_.resize(policy.states.size());
     met_[0].met = true;
   }
+
+  std::size_t sides() const { return sides_.size(); }
 
   Concurrency check() {
     // A placement leads to more bricks, and numbers rise with the count of bricks (policy.h).
@@ -184,10 +186,16 @@ class Checker {
     keep_pending(here, one, after, next, conflict);
   }
 
+  /// Is the robot on that side the one that has put its brick, and has to look anew?
+  bool is_the_same(ApproachSide side, const Pending& one) const {
+    return crowd_ == Crowd::one_a_side && side == one.work.side;
+  }
+
   /// Robots where the brick comes have left, or it would not be put there; those behind it must
   /// not be shut in.
   void keep_stands(const Met& here, const Pending& one, Met& next, Conflict conflict) {
     for (const Stand& stand : here.stands) {
+      if (is_the_same(stand.side, one)) continue;
       const SideCell brick = seen_from(stand.side, target_.cell(one.work.brick));
       if (!in_lane(stand.deepest, brick, robot_)) {
         next.stands.insert(stand);
@@ -205,7 +213,7 @@ class Checker {
   void keep_pending(const Met& here, const Pending& one, const BrickSet& after, Met& next,
                     Conflict conflict) {
     for (const auto& [work, since] : here.pending) {
-      if (work.brick == one.work.brick) continue;
+      if (work.brick == one.work.brick || is_the_same(work.side, one)) continue;
       ++out_.pairs;
       conflict.other = work;
       conflict.other_decided_in = since;
@@ -226,6 +234,7 @@ class Checker {
   const Abilities& robot_;
   const Policy& policy_;
   const DecisionNode& decision_;
+  const Crowd crowd_;
   std::map<BrickSet, std::uint32_t> numbers_;
   std::set<ApproachSide> sides_;
   std::vector<Met> met_;
@@ -243,7 +252,13 @@ std::string_view to_string(ConflictKind kind) {
 Concurrency check_concurrency(const TargetStates& target, const Abilities& robot,
                               const Policy& policy, const DecisionNode& decision) {
   assert(policy.complete);
-  return Checker(target, robot, policy, decision).check();
+  Checker any(target, robot, policy, decision, Crowd::any);
+  Concurrency out = any.check();
+  if (!out.conflicts.empty() && any.sides() > 1) {
+    Checker fewer(target, robot, policy, decision, Crowd::one_a_side);
+    out.one_a_side = fewer.check().conflicts.empty();
+  }
+  return out;
 }
 
 }  // namespace stig::compiler

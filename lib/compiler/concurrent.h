@@ -12,6 +12,9 @@
 //                to do, and it is right; only the whole structure asks for nothing
 //     way out    no brick is put behind a robot into the lane by which it came and leaves
 //
+// Where each robot has sides of its own, there is one a side at most: then what a side's robot puts
+// meets what robots of other sides have decided, and where they stand, and nothing of its own.
+//
 // Each is a matter of two robots, as one placement and what another has decided meet, and is
 // checked for all pairs of decisions that can be pending in a structure: those made there, and
 // those made before that are not carried out yet. A pair may be counted that no two robots ever
@@ -68,9 +71,14 @@ struct Concurrency {
   /// From three or four sides: a robot may stand across another's way out, and so on, perhaps in a
   /// circle. That they never wait for each other for ever is not proved then.
   bool ways_cross = false;
+  /// There are conflicts, but none as long as no two robots work from the same side.
+  bool one_a_side = false;
 };
 
-/// Checks a complete policy and its tree.
+/// How many robots a check is about.
+enum class Crowd : std::uint8_t { one_a_side, any };
+
+/// Checks a complete policy and its tree; for one robot a side, where any number is too many.
 Concurrency check_concurrency(const TargetStates& target, const Abilities& robot,
                               const Policy& policy, const DecisionNode& decision);
 

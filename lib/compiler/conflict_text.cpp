@@ -106,6 +106,9 @@ std::string conflict_text(const CompiledRules& compiled, const Conflict& conflic
 /// A refusal, a warning or a plain report have the same wording.
 std::string robots_text(const CompiledRules& compiled) {
   const Concurrency& found = compiled.concurrency;
+  if (found.one_a_side && compiled.robots != 1 && robots_may_work(compiled)) {
+    return fmt::format("{} at once, each with sides of its own: no conflict", *compiled.robots);
+  }
   if (!found.conflicts.empty()) {
     return "one alone: " + conflict_text(compiled, found.conflicts.front());
   }
@@ -121,7 +124,7 @@ std::string robots_text(const CompiledRules& compiled) {
 
 /// One robot alone never meets a conflict; with an unknown number it is a warning.
 bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics& diagnostics) {
-  if (compiled.robots == 1 || compiled.concurrency.conflicts.empty()) return false;
+  if (robots_may_work(compiled)) return false;
   assert(compiled.target != nullptr);
   const Conflict& conflict = compiled.concurrency.conflicts.front();
   const TargetStates& target = *compiled.target;
@@ -136,6 +139,10 @@ bool report_conflict(const RuleSet& rules, CompiledRules& compiled, Diagnostics&
                                 counted(target.bricks(), "brick")));
   }
   diagnostic.note("one robot alone completes it: --robots 1, or `physical: {robots: 1}`");
+  if (compiled.concurrency.one_a_side) {
+    diagnostic.note(fmt::format("so do up to {}, each with sides of its own: --robots {}",
+                                counted(compiled.sides.size(), "robot"), compiled.sides.size()));
+  }
   add_drawings(rules, compiled);
   return compiled.robots.has_value();
 }

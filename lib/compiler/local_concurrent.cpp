@@ -6,6 +6,8 @@
 #include "compiler/local_concurrent.h"
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 namespace stig::compiler {
 
@@ -14,18 +16,20 @@ namespace {
 class LocalChecker {
  public:
   LocalChecker(CompiledRules& compiled, const Abilities& robot, const LocalSituations& local,
-               const Precedence& precedence, Lanes& lanes)
+               const Precedence& precedence, Lanes& lanes, Crowd crowd)
       : compiled_(compiled),
         target_(*compiled.target),
         robot_(robot),
         local_(local),
         precedence_(precedence),
-        lanes_(lanes) {
+        lanes_(lanes),
+        crowd_(crowd) {
     out_.structures = compiled.local_situations;
     out_.ways_cross = compiled.sides.size() > 2;
   }
 
   Concurrency check(const std::vector<Work>& decided) {
+    for (const Work& work : decided) put_from_[work.brick].insert(work.side);
     for (const Work& work : decided) {
       look_whether_lasting(work);
       // Its robot stands before the site, among what comes before the brick.
@@ -115,6 +119,13 @@ class LocalChecker {
     }
   }
 
+  /// May a robot other than the one that stands on this side put the brick?
+  bool others_put(std::uint32_t brick, ApproachSide side) const {
+    if (crowd_ == Crowd::any) return true;
+    const auto from = put_from_.find(brick);
+    return from != put_from_.end() && from->second.size() > from->second.count(side);
+  }
+
   /// Can a brick be put behind a robot in this lane, when `least` stands and `missing` does
   /// not? A brick is harmless if it cannot be due while the robot stands there.
   void look_for_walls(ApproachSide side, const SideCell& stand, const BrickSet& least,
@@ -128,6 +139,7 @@ class LocalChecker {
     for (std::uint32_t brick = 0; brick < target_.bricks(); ++brick) {
       if (!lane.has(brick)) continue;
       if (!behind_robot(stand, seen_from(side, target_.cell(brick)), robot_)) continue;
+      if (!others_put(brick, side)) continue;
       BrickSet state = before(brick);
       if (state.meets(free)) continue;
       state.add(least);
@@ -148,6 +160,8 @@ class LocalChecker {
   const LocalSituations& local_;
   const Precedence& precedence_;
   Lanes& lanes_;
+  const Crowd crowd_;
+  std::map<std::uint32_t, std::set<ApproachSide>> put_from_;  ///< by brick, as is decided
   Concurrency out_;
 };
 
@@ -156,7 +170,14 @@ class LocalChecker {
 Concurrency check_locally(CompiledRules& compiled, const std::vector<Work>& decided,
                           const Abilities& robot, const LocalSituations& local,
                           const Precedence& precedence, Lanes& lanes) {
-  return LocalChecker(compiled, robot, local, precedence, lanes).check(decided);
+  const auto check = [&](Crowd crowd) {
+    return LocalChecker(compiled, robot, local, precedence, lanes, crowd).check(decided);
+  };
+  Concurrency out = check(Crowd::any);
+  if (!out.conflicts.empty() && compiled.sides.size() > 1) {
+    out.one_a_side = check(Crowd::one_a_side).conflicts.empty();
+  }
+  return out;
 }
 
 }  // namespace stig::compiler

@@ -109,7 +109,10 @@ WorkCertificate certificate_of_work(const RuleSet& rules, const CompiledRules& c
   assert(compiled.decision != nullptr);
   WorkCertificate out;
   out.rule_set_hash = rule_set_hash(rules);
-  out.any_number = compiled.concurrency.conflicts.empty();
+  const Concurrency& found = compiled.concurrency;
+  out.crowd = found.conflicts.empty() ? WorkCrowd::any
+              : found.one_a_side      ? WorkCrowd::one_a_side
+                                      : WorkCrowd::one;
   for (const ApproachSide side : compiled.sides) out.sides.push_back(number_of(side));
   for (const Viewpoint& look : plan.viewpoints) out.looks.push_back({look.distance, look.lift});
   add_node(*compiled.decision, out.nodes);

@@ -24,7 +24,7 @@ class Ordered {
     order();
     look_everywhere();
     go_on();
-    if (site_.certificate.any_number) {
+    if (site_.certificate.crowd != WorkCrowd::one) {
       for (const Deed& deed : deeds_) last(deed);
       keep_ways_out();
     }
@@ -198,6 +198,14 @@ class Ordered {
     }
   }
 
+  /// May a robot other than the one on this side put the brick?
+  bool others_put(std::uint32_t brick, int side) const {
+    if (site_.certificate.crowd == WorkCrowd::any) return true;
+    return std::any_of(deeds_.begin(), deeds_.end(), [&](const Deed& deed) {
+      return deed.brick == brick && deed.side != side;
+    });
+  }
+
   /// No brick can be due behind a robot that stands there, when `sure` does and `missing` do not.
   void keep_way_out(int side, const Seen& stand, const Bricks& sure,
                     const std::vector<std::uint32_t>& missing) {
@@ -207,6 +215,7 @@ class Ordered {
     if (sure.meets(free)) return;  // no robot stands there
     for (std::uint32_t i = 0; i < whole_.size(); ++i) {
       if (!lane.has(i) || !site_.room.behind(stand, whole_.seen(side, i))) continue;
+      if (!others_put(i, side)) continue;
       Bricks before = below_[i];
       before.remove(i);
       if (!before.meets(free)) return refuse(site_.name(i) + " may shut a robot in");

@@ -108,15 +108,21 @@ class Walk {
     Bricks after = state;
     after.add(deed.brick);
     Met& next = next_[after];
-    if (!site_.certificate.any_number) return;  // the one robot comes back with nothing decided
+    const WorkCrowd crowd = site_.certificate.crowd;
+    if (crowd == WorkCrowd::one) return;  // it comes back with nothing decided
+    // So does the one of a side, which others share then not.
+    const auto is_the_same = [&](int side) {
+      return crowd == WorkCrowd::one_a_side && side == deed.side;
+    };
     for (const Deed& other : met.decided) {
-      if (other.brick == deed.brick) continue;
+      if (other.brick == deed.brick || is_the_same(other.side)) continue;
       if (const std::string why = site_.fault(other, {after, after}); !why.empty()) {
         return refuse("when others have put theirs, " + why);
       }
       next.decided.insert(other);
     }
     for (const Stand& stand : met.stands) {
+      if (is_the_same(stand.side)) continue;
       const Seen brick = whole_.seen(stand.side, deed.brick);
       if (!site_.room.in_lane(stand.at, brick)) {
         next.stands.insert(stand);

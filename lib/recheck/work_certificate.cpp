@@ -137,6 +137,13 @@ class Reader {
     if (found == kSideNames.end()) fail("a side belongs here: +x +y -x -y");
     return found == kSideNames.end() ? 0 : static_cast<int>(found - kSideNames.begin());
   }
+  WorkCrowd crowd() {
+    const std::string_view text = word();
+    const auto found = std::find(kCrowdNames.begin(), kCrowdNames.end(), text);
+    if (found == kCrowdNames.end()) fail("'any', 'one-a-side' or 'one' belongs here");
+    return found == kCrowdNames.end() ? WorkCrowd::one
+                                      : static_cast<WorkCrowd>(found - kCrowdNames.begin());
+  }
   /// One of two words.
   bool either(std::string_view yes, std::string_view no) {
     const std::string_view text = word();
@@ -155,7 +162,7 @@ class Reader {
     }
     next_line();
     expect("robots");
-    out_.any_number = either("any", "one");
+    out_.crowd = crowd();
     next_line();
     expect("sides");
     while (!failed_ && !words_.empty()) out_.sides.push_back(side());
@@ -254,7 +261,8 @@ std::string print_work_certificate(const WorkCertificate& certificate) {
   assert(!certificate.nodes.empty());
   std::string out =
       fmt::format("{} 1\nrules {}\nrobots {}\nsides", kWorkCertificate,
-                  to_hex(certificate.rule_set_hash), certificate.any_number ? "any" : "one");
+                  to_hex(certificate.rule_set_hash),
+                  kCrowdNames[static_cast<std::size_t>(certificate.crowd)]);
   for (const int side : certificate.sides) {
     out += fmt::format(" {}", kSideNames[static_cast<std::size_t>(side)]);
   }

@@ -5,7 +5,7 @@
 //
 //     stigc-work-certificate 1
 //     rules 5f0c…                rule_set_hash of the set
-//     robots any                 or: one
+//     robots any                 or: one, one-a-side
 //     sides +x -x                from which robots work
 //     look 0.14 0.0825           camera to column, and height of the lift; m
 //     ask top-colour 2           a question of the decisions, and how many branches it has
@@ -69,6 +69,11 @@ struct WorkLook {
   bool operator==(const WorkLook&) const = default;
 };
 
+/// Robots at work at once.
+enum class WorkCrowd : std::uint8_t { one, one_a_side, any };
+/// As a certificate has them, by number.
+inline constexpr std::array<std::string_view, 3> kCrowdNames = {"one", "one-a-side", "any"};
+
 struct WorkBrick {
   PlacedBrick brick;
   int side = 0;                      ///< where it is certain to go on
@@ -79,7 +84,7 @@ struct WorkBrick {
 
 struct WorkCertificate {
   std::uint64_t rule_set_hash = 0;
-  bool any_number = false;  ///< of robots at work at once; otherwise one
+  WorkCrowd crowd = WorkCrowd::one;
   std::vector<int> sides;
   std::vector<WorkLook> looks;
   std::vector<WorkNode> nodes;  ///< the first is the root

@@ -121,6 +121,31 @@ TEST_CASE("what was right once is no longer wanted") {
   check_against_crew(outdated, 3);
 }
 
+TEST_CASE("in a ring robots shut each other in, unless each has sides of its own") {
+  const std::string file = STIG_TESTS_DIR "/compiler/ring.yaml";
+  const Checked ring(rule_set(file));
+  CHECK(ring.conflicts() == std::set{ConflictKind::walled_in});
+  check_against_crew(ring, 2);
+  CHECK(ring.compiled.concurrency.one_a_side);
+  const Crew crew(ring.rules, ring.compiled, 2, true);
+  CHECK(crew.failures.empty());
+  CHECK(crew.whole.size() == 1);
+  const Checked two(rule_set(file), 2);
+  CHECK(two.compiled.decision);
+  CHECK(two.diagnostics.all().empty());
+  // One of them would share a side, of two.
+  const Checked three(rule_set(file), 3);
+  CHECK(!three.compiled.decision);
+  CHECK(to_text(three.diagnostics).find("up to 2 robots, each with sides of its own") !=
+        std::string::npos);
+  CompileOptions anywhere;
+  anywhere.own_sides = false;
+  Diagnostics diagnostics;
+  const RuleSet rules = rule_set(file);
+  CHECK(!compile_rules(rules, paper_robot(), anywhere, diagnostics).decision);
+  CHECK(diagnostics.all()[0].code == Code::P713);
+}
+
 /// Some bricks at the start, and rules by which bricks of a higher colour come next to those of a
 /// lower one, mostly on a further condition.
 class AnySite {
@@ -200,7 +225,7 @@ class AnySite {
 };
 
 TEST_CASE("on rule sets by chance crews of three meet what the check says, and hardly less") {
-  int clear = 0, conflicts = 0, stricter = 0;
+  int clear = 0, conflicts = 0, stricter = 0, one_a_side = 0;
   CHECK(rc::check("no failure is left out", [&] {
     for (int i = 0; i < 4; ++i) {
       Checked one(AnySite().make(), 1, 300);
@@ -213,11 +238,18 @@ TEST_CASE("on rule sets by chance crews of three meet what the check says, and h
           std::includes(said.begin(), said.end(), crew.failures.begin(), crew.failures.end()));
       RC_ASSERT(crew.whole.size() == 1U);
       ++(said.empty() ? clear : conflicts);
+      if (one.compiled.concurrency.one_a_side) {
+        ++one_a_side;
+        const Crew apart(one.rules, one.compiled, 3, true);
+        RC_ASSERT(apart.failures.empty());
+        RC_ASSERT(apart.whole.size() == 1U);
+      }
       stricter += crew.failures != said ? 1 : 0;
     }
   }));
   MESSAGE(clear, " without conflict, ", conflicts, " with; ", stricter,
-          " said to have more kinds than crews of three meet");
+          " said to have more kinds than crews of three meet, ", one_a_side,
+          " without one where no two share a side");
   CHECK(clear > 100);
   CHECK(conflicts > 0);
   CHECK(2 * stricter <= conflicts);

@@ -36,11 +36,12 @@ inline bool behind_it(const RobotAt& robot, Cell brick) {
   return seen_from(robot.side, brick).u > robot.place.u + kRobotCells;
 }
 
-/// Every interleaving of some robots.
+/// Every interleaving of some robots, of which, with `own_sides`, no two are at the same side.
 class Crew {
  public:
-  Crew(const RuleSet& rules, const CompiledRules& compiled, std::size_t robots)
-      : rules_(rules), compiled_(compiled) {
+  Crew(const RuleSet& rules, const CompiledRules& compiled, std::size_t robots,
+       bool own_sides = false)
+      : rules_(rules), compiled_(compiled), own_sides_(own_sides) {
     meet({number(start_of(rules)), std::vector<RobotAt>(robots)});
     while (!todo_.empty()) {
       const Moment now = todo_.front();
@@ -150,6 +151,7 @@ class Crew {
     if (robot.doing == RobotAt::Doing::away) {
       const std::vector<RobotAt> arrivals = structures_[at(now.structure)].arrivals;
       for (const RobotAt& arrival : arrivals) {
+        if (own_sides_ && is_taken(arrival.side, now)) continue;
         next.robots[i] = arrival;
         meet(next);
       }
@@ -157,6 +159,12 @@ class Crew {
     }
     next.robots[i] = {};
     meet(next);
+  }
+
+  static bool is_taken(ApproachSide side, const Moment& now) {
+    return std::any_of(now.robots.begin(), now.robots.end(), [&](const RobotAt& other) {
+      return other.doing != RobotAt::Doing::away && other.side == side;
+    });
   }
 
   void place(const Moment& now, std::size_t i) {
@@ -197,6 +205,7 @@ class Crew {
 
   const RuleSet& rules_;
   const CompiledRules& compiled_;
+  const bool own_sides_;
   Abilities abilities_ = paper_robot();
   Sight sight_{*compiled_.target, abilities_};
   std::map<BrickMap, int> numbers_;

@@ -60,7 +60,8 @@ std::optional<Proved> proved(const std::string& path, bool column_by_column) {
 constexpr const char* kSets[] = {
     "rulesets/staircase.yaml",   "rulesets/stepped-pyramid.yaml", "tests/compiler/column.yaml",
     "tests/compiler/line.yaml",  "tests/compiler/plate.yaml",     "tests/compiler/plus.yaml",
-    "tests/compiler/tower.yaml", "tests/compiler/u.yaml",         "tests/compiler/wall.yaml"};
+    "tests/compiler/tower.yaml", "tests/compiler/u.yaml",         "tests/compiler/wall.yaml",
+    "tests/compiler/ring.yaml"};
 
 std::vector<Proved> all_proved() {
   std::vector<Proved> out;
@@ -283,11 +284,26 @@ TEST_CASE("what holds for one robot is not accepted for any number") {
   const auto lock = proved("tests/compiler/refused/P713-lock.yaml", false);
   REQUIRE(lock);
   const Figures robot = figures_from("bebot.yaml");
-  CHECK_FALSE(lock->certificate.any_number);
+  CHECK(lock->certificate.crowd == recheck::WorkCrowd::one);
   CHECK(check_work(lock->rules, robot, lock->certificate).accepted);
   WorkCertificate more = lock->certificate;
-  more.any_number = true;
+  more.crowd = recheck::WorkCrowd::any;
   CHECK(check_work(lock->rules, robot, more).refusal.starts_with("when others have put theirs"));
+}
+
+TEST_CASE("what holds for robots with sides of their own is not accepted for any number") {
+  const Figures robot = figures_from("bebot.yaml");
+  for (const bool column_by_column : {false, true}) {
+    const auto ring = proved("tests/compiler/ring.yaml", column_by_column);
+    REQUIRE(ring);
+    CHECK(ring->certificate.ordered == column_by_column);
+    CHECK(ring->certificate.crowd == recheck::WorkCrowd::one_a_side);
+    CHECK(check_work(ring->rules, robot, ring->certificate).accepted);
+    WorkCertificate more = ring->certificate;
+    more.crowd = recheck::WorkCrowd::any;
+    CHECK(check_work(ring->rules, robot, more).refusal.find("may shut a robot in") !=
+          std::string::npos);
+  }
 }
 
 TEST_CASE("a certificate is for its robot and its block") {

@@ -102,10 +102,13 @@ std::string work_text(const WorkCertificate& certificate, const WorkReport& repo
       certificate.ordered
           ? fmt::format("{} before a column", counted(report.situations, "situation"))
           : fmt::format("{} on the way", counted(report.structures, "structure"));
+  const bool one = certificate.crowd == recheck::WorkCrowd::one;
   return fmt::format("  {} complete{} the structure of {} in every order of work\n  {}, {}\n",
-                     certificate.any_number ? "any number of robots at work at once"
-                                            : "one robot that follows these decisions",
-                     certificate.any_number ? "" : "s", counted(certificate.bricks.size(), "brick"),
+                     one ? "one robot that follows these decisions"
+                     : certificate.crowd == recheck::WorkCrowd::any
+                         ? "any number of robots at work at once"
+                         : "robots that each have sides of their own",
+                     one ? "s" : "", counted(certificate.bricks.size(), "brick"),
                      counted(certificate.looks.size(), "look"), looked);
 }
 
@@ -135,7 +138,8 @@ int certify_work(const CertifyOptions& options, const RuleSet& file, const std::
               {"robot", builder->robot.name},
               {"accepted", report.accepted}};
     if (!report.accepted) json["refusal"] = report.refusal;
-    json["any_number"] = certificate->any_number;
+    json["any_number"] = certificate->crowd == recheck::WorkCrowd::any;
+    json["one_a_side"] = certificate->crowd != recheck::WorkCrowd::one;
     json["bricks"] = certificate->bricks.size();
     json["situations"] = report.situations;
     json["structures"] = report.structures;

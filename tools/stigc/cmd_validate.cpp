@@ -11,6 +11,7 @@
 #include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "base/file_io.h"
@@ -116,6 +117,8 @@ class Validation {
     settings.verify.stop = settings.limits.stop = &stop_requested();
     for (const std::string& side : options_.sides) settings.sides.push_back(*parse_side(side));
     settings.robots = options_.robots;
+    // One that has finished its structure may come to another, where sides are others'.
+    settings.own_sides = options_.allocation == Allocation::fixed && structures() == 1;
     // In a scene of the user's the number of robots is known once it is read.
     if (!options_.scene) {
       settings.robots = robots_at_one(robots_of(*rules_, options_.robots, structures()),
@@ -257,20 +260,43 @@ class Validation {
     return names;
   }
 
+  /// Does it run the compiled program? Robots with others may stand about.
+  bool is_builder(const RobotSpawn& robot) const {
+    return robot.program < scene_->programs.size() &&
+           scene_->programs[robot.program].path == kControllerFile;
+  }
+
+  /// Of its program, or null.
+  static const LuaValue* param(const RobotSpawn& robot, std::string_view name) {
+    const auto found = std::find_if(robot.params.begin(), robot.params.end(),
+                                    [&](const auto& one) { return one.first == name; });
+    return found == robot.params.end() ? nullptr : &found->second;
+  }
+
+  /// Is every robot of the scene bound to sides that no other works from?
+  bool have_own_sides() const {
+    std::set<std::string> taken;
+    for (const RobotSpawn& robot : scene_->robots) {
+      if (!is_builder(robot)) continue;
+      const LuaValue* sides = param(robot, "sides");
+      if (sides == nullptr || !is_side(*sides, true)) return false;
+      std::istringstream text(std::get<std::string>(*sides));
+      for (std::string side; text >> side;) {
+        if (!taken.insert(side).second) return false;
+      }
+    }
+    return true;
+  }
+
   /// The compiled program asks on which side it begins. How many robots have it?
   int check_robots(Diagnostics& diagnostics) const {
-    // Robots with other programs may stand about: only those with the compiled one are asked.
     int count = 0;
     for (const RobotSpawn& robot : scene_->robots) {
-      const bool compiled = robot.program < scene_->programs.size() &&
-                            scene_->programs[robot.program].path == kControllerFile;
-      const auto param = [&](std::string_view name) {
-        const auto found = std::find_if(robot.params.begin(), robot.params.end(),
-                                        [&](const auto& one) { return one.first == name; });
-        return found == robot.params.end() ? nullptr : &found->second;
-      };
-      const bool begins = param("side") && is_side(*param("side"), false);
-      const bool bound = !param("sides") || is_side(*param("sides"), true);
+      const LuaValue* side = param(robot, "side");
+      const LuaValue* sides = param(robot, "sides");
+      const bool begins = side != nullptr && is_side(*side, false);
+      const bool bound = sides == nullptr || is_side(*sides, true);
+      const bool compiled = is_builder(robot);
       count += compiled ? 1 : 0;
       if (!compiled || (begins && bound)) continue;
       diagnostics
@@ -290,6 +316,7 @@ class Validation {
     // Not what the rules' file says.
     compiled_.robots = robots_at_one(static_cast<int>(scene_->robots.size()),
                                      std::max<std::size_t>(1, target_.sites.size()));
+    compiled_.own_sides = target_.sites.size() < 2 && have_own_sides();
     report_conflict(*rules_, compiled_, diagnostics);
   }
 

@@ -52,6 +52,7 @@ Json robots_json(const CompiledRules& compiled) {
   const Concurrency& found = compiled.concurrency;
   Json out = {{"wanted", compiled.robots ? Json(*compiled.robots) : Json(nullptr)},
               {"any_number", found.conflicts.empty()},
+              {"one_a_side", found.conflicts.empty() || found.one_a_side},
               {"structures", found.structures},
               {"pairs", found.pairs},
               {"ways_cross", found.ways_cross}};
