@@ -134,9 +134,9 @@ void report_shared_sides(const RuleSet& rules, const CompiledRules& compiled, Di
   const std::size_t sides = compiled.sides.size();
   if (!compiled.robots || *compiled.robots <= static_cast<int>(sides)) return;
   out.add(Code::P715, whole(rules),
-          fmt::format("{} robots work from {}: some share one", *compiled.robots,
+          fmt::format("{} robots work from {}: some share one, or stand by", *compiled.robots,
                       counted(sides, "side")))
-      .note("that they keep out of each other's way there is neither proved nor likely");
+      .note("that robots keep out of each other's way on one side is neither proved nor likely");
 }
 
 }  // namespace

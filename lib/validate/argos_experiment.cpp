@@ -11,6 +11,8 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <set>
+#include <string>
 
 #include "base/text.h"
 #include "robots/device_kinds.h"
@@ -25,6 +27,8 @@ constexpr double kMargin = 2;
 // then two behind their gaps, and so on.
 constexpr double kLoosePlaces[][2] = {{0, 0}, {0, 1}, {0, -1}, {1, 0.5}, {1, -0.5}};
 constexpr double kLooseRows = 2;
+// m, from a robot's middle: where robots stand by no block lies.
+constexpr double kRobotRoom = 0.25;
 
 // Its robots turn slowly, since they slip otherwise.
 constexpr double kSlower = 2;
@@ -98,32 +102,45 @@ std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
     const int quarter = cache.outwards / 90;
     const int dx = quarter == 0 ? 1 : quarter == 2 ? -1 : 0;
     const int dy = quarter == 1 ? 1 : quarter == 3 ? -1 : 0;
-    for (std::size_t i = 0; i < each; ++i) {
+    std::size_t laid = 0;
+    for (std::size_t i = 0; laid < each; ++i) {
       const std::size_t group = i / std::size(kLoosePlaces);
       const auto& [row, beside] = kLoosePlaces[i % std::size(kLoosePlaces)];
       const double out_by = kBlocksApart * (row + kLooseRows * static_cast<double>(group));
       const double left = kBlocksApart * beside;
-      out.push_back(
-          {cache.at.x + dx * out_by - dy * left, cache.at.y + dy * out_by + dx * left, 0});
+      const Vec3 at{cache.at.x + dx * out_by - dy * left, cache.at.y + dy * out_by + dx * left, 0};
+      const bool robot_there =
+          std::any_of(layout.robots.begin(), layout.robots.end(), [&](const auto& robot) {
+            return std::hypot(robot.at.x - at.x, robot.at.y - at.y) < kRobotRoom;
+          });
+      if (robot_there) continue;
+      out.push_back(at);
+      ++laid;
     }
   }
   return out;
 }
 
+std::string controller_of(const SetUpLayout::Robot& robot) {
+  return fmt::format("builder{}{}", to_string(robot.side),
+                     robot.standby > 0 ? fmt::format("-standby{}", robot.standby) : "");
+}
+
 std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) {
   std::string out = "  <controllers>\n";
-  // A controller configuration for each side: ARGoS shares one among all robots that name it, and
-  // robots that begin on one side are bound alike.
-  std::vector<ApproachSide> made;
+  // A controller configuration for each side, and for those that stand by there: ARGoS shares one
+  // among all robots that name it, and robots that begin on one side are bound alike.
+  std::set<std::string> made;
   for (const SetUpLayout::Robot& robot : layout.robots) {
-    if (std::find(made.begin(), made.end(), robot.side) != made.end()) continue;
-    made.push_back(robot.side);
+    const std::string name = controller_of(robot);
+    if (!made.insert(name).second) continue;
+    std::string params = fmt::format(" side=\"{}\"", to_string(robot.side));
     const std::string bound = sides_text(robot.bound);
-    out += fmt::format("    <lua_controller id=\"builder{}\">\n{}", to_string(robot.side),
-                       builder_devices());
-    out += fmt::format("      <params script=\"{}\" side=\"{}\"{}/>\n    </lua_controller>\n",
-                       escaped_markup(scripts.robot), to_string(robot.side),
-                       bound.empty() ? "" : fmt::format(" sides=\"{}\"", bound));
+    if (!bound.empty()) params += fmt::format(" sides=\"{}\"", bound);
+    if (robot.standby > 0) params += fmt::format(" standby=\"{}\"", robot.standby);
+    out += fmt::format("    <lua_controller id=\"{}\">\n{}", name, builder_devices());
+    out += fmt::format("      <params script=\"{}\"{}/>\n    </lua_controller>\n",
+                       escaped_markup(scripts.robot), params);
   }
   out += fmt::format("    <lua_controller id=\"block\">\n{}", kBlockDevices);
   out += fmt::format("      <params script=\"{}\"/>\n    </lua_controller>\n  </controllers>\n\n",
@@ -167,9 +184,9 @@ std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRe
     out += fmt::format(
         "    <builderbot id=\"{}\" wifi_medium=\"wifi\" nfc_medium=\"nfc\" tag_medium=\"tags\">\n"
         "      <body position=\"{:g},{:g},0\" orientation=\"{},0,0\"/>\n"
-        "      <controller config=\"builder{}\"/>\n"
+        "      <controller config=\"{}\"/>\n"
         "    </builderbot>\n",
-        ++number, robot.at.x, robot.at.y, robot.heading, to_string(robot.side));
+        ++number, robot.at.x, robot.at.y, robot.heading, controller_of(robot));
   }
   return out + "  </arena>\n\n";
 }

@@ -19,6 +19,8 @@ namespace {
 // Caches drop blocks from a little above the floor: 2.3 block sides, clear of one that lies there.
 constexpr double kCacheWay = 0.5, kCacheClear = 0.39, kCacheDrop = 0.125;
 constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20, kRobotsApart = 0.25;
+// Beside the cache, clear of robots that fetch from it (programs/mission/standby.lua has the first).
+constexpr double kStandbyBeyond = 0.06, kStandbyAside = 0.32, kStandbyRows = 0.30;
 /// s for a brick: one robot that works on four sides takes up to 120.
 constexpr double kTimeOfBrick = 150;
 constexpr double kArena = 1.5, kArenaBeyond = 0.7;
@@ -94,15 +96,23 @@ class Layout {
   double cache_way(const Direction& out) const {
     return std::max(kCacheWay, reach(out, false) + kCacheClear);
   }
+  /// Do robots beyond one a side wait until they are needed? Robots that are bound to no side find
+  /// another.
+  bool stand_by() const { return request_.allocation == Allocation::fixed; }
+  /// Of the robot that is the so many-th to stand by on its side, from the cache on outwards, m.
+  static double standby_behind(int number) {
+    return kStandbyBeyond + (number - 1) / 2 * kStandbyRows;
+  }
   double arena() const {
     const auto sides = static_cast<int>(compiled_.sides.size());
-    // Robots beyond one a side stand in a row, to the left of the first.
-    const int beside = (request_.robots - 1) / sides;
-    double far = beside * kRobotsApart;
+    // Of one side: a row to the left of the first, or rows behind its cache.
+    const int most = (request_.robots - 1) / sides;
+    double far = stand_by() ? 0 : most * kRobotsApart;
+    const double behind = stand_by() && most > 0 ? standby_behind(most) : 0;
     for (const ApproachSide side : compiled_.sides) {
       const Direction out = direction_of(side);
-      far = std::max({far, std::abs(out.x * cache_way(out) - origin_.x),
-                      std::abs(out.y * cache_way(out) - origin_.y)});
+      far = std::max({far, std::abs(out.x * (cache_way(out) + behind) - origin_.x),
+                      std::abs(out.y * (cache_way(out) + behind) - origin_.y)});
     }
     return std::max(kArena, far + kArenaBeyond);
   }
@@ -139,14 +149,19 @@ class Layout {
     for (int i = 0; i < request_.robots; ++i) {
       const std::vector<ApproachSide> own = sides_of(i);
       const Direction d = direction_of(own.front());
-      const int beside = i / sides;  // that many of its side stand before it
-      const double way = robot_way(d), left = beside * kRobotsApart;
+      const int beyond = i / sides;  // that many of its side are before it
+      const bool waits = stand_by() && beyond > 0;
+      const double way = waits ? cache_way(d) + standby_behind(beyond) : robot_way(d);
+      const double left = !waits             ? beyond * kRobotsApart
+                          : beyond % 2 == 1 ? kStandbyAside
+                                            : -kStandbyAside;
       // A robot alone goes where there is work.
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
                      own.front(),
                      request_.allocation == Allocation::fixed && request_.robots > 1
                          ? own
-                         : std::vector<ApproachSide>{}});
+                         : std::vector<ApproachSide>{},
+                     waits ? beyond : 0});
     }
     return out;
   }
@@ -252,7 +267,8 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
   number = 0;
   for (const SetUpLayout::Robot& robot : layout.robots) {
     const std::string sides = sides_text(robot.bound);
-    const std::string bound = sides.empty() ? "" : fmt::format(", sides: \"{}\"", sides);
+    std::string bound = sides.empty() ? "" : fmt::format(", sides: \"{}\"", sides);
+    if (robot.standby > 0) bound += fmt::format(", standby: {}", robot.standby);
     // Noise of starting poses: 1 cm and 5°, so that runs with different seeds differ.
     out += fmt::format(
         "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "

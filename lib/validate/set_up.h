@@ -9,8 +9,11 @@
 //
 //     a cache   at max(0.5, e + 0.39) m: blocks in the structure are farther from it than the
 //               0.35 m within which a cache has a block
-//     robots    at s + 0.15 m, or s + 0.20 m where they work on several sides; in turn on each
-//               side, further ones 0.25 m to the left of the last on that side
+//     robots    at s + 0.15 m, or s + 0.20 m where they work on several sides, in turn on each side
+//     further   robots of a side, beyond its first, are to stand by (params: standby: 1, 2 ...):
+//               0.06 m farther out than the cache, the first 0.32 m to its left and the second as
+//               far to its right, further pairs 0.30 m farther out; under dynamic allocation none
+//               waits, and further ones begin 0.25 m to the left of the last on that side
 //     the arena to 1.5 m, or 0.7 m beyond the farthest of these
 //
 // Robots and sides are dealt out in turn; of fewer robots than sides each has sides that follow
@@ -68,6 +71,7 @@ struct SetUpLayout {
     int heading = 0;                           ///< degrees
     ApproachSide side = ApproachSide::plus_x;  ///< where it begins
     std::vector<ApproachSide> bound;           ///< to these sides for good; empty: to none
+    int standby = 0;  ///< of those of its side that wait until they are needed; 0: it works
   };
   struct Cache {
     Vec3 at;           ///< where blocks are dropped

@@ -14,6 +14,7 @@ local LEGS = 12                -- of a search, before it begins again where some
 local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
 local SURE_VIEW = 0.28         -- m, from an empty cache, to wait for its next block
 local LINKED = 1.25 * geometry.SIDE
+local AT_CACHE = 0.15          -- m, from the last block there
 local RESTS = 5                -- searches in vain, after which each rest is twice as long as the one before
 local SEARCHES = 2             -- likewise, from which on it leaves a cache that is empty
 local LAID_ASIDE = 0.36        -- m, from where it was found, of the robot that lays a block down that does not answer: at
@@ -67,10 +68,11 @@ function BlockSupply:is_unused(known)
 end
 
 -- Whether a place is on the robot's side. Before it has seen the structure, that is ahead of where it began, since
--- robots begin with their backs to the structure.
+-- robots begin with their backs to the structure, or where it has watched the cache.
 function BlockSupply:is_on_own_side(place)
-   if self.map.known then return self.map:is_on_own_side(place) end
-   return place.x > 0
+   local map = self.map
+   if map.known then return map:is_on_own_side(place) end
+   return place.x > 0 or map.cache ~= nil and geometry.apart(place, map.cache) < AT_CACHE
 end
 
 -- Says whether a block is one to be fetched: unused, and on the robot's side if it is bound to one, since the way

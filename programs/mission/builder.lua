@@ -23,6 +23,7 @@ local BlockSupply = require 'mission.block_supply'
 local Record = require 'mission.record'
 local SideAllocation = require 'mission.side_allocation'
 local SiteWork = require 'mission.site_work'
+local Standby = require 'mission.standby'
 local StructureMap = require 'mission.structure_map'
 
 local LOOK_TIME = 1.0          -- s
@@ -49,10 +50,11 @@ function Builder.new(robot, chart, task)
    local navigation = Navigation.new(machine, map)
    local sides = SideAllocation.new(machine, map, navigation, task)
    local record = Record.new(robot)
+   local supply = BlockSupply.new(machine, map, navigation, sides, record, task)
    local self = setmetatable({
       machine = machine, process = machine.process, map = map, navigation = navigation, sides = sides,
-      record = record, chart = chart, task = task,
-      supply = BlockSupply.new(machine, map, navigation, sides, record, task),
+      record = record, chart = chart, task = task, supply = supply,
+      standby = Standby.new(machine, map, navigation, sides, supply),
       work = SiteWork.new(machine, map, navigation, sides, record, task),
    }, Builder)
    self.builder = self
@@ -73,6 +75,7 @@ end
 -- For ever: each of the chart's states is something done, which ends with an event, and the chart says
 -- which state that leads to.
 function Builder:follow_chart()
+   if self.standby.number > 0 then self.standby:stand_by() end
    local chart, state = self.chart, self.chart.first
    local begun = {}
    while true do
@@ -105,7 +108,8 @@ function Builder:find_structure()
    local function in_memory() return map:in_memory() end
    local found = in_memory()
    if not found and (map.known or not map.lost) then
-      self.navigation:look_again(map.known or BEHIND, in_memory)
+      local there = self.standby.number > 0 and self.standby.structure or BEHIND
+      self.navigation:look_again(map.known or there, in_memory)
       if not map.known then self.process:wait(LOOK_TIME) end
       found = in_memory()
    end

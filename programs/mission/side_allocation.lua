@@ -65,13 +65,16 @@ function SideAllocation:place_on(heading, away)
    return geometry.out_of({ x = known.x, y = known.y, yaw = heading }, -away, 0)
 end
 
--- Whether someone works on the side that robots face with `heading`: who does so is somewhere
--- between the structure and the cache, and is seen or met by one that comes in across, from the
--- left edge (1) or the right one (-1).
+-- Whether someone works on the side that robots face with `heading`, seen from its left edge (1) or the right one (-1).
 function SideAllocation:is_worked(heading, edge)
+   local x, y = self:place_on(heading, (self.map.known.reach + self.map.cache_way) / 2)
+   return self:is_worked_across({ x = x, y = y, yaw = geometry.wrap(heading - edge * math.pi / 2) })
+end
+
+-- Whether someone works on a side: who does so is somewhere between the structure and the cache, and is seen or met by one
+-- that comes in across; `across` is a place half way between them, and the direction to come from there.
+function SideAllocation:is_worked_across(across)
    local path = self.path
-   local across = { yaw = geometry.wrap(heading - edge * math.pi / 2) }
-   across.x, across.y = self:place_on(heading, (self.map.known.reach + self.map.cache_way) / 2)
    local start, met = self.odometry.time, false
    local function meets()
       met = met or self.ranges:range('front') or self.clearance:meets(1)

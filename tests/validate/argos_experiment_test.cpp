@@ -103,7 +103,9 @@ TEST_CASE("robots are bound to the sides that validate binds them to") {
         wanted += (side == layout.robots[i].bound.front() ? " sides=\"" : " ") +
                   std::string(to_string(side));
       }
-      wanted += layout.robots[i].bound.empty() ? "/>" : "\"/>";
+      if (!layout.robots[i].bound.empty()) wanted += '"';
+      if (i >= 4) wanted += " standby=\"1\"";
+      wanted += "/>";
       const std::size_t params = xml.find("<params", at), end = xml.find("/>", params) + 2;
       CHECK(xml.substr(params, end - params) == "<params script=\"r\" " + wanted);
     }

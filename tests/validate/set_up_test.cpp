@@ -88,6 +88,38 @@ TEST_CASE("the set-up of the pyramid for four robots") {
   }
 }
 
+TEST_CASE("robots beyond one a side stand by beside its cache") {
+  const CompiledSet set("stepped-pyramid");
+  SetUpRequest request;
+  request.robots = 13;  // three each, and a fourth on the first side
+  const SetUpLayout layout = lay_out(set.rules, set.compiled, request);
+  const ReadSetUp read(set_up_scene(set.rules, set.compiled, request));
+  REQUIRE(layout.robots.size() == 13);
+  REQUIRE(read.scene->robots.size() == 13);
+  for (std::size_t i = 0; i < 13; ++i) {
+    const SetUpLayout::Robot& robot = layout.robots[i];
+    CHECK(robot.standby == static_cast<int>(i / 4));
+    CHECK(robot.bound == std::vector{robot.side});
+    const auto& params = read.scene->robots[i].params;
+    CHECK((params.back().first == "standby") == (i >= 4));
+    CHECK(std::max(std::abs(robot.at.x), std::abs(robot.at.y)) < layout.arena - 0.2);
+    for (std::size_t j = 0; j < i; ++j) CHECK(length(robot.at - layout.robots[j].at) > 0.24);
+    // Which direction its side's cache is in, as the robot's program takes it to be.
+    const Vec3 cache = rotate(conjugate(read.scene->robots[i].X_WR.q),
+                              layout.caches[i % 4].at - robot.at);
+    if (i < 4) {
+      CHECK(std::abs(cache.y) < 1e-5);
+    } else {
+      CHECK(cache.x == doctest::Approx(i < 12 ? -0.06 : -0.36));
+      CHECK(cache.y == doctest::Approx(robot.standby % 2 == 1 ? -0.32 : 0.32));
+    }
+  }
+  request.allocation = Allocation::dynamic_;
+  for (const SetUpLayout::Robot& robot : lay_out(set.rules, set.compiled, request).robots) {
+    CHECK(robot.standby == 0);
+  }
+}
+
 TEST_CASE("many robots stand apart, and no cache counts blocks of the structure as its own") {
   for (const char* name : {"staircase", "stepped-pyramid"}) {
     const CompiledSet set(name);

@@ -469,6 +469,56 @@ case('a robot that is bound to a side finds a cache that it does not see from wh
    end
 end)
 
+-- A robot that stands by on the side of a cache with a block, for so many seconds or until it has something to do; in
+-- each step `meanwhile(fake, time)`. When it went to work, s, what it found then, and the robot.
+local function stands_by(number, worked, seconds, meanwhile)
+   local right = number % 2 == 1 and -1 or 1
+   local fake = FakeRobot.new { { x = -0.06, y = right * 0.32 } }
+   fake.robot.params = { side = '+x', sides = '+x', standby = tostring(number) }
+   local builder = Builder.new(fake.robot, CHART, { sides = { '+x', '-x' }, transport = 4, delay = 30 })
+   local machine, done, found = builder.machine, nil, nil
+   if worked then builder.sides.is_worked_across = worked end
+   machine:start(function()
+      builder.standby:stand_by()
+      done = machine.process:time()
+      found = builder.supply:search_block()
+   end)
+   while machine.process:time() < seconds and machine:step() do
+      fake:step()
+      if meanwhile then meanwhile(fake, machine.process:time()) end
+   end
+   return done, found, fake
+end
+
+case('a robot that stands by goes to work where nobody does', function()
+   for number = 1, 2 do
+      local done, found = stands_by(number, nil, 900)
+      same('after a while', done and done > 150 * number and done < 300 * number + 120, true)
+      same('the cache', found, 'found')
+   end
+end)
+
+case('a robot that stands by goes back where somebody works, and waits longer', function()
+   local asked = {}
+   local done, _, fake = stands_by(1, function(sides)
+      table.insert(asked, sides.odometry.time)
+      sides.navigation:to(-0.26, 0.08)
+      return true
+   end, 1000)
+   same('asked', #asked, 2)
+   same('twice as late', asked[2] - asked[1] > 300, true)
+   same('on and on', done, nil)
+   same('back', math.abs(fake.pose.x) < 0.06 and math.abs(fake.pose.y) < 0.06, true)
+end)
+
+case('a robot that stands by stays as long as blocks are taken', function()
+   local asked = 0
+   stands_by(1, function() asked = asked + 1 return true end, 1000, function(fake, time)
+      fake.blocks[1] = time % 100 > 20 and { x = -0.06, y = -0.32 } or nil
+   end)
+   same('asked', asked, 0)
+end)
+
 case('a robot that is bound to a side takes blocks from there, as long as there are any', function()
    for _, params in ipairs { { side = '+x', sides = '+x' }, { side = '+x' } } do
       local fake = FakeRobot.new { { x = 0.62, y = 0.02 }, { x = -0.3, y = -0.45 } }
