@@ -51,11 +51,16 @@ function SideAllocation:room_before_cache()
    return (self.map.cache_way or math.huge) - Navigation.BEFORE_CACHE
 end
 
--- Out of the others' way, as far as the cache leaves room.
+-- Out of the others' way, as far as the cache leaves room; back to its side, if it has gone beside the outermost rows.
 function SideAllocation:withdraw()
-   local known = self.map.known
-   local away = math.min(known.reach + WITHDRAWN, self:room_before_cache())
-   local more = away - geometry.apart(known, self.odometry.pose)
+   local map, pose = self.map, self.odometry.pose
+   local away = math.min(map.known.reach + WITHDRAWN, self:room_before_cache())
+   if map.side and not map:is_on_side(map.side, pose) then
+      self.navigation:to(self:place_on(map:heading_of(map.side), away))
+      self.path:turn_to(map:heading_of(map.side))
+      return
+   end
+   local more = away - geometry.apart(map.known, pose)
    if more > 0 then self.path:back_off(more) end
 end
 

@@ -270,10 +270,14 @@ function StructureMap:nearest_side(place)
    return best
 end
 
+-- Whether a place is on the side of this index rather than on another.
+function StructureMap:is_on_side(index, place)
+   return math.abs(wrap(self:heading_of(index) - angle_to(place, self.known))) <= math.pi / 4
+end
+
 -- Whether a place is on one of the sides allowed rather than on another.
 function StructureMap:is_on_own_side(place)
-   local off = wrap(self:heading_of(self:nearest_side(place)) - angle_to(place, self.known))
-   return math.abs(off) <= math.pi / 4
+   return self:is_on_side(self:nearest_side(place), place)
 end
 
 -- By how much, m, columns beside a row stand before it where the effector would sweep them.

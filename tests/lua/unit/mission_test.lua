@@ -469,6 +469,30 @@ case('a robot that is bound to a side finds a cache that it does not see from wh
    end
 end)
 
+case('a robot that has gone beside its rows withdraws to its own side', function()
+   for _, place in ipairs { { x = -0.14, y = 0.02, own = true }, { x = -0.45, y = 0.24, own = false } } do
+      local fake = FakeRobot.new()
+      fake.robot.params = { side = '+x', sides = '+x' }
+      fake.pose = { x = place.x, y = place.y, yaw = math.pi }
+      local builder = Builder.new(fake.robot, CHART, { sides = { '+x', '-x' }, transport = 4, delay = 30 })
+      local machine, map = builder.machine, builder.map
+      machine.odometry.pose = { x = place.x, y = place.y, yaw = math.pi }
+      local structure = { x = -0.4, y = 0 }
+      map.known = { x = structure.x, y = structure.y, reach = 0.1, yaw = math.pi, origin = structure }
+      map.first, map.side = { u = 0, v = 0 }, 0
+      local done
+      machine:start(function()
+         builder.sides:withdraw()
+         done = true
+      end)
+      while not done and machine:step() and machine.process:time() < 120 do fake:step() end
+      same('on its side', map:is_on_side(0, machine.odometry.pose), true)
+      near('as far', geometry.apart(structure, machine.odometry.pose), 0.38, 0.035)
+      near('facing the structure', geometry.wrap(machine.odometry.pose.yaw - math.pi), 0, 0.1)
+      same('straight back', math.abs(machine.odometry.pose.y - place.y) < 0.01, place.own)
+   end
+end)
+
 -- A robot that stands by on the side of a cache with a block, for so many seconds or until it has something to do; in
 -- each step `meanwhile(fake, time)`. When it went to work, s, what it found then, and the robot.
 local function stands_by(number, worked, seconds, meanwhile)
