@@ -12,7 +12,7 @@ local function part(ahead, half_width)
    return { direction = ahead < 0 and math.pi or 0, length = math.abs(ahead), half_width = half_width }
 end
 
--- parts: as above; reach: of the farthest corner, m from the pivot.
+-- parts: as above; chassis: those that stand on the floor; reach: of the farthest corner, m from the pivot.
 function Sweep.new(description)
    local effector, body, pivot = description.effector, description.body, description.drive.pivot
    local self = setmetatable({
@@ -22,6 +22,7 @@ function Sweep.new(description)
          part(-body.back - pivot, body.half_width),
       },
    }, Sweep)
+   self.chassis = { self.parts[2], self.parts[3] }
    for _, one in ipairs(self.parts) do
       self.reach = math.max(self.reach, math.sqrt(one.length ^ 2 + one.half_width ^ 2))
    end
@@ -42,12 +43,12 @@ local function comes_between(bearing, turn, low, high)
 end
 
 -- Whether a turn by `angle` (left when positive) comes within `spare` m of a place of the robot's frame that
--- is not under the robot from the first.
-function Sweep:touches(x, y, angle, spare)
+-- is not under the robot from the first. Of these parts of it, or all.
+function Sweep:touches(x, y, angle, spare, parts)
    local sign, touched = angle < 0 and -1 or 1, false
    local dx = x - self.pivot
    local away, bearing = math.max(math.sqrt(dx * dx + y * y), 1e-6), sign * math.atan(y, dx)
-   for _, one in ipairs(self.parts) do
+   for _, one in ipairs(parts or self.parts) do
       local from = bearing - one.direction
       local low, high = angles_at(one, away, 0)
       if low and (comes_between(from, 0, low, high) or comes_between(from, 0, -high, -low)) then

@@ -83,7 +83,8 @@ end
 function UnexplainedReturns:sweeps(angle, over)
    for _, point in pairs(self.points) do
       local x, y = geometry.into(self.odometry.pose, point.x, point.y)
-      if self.sweep:touches(x, y, angle, SPARE) and not (over and self:is_below(point, over)) then return true end
+      local parts = over and self:is_below(point, over) and self.sweep.chassis or nil
+      if self.sweep:touches(x, y, angle, SPARE, parts) then return true end
    end
    return false
 end

@@ -307,6 +307,7 @@ case('a return is unexplained where no block is known, and gone when it is seen 
    p.tracker.tracks = { { x = 0.03, y = 0.09, z = 0.0275 } }
    same('a block is in the way', p.returns:sweeps(1.3), true)
    same('but not of what is carried over it', p.returns:sweeps(1.3, 0.07), false)
+   same('while the back passes over nothing', p.returns:sweeps(-1.3, 0.07), true)
    table.insert(p.tracker.tracks, { x = 0.03, y = 0.09, z = 0.0825 })
    same('nor over one on it', p.returns:sweeps(1.3, 0.07), true)
    p.tracker.tracks = {}
