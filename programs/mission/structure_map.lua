@@ -287,24 +287,24 @@ local function juts_beside(rows, of)
    return SIDE * (most - of.front)
 end
 
--- Rows of the structure as seen from this side: by v, the foremost u; `by_heart` of those of which nothing was seen
--- lately.
+-- Rows of the structure as seen from this side: by v, the foremost u; `by_heart` where that was not seen lately: of a row
+-- of which nothing was seen, or only what stands farther back: the foremost may be below the picture.
 function StructureMap:rows()
    local structure = self:in_memory()
    if not structure or not self:remember(structure) then return nil end
    local origin = self.known.origin
    local frame = { x = origin.x, y = origin.y, yaw = self:heading_of(self.side) }
-   local rows = {}
-   local function add(x, y, by_heart)
-      local u, v = cell_in(frame, x, y)
-      rows[v] = rows[v] or { v = v, front = u, frame = frame, by_heart = by_heart }
-      if rows[v].by_heart == by_heart then rows[v].front = math.max(rows[v].front, u) end
+   local rows, remembered = {}, {}
+   for _, known in ipairs(structure.blocks) do
+      local u, v = cell_in(frame, known.x, known.y)
+      if not rows[v] or rows[v].front < u then rows[v] = { v = v, front = u, frame = frame, by_heart = false } end
    end
-   for _, known in ipairs(structure.blocks) do add(known.x, known.y, false) end
    for _, brick in pairs(self.bricks) do
       local x, y = geometry.out_of(self:lattice(), SIDE * brick.u, SIDE * brick.v)
-      add(x, y, true)
+      local u, v = cell_in(frame, x, y)
+      if not rows[v] or rows[v].front < u then remembered[v] = math.max(remembered[v] or u, u) end
    end
+   for v, u in pairs(remembered) do rows[v] = { v = v, front = u, frame = frame, by_heart = true } end
    for _, of in pairs(rows) do of.juts = juts_beside(rows, of) end
    return rows
 end

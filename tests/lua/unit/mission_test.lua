@@ -722,6 +722,24 @@ case('rows are known by heart, and forgotten where nothing is seen of them again
    same('others are not', map:count_bricks(), 4)
 end)
 
+case('of a row the foremost counts that is known, though only what is behind it is seen now', function()
+   local task = { transport = 4, sides = { '+x' }, turns = false, levels = 1, asks = {}, delay = 0 }
+   local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 } },
+                               { x = 0.4, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local before = map:rows()[1]
+   same('seen', before.by_heart, false)
+   table.remove(machine.tracker.tracks)
+   local row = map:rows()[1]
+   same('where it was', row.front, before.front)
+   same('by heart', row.by_heart, true)
+   map:forget_row(row)
+   row = map:rows()[1]
+   same('the one behind', row.front, before.front - 1)
+   same('which is seen', row.by_heart, false)
+end)
+
 case('a robot bound to several sides rests once a way round, and goes on', function()
    local task = { transport = 4, sides = { '+x', '+y' }, turns = false, levels = 1, asks = {}, delay = 30 }
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
