@@ -6,7 +6,8 @@
 //     way out   no brick is ever due in the lane of a robot, farther out than its back, when the
 //               robot can stand there
 //
-// Where each robot has sides of its own, a brick that its side's robot alone puts shuts nobody in there.
+// Where each robot has sides of its own, a brick that its side's robot alone puts shuts nobody in
+// there.
 //
 // The way on is that of local_policy.h: as long as decisions last, every structure that robots come
 // to is closed. It is stricter than the walk over structures, and says less of what goes wrong.

@@ -201,9 +201,8 @@ class Ordered {
   /// May a robot other than the one on this side put the brick?
   bool others_put(std::uint32_t brick, int side) const {
     if (site_.certificate.crowd == WorkCrowd::any) return true;
-    return std::any_of(deeds_.begin(), deeds_.end(), [&](const Deed& deed) {
-      return deed.brick == brick && deed.side != side;
-    });
+    return std::any_of(deeds_.begin(), deeds_.end(),
+                       [&](const Deed& deed) { return deed.brick == brick && deed.side != side; });
   }
 
   /// No brick can be due behind a robot that stands there, when `sure` does and `missing` do not.

@@ -259,10 +259,9 @@ class Reader {
 
 std::string print_work_certificate(const WorkCertificate& certificate) {
   assert(!certificate.nodes.empty());
-  std::string out =
-      fmt::format("{} 1\nrules {}\nrobots {}\nsides", kWorkCertificate,
-                  to_hex(certificate.rule_set_hash),
-                  kCrowdNames[static_cast<std::size_t>(certificate.crowd)]);
+  std::string out = fmt::format("{} 1\nrules {}\nrobots {}\nsides", kWorkCertificate,
+                                to_hex(certificate.rule_set_hash),
+                                kCrowdNames[static_cast<std::size_t>(certificate.crowd)]);
   for (const int side : certificate.sides) {
     out += fmt::format(" {}", kSideNames[static_cast<std::size_t>(side)]);
   }

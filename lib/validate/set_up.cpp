@@ -19,7 +19,8 @@ namespace {
 // Caches drop blocks from a little above the floor: 2.3 block sides, clear of one that lies there.
 constexpr double kCacheWay = 0.5, kCacheClear = 0.39, kCacheDrop = 0.125;
 constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20, kRobotsApart = 0.25;
-// Beside the cache, clear of robots that fetch from it (programs/mission/standby.lua has the first).
+// Beside the cache, clear of robots that fetch from it (programs/mission/standby.lua has the
+// first).
 constexpr double kStandbyBeyond = 0.06, kStandbyAside = 0.32, kStandbyRows = 0.30;
 /// s for a brick: one robot that works on four sides takes up to 120.
 constexpr double kTimeOfBrick = 150;
@@ -152,7 +153,7 @@ class Layout {
       const int beyond = i / sides;  // that many of its side are before it
       const bool waits = stand_by() && beyond > 0;
       const double way = waits ? cache_way(d) + standby_behind(beyond) : robot_way(d);
-      const double left = !waits             ? beyond * kRobotsApart
+      const double left = !waits            ? beyond * kRobotsApart
                           : beyond % 2 == 1 ? kStandbyAside
                                             : -kStandbyAside;
       // A robot alone goes where there is work.

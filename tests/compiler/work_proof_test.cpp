@@ -57,11 +57,11 @@ std::optional<Proved> proved(const std::string& path, bool column_by_column) {
   return out;
 }
 
-constexpr const char* kSets[] = {
-    "rulesets/staircase.yaml",   "rulesets/stepped-pyramid.yaml", "tests/compiler/column.yaml",
-    "tests/compiler/line.yaml",  "tests/compiler/plate.yaml",     "tests/compiler/plus.yaml",
-    "tests/compiler/tower.yaml", "tests/compiler/u.yaml",         "tests/compiler/wall.yaml",
-    "tests/compiler/ring.yaml"};
+constexpr const char* kSets[] = {"rulesets/staircase.yaml",    "rulesets/stepped-pyramid.yaml",
+                                 "tests/compiler/column.yaml", "tests/compiler/line.yaml",
+                                 "tests/compiler/plate.yaml",  "tests/compiler/plus.yaml",
+                                 "tests/compiler/tower.yaml",  "tests/compiler/u.yaml",
+                                 "tests/compiler/wall.yaml",   "tests/compiler/ring.yaml"};
 
 std::vector<Proved> all_proved() {
   std::vector<Proved> out;

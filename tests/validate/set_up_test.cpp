@@ -105,8 +105,8 @@ TEST_CASE("robots beyond one a side stand by beside its cache") {
     CHECK(std::max(std::abs(robot.at.x), std::abs(robot.at.y)) < layout.arena - 0.2);
     for (std::size_t j = 0; j < i; ++j) CHECK(length(robot.at - layout.robots[j].at) > 0.24);
     // Which direction its side's cache is in, as the robot's program takes it to be.
-    const Vec3 cache = rotate(conjugate(read.scene->robots[i].X_WR.q),
-                              layout.caches[i % 4].at - robot.at);
+    const Vec3 cache =
+        rotate(conjugate(read.scene->robots[i].X_WR.q), layout.caches[i % 4].at - robot.at);
     if (i < 4) {
       CHECK(std::abs(cache.y) < 1e-5);
     } else {
