@@ -155,11 +155,19 @@ function Approach:creep(way, off, each)
    if math.abs(way) > 0.0002 then self.path:go_by(way, CREEP_SPEED, each) end
 end
 
+-- How far before a target an approach begins, where there is room, m: farther each time, but so near to a block high up
+-- that it is in the picture with the lift at its top.
+function Approach:farthest_beginning(run)
+   local farther = FARTHER * (run.attempt - 1)
+   if run.target.apart then return LOOSE_STAND_OFF + farther end
+   local in_sight = self.camera:farthest_in_sight(self.lift.highest, run.block) + (run.target.ahead or 0)
+   return math.max(NEAREST_TURN, math.min(STAND_OFF + farther, in_sight))
+end
+
 -- How far from a block, on a line to it, its approach begins, m, and how much room there is about the robot that
 -- turns there, m, or more than it takes.
 function Approach:stand_off_on(line, run)
-   local begin = run.target.apart and LOOSE_STAND_OFF or STAND_OFF
-   local farthest = begin + FARTHER * (run.attempt - 1)
+   local farthest = self:farthest_beginning(run)
    local needed, best, most = self.sweep.reach + SPARE, farthest, -math.huge
    for nearer = 0, farthest - NEAREST_TURN + 1e-9, NEARER do
       local room = not run.target.apart and needed or
@@ -221,14 +229,16 @@ function Approach:last_look(run)
    return height, self.camera:centred_at(height, mark, before)
 end
 
--- Looks often, turned to the block no more than it takes: odometry takes a small turn for less than it
+-- Looks `often`, turned to the block no more than it takes: odometry takes a small turn for less than it
 -- is.
-function Approach:look_aside(block)
+function Approach:look_aside(block, often)
    local ahead, left = geometry.into(self.odometry.pose, block.x, block.y)
-   local angle = math.atan(left, ahead - self.odometry.ahead)
-   local turn = angle - geometry.clamp(angle, -ASIDE_ANGLE, ASIDE_ANGLE)
+   local away = ahead - self.odometry.ahead
+   local aside = math.max(self.camera:farthest_aside(self.lift:height(), block, ahead), 0)
+   local angle, within = math.atan(left, away), math.min(ASIDE_ANGLE, math.atan(aside, away))
+   local turn = angle - geometry.clamp(angle, -within, within)
    if turn ~= 0 then self.path:turn_by(turn, ASIDE_RIM) end
-   local seen = self:look_at(block, LAST_SIGHTINGS)
+   local seen = self:look_at(block, often)
    if turn ~= 0 then self.path:turn_by(-turn, ASIDE_RIM) end
    return seen
 end
@@ -268,11 +278,12 @@ end
 local states = {}
 Approach.states = states
 
--- How near the block an approach may begin: out of its reach, and, where it is beside the way and below, so far off that
--- it is in the picture.
+-- How near the block an approach may begin: out of its reach, and, where it is beside the way and below, so far off
+-- that it is in the picture.
 function Approach:nearest_beginning(run)
    if not is_beside(run.target) then return NEAREST_TURN end
-   return math.max(NEAREST_TURN, math.min(STAND_OFF, self.camera:nearest_in_sight(run.lowest, self.tracker:mark_of(run.block))))
+   local in_sight = self.camera:nearest_in_sight(run.lowest, self.tracker:mark_of(run.block))
+   return math.max(NEAREST_TURN, math.min(self:farthest_beginning(run), in_sight))
 end
 
 function states.travel(self, run)
@@ -301,7 +312,7 @@ function states.acquire(self, run)
    self:watch(run.block, run.lowest)
    if self:is_in_view(run.block) then return 'seen' end
    self.process:wait(SETTLE_TIME)
-   if self:look_at(run.block, FIRST_SIGHTINGS) then return 'seen' end
+   if self:look_aside(run.block, FIRST_SIGHTINGS) then return 'seen' end
    if run.attempt > 1 then return 'unseen' end
    self.tracker:forget(run.block)
    return 'absent'
@@ -320,7 +331,7 @@ function states.align(self, run)
    end
    if not there then return 'unseen' end
    self.lift:to(height)
-   run.seen = self:look_aside(run.block)
+   run.seen = self:look_aside(run.block, LAST_SIGHTINGS)
    return run.seen and 'seen' or 'unseen'
 end
 

@@ -39,9 +39,10 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- tried: rows of this side that asked for nothing; explored: ways beside its rows that were gone, 1 to the left, -1 to
 -- the right. in_vain: how often all rows of a side were tried since the last brick; rounds: likewise of this side.
 -- patience: how often it tries them before it goes elsewhere, of sides that are shared: once, and twice as often each
--- time. obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front, frame,
--- juts}, the one it stands before. wish: what is to be done there (Column:decide). approach_time: mean of the last
--- approaches to a site, s.
+-- time. obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what
+-- stands near sites, and may be robots: {x, y, since}. row: {v, front, frame, juts}, the one it stands before; unfound:
+-- v of the row at which the last approach did not find its brick. wish: what is to be done there (Column:decide).
+-- approach_time: mean of the last approaches to a site, s.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -372,14 +373,21 @@ function SiteWork:approach_site()
    })
    local mean, took = self.approach_time, self.odometry.time - start
    self.approach_time = mean == 0 and took or mean + LATEST * (took - mean)
-   if near then return 'near' end
+   if near then
+      self.unfound = nil
+      return 'near'
+   end
    if problem == 'busy' then
       self.sides:withdraw()
       self:give_up()
       return 'busy'
    end
    self.record:tally('aborted')
-   return problem == 'the block was lost' and 'dropped' or 'lost'
+   if problem == 'the block was lost' then return 'dropped' end
+   -- what was not found twice is looked for from elsewhere
+   if self.unfound == self.row.v then self.tried[self.row.v] = true end
+   self.unfound = self.row.v
+   return 'lost'
 end
 
 -- The map has what the robot has put down, though no look may show it.

@@ -77,6 +77,16 @@ function Camera:nearest_in_sight(lift, mark, before)
    return x + above * (1 - half) / (1 + half) + (in_front and 0 or TAG_EDGE) + before
 end
 
+-- How far to a side the tags of a block that is so far ahead may be, to be wholly in the picture; m. The tag in its
+-- front is nearer than the one on top by as much as it is lower, and the camera looks down by 45 degrees: along its
+-- line of sight both are as far.
+function Camera:farthest_aside(lift, block, ahead)
+   local x, z = self:place_when_down()
+   local half = WHOLLY_IN_VIEW * self.robot.camera_system.resolution.x / 2 / self.description.camera.focal
+   local away = (ahead - x + z + lift - block.z - geometry.HALF) / math.sqrt(2)
+   return half * away - TAG_EDGE
+end
+
 -- The greatest at which the tag in its front is wholly in the picture.
 function Camera:farthest_in_sight(lift, block)
    local x, z = self:place_when_down()

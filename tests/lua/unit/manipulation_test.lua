@@ -6,6 +6,7 @@ local geometry = require 'common.geometry'
 local machine_with = require 'machine_with'
 local unit = require 'unit'
 local case, near, same = unit.case, unit.near, unit.same
+local SIDE = geometry.SIDE
 
 local function dark(block) return block.colour == 0 end
 local function lit(block) return block.colour == 3 end
@@ -71,7 +72,7 @@ case('an approach begins where there is room to turn', function()
    local machine = machine_with()
    local approach, needed = machine.approach, machine.sweep.reach + 0.015
    local block = { x = 0.5, y = 0.02, yaw = 0 }
-   local run = { target = { apart = true }, attempt = 1 }
+   local run = { block = { x = 0.5, y = 0.02, z = 0.0275 }, target = { apart = true }, attempt = 1 }
    local ahead = { x = 0.5, y = 0.02, yaw = 0 }
    near('with nothing about', approach:stand_off_on(ahead, run), 0.24, 1e-9)
    near('straight on', approach:heading_to(block, run), 0)
@@ -89,6 +90,32 @@ case('an approach begins where there is room to turn', function()
    near('from farther off', approach:stand_off_on(ahead, run), 0.30, 1e-9)
    run.target.apart, machine.clearance.room = true, function() return 0.05 end
    near('where there is room nowhere', approach:heading_to(block, run), 0)
+end)
+
+case('an approach to a brick high up begins where it is in the picture', function()
+   local machine = machine_with()
+   local approach, camera, highest = machine.approach, machine.camera, machine.lift.highest
+   local function begins(level, ahead)
+      local run = { block = { x = 1, y = 0, z = SIDE * (level + 0.5) }, target = { ahead = ahead }, attempt = 2 }
+      return approach:farthest_beginning(run), camera:farthest_in_sight(highest, run.block)
+   end
+   near('of a low one there is no need to', begins(0, 0), 0.32, 1e-9)
+   local from, seen = begins(2, 0)
+   near('high up', from, seen, 1e-9)
+   same('nearer', from < 0.30, true)
+   from, seen = begins(2, -SIDE)
+   near('before it', from, seen - SIDE, 1e-9)
+end)
+
+case('a brick aside and high up is turned to as far as the picture is narrow', function()
+   local machine = machine_with()
+   local camera, lift = machine.camera, machine.lift.highest
+   local function aside(level, ahead) return camera:farthest_aside(lift, { z = SIDE * (level + 0.5) }, ahead) end
+   same('less from nearer', aside(1, 0.20) < aside(1, 0.25), true)
+   same('less of a higher one', aside(2, 0.25) < aside(1, 0.25), true)
+   local eye, turn = camera:pose(lift)
+   local p = (vector3(0.25, aside(1, 0.25), SIDE * 2) - eye):rotate(turn:inverse())
+   same('in the picture', camera:frames(p, 0), true)
 end)
 
 case('a block that has been in the picture for a while needs no first look', function()
