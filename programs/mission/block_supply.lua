@@ -51,13 +51,15 @@ function BlockSupply:is_beside(other, known)
    return geometry.apart(other, known) < LINKED and math.abs(other.z - known.z) < LINKED
 end
 
--- Dark, or dropped by a robot; on the floor, and with nothing beside it.
+-- Dark, or dropped by a robot; on the floor, and with nothing beside it, nor a brick that was ever seen there: one
+-- that is half hidden shows a tag without its LEDs, and looks dark.
 function BlockSupply:is_unused(known)
    local transport = self.task.transport
    local dropped = transport > 0 and known.colour == transport and known.seen >= STILL
    if known.colour ~= 0 and not dropped or known.level ~= 0 or known.seen < 2 * OFTEN then
       return false
    end
+   if self.map:room_about(known.x, known.y) < LINKED - geometry.HALF then return false end
    for _, other in ipairs(self.tracker:blocks()) do
       if other ~= known and self:is_beside(other, known) then return false end
    end

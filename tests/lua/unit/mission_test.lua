@@ -706,6 +706,21 @@ case('a block that is never seen in one picture with another is not beside it', 
    end
 end)
 
+case('a block that looks dark where a brick was ever seen, or right beside one, is not unused', function()
+   local task = { transport = 4, sides = ALL, turns = false, levels = 1, asks = {}, delay = 0 }
+   local map = map_of({ { 0, 0, 0 }, { 1, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
+   local supply = Builder.new(FakeRobot.new().robot, CHART, task).supply
+   same('known', map:remember(map:in_memory()), true)
+   supply.map = map
+   supply.tracker.tracks = {}
+   for _, case_of in ipairs { { 0, 0, false }, { SIDE, 0, false }, { 2 * SIDE, 0, false }, { 4 * SIDE, 0, true } } do
+      local x, y = geometry.out_of({ x = 0.4, y = 0, yaw = 0 }, case_of[1], case_of[2])
+      local known = { id = 1, x = x, y = y, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 0, seen = 20, missed = 0,
+                      time = 0, top_time = 0 }
+      same('unused at ' .. case_of[1], supply:is_unused(known), case_of[3])
+   end
+end)
+
 case('rows are known by heart, and forgotten where nothing is seen of them again', function()
    local task = { transport = 4, sides = { '+x' }, turns = false, levels = 1, asks = {}, delay = 0 }
    local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 2, 2, 0 } },
