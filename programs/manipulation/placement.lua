@@ -11,7 +11,8 @@ local ASIDE = 0.002            -- from a neighbour beside, which draws the block
 local DRAWN_OFF, FURTHER = 0.005, 0.003  -- ahead in the gripper, and than before: neighbours have drawn the block into
                                          -- its place
 local REST = 0.0015            -- of a block over what it is put on, and less than 1 mm more, on its way in
-local LET_DOWN = 0.0003        -- likewise when it is let go: on a longer way down neighbours would draw it aside
+local LET_DOWN = 0.002         -- likewise when it is let go: on its way down it slides into line with its neighbours,
+                               -- before what it comes to lie on holds it
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local CONTESTED = 0.08         -- m, likewise at any height, on the last way to the site: nearer than who looks aside
 local TAKEN = 0.6 * SIDE       -- from a site's middle, where a block is that fills it
