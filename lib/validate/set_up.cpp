@@ -17,7 +17,7 @@ namespace stig::validate {
 namespace {
 
 // Caches drop blocks from a little above the floor: 2.3 block sides, clear of one that lies there.
-constexpr double kCacheWay = 0.5, kCacheClear = 0.39, kCacheDrop = 0.125;
+constexpr double kCacheWay = 0.5, kCacheWayReach = 0.11, kCacheClear = 0.47, kCacheDrop = 0.125;
 constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20, kRobotsApart = 0.25;
 // Beside the cache, clear of robots that fetch from it (programs/mission/standby.lua has the
 // first).
@@ -95,7 +95,8 @@ class Layout {
     return reach(out, true) + (several() ? kRobotWaySeveral : kRobotWay);
   }
   double cache_way(const Direction& out) const {
-    return std::max(kCacheWay, reach(out, false) + kCacheClear);
+    const double far = reach(out, false);
+    return far < kCacheWayReach + 1e-6 ? kCacheWay : far + kCacheClear;
   }
   /// Do robots beyond one a side wait until they are needed? Robots that are bound to no side find
   /// another.
