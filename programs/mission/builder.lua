@@ -62,6 +62,7 @@ function Builder.new(robot, chart, task)
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
    machine.clearance.explained = function(x, y) return map:explains(x, y) end
    machine.clearance.alone = task.delay == 0
+   machine.sight.remembered = function() return map:all_bricks() end
    if task.widest then machine.sight:reads_up_to(task.widest) end
    if task.kinds then machine.tracker.detector.kinds = task.kinds end
    machine:start(function() self:follow_chart() end)

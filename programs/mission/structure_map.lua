@@ -186,6 +186,20 @@ function StructureMap:count_bricks()
    return count
 end
 
+-- All bricks that were ever seen, where they should stand: {x, y, z, yaw}.
+function StructureMap:all_bricks()
+   local out = {}
+   if not self.known then return out end
+   local lattice = self:lattice()
+   for _, brick in pairs(self.bricks) do
+      local x, y = geometry.out_of(lattice, SIDE * brick.u, SIDE * brick.v)
+      for level in pairs(brick.levels) do
+         table.insert(out, { x = x, y = y, z = SIDE * (level + 0.5), yaw = lattice.yaw })
+      end
+   end
+   return out
+end
+
 -- Whether a brick was ever seen there.
 function StructureMap:had_brick(x, y, level)
    if not self.known then return false end

@@ -14,11 +14,14 @@ local MARGIN = 4                         -- px
 local FACES = { { -1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 }, { 0, -1, 0 } }
 local CORNERS = { { 1, 1 }, { 1, -1 }, { -1, 1 }, { -1, -1 } }
 
+-- remembered(): set by who knows a structure: its bricks that were ever seen, {x, y, z, yaw} of the odometry frame.
 local LineOfSight = {}
 LineOfSight.__index = LineOfSight
 
 function LineOfSight.new(odometry, camera, tracker)
-   local self = setmetatable({ odometry = odometry, camera = camera, tracker = tracker }, LineOfSight)
+   local self = setmetatable({
+      odometry = odometry, camera = camera, tracker = tracker, remembered = function() return {} end,
+   }, LineOfSight)
    self:reads_up_to(WIDEST)
    return self
 end
@@ -55,13 +58,15 @@ function LineOfSight:in_robot_frame(place, yaw, z)
    return out
 end
 
--- Known blocks that are not the block itself.
+-- Known blocks that are not the block itself, also those that were out of the picture for long.
 function LineOfSight:others(own)
    local out = {}
-   for _, known in ipairs(self.tracker.tracks) do
-      local other = self:in_robot_frame(known, known.yaw, known.z)
-      local dx, dy = other.x - own.x, other.y - own.y
-      if dx * dx + dy * dy + (other.z - own.z) ^ 2 > HALF * HALF then table.insert(out, other) end
+   for _, blocks in ipairs { self.tracker.tracks, self.remembered() } do
+      for _, known in ipairs(blocks) do
+         local other = self:in_robot_frame(known, known.yaw, known.z)
+         local dx, dy = other.x - own.x, other.y - own.y
+         if dx * dx + dy * dy + (other.z - own.z) ^ 2 > HALF * HALF then table.insert(out, other) end
+      end
    end
    return out
 end

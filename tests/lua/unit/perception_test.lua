@@ -253,6 +253,18 @@ case('a brick that would be seen and is not, is not there', function()
    same('hidden', p.sight:would_see(0.30, 0, 0, 0), false)
 end)
 
+case('a brick hides what is behind and below it after it has left the picture', function()
+   local p = perceiver {}
+   p.robot.lift_system.set_position(0.09)
+   p.step(4)
+   same('nothing before it', p.sight:would_see(0.305, 0, 0, 0), true)
+   p.sight.remembered = function()
+      return { { x = 0.25, y = 0, z = 0.0275, yaw = 0 }, { x = 0.305, y = 0, z = 0.0825, yaw = 0 } }
+   end
+   same('neither its front nor its top', p.sight:would_see(0.305, 0, 0, 0), false)
+   same('the one above itself', p.sight:would_see(0.305, 0, 1, 0), true)
+end)
+
 case('a lattice fits blocks that stand next to each other', function()
    local blocks = {}
    for i, cell in ipairs { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 8, 0 } } do
