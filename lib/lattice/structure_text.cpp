@@ -80,7 +80,8 @@ class TextReader {
   // read as they are printed.
   void read_row(std::size_t begin, std::size_t end) {
     if (blank_before_) warn_of_blank(begin, end);
-    const std::string_view text = source_->text();
+    // No farther than the row: a search beyond it would make long drawings quadratic.
+    const std::string_view text = std::string_view(source_->text()).substr(0, end);
     const std::size_t cells_before = cells_.size();
     for (std::size_t at = begin; at < end;) {
       const std::size_t stop = joined_ ? at + 1 : std::min(text.find_first_of(kSpaces, at), end);

@@ -162,8 +162,9 @@ std::vector<std::string_view> rows_of(std::string_view text) {
 }
 
 // Somebody who draws "##.#" means four cells. A row of one word is taken for that when it cannot
-// well be a symbol: "." and "#" occur in no name, and a number of three digits is no colour. Words
-// of letters, and numbers of two digits, stay symbols of a structure one cell wide.
+// well be a symbol: "." and "#" occur in no name, and neither three digits are a colour nor one
+// digit twice, as in "11". Words of letters, and other numbers of two digits, stay symbols of a
+// structure one cell wide.
 RowForm form_of(const std::vector<std::string_view>& rows) {
   const auto plain = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
   bool told = false;
@@ -174,7 +175,9 @@ RowForm form_of(const std::vector<std::string_view>& rows) {
     });
     if (!same || !drawn) return RowForm::spaced;
     const bool digits = row.find_first_not_of("0123456789") == std::string_view::npos;
-    told = told || row.find_first_of(".#?") != std::string_view::npos || (digits && row.size() > 2);
+    const bool twice = row.size() == 2 && row[0] == row[1];
+    told = told || row.find_first_of(".#?") != std::string_view::npos ||
+           (digits && (row.size() > 2 || twice));
   }
   return told ? RowForm::joined : RowForm::spaced;
 }

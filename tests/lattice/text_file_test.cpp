@@ -70,6 +70,8 @@ TEST_CASE("rows drawn without spaces have a cell for each character") {
   CHECK(bricks_in("// a plate\n121\n.2.\n") == bricks_in("1 2 1\n. 2 .\n"));
   CHECK(bricks_in("111\n121\n") == bricks_in("1 1 1\n1 2 1\n"));
   CHECK(bricks_in("#?\n") == bricks_in("# ?\n"));
+  CHECK(bricks_in("11\n11\n") == bricks_in("1 1\n1 1\n"));
+  CHECK(bricks_in("12\n---\n11\n") == bricks_in("1 2\n---\n1 1\n"));
   // A structure one cell wide: its rows are symbols.
   CHECK(bricks_in("red\nred\n").size() == 2);
   CHECK(bricks_in("12\n---\n13\n").size() == 2);
