@@ -172,6 +172,15 @@ TEST_CASE("targets by chance: what is made compiles and completes, what is impos
   }));
 }
 
+TEST_CASE("an order whose rules are in conflict as they are written gives way to another") {
+  const AssemblyTask task = task_for(drawn_target("height map", 770'913));
+  const Assembly made = assemble(task, 1);
+  CHECK(made.counts.refused > 0);
+  REQUIRE(made.plan);
+  check_file(task, *made.plan);
+  check_work(task, *made.plan);
+}
+
 TEST_CASE("of targets that are too large for rules it is said whether they are impossible") {
   const Assembly town = assemble(task_for(paved_town_target(7000, 1)), 1);
   REQUIRE(town.obstacle.has_value());
