@@ -9,7 +9,8 @@
 //
 //     a cache   at 0.5 m, as in the paper, where e is no more than 0.11 m, as there; otherwise at
 //               e + 0.47 m: a robot that stands 0.34 m before a column, to look at it, has room to
-//               turn before a block that lies in the cache
+//               turn before a block that lies in the cache. Either way blocks in the structure
+//               are farther from it than the 0.35 m within which a cache has a block
 //     robots    at s + 0.15 m, or s + 0.20 m where they work on several sides, in turn on each side
 //     further   robots of a side, beyond its first, are to stand by (params: standby: 1, 2 ...):
 //               0.06 m farther out than the cache, the first 0.32 m to its left and the second as

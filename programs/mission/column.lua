@@ -65,10 +65,11 @@ function Column:watch()
    for _, known in ipairs(self.tracker.tracks) do
       if known.time == self.odometry.time and known.seen >= OFTEN then self:note(known) end
    end
+   local about = self.sight:blocks_about()
    for _, cell in ipairs(self.watched) do
       local x, y = self.map.place_of(self.row, cell.du, cell.dv)
       local key = self:key(cell.du, cell.dv, cell.level)
-      if not self.bricks[key] and self.sight:would_see(x, y, cell.level, self.row.frame.yaw) then
+      if not self.bricks[key] and self.sight:would_see(x, y, cell.level, self.row.frame.yaw, about) then
          self:count_empty(key)
       end
    end

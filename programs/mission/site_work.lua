@@ -65,7 +65,7 @@ end
 
 -- From a side that the robot has come to, all rows may be tried.
 function SiteWork:begin_side()
-   self.tried, self.explored = {}, {}
+   self.tried, self.explored, self.unfound = {}, {}, nil
 end
 
 -- The row, of those not tried yet, that juts out furthest; of several the one straight ahead, which

@@ -168,11 +168,15 @@ local function cell_in(frame, x, y)
    return -geometry.round(along / SIDE), geometry.round(left / SIDE)
 end
 
+-- Where a brick should stand that was seen before.
+function StructureMap:place_of_brick(brick)
+   return geometry.out_of(self:lattice(), SIDE * brick.u, SIDE * brick.v)
+end
+
 -- Forgets a row's bricks: they were not seen again.
 function StructureMap:forget_row(row)
    for key, brick in pairs(self.bricks) do
-      local x, y = geometry.out_of(self:lattice(), SIDE * brick.u, SIDE * brick.v)
-      local _, v = cell_in(row.frame, x, y)
+      local _, v = cell_in(row.frame, self:place_of_brick(brick))
       if v == row.v then self.bricks[key] = nil end
    end
 end
@@ -190,11 +194,10 @@ end
 function StructureMap:all_bricks()
    local out = {}
    if not self.known then return out end
-   local lattice = self:lattice()
    for _, brick in pairs(self.bricks) do
-      local x, y = geometry.out_of(lattice, SIDE * brick.u, SIDE * brick.v)
+      local x, y = self:place_of_brick(brick)
       for level in pairs(brick.levels) do
-         table.insert(out, { x = x, y = y, z = SIDE * (level + 0.5), yaw = lattice.yaw })
+         table.insert(out, { x = x, y = y, z = SIDE * (level + 0.5), yaw = self.known.yaw })
       end
    end
    return out
@@ -314,8 +317,7 @@ function StructureMap:rows()
       if not rows[v] or rows[v].front < u then rows[v] = { v = v, front = u, frame = frame, by_heart = false } end
    end
    for _, brick in pairs(self.bricks) do
-      local x, y = geometry.out_of(self:lattice(), SIDE * brick.u, SIDE * brick.v)
-      local u, v = cell_in(frame, x, y)
+      local u, v = cell_in(frame, self:place_of_brick(brick))
       if not rows[v] or rows[v].front < u then remembered[v] = math.max(remembered[v] or u, u) end
    end
    for v, u in pairs(remembered) do rows[v] = { v = v, front = u, frame = frame, by_heart = true } end

@@ -11,6 +11,8 @@ local WIDEST = math.rad(75)              -- between a tag's normal and the line 
 local SPARE = math.rad(2)                -- of that, since the robot is not quite where it believes
 local NEAREST, FARTHEST = 0.05, 0.48     -- m, between which a tag is detected
 local MARGIN = 4                         -- px
+local BETWEEN = 2 * SIDE                 -- m, from the line to a block, more than of any that hides one of its tags
+local ABOUT = 0.75                       -- m, from the eye, likewise of what is seen at all
 local FACES = { { -1, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 }, { 0, -1, 0 } }
 local CORNERS = { { 1, 1 }, { 1, -1 }, { -1, 1 }, { -1, -1 } }
 
@@ -58,15 +60,28 @@ function LineOfSight:in_robot_frame(place, yaw, z)
    return out
 end
 
--- Known blocks that are not the block itself, also those that were out of the picture for long.
-function LineOfSight:others(own)
-   local out = {}
+-- Known blocks in the robot's frame, also those that were out of the picture for long: all that may hide what is seen.
+function LineOfSight:blocks_about()
+   local eye, out = self.camera:pose(), {}
    for _, blocks in ipairs { self.tracker.tracks, self.remembered() } do
       for _, known in ipairs(blocks) do
          local other = self:in_robot_frame(known, known.yaw, known.z)
-         local dx, dy = other.x - own.x, other.y - own.y
-         if dx * dx + dy * dy + (other.z - own.z) ^ 2 > HALF * HALF then table.insert(out, other) end
+         if geometry.apart(eye, other) < ABOUT then table.insert(out, other) end
       end
+   end
+   return out
+end
+
+-- Those of them that may stand between the eye and a block, and are not that block itself.
+function LineOfSight:before(own, about)
+   local eye, out = self.camera:pose(), {}
+   local x, y, length = eye.x, eye.y, geometry.apart(eye, own)
+   local c, s = (own.x - x) / length, (own.y - y) / length
+   for _, other in ipairs(about) do
+      local fx, fy = other.x - x, other.y - y
+      local aside, along = c * fy - s * fx, c * fx + s * fy
+      if aside < BETWEEN and aside > -BETWEEN and along > -BETWEEN and along < length + BETWEEN and
+         not geometry.near(other, own, HALF) then table.insert(out, other) end
    end
    return out
 end
@@ -106,10 +121,10 @@ function LineOfSight:shows_tag(own, others)
 end
 
 -- Whether a block with its middle at x, y of the odometry frame, on this level and squarely to
--- `heading`, would be seen now.
-function LineOfSight:would_see(x, y, level, heading)
+-- `heading`, would be seen now. `about`: blocks_about(), from who asks of several blocks in one step.
+function LineOfSight:would_see(x, y, level, heading, about)
    local own = self:in_robot_frame({ x = x, y = y }, heading, SIDE * level + HALF)
-   return self:shows_tag(own, self:others(own))
+   return self:shows_tag(own, self:before(own, about or self:blocks_about()))
 end
 
 return LineOfSight

@@ -183,6 +183,38 @@ case('what a column shows', function()
    same('the other side', select(1, column:decide()).aside, 1)
 end)
 
+case('a look at a large structure takes few of the instructions that a call may', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 2, asks = {}, delay = 1 }
+   for du = -1, 1 do
+      for dv = -1, 1 do
+         for level = 0, 1 do table.insert(task.asks, { du, dv, level }) end
+      end
+   end
+   local frame = { x = 0.34, y = 0, yaw = 0 }
+   local built = {}
+   for along = 0, 3 do
+      for across = -2, 2 do table.insert(built, { along, across, 0 }) end
+   end
+   local map, machine = map_of(built, frame, task)
+   same('known', map:remember(map:in_memory()), true)
+   map:settle()
+   machine.sight.remembered = function() return map:all_bricks() end
+   for along = 0, 19 do
+      for across = -10, 9 do
+         local x, y = geometry.out_of(frame, SIDE * along, SIDE * across)
+         map:note_brick(x, y, 0)
+      end
+   end
+   same('bricks', map:count_bricks(), 400)
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[0])
+   local thousands = 0
+   debug.sethook(function() thousands = thousands + 1 end, '', 1000)
+   column:watch()
+   debug.sethook()
+   -- of the million that lib/lua grants
+   same('of 1000', thousands < 400, true)
+end)
+
 case('what a decision asks for is noted once each, with the answer', function()
    local task = { transport = 4, sides = ALL, turns = true, levels = 2, asks = {} }
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
