@@ -19,9 +19,10 @@ constexpr double kGravity = 9.8;
 constexpr double kDipoleForce = 6e-7;  ///< N m⁴/(A m²)²: 6 μ0/4π, two aligned dipoles on an axis
 
 /// The force of four aligned pairs at a gap between faces. Four magnets near the corners of
-/// a face attract their counterparts across the gap.
+/// a face attract their counterparts across the gap, and ignore them beyond their cutoff.
 double face_force(const BlockFigures& block, double gap) {
   const double distance = block.look.side - 2 * block.magnet_offset + gap;
+  if (distance > block.magnet_cutoff) return 0;
   return 4 * kDipoleForce * block.magnet_moment * block.magnet_moment / std::pow(distance, 4);
 }
 

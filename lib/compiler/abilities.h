@@ -40,6 +40,7 @@ struct BlockFigures {
   double mass = 0.110;
   double magnet_offset = 0.0225;  ///< of a magnet from the middle, along each axis
   double magnet_moment = 0.199;   ///< A·m²
+  double magnet_cutoff = 0.040;   ///< m, between two magnets; farther apart they ignore each other
   double block_friction = 0.2, floor_friction = 0.4;
   bool answers = false;  ///< what it is told by radio
 };

@@ -19,6 +19,7 @@ BlockFigures figures_of(const BlockModel& block) {
   out.mass = block.mass();
   out.magnet_offset = block.magnet_offset;
   out.magnet_moment = block.magnet_moment();
+  out.magnet_cutoff = block.magnet_cutoff;
   out.block_friction = out.floor_friction = block.friction;
   out.answers = block.radios.answers;
   return out;

@@ -17,12 +17,15 @@ constexpr double kClearance = 0.003;  ///< over what a block is let down on
 constexpr int kMostLevels = 64;
 
 /// The widest gap at which four pairs of dipoles, each on one axis, pull a block over the floor:
-/// 4 · 6 (μ0/4π) m² / d⁴ = friction, solved for d.
+/// 4 · 6 (μ0/4π) m² / d⁴ = friction, solved for d, as far as magnets do not ignore each other.
 double closed_gap(const BlockModel& block) {
+  if (!block.has_magnets()) return 0;
+  const double within = block.side - 2 * block.magnet_offset;
+  const double most = std::clamp(block.magnet_cutoff - within, 0.0, 0.04);
   const double moment = block.magnet_moment(), friction = block.friction * block.mass() * 9.8;
-  if (!block.has_magnets() || friction <= 0) return 0;
+  if (friction <= 0) return most;
   const double distance = std::pow(24e-7 * moment * moment / friction, 0.25);
-  return std::clamp(distance - (block.side - 2 * block.magnet_offset), 0.0, 0.04);
+  return std::clamp(distance - within, 0.0, most);
 }
 
 }  // namespace

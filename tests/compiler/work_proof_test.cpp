@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "compiler/block_figures.h"
 #include "compiler/columns.h"
@@ -90,6 +91,19 @@ TEST_CASE("a robot's measures, worked out anew, are those of the compiler") {
     CHECK(anew.magnets_close == doctest::Approx(robot.magnet_reach).epsilon(1e-6));
     CHECK(anew.eyes.size() == robot.cameras.size());
   }
+}
+
+TEST_CASE("checker and compiler agree how far the magnets of any block reach") {
+  const RobotModel robot = shipped_robot("bebot.yaml");
+  CHECK(rc::check([&] {
+    BlockModel block = the_block();
+    block.magnet_cutoff = *rc::gen::inRange(0, 46) * 0.001;
+    block.friction = *rc::gen::inRange(0, 12) * 0.1;
+    const double reach = abilities_of(robot, compiler::figures_of(block)).magnet_reach;
+    RC_ASSERT(std::abs(recheck::figures_of(robot, block).magnets_close - reach) < 1e-6);
+    RC_ASSERT(block.side - 2 * block.magnet_offset + reach <=
+              std::max(block.magnet_cutoff, 0.01) + 1e-9);
+  }));
 }
 
 /// What the compiler's sight says of a column from the looks that are named.
