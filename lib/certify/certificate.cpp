@@ -143,6 +143,9 @@ class Reader {
     line_end_ = std::min(text_.find('\n', next_), text_.size());
     next_ = std::min(line_end_ + 1, text_.size());
     next_word();
+    if (line_end_ > 0 && text_[line_end_ - 1] == '\r') {
+      fail("this line ends in CR LF; a certificate's lines end in LF alone");
+    }
   }
 
   void next_word() {

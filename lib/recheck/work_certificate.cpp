@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bitset>
 #include <cassert>
 #include <charconv>
 #include <cmath>
@@ -22,6 +23,8 @@ constexpr std::array<std::string_view, 6> kKinds = {"top-colour", "top-level", "
                                                     "side",       "put",       "nothing"};
 constexpr int kMostNear = 64;          ///< cells from a column
 constexpr std::size_t kDeepest = 200;  ///< questions on the way to a leaf
+constexpr std::size_t kMostLooks = 256;
+constexpr int kMostAnswers = 256;
 
 void print_node(std::string& out, const WorkCertificate& all, std::uint32_t number) {
   const WorkNode& node = all.nodes[number];
@@ -92,6 +95,9 @@ class Reader {
     begin_ = std::min(next_, text_.size());
     end_ = std::min(text_.find('\n', begin_), text_.size());
     next_ = end_ + 1;
+    if (end_ > begin_ && text_[end_ - 1] == '\r') {
+      fail("this line ends in CR LF; a certificate's lines end in LF alone");
+    }
     for (std::size_t at = begin_; at < end_;) {
       const std::size_t stop = std::min(text_.find(' ', at), end_);
       words_.push_back(std::string_view(text_).substr(at, stop - at));
@@ -165,10 +171,19 @@ class Reader {
     out_.crowd = crowd();
     next_line();
     expect("sides");
-    while (!failed_ && !words_.empty()) out_.sides.push_back(side());
+    while (!failed_ && !words_.empty()) {
+      const int one = side();
+      if (std::find(out_.sides.begin(), out_.sides.end(), one) != out_.sides.end()) {
+        fail("a side is named twice");
+      }
+      out_.sides.push_back(one);
+    }
     next_line();
     while (!failed_ && !words_.empty() && words_.back() == "look") {
       word();
+      if (out_.looks.size() == kMostLooks) {
+        return fail(fmt::format("more than {} looks are not read", kMostLooks));
+      }
       const double distance = metres();
       out_.looks.push_back({distance, metres()});
       next_line();
@@ -187,23 +202,33 @@ class Reader {
     if (first == "put") {
       node.kind = Kind::put;
       node.cell = cell();
+      const bool on_top = node.cell.du == 0 && node.cell.dv == 0;
+      if (on_top && node.cell.z != 0) fail("what is put on top of its column has 0 for a level");
       node.colour = static_cast<Colour>(number(1, kMaxColours));
     } else if (first == "ask") {
       branches = read_question(node);
     } else if (first != "nothing") {
       fail("'ask', 'put' or 'nothing' belongs here");
     }
+    std::bitset<kMostAnswers> answered;
     for (std::int64_t i = 0; !failed_ && i < branches; ++i) {
       next_line();
       expect("is");
       std::vector<int> answers;
-      while (!failed_ && !words_.empty()) answers.push_back(static_cast<int>(number(0, 255)));
+      while (!failed_ && !words_.empty()) answers.push_back(answer(answered));
       next_line();
       const std::uint32_t child = read_node(depth + 1);
       node.branches.emplace_back(std::move(answers), child);
     }
     out_.nodes[number_of_node] = std::move(node);
     return number_of_node;
+  }
+  /// To a question, which has each in one branch and once.
+  int answer(std::bitset<kMostAnswers>& answered) {
+    const auto one = static_cast<std::size_t>(number(0, kMostAnswers - 1));
+    if (answered[one]) fail(fmt::format("{} is an answer twice", one));
+    answered.set(one);
+    return static_cast<int>(one);
   }
   NearCell cell() {
     const int du = near(), dv = near();

@@ -21,7 +21,8 @@
 //     end
 //
 // Questions are `top-colour`, `top-level`, `cell DU DV Z` and `side`. Answers are colours, levels,
-// 0 or a colour, and sides by their number, in the order of kSideNames.
+// 0 or a colour, and sides by their number, in the order of kSideNames; each stands once. What is
+// put on top of its column is written `put 0 0 0 COLOUR`, at whatever level the top is.
 #pragma once
 
 #include <array>

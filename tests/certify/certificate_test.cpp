@@ -115,6 +115,8 @@ TEST_CASE("what is malformed is said with its place") {
   CHECK(problem_of(with("0 1 3 7", "0 1 3 07")) ==
         "12:7: a filling of 1 hexadecimal digits belongs here");
   CHECK(problem_of(with("stage 2", "stage 3")) == "13:7: a number from 2 to 2 belongs here");
+  CHECK(problem_of(with("order 3\n", "order 3\r\n")) ==
+        "4:1: this line ends in CR LF; a certificate's lines end in LF alone");
   CHECK(problem_of(kSmall + "end 4\n") == "15:1: nothing stands after the line 'end'");
 }
 

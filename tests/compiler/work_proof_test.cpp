@@ -334,22 +334,34 @@ TEST_CASE("a certificate is for its robot and its block") {
   CHECK_FALSE(check_work(stairs->rules, robot, stairs->certificate).accepted);
 }
 
+constexpr const char* kHead =
+    "stigc-work-certificate 1\nrules 0123456789abcdef\nrobots one\nsides +x\n";
+constexpr const char* kFoot = "bricks 1 start 1 walked\n0 0 0 1\nend\n";
+
 TEST_CASE("what is no certificate is said where it is wrong") {
-  for (const char* text :
-       {"", "stigc-work-certificate 2\n", "stigc-work-certificate 1\nrules 12\n",
-        "stigc-work-certificate 1\nrules 0123456789abcdef\nrobots some\n",
-        "stigc-work-certificate 1\nrules 0123456789abcdef\nrobots one\nsides +z\n",
-        "stigc-work-certificate 1\nrules 0123456789abcdef\nrobots one\nsides +x\nask side 1\n",
-        "stigc-work-certificate 1\nrules 0123456789abcdef\nrobots one\nsides +x\nlook 0.1 nan\n",
-        "stigc-work-certificate 1\nrules 0123456789abcdef\nrobots one\nsides +x\nnothing\n"
-        "bricks 4000000000 start 1 walked\n0 0 0 1\nend\n",
-        "stigc-work-certificate 1\nrules 0123456789abcdef\nrobots one\nsides +x\nnothing\n"
-        "bricks 1 start 1 walked\n0 0 0 1\nend\nmore\n"}) {
+  const std::string head = kHead, foot = kFoot, claims = "stigc-work-certificate 1\nrules ";
+  std::string looks;
+  for (int i = 0; i < 257; ++i) looks += "look 0.1 0\n";
+  for (const std::string& text :
+       {std::string(), std::string("stigc-work-certificate 2\n"), claims + "12\n",
+        claims + "0123456789abcdef\nrobots some\n",
+        claims + "0123456789abcdef\nrobots one\nsides +z\n",
+        claims + "0123456789abcdef\nrobots one\nsides +x +x\nnothing\n" + foot,
+        claims + "0123456789abcdef\r\nrobots one\nsides +x\nnothing\n" + foot,
+        head + "ask side 1\n", head + "look 0.1 nan\n", head + looks + "nothing\n" + foot,
+        head + "put 0 0 4 2\n" + foot,
+        head + "ask side 2\nis 0\nnothing\nis 0\nput 0 0 0 2\n" + foot,
+        head + "ask side 1\nis 2 2\nnothing\n" + foot,
+        head + "nothing\nbricks 4000000000 start 1 walked\n0 0 0 1\nend\n",
+        head + "nothing\n" + foot + "more\n"}) {
     CAPTURE(text);
     Diagnostics diagnostics;
     CHECK_FALSE(read_work_certificate("c", text, diagnostics));
     CHECK(diagnostics.has_errors());
   }
+  Diagnostics diagnostics;
+  CHECK(read_work_certificate("c", head + "look 0.1 0\nask side 1\nis 0 2\nput 0 0 0 2\n" + foot,
+                              diagnostics));
 }
 
 }  // namespace
