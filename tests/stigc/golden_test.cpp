@@ -148,6 +148,10 @@ TEST_CASE("certify accepts, or says what does not hold") {
   hold(place, "certify-work-refused",
        "cat work.cert; stigc certify stairs.yaml changed.cert --block stigmergic.yaml; "
        "stigc certify stairs.yaml work.cert --sides=+x; "
+       "sed 's/sides: .*/sides: [-y]/' stairs.yaml > turned.yaml; "
+       "stigc certify turned.yaml work.cert; "
+       "printf '\\357\\273\\277' | cat - work.cert > marked.cert; "
+       "stigc certify stairs.yaml marked.cert; "
        "stigc certify stairs.yaml work.cert --box none");
   place.write("square.cnf", "p cnf 2 4\n1 2 0\n1 -2 0\n-1 2 0\n-1 -2 0\n");
   place.write("square.drat", "1 0\n0\n");

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "base/file_io.h"
 #include "base/hash.h"
@@ -97,19 +98,33 @@ void print_json(const CertifyOptions& options, const RuleSet& rules, const Check
   app.print(dump(json));
 }
 
+std::vector<std::string> sides_of(const WorkCertificate& certificate) {
+  std::vector<std::string> out;
+  for (const int side : certificate.sides) {
+    out.emplace_back(recheck::kSideNames[static_cast<std::size_t>(side)]);
+  }
+  return out;
+}
+
+/// The sides that robots are to work from, by the command line or the file; empty: nobody says.
+std::vector<std::string> meant_sides(const RuleSet& file, const std::vector<std::string>& given) {
+  return given.empty() && file.physical ? file.physical->sides : given;
+}
+
 std::string work_text(const WorkCertificate& certificate, const WorkReport& report) {
   const std::string looked =
       certificate.ordered
           ? fmt::format("{} before a column", counted(report.situations, "situation"))
           : fmt::format("{} on the way", counted(report.structures, "structure"));
   const bool one = certificate.crowd == recheck::WorkCrowd::one;
-  return fmt::format("  {} complete{} the structure of {} in every order of work\n  {}, {}\n",
-                     one ? "one robot that follows these decisions"
-                     : certificate.crowd == recheck::WorkCrowd::any
-                         ? "any number of robots at work at once"
-                         : "robots that each have sides of their own",
-                     one ? "s" : "", counted(certificate.bricks.size(), "brick"),
-                     counted(certificate.looks.size(), "look"), looked);
+  return fmt::format(
+      "  {} complete{} the structure of {} in every order of work\n"
+      "  from {}; {}, {}\n",
+      one                                            ? "one robot that follows these decisions"
+      : certificate.crowd == recheck::WorkCrowd::any ? "any number of robots at work at once"
+                                                     : "robots that each have sides of their own",
+      one ? "s" : "", counted(certificate.bricks.size(), "brick"),
+      fmt::join(sides_of(certificate), " "), counted(certificate.looks.size(), "look"), looked);
 }
 
 /// What robots do with the rules, for the robot and the block of their files.
@@ -125,11 +140,18 @@ int certify_work(const CertifyOptions& options, const RuleSet& file, const std::
   if (!builder) return kFailed;
   // The compiler takes the file's own sides where none are given.
   const RuleSet rules = worked_from_own(file, options.sides);
+  const std::vector<std::string> meant = meant_sides(file, options.sides);
+  const auto as_set = [](const std::vector<std::string>& sides) {
+    return std::set<std::string>(sides.begin(), sides.end());
+  };
   WorkReport report;
-  if (certificate->rule_set_hash == rule_set_hash(rules)) {
-    report = check_work(rules, recheck::figures_of(builder->robot, builder->block), *certificate);
-  } else {
+  if (certificate->rule_set_hash != rule_set_hash(rules)) {
     report.refusal = "it is of other rules than these, or of robots that work from other sides";
+  } else if (!meant.empty() && as_set(meant) != as_set(sides_of(*certificate))) {
+    report.refusal = fmt::format("it is of robots that work from {}, and these work from {}",
+                                 fmt::join(sides_of(*certificate), " "), fmt::join(meant, " "));
+  } else {
+    report = check_work(rules, recheck::figures_of(builder->robot, builder->block), *certificate);
   }
   if (options.json) {
     Json json{{"ruleset", rules.name},
@@ -139,6 +161,7 @@ int certify_work(const CertifyOptions& options, const RuleSet& file, const std::
               {"accepted", report.accepted}};
     if (!report.accepted) json["refusal"] = report.refusal;
     json["any_number"] = certificate->crowd == recheck::WorkCrowd::any;
+    json["sides"] = sides_of(*certificate);
     json["one_a_side"] = certificate->crowd != recheck::WorkCrowd::one;
     json["bricks"] = certificate->bricks.size();
     json["situations"] = report.situations;
@@ -156,6 +179,11 @@ int certify_rules(const CertifyOptions& options, App& app) {
   if (!rules) return kFailed;
   const auto text = bytes_of(options.proof, kMostCertificateBytes, app);
   if (!text) return kFailed;
+  if (text->starts_with("\xEF\xBB\xBF")) {
+    app.complain(fmt::format("'{}' begins with a byte order mark, and no certificate does",
+                             printable(options.proof)));
+    return kFailed;
+  }
   if (text->starts_with(kWorkCertificate)) {
     if (bounded(options)) {
       app.complain("robots know no box");
