@@ -12,6 +12,7 @@
 #include "base/yaml_events.h"
 #include "base/yaml_places.h"
 #include "base/yaml_syntax.h"
+#include "base/text_bytes.h"
 #include "base/yaml_tree.h"
 
 namespace stig {
@@ -20,8 +21,8 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Bytes that no YAML text has; yaml-cpp would even take some for the end. They are
-/// looked for before anything is parsed: afterwards every offset points at valid UTF-8.
+/// yaml-cpp would even take some bytes for the end. They are looked for before anything is parsed:
+/// afterwards every offset points at valid UTF-8.
 bool check_bytes(const SourceRef& source, const YamlLimits& limits, Diagnostics& diagnostics) {
   const std::string& text = source->text();
   if (text.size() > limits.bytes) {
@@ -30,24 +31,7 @@ bool check_bytes(const SourceRef& source, const YamlLimits& limits, Diagnostics&
                                 text.size(), limits.bytes));
     return false;
   }
-  const auto is_control = [](char c) {
-    const auto byte = static_cast<unsigned char>(c);
-    return (byte < 0x20 && c != '\t' && c != '\n' && c != '\r') || byte == 0x7F;
-  };
-  const auto control = std::find_if(text.begin(), text.end(), is_control);
-  if (control != text.end()) {
-    const auto at = static_cast<std::uint32_t>(control - text.begin());
-    diagnostics.add(Code::R003, {source, at, at + 1},
-                    fmt::format("control character 0x{:02x}", static_cast<unsigned>(*control)));
-    return false;
-  }
-  const std::size_t invalid = find_invalid_utf8(text);
-  if (invalid != std::string::npos) {
-    const auto at = static_cast<std::uint32_t>(invalid);
-    diagnostics.add(Code::R004, {source, at, at + 1}, "this byte is not UTF-8");
-    return false;
-  }
-  return true;
+  return is_text(source, diagnostics);
 }
 
 }  // namespace

@@ -110,7 +110,10 @@ struct ToRead {
   const StructureReadOptions& options;
 };
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 std::optional<LoadedStructure> read_text(ToRead what, Diagnostics& diagnostics) {
+  if (what.bytes.starts_with(kByteOrderMark)) what.bytes.erase(0, kByteOrderMark.size());
   const auto source = std::make_shared<SourceFile>(what.path, std::move(what.bytes));
   return read_text_file(source, what.options.lattice, what.options.bricks, diagnostics);
 }

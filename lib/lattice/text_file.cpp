@@ -11,6 +11,7 @@
 #include <charconv>
 #include <set>
 
+#include "base/text_bytes.h"
 #include "lattice/rgb.h"
 #include "lattice/structure_text.h"
 
@@ -19,6 +20,7 @@ namespace stig::lattice {
 namespace {
 
 constexpr std::string_view kBlanks = " \t\r";
+constexpr std::size_t kLongestSymbol = 64;  ///< bytes
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(kBlanks);
@@ -44,9 +46,9 @@ std::optional<int> number_of(std::string_view word, int low, int high) {
 }
 
 // Can a row of symbols be read back that has this one in it? A symbol must survive printing
-// and reading: it can be no comment, no separator and no empty cell.
+// and reading: it can be of no great length, no comment, no separator and no empty cell.
 bool drawable(std::string_view symbol) {
-  return !symbol.empty() && symbol != "." && symbol != "---" && !symbol.starts_with("//") &&
+  return !symbol.empty() && symbol.size() <= kLongestSymbol && symbol != "." && symbol != "---" && !symbol.starts_with("//") &&
          symbol.find_first_of(" \t\r\n") == std::string_view::npos;
 }
 
@@ -190,7 +192,7 @@ std::vector<Brick> bricks_drawn(const std::vector<std::string_view>& rows, RowFo
   std::set<std::string_view> seen{"."};
   bool numbers = true;
   const auto add = [&](std::string_view word) {
-    if (!seen.insert(word).second) return;
+    if (word.size() > kLongestSymbol || !seen.insert(word).second) return;
     if (symbols.size() < kMaxColours) symbols.push_back(word);
     numbers &= number_of(word, 1, kMaxColours).has_value();
   };
@@ -231,6 +233,7 @@ std::optional<LoadedStructure> read_text_file(const SourceRef& source,
                                               const std::vector<Brick>& bricks,
                                               Diagnostics& diagnostics) {
   Head head;
+  if (!is_text(source, diagnostics)) return std::nullopt;
   if (!HeadReader(source, diagnostics).read(head)) return std::nullopt;
   if (lattice && head.lattice && *head.lattice != *lattice) {
     diagnostics.add(Code::F411, {source, 0, 0},

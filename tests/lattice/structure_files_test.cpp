@@ -62,6 +62,15 @@ TEST_CASE("what is written is read back") {
   }
 }
 
+TEST_CASE("a byte order mark before a drawing does no harm") {
+  const Folder folder;
+  std::ofstream(folder / "marked.txt") << "\xEF\xBB\xBF" << "1 2\n";
+  Diagnostics diagnostics;
+  const auto loaded = read_structure_file(folder / "marked.txt", {}, diagnostics);
+  REQUIRE(loaded.has_value());
+  CHECK(loaded->structure == structure_literal("1 2"));
+}
+
 TEST_CASE("an unknown ending is refused, with the known ones") {
   std::string error;
   CHECK_FALSE(write_structure_file("s.obj", Structure(), {}, {}, error));

@@ -80,6 +80,13 @@ TEST_CASE("rows drawn without spaces have a cell for each character") {
   CHECK(complaint("##.\n# # #\n") == "F403 2:1");
 }
 
+TEST_CASE("what is no text, or has symbols beyond all measure, is refused") {
+  CHECK(complaint(std::string("1 1\n1 \0 1\n", 10)) == "R003 2:3");
+  CHECK(complaint("1 1\n1 \xff\n") == "R004 2:3");
+  CHECK(complaint("a " + std::string(65, 'b') + "\n") == "F402 1:3");
+  CHECK(complaint("// bricks: a " + std::string(65, 'b') + "\na\n") == "F411 1:12");
+}
+
 TEST_CASE("symbols that cannot be drawn with become numbers") {
   const Structure s = structure_literal("1 2");
   for (const auto& symbols : {std::vector<std::string>{"a b", "c"},
