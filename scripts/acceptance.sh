@@ -3,29 +3,31 @@
 # The long checks and the benchmarks, written up as markdown on standard output and in
 # out/acceptance.md; progress goes to standard error.
 #
-#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--runs N] [--against R]
-#                         [PART…]
+#   scripts/acceptance.sh [--fuzz-seconds N] [--fuzz-jobs J] [--seed S] [--runs N] [--targets N]
+#                         [--against R] [PART…]
 #
 # Parts: against bench engines laws validate robots five viewer packages assembly fuzz sanitizers;
 # without one, all but robots and assembly, which take hours. `robots` lets robots build with the
 # seeds S, S + 1 … of N runs (20) a row; rows of `validate` and `robots` that stand in out/ for this
-# commit and these arguments are not done again. `engines` sets what the lattice's engines do a
-# second beside what is aimed at, in a few minutes; `against` sets the speed against that of revision
-# R (e10fcc8). Each fuzz target runs for N seconds (600), J of them at a time (as many as there are
-# cores). S is the seed of the laws' random cases, of the fuzzers, of robots and of drawn targets (the
-# time); the report begins with it, for repeating.
+# commit and these arguments are not done again; `assembly` draws N targets (10) of each kind.
+# `engines` sets what the lattice's engines do a second beside what is aimed at, in a few minutes;
+# `against` sets the speed against that of revision R (e10fcc8). Each fuzz target runs for N seconds
+# (600), J of them at a time (as many as there are cores). S is the seed of the laws' random cases,
+# of the fuzzers, of robots and of drawn targets (the time); the report begins with it, for
+# repeating.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) runs=20 against=e10fcc8 parts=()
+fuzz_seconds=600 fuzz_jobs=$(nproc) seed=$(date +%s) runs=20 targets=10 against=e10fcc8 parts=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fuzz-seconds) fuzz_seconds=${2:?--fuzz-seconds needs a number}; shift ;;
     --fuzz-jobs) fuzz_jobs=${2:?--fuzz-jobs needs a number}; shift ;;
     --seed) seed=${2:?--seed needs a number}; shift ;;
     --runs) runs=${2:?--runs needs a number}; shift ;;
+    --targets) targets=${2:?--targets needs a number}; shift ;;
     --against) against=${2:?--against needs a revision}; shift ;;
     against | bench | engines | laws | validate | robots | five | viewer | packages | assembly | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,16s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,17s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
@@ -33,6 +35,7 @@ done
 [[ $seed =~ ^[1-9][0-9]{0,8}$|^[1-3][0-9]{9}$ ]] ||
   die "--seed takes a number from 1 to 3999999999, not '$seed'"
 [[ $runs =~ ^[1-9][0-9]{0,3}$ ]] || die "--runs takes a number from 1 to 9999, not '$runs'"
+[[ $targets =~ ^[1-9][0-9]{0,3}$ ]] || die "--targets takes a number from 1 to 9999, not '$targets'"
 [[ ${#parts[@]} -gt 0 ]] || parts=(against bench engines laws validate five viewer packages fuzz sanitizers)
 
 failures=0
@@ -125,6 +128,9 @@ laws_part() {
     # Blocks picked up, carried and stacked by robots, and how well they sit.
     sed -n 's/.*MESSAGE: \([0-9]* stacked.*\)/| | \1 |/p' "$log"
   done
+  result=clean
+  scripts/check.sh >out/check.log 2>&1 || { result='**failed**, see out/check.log'; failures=$((failures + 1)); }
+  printf '| all of scripts/check.sh | %s |\n' "$result"
 }
 
 # One row: what stigc validate says of these arguments, which stays in `rows`, a folder of the
@@ -287,8 +293,8 @@ assembly_part() {
   printf '\n## Drawn targets, built by one robot and by two\n\n'
   scripts/install.sh build bench >&2
   configure_and_build release >&2
-  local command drawn=(build/release/bench_assembly --build build/release/stigc -o "out/assembly-$seed" 10
-    "$seed")
+  local command drawn=(build/release/bench_assembly --build build/release/stigc -o "out/assembly-$seed"
+    "$targets" "$seed")
   printf '`%s`\n\n' "${drawn[*]}"
   fenced "${drawn[@]}" || failures=$((failures + 1))
   printf '\n## Large targets\n'

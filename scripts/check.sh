@@ -3,18 +3,20 @@
 # The quick checks, everything that is not a test: shell syntax, formatting, layering,
 # and that each source and header compiles alone.
 #
-#   scripts/check.sh [--fix] [--tidy [FILE…]]
+#   scripts/check.sh [--fix] [--recent] [--tidy [FILE…]]
 #
 #   --fix    format the sources instead of complaining
+#   --recent compile alone what the last 40 commits touched, and not all
 #   --tidy   clang-tidy as well, over the given or all source files (minutes)
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-fix='' tidy='' tidy_files=()
+fix='' recent='' tidy='' tidy_files=()
 while [[ $# -gt 0 ]]; do
   case $1 in
     --fix) fix=1 ;;
+    --recent) recent=1 ;;
     --tidy) tidy=1; shift; tidy_files=("$@"); break ;;
-    -h | --help) sed -n '3,9s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,10s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown option '$1'; see --help" ;;
   esac
   shift
@@ -46,8 +48,12 @@ cmake --preset dev -B build/alone -D STIG_UNITY=OFF >/dev/null
 say "Includes keep to the layers"
 python3 tests/layering/layering.py --graph build/alone/layers.txt --root .
 
-say "Sources and headers compile alone"
-scripts/compile_alone.py build/alone
+alone=()
+if [[ -n $recent ]]; then
+  mapfile -t alone < <(git log -40 --name-only --format= -- '*.cpp' '*.h' | sort -u)
+fi
+say "Sources and headers compile alone${recent:+ (of the last 40 commits)}"
+[[ -n $recent && ${#alone[@]} -eq 0 ]] || scripts/compile_alone.py build/alone "${alone[@]}"
 
 if [[ -n $tidy ]]; then
   say "clang-tidy"

@@ -6,9 +6,8 @@ several sources into one translation unit, where the includes of one serve the n
     scripts/compile_alone.py BUILD [FILE…]
 
 BUILD is a folder configured with -D STIG_UNITY=OFF (nothing need be built in it). Of FILEs,
-only the sources among them are compiled; without any, all but those of tests, whose includes
-serve nobody else. Where there is ccache, what compiled before is not compiled again, whichever
-clone it was in."""
+only the sources among them are compiled. Where there is ccache, what compiled before is not
+compiled again, whichever clone it was in."""
 
 import json
 import os
@@ -92,8 +91,6 @@ def main(arguments):
     if len(arguments) > 1:
         wanted = {(pathlib.Path.cwd() / name).resolve() for name in arguments[1:]}
         jobs = {path: command for path, command in jobs.items() if path in wanted}
-    else:
-        jobs = {path: command for path, command in jobs.items() if ROOT / "tests" not in path.parents}
     with ThreadPoolExecutor(os.cpu_count()) as pool:
         bad = list(pool.map(compiles, jobs.items())).count(False)
     print(f"{len(jobs) - bad} of {len(jobs)} files compile alone")
