@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
+#include "support/golden.h"
 #include "support/uses.h"
 
 namespace stig {
@@ -111,6 +112,51 @@ TEST_CASE("a live run waits where it is paused, and leaves ports alone that othe
   close(taken);
   CHECK(outcome.exit_code == 3);
   CHECK(outcome.err.find("port " + port + " of 127.0.0.1 cannot be had") != std::string::npos);
+}
+
+TEST_CASE("--sides takes one argument, and what comes after it is something else") {
+  const Workplace place;
+  place.write("c.yaml", project_file("rulesets/staircase.yaml"));
+  REQUIRE(place.stigc({"verify", "c.yaml", "--certificate", "c.cert"}).exit_code == 0);
+  for (const std::vector<std::string>& line :
+       std::vector<std::vector<std::string>>{{"compile", "--sides=+x", "c.yaml"},
+                                             {"compile", "--sides", "+x", "c.yaml"},
+                                             {"compile", "c.yaml", "--sides=+x", "--sides=+y"},
+                                             {"certify", "--sides=+x", "c.yaml", "c.cert"},
+                                             {"certify", "c.yaml", "--sides=+x", "c.cert"},
+                                             {"verify", "--sides=+x,-x,+y,-y", "c.yaml"}}) {
+    CAPTURE(line);
+    CHECK(place.stigc(line).exit_code == 0);
+  }
+  const auto refused = [&](const std::vector<std::string>& line, const std::string& message) {
+    const Outcome outcome = place.stigc(line);
+    CAPTURE(line);
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err == "stigc: --sides: " + message + "\ntry 'stigc compile --help'\n");
+  };
+  refused({"compile", "c.yaml", "--sides=+x,-x,+y,-y,+x"}, "+x is given twice");
+  refused({"compile", "c.yaml", "--sides=+x", "--sides=+x"}, "+x is given twice");
+  refused({"compile", "c.yaml", "--sides=+x,,-x"}, "'' is not one of +x, -x, +y, -y");
+  refused({"compile", "c.yaml", "--sides", ""}, "'' is not one of +x, -x, +y, -y");
+}
+
+TEST_CASE("an option with = and nothing after it takes nothing else for its value") {
+  const Workplace place;
+  place.write("c.yaml", project_file("rulesets/staircase.yaml"));
+  for (const std::string option : {"--sides", "--robots", "--target", "--output", "--report"}) {
+    for (const std::vector<std::string>& line : std::vector<std::vector<std::string>>{
+             {"compile", option + "=", "c.yaml"},
+             {"compile", option + "=", "--target", "ir", "c.yaml"},
+             {"compile", "c.yaml", option + "="}}) {
+      CAPTURE(line);
+      const Outcome outcome = place.stigc(line);
+      CHECK(outcome.exit_code == 2);
+      CHECK(outcome.err ==
+            "stigc: " + option + ": a value is wanted after the =\ntry 'stigc compile --help'\n");
+    }
+  }
+  CHECK(place.stigc({"--color=", "check", "c.yaml"}).exit_code == 2);
+  CHECK(place.stigc({"compile", "--bogus=", "c.yaml"}).err.starts_with("stigc: unknown option"));
 }
 
 }  // namespace

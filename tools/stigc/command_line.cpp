@@ -155,6 +155,30 @@ bool unknown_command(const CLI::App& app) {
   return app.get_subcommands().empty() && !app.remaining(true).empty();
 }
 
+/// Whether the program or one of its commands has this option, with a value.
+bool takes_value(const CLI::App& app, const std::string& name) {
+  const CLI::Option* own = app.get_option_no_throw(name);
+  if (own != nullptr && own->get_items_expected_max() > 0) return true;
+  const std::vector<const CLI::App*> commands = app.get_subcommands({});
+  return std::any_of(commands.begin(), commands.end(), [&](const CLI::App* command) {
+    const CLI::Option* option = command->get_option_no_throw(name);
+    return option != nullptr && option->get_items_expected_max() > 0;
+  });
+}
+
+/// The first of "--name=" without a value, or nothing. CLI11 would take the next argument for it,
+/// whatever that is.
+std::string left_without_value(const CLI::App& app, int argc, const char* const* argv) {
+  for (int i = 1; i < argc; ++i) {
+    std::string word = argv[i];
+    if (word == "--") return {};
+    if (!word.starts_with("--") || word.find('=') != word.size() - 1) continue;
+    word.pop_back();
+    if (takes_value(app, word)) return word;
+  }
+  return {};
+}
+
 std::string unknown_word(const CLI::App& app, const std::string& word, const char* unless_option) {
   const char* what = word.starts_with("-") ? "unknown option" : unless_option;
   return fmt::format("{} '{}'{}", what, word, suggestion(app, word));
@@ -223,6 +247,13 @@ Parsed parse_command_line(int argc, const char* const* argv) {
       const bool version = dynamic_cast<const CLI::CallForVersion*>(&error) != nullptr;
       result.help = version ? "stigc " STIG_VERSION "\n" : "help";
     }
+  }
+  const std::string bare = left_without_value(app, argc, argv);
+  if (!bare.empty()) {
+    Parsed refused;
+    refused.problem = bare + ": a value is wanted after the =";
+    refused.command = std::move(result.command);
+    return refused;
   }
   return result;
 }

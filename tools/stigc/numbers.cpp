@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <charconv>
@@ -126,6 +127,23 @@ std::string parse_cells(std::string_view text, std::vector<Cell>& out) {
     if (!problem.empty()) return problem;
     out.push_back(cell);
     text.remove_prefix(end);
+  }
+}
+
+std::string parse_sides(std::string_view text, std::vector<std::string>& out) {
+  static constexpr std::string_view kSides[] = {"+x", "-x", "+y", "-y"};
+  while (true) {
+    const std::size_t comma = text.find(',');
+    const std::string side(text.substr(0, comma));
+    if (std::find(std::begin(kSides), std::end(kSides), side) == std::end(kSides)) {
+      return fmt::format("'{}' is not one of {}", side, fmt::join(kSides, ", "));
+    }
+    if (std::find(out.begin(), out.end(), side) != out.end()) {
+      return fmt::format("{} is given twice", side);
+    }
+    out.push_back(side);
+    if (comma == std::string_view::npos) return {};
+    text.remove_prefix(comma + 1);
   }
 }
 

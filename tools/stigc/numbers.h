@@ -35,6 +35,8 @@ std::string parse_effort(std::string_view text, double& out);
 std::string parse_cell(std::string_view text, Cell& out);
 /// One cell or several, parted by spaces or semicolons.
 std::string parse_cells(std::string_view text, std::vector<Cell>& out);
+/// Sides of a structure, parted by commas: "+x,-y". Each is added, once.
+std::string parse_sides(std::string_view text, std::vector<std::string>& out);
 /// "X,Y,Z", each 1 to kMaxCoordinate.
 std::string parse_size(std::string_view text, Offset& out);
 

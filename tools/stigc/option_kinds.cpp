@@ -91,12 +91,11 @@ void lattice(CLI::App* sub, std::optional<Lattice>& out) {
 }
 
 void add_sides(CLI::App& sub, std::vector<std::string>& sides, const char* what) {
-  // Sides may be given as one list. The words are tested by CLI11 itself.
-  sub.add_option("--sides", sides, what)
-      ->type_name("SIDE")
-      ->expected(1, 4)
-      ->delimiter(',')  // "--sides -x" would be an option -x
-      ->check(CLI::IsMember({"+x", "-x", "+y", "-y"}));
+  // One argument for each --sides: CLI11's lists go on until the next option, over files too.
+  parsed(&sub, "--sides", "SIDES", what,
+         [&sides](const std::string& text) { return parse_sides(text, sides); })
+      ->allow_extra_args(false)
+      ->trigger_on_parse();
 }
 
 CLI::Option* moment(CLI::App* app, const std::string& names, std::optional<double>& out,
