@@ -51,7 +51,8 @@ help: did you mean 'pink'?
 ```
 
 Lines that begin with `note:` point to the other place involved, if there is one.
-Errors end a command with exit status 1; warnings do not. All problems of a file are
+Errors end a command with exit status 1, or 3 where they only say that what was allowed was used
+up (P701, P712); warnings do not. All problems of a file are
 reported at once. `--diagnostics json` prints the same as data.
 
 `stigc --explain R204` prints what this page has on a code, and `stigc --explain` lists the codes.

@@ -263,7 +263,10 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& abilities,
   const bool form = report_form(rules, diagnostics);
   if (!report_colours(rules, diagnostics) || !form) return out;
   out.proof = verify::verify(rules, options.verify);
-  if (!report_proof(rules, out.proof, diagnostics)) return out;
+  if (!report_proof(rules, out.proof, diagnostics)) {
+    out.unknown = out.proof.verdict == ProofVerdict::unknown;
+    return out;
+  }
   out.target = std::make_unique<TargetStates>(rules, out.proof);
   if (!report_height(rules, robot, *out.target, out.proof, diagnostics) ||
       report_shut_in(rules, robot, out, diagnostics)) {
@@ -275,6 +278,7 @@ CompiledRules compile_rules(const RuleSet& rules, const Abilities& abilities,
     out.decision.reset();
     return out;
   }
+  out.unknown = !known;
   if (!known) {
     diagnostics
         .add(Code::P712, whole(rules),

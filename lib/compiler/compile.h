@@ -94,8 +94,9 @@ struct CompiledRules {
   std::shared_ptr<const Precedence> precedence;
   std::vector<WayOn> ways_on;  ///< the bricks after the start, in the order of the proof
   std::unique_ptr<DecisionNode> decision;  ///< null: refused
-  Concurrency concurrency;                 ///< of what was not refused before
-  std::vector<RefusalDrawing> drawings;    ///< that go with what is reported
+  bool unknown = false;     ///< refused only since what was allowed was used up: P701 or P712
+  Concurrency concurrency;  ///< of what was not refused before
+  std::vector<RefusalDrawing> drawings;  ///< that go with what is reported
 };
 
 /// Is it proved that as many robots as are wanted may work at once? Not where nobody said how many,

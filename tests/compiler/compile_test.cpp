@@ -148,6 +148,19 @@ TEST_CASE("the exact staircase needs directions, and with them cannot be reached
   CHECK(Compiled(shipped("stepped-pyramid-exact")).codes() == "P710 ");
 }
 
+TEST_CASE("a proof that ran out of budget is no refusal of the rules, one that failed is") {
+  CompileOptions options;
+  options.verify.seconds = 1e-9;
+  Diagnostics diagnostics;
+  const RuleSet staircase = shipped("staircase");
+  const auto cut_short = compile_rules(staircase, paper_robot(), options, diagnostics);
+  REQUIRE(diagnostics.all().size() == 1);
+  CHECK(diagnostics.all()[0].code == Code::P701);
+  CHECK(!cut_short.decision);
+  CHECK(cut_short.unknown);
+  CHECK(!compile_rules(shipped("staircase-exact"), paper_robot(), {}, diagnostics).unknown);
+}
+
 TEST_CASE("the limit of structures is said, not passed, where columns prove nothing either") {
   const RuleSet exact = shipped("staircase-exact"), pyramid = shipped("stepped-pyramid");
   CompileOptions options;
@@ -157,6 +170,7 @@ TEST_CASE("the limit of structures is said, not passed, where columns prove noth
   CHECK(!result.decision);
   REQUIRE(diagnostics.all().size() == 1);
   CHECK(diagnostics.all()[0].code == Code::P712);
+  CHECK(result.unknown);
   const auto proved = compile_rules(pyramid, paper_robot(), options, diagnostics);
   CHECK(proved.decision);
   CHECK(proved.local_situations > 0);

@@ -37,6 +37,19 @@ TEST_CASE("exit codes by class") {
       3);
 }
 
+TEST_CASE("rules of which nothing was shown within what is allowed are not refused for good") {
+  const Workplace place;
+  place.write("exact.yaml", project_file("rulesets/staircase-exact.yaml"));
+  const std::string compile = "stigc compile exact.yaml ";
+  CHECK(place.shell(compile + "--budget 0.000001").err.find("error[P701]") != std::string::npos);
+  CHECK(code(place, compile + "--budget 0.000001") == 3);
+  CHECK(place.shell(compile + "--states 1").err.find("error[P712]") != std::string::npos);
+  CHECK(code(place, compile + "--states 1") == 3);
+  CHECK(code(place, compile) == 1);
+  // Proved that orders end differently.
+  CHECK(code(place, "stigc compile sets/corner.yaml") == 1);
+}
+
 TEST_CASE("what one sample did not contradict, a proof does") {
   const Workplace place;
   const std::string one = "stigc test --states 0 --samples 1 ";

@@ -230,7 +230,7 @@ int run(const CompileFileOptions& options, App& app) {
     const int code = write_refusal_page(*options.page, *rules, compiled, diagnostics, app);
     if (code != kOk) return code;
   }
-  if (!compiled.decision) return compiled.proof.interrupted ? kRunFailed : kFailed;
+  if (!compiled.decision) return compiled.unknown ? kRunFailed : kFailed;
   // Warnings count as errors where the user wants that.
   if (app.invalid(diagnostics)) return kFailed;
   const CompileJob job{&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)};

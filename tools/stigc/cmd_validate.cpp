@@ -134,7 +134,7 @@ class Validation {
     }
     // Pictures of what cannot be built go before the verdict.
     show_drawings(compiled_, app_);
-    if (!compiled_.decision) return compiled_.proof.interrupted ? kRunFailed : kFailed;
+    if (!compiled_.decision) return compiled_.unknown ? kRunFailed : kFailed;
     if (app_.invalid(diagnostics)) return kFailed;
     target_.rules = &*rules_;
     target_.whole = *compiled_.proof.structure;
