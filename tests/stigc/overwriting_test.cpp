@@ -20,6 +20,8 @@ struct Case {
 std::vector<Case> all_cases(const Workplace& place) {
   const std::string rules = project_file("rulesets/staircase.yaml");
   const std::string bebot = project_file("robots/bebot.yaml");
+  const std::string block = project_file("blocks/stigmergic.yaml");
+  const std::string program = "function step() end\n";
   const std::string scene = "stigc_scene: 1\nduration: 0.01\n";
   REQUIRE(place
               .shell("stigc simulate sets/fall.yaml --duration 0.01 --trace t.stigp "
@@ -27,8 +29,13 @@ std::vector<Case> all_cases(const Workplace& place) {
                      "stigc explore line.yaml -q --trace t.stigt")
               .exit_code == 0);
   place.write("staircase.yaml", rules);
-  place.write("user.lua", "function step() end\n");
+  place.write("bebot.yaml", bebot);
+  place.write("robot-with-program.yaml", bebot + "\nprogram: in.lua\n");
+  place.write("block.yaml", block);
+  place.write("user.lua", program);
   place.write("uses.yaml", scene + "robots: [{file: bebot.yaml, at: [0, 0], program: in.lua}]\n");
+  REQUIRE(place.shell("sed 's/^program: .*/program: in.lua/' block.yaml > with-program.yaml")
+              .exit_code == 0);
   return {
       {".txt", rules, "stigc explore $in -o $out"},
       {".csv", rules, "stigc explore $in -o $out"},
@@ -44,7 +51,7 @@ std::vector<Case> all_cases(const Workplace& place) {
       {".yaml", scene, "stigc simulate $in --trace $out"},
       {".png", scene, "stigc simulate $in -o $out"},
       {".yaml", scene, "stigc simulate $in --checkpoint $out"},
-      {".lua", "function step() end\n", "stigc simulate uses.yaml --trace $out"},
+      {".lua", program, "stigc simulate uses.yaml --trace $out"},
       {".png", place.file("c.stigk"), "stigc simulate --resume $in -o $out"},
       {".png", place.file("t.stigp"), "stigc replay $in -o $out"},
       {".png", place.file("t.stigp"), "stigc render $in -o $out"},
@@ -57,6 +64,13 @@ std::vector<Case> all_cases(const Workplace& place) {
       {".any", rules, "stigc compile $in --target lua -o $out"},
       {".lua.map", rules, "stigc compile $in -o ${out%.map}"},
       {".any", bebot, "stigc compile staircase.yaml --robot $in -o $out"},
+      {".any", block, "stigc compile staircase.yaml --block $in -o $out"},
+      {".any", block, "stigc synth target.txt --robot bebot.yaml --block $in -o $out"},
+      {".any", bebot, "stigc synth target.txt --robot $in --certificate $out"},
+      {".lua", program, "stigc compile staircase.yaml --block with-program.yaml -o $out"},
+      {".lua", program, "stigc compile staircase.yaml --robot robot-with-program.yaml -o $out"},
+      {".lua", program,
+       "stigc synth target.txt --robot bebot.yaml --block with-program.yaml -o $out"},
       {".argos", rules, "stigc compile $in -o $out"},
       {"_robot.lua", rules, "stigc compile $in --target argos -o ${out%_robot.lua}"},
       {"_robot.lua.map", rules, "stigc compile $in --target argos -o ${out%_robot.lua.map}"},

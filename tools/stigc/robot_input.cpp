@@ -25,6 +25,13 @@ SourceRef find_source(const std::string& name, const SceneLoader& load, const Ap
   return nullptr;
 }
 
+/// A program that a file names belongs to the input, though nothing here needs what it says: it is
+/// read so that nothing is written over it. One that is not there is missed where it shall run.
+void keep_program(const std::string& name, const SceneLoader& load) {
+  FileError ignored;
+  if (!name.empty()) load(name, kMaxSceneBytes, ignored);
+}
+
 }  // namespace
 
 std::optional<RobotModel> read_own_robot(const char* name, const App& app) {
@@ -44,11 +51,14 @@ std::optional<Builder> read_builder(const BuilderFiles& files, const App& app) {
   const SourceRef robot_source = source(files.robot, files.usual);
   const SourceRef block_source = source(files.block, kBlock);
   if (!robot_source || !block_source) return std::nullopt;
+  const SceneLoader beside_robot = files.robot ? scene_loader(*files.robot) : own_loader();
+  const SceneLoader beside_block = files.block ? scene_loader(*files.block) : own_loader();
   Diagnostics diagnostics;
-  auto robot = read_robot(robot_source, diagnostics,
-                          files.robot ? scene_loader(*files.robot) : own_loader());
+  auto robot = read_robot(robot_source, diagnostics, beside_robot);
   auto block = read_block(block_source, diagnostics);
   app.report(diagnostics);
+  if (robot) keep_program(robot->program, beside_robot);
+  if (block) keep_program(block->program, beside_block);
   // Both are reported before either ends it.
   if (!robot || !block || app.invalid(diagnostics)) return std::nullopt;
   const std::vector<std::string> missing = lacking(*robot);
