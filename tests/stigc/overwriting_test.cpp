@@ -143,17 +143,25 @@ TEST_CASE("no two outputs of a command are one file, standard output among them"
   place.shell("mkdir sub; ln -s ../a.txt sub/a.txt; ln -s a.txt a.png");
   const std::vector<std::string> before = place.files();
   for (const std::string line :
-       {"stigc explore line.yaml -o a.txt -o a.txt", "stigc explore line.yaml -o a.txt -o ./a.txt",
+       {"stigc explore line.yaml -o a.txt -o a.txt",
+        "stigc explore line.yaml -o a.txt -o ./a.txt",
         "stigc explore line.yaml -o a.txt --trace sub/a.txt",
         "stigc explore line.yaml --runs 11 -o 'a{run}.txt' -o 'a{run}0.txt'",
         "stigc verify line.yaml --witness w --certificate w.png",
         "stigc synth target.txt -o a.txt --certificate sub/a.txt",
         "stigc synth target.txt -o proof/fewer.cnf --proof proof",
+        "stigc synth target.txt -o a --proof a",
+        "stigc synth target.txt -o ./a --proof sub/../a/",
+        "stigc synth target.txt -o sub --proof sub",
+        "stigc synth target.txt --certificate a --proof a",
+        "stigc synth target.txt -o a --certificate a/b",
+        "stigc explore line.yaml -o a.txt -o a.txt/b.txt",
         "stigc simulate sets/still.yaml --trace a.txt -o a.png",
         "stigc simulate sets/still.yaml --trace a --checkpoint ./a",
         "stigc compile staircase.yaml -o a.lua --report a.lua.map",
         "stigc compile staircase.yaml -o a.argos --report a_block.lua",
-        "stigc compile staircase.yaml -o - --report -", "stigc compile staircase.yaml --report -",
+        "stigc compile staircase.yaml -o - --report -",
+        "stigc compile staircase.yaml --report -",
         "stigc draw target.txt -o a.txt -o sub/a.txt"}) {
     CAPTURE(line);
     CHECK(place.shell(line).exit_code == 2);

@@ -79,6 +79,20 @@ std::string naming_problem(const std::string& path, KnownFiles& known) {
   return fmt::format("'{}' and {} are one file", path, other->second);
 }
 
+/// What is wrong with a file below another one that is to be written; empty: nothing. The other
+/// would need to be a folder.
+std::string folder_problem(const std::string& path, const KnownFiles& known) {
+  std::string below = path;
+  for (std::string folder = folder_of(path); folder != below; folder = folder_of(folder)) {
+    const auto file = known.find(file_identity(folder));
+    if (file != known.end()) {
+      return fmt::format("{} cannot be a file and the folder of '{}'", file->second, path);
+    }
+    below = folder;
+  }
+  return {};
+}
+
 std::string without_last_slash(std::string path) {
   while (path.size() > 1 && path.ends_with('/')) path.pop_back();
   return path;
@@ -109,6 +123,7 @@ int check_outputs(const std::vector<std::string>& paths, const App& app,
   std::vector<std::string> problems;
   // Problems with names first: with them, whether a file can be written means nothing.
   for (const std::string& path : paths) problems.push_back(naming_problem(path, known));
+  for (const std::string& path : paths) problems.push_back(folder_problem(path, known));
   if (const int code = complain(problems, kUsage, app); code != kOk) return code;
   problems.clear();
   for (const std::string& path : paths) {

@@ -17,9 +17,9 @@ namespace stig::cli {
 std::string file_name(const std::string& path);
 
 /// An exit code: kUsage when one of these would be written over what has been read, over another
-/// or over standard output, or is no name for a file; kRunFailed when one cannot be written, as far
-/// as can be told beforehand. Links are followed. `folder`: the command makes it if it is not
-/// there.
+/// or over standard output, lies in another, or is no name for a file; kRunFailed when one cannot
+/// be written, as far as can be told beforehand. Links are followed. `folder`: the command makes it
+/// if it is not there.
 int check_outputs(const std::vector<std::string>& paths, const App& app,
                   const std::string& folder = {});
 
