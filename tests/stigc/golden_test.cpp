@@ -209,7 +209,8 @@ TEST_CASE("synth for a robot prints rules that compile, or what keeps the robot 
        "stigc synth wall.txt --robot bebot.yaml --colours 1; "
        "stigc synth wall.txt --robot bebot.yaml --colours 1 --json | grep -v seconds");
   hold(place, "synth-robot-usage",
-       "stigc synth wall.txt --sides=+x; stigc synth wall.txt --robot bebot.yaml --symmetry "
+       "stigc synth wall.txt --sides=+x; stigc synth wall.txt --block block.yaml; stigc synth "
+       "wall.txt --robot bebot.yaml --symmetry "
        "rotations; stigc synth wall.txt --robot bebot.yaml --colours 5; stigc synth wall.txt "
        "--robot bebot.yaml --start 0,0,1; stigc synth one.txt --robot bebot.yaml; stigc synth "
        "wall.txt --robot none.yaml; stigc synth plate.txt --robot bebot.yaml --colours 1 "

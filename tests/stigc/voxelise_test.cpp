@@ -89,6 +89,22 @@ TEST_CASE("commands take meshes as they take drawings") {
   CHECK(place.shell("stigc draw box.off --bricks 24 -o box.vox").exit_code == 0);
 }
 
+TEST_CASE("--bricks is refused where there is no mesh that it could be about") {
+  const Workplace place;
+  place.write("wall.txt", "1 1\n");
+  for (const std::string line :
+       {"stigc measure wall.txt", "stigc draw wall.txt -o wall.png", "stigc synth wall.txt",
+        "stigc synth wall.txt --robot robots/bebot.yaml", "stigc build wall.txt -o built",
+        "stigc view wall.txt --target wall.txt -o page.html"}) {
+    CAPTURE(line);
+    const Outcome outcome = place.shell(line + " --bricks 24");
+    CHECK(outcome.exit_code == 2);
+    CHECK(outcome.err.find("--bricks is about meshes") != std::string::npos);
+  }
+  CHECK(place.shell("stigc view --live sets/line.yaml --bricks 24").exit_code == 2);
+  CHECK(place.files() == std::vector<std::string>{"wall.txt"});
+}
+
 TEST_CASE("without stigc-mesh it is said what to do") {
   const Workplace place;
   place.write("box.off", kBox);

@@ -63,6 +63,11 @@ class BuildWork {
   std::string in_folder(const std::string& name) const { return options_.output + "/" + name; }
 
   int prepare() {
+    const std::string problem = bricks_problem(options_.mesh, {options_.target});
+    if (!problem.empty()) {
+      app_.complain(problem);
+      return kUsage;
+    }
     if (const int code = read_target(); code != kOk) return code;
     const bool ours = made_by_synth(in_folder(kRules));
     return prepare_folder({options_.output, {kRules, kDecisions, kTarget, kBuilt}, ours, "build"},

@@ -7,6 +7,7 @@
 #include "base/hash.h"
 #include "commands.h"
 #include "lattice/structure_files.h"
+#include "mesh_input.h"
 #include "outputs.h"
 #include "report.h"
 #include "structure_input.h"
@@ -24,6 +25,11 @@ std::string stem(const std::string& path) {
 }  // namespace
 
 int run(const MeasureOptions& options, App& app) {
+  if (const std::string problem = bricks_problem(options.mesh, {options.structure});
+      !problem.empty()) {
+    app.complain(problem);
+    return kUsage;
+  }
   const auto loaded = read_structure(options.structure, options.lattice, app, options.mesh);
   if (!loaded) return kFailed;
   if (options.json) {
@@ -52,6 +58,11 @@ int run(const DrawOptions& options, App& app) {
     std::string error;
     if (can_write_structure(path, error)) continue;
     app.complain(printable(error));
+    return kUsage;
+  }
+  if (const std::string problem = bricks_problem(options.mesh, {options.structure});
+      !problem.empty()) {
+    app.complain(problem);
     return kUsage;
   }
   const auto loaded = read_structure(options.structure, options.lattice, app, options.mesh);

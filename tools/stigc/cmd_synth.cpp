@@ -17,6 +17,7 @@
 #include "certify/certificate.h"
 #include "certify/fewest.h"
 #include "commands.h"
+#include "mesh_input.h"
 #include "outputs.h"
 #include "progress.h"
 #include "report.h"
@@ -235,9 +236,15 @@ void add_scaffold(const SynthOptions& options, Target& target, Synthesis& result
 }  // namespace
 
 int run(const SynthOptions& options, App& app) {
+  if (const std::string problem = bricks_problem(options.mesh, {options.target});
+      !problem.empty()) {
+    app.complain(problem);
+    return kUsage;
+  }
   if (options.robot) return synth_for_robot(options, app);
-  if (!options.sides.empty() || options.robots || options.kinds) {
-    app.complain("--sides, --robots and --kinds are about robots: --robot FILE says which");
+  if (options.block || !options.sides.empty() || options.robots || options.kinds) {
+    app.complain(
+        "--block, --sides, --robots and --kinds are about robots: --robot FILE says which");
     return kUsage;
   }
   const auto loaded = read_structure(options.target, options.lattice, app, options.mesh);

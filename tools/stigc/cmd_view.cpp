@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "live_view.h"
+#include "mesh_input.h"
 #include "outputs.h"
 #include "page_template.h"
 #include "view_input.h"
@@ -25,6 +26,12 @@ int run(const ViewOptions& options, App& app) {
     return kUsage;
   }
   const std::vector<std::string> files = viewed_files(options.files);
+  std::vector<std::string> structures = files;
+  if (options.target) structures.push_back(*options.target);
+  if (const std::string problem = bricks_problem(options.mesh, structures); !problem.empty()) {
+    app.complain(problem);
+    return kUsage;
+  }
   PageContent page(options.title.value_or(""));
   bool good = true;
   for (const std::string& file : files) good = add_file(file, options, app, page) && good;

@@ -19,7 +19,9 @@ namespace {
 std::string live_problem(const ViewOptions& o) {
   if (!o.output.empty()) return "--live serves the page: leave -o out";
   if (o.files.size() != 1) return "--live takes one scene or rule set";
-  if (o.target || o.title || o.lattice) return "--target, --title and --lattice are for -o";
+  if (o.target || o.title || o.lattice || o.mesh.bricks) {
+    return "--target, --title, --lattice and --bricks are for -o";
+  }
   return {};
 }
 

@@ -31,7 +31,7 @@ std::vector<std::string> arguments_for(const std::string& path, const MeshOption
   if (options.side) {
     out.insert(out.end(), {"side", fmt::format("{}", *options.side / options.unit)});
   } else {
-    out.insert(out.end(), {"bricks", std::to_string(options.bricks)});
+    out.insert(out.end(), {"bricks", std::to_string(options.bricks.value_or(kUsualBricks))});
   }
   return out;
 }
@@ -101,6 +101,11 @@ std::optional<std::string> find_mesh_program() {
   const std::string program = (self.parent_path() / "stigc-mesh").string();
   if (access(program.c_str(), X_OK) != 0) return std::nullopt;
   return program;
+}
+
+std::string bricks_problem(const MeshOptions& options, const std::vector<std::string>& files) {
+  if (!options.bricks || std::any_of(files.begin(), files.end(), is_mesh)) return {};
+  return "--bricks is about meshes (.stl .obj .off .ply), and none is given";
 }
 
 namespace {

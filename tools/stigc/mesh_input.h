@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "app.h"
 #include "lattice/loaded_structure.h"
@@ -18,6 +19,9 @@ namespace stig::cli {
 
 /// By the ending of its name.
 bool is_mesh(const std::string& path);
+
+/// What is wrong with --bricks, in words: it was given, and no file is a mesh. Empty: nothing.
+std::string bricks_problem(const MeshOptions& options, const std::vector<std::string>& files);
 
 /// Where stigc-mesh is; nothing when it was not built.
 std::optional<std::string> find_mesh_program();

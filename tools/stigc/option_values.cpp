@@ -58,7 +58,7 @@ Json values(const VerifyFileOptions& o) {
 
 Json values(const SynthOptions& o) {
   return {{"lattice", o.lattice && *o.lattice == Lattice::hexagonal ? "hexagonal" : "cubic"},
-          {"bricks", o.mesh.bricks},
+          {"bricks", o.mesh.bricks.value_or(kUsualBricks)},
           {"colours", o.colours                   ? Json(*o.colours)
                       : o.use == ColourUse::given ? Json("given")
                                                   : Json("free")},

@@ -203,9 +203,10 @@ struct SchemaOptions {
   std::optional<std::string> symbols_of;  ///< a rule set whose symbols are offered
 };
 
+inline constexpr int kUsualBricks = 100;
 /// How a mesh becomes bricks; lengths in mm.
 struct MeshOptions {
-  int bricks = 100;            ///< about so many, where no side is given
+  std::optional<int> bricks;   ///< about so many, where no side is given; otherwise kUsualBricks
   std::optional<double> side;  ///< of a brick
   double unit = 1;             ///< of the file's numbers
   std::string up = "z";        ///< the file's axis, "-" before it: the other way
