@@ -13,6 +13,7 @@ local DRAWN_OFF, FURTHER = 0.005, 0.003  -- ahead in the gripper, and than befor
 local REST = 0.0015            -- of a block over what it is put on, and less than 1 mm more, on its way in
 local LET_DOWN = 0.002         -- likewise when it is let go: on its way down it slides into line with its neighbours,
                                -- before what it comes to lie on holds it
+local SET_DOWN = 0.0003        -- likewise where it would be drawn aside on a longer way
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local CONTESTED = 0.08         -- m, likewise at any height, on the last way to the site: nearer than who looks aside
 local TAKEN = 0.6 * SIDE       -- from a site's middle, where a block is that fills it
@@ -34,12 +35,14 @@ function Placement.new(parts)
    return self
 end
 
--- Puts the carried block down on `level`, over the gripping point; `colour` is set before.
-function Placement:release(level, colour)
+-- Puts the carried block down on `level`, over the gripping point; `colour` is set before. `drawn`: what stands about
+-- the place would draw it aside.
+function Placement:release(level, colour, drawn)
+   local over = SIDE * level + (drawn and SET_DOWN or LET_DOWN)
    self.process:enter('release')
    -- first the colour: near its place magnets draw the block away from the radio
    if colour then self.gripper:colour(colour) end
-   self.lift:to(SIDE * level + LET_DOWN)
+   self.lift:to(over)
    self.process:wait(SETTLE_TIME)
    for _ = 1, RELEASES do
       if self.gripper:let_go() then
@@ -47,7 +50,7 @@ function Placement:release(level, colour)
          self.path:go_by(-0.15, 0.08)
          return true
       end
-      self.lift:to(SIDE * level + LET_DOWN)
+      self.lift:to(over)
    end
    return false, 'it does not let go'
 end
@@ -63,7 +66,8 @@ function Placement:slide_in(level)
    drawn_off()
    coroutine.yield()
    if drawn_off() then return end
-   self.magnets:hold_fast(true)
+   -- beside a neighbour the block is to give way, and not the neighbour that draws it
+   self.magnets:hold_fast(self.site_aside == 0)
    -- the neighbours draw the robot too
    self.approach:creep(DRAW - SHY - self.odometry:on_line(line), nil, drawn_off)
    self.magnets:hold_fast(false)
@@ -152,18 +156,18 @@ function Placement:approach_site(block, where, options)
       return false, 'the block was lost'
    end
    if math.abs(yaw) > TURNED then self.path:turn_by(-yaw, 0.01) end
-   self.site_level = level
+   self.site_level, self.site_aside = level, options.aside or 0
    return true, seen
 end
 
--- Puts the carried block down where approach_site has brought it.
-function Placement:attach(where, colour)
+-- Puts the carried block down where approach_site has brought it; `drawn` as with release.
+function Placement:attach(where, colour, drawn)
    if where ~= 'raise' then
       if colour then self.gripper:colour(colour) end
       self:slide_in(self.site_level)
       colour = nil
    end
-   return self:release(self.site_level, colour)
+   return self:release(self.site_level, colour, drawn)
 end
 
 -- Both. options: those of approach_site, and colour.

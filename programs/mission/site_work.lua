@@ -390,16 +390,21 @@ function SiteWork:approach_site()
    return 'lost'
 end
 
+-- Where the block goes, and on which level.
+function SiteWork:place_of_wish()
+   local wish = self.wish
+   local x, y = self.map.place_of(self.row, wish.what == 'extend' and 1 or 0, wish.left or 0)
+   return x, y, wish.level or geometry.level_of(wish.top.z) + 1
+end
+
 -- The map has what the robot has put down, though no look may show it.
 function SiteWork:note_placed()
-   local wish, map = self.wish, self.map
-   if not map.known then return end
-   local x, y = map.place_of(self.row, wish.what == 'extend' and 1 or 0, wish.left or 0)
-   map:note_brick(x, y, wish.level or geometry.level_of(wish.top.z) + 1)
+   if self.map.known then self.map:note_brick(self:place_of_wish()) end
 end
 
 function SiteWork:attach()
-   if not self.placement:attach(self.wish.what, self.wish.colour) then
+   local drawn = self.map:draws_aside(self:place_of_wish())
+   if not self.placement:attach(self.wish.what, self.wish.colour, drawn) then
       self.record:tally('aborted')
       return 'failed'
    end

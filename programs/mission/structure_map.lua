@@ -211,6 +211,19 @@ function StructureMap:had_brick(x, y, level)
    return brick ~= nil and brick.levels[level] == true
 end
 
+-- Whether a block that comes down there is drawn aside: to where a brick stands a level lower, if neither one on the
+-- other side draws it back nor one on its own level stops it.
+function StructureMap:draws_aside(x, y, level)
+   if not self.known then return false end
+   local c, s = SIDE * math.cos(self.known.yaw), SIDE * math.sin(self.known.yaw)
+   for _, way in ipairs { { c, s }, { -c, -s }, { -s, c }, { s, -c } } do
+      local dx, dy = way[1], way[2]
+      if self:had_brick(x + dx, y + dy, level - 1) and not self:had_brick(x - dx, y - dy, level - 1) and
+         not self:had_brick(x + dx, y + dy, level) then return true end
+   end
+   return false
+end
+
 -- The frame of its cells, which robots keep as they go round it.
 function StructureMap:lattice()
    return { x = self.known.origin.x, y = self.known.origin.y, yaw = self.known.yaw }

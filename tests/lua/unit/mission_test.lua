@@ -108,6 +108,23 @@ case('bricks are remembered where they were seen, until the structure is lost', 
    same('lost', map:room_about(-0.3, 0), math.huge)
 end)
 
+case('a block is drawn aside to a lower brick that nothing stands against', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map = map_of({ { 0, 0, 0 }, { 1, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task)
+   local first, second = -0.3, -0.3 + SIDE
+   same('nothing is known', map:draws_aside(second, 0, 1), false)
+   map:remember(map:in_memory())
+   same('at the end of a row', map:draws_aside(second, 0, 1), true)
+   same('on the floor', map:draws_aside(second + SIDE, 0, 0), false)
+   map:note_brick(first, 0, 1)
+   same('up to one of its level', map:draws_aside(second, 0, 1), false)
+   map:note_brick(second + SIDE, 0, 0)
+   map:note_brick(second, SIDE, 0)
+   same('to the left', map:draws_aside(second, 0, 1), true)
+   map:note_brick(second, -SIDE, 0)
+   same('to both sides alike', map:draws_aside(second, 0, 1), false)
+end)
+
 case('a cache is where blocks were found, or as far from the beginning as another, whatever has grown', function()
    local task = { transport = 4, sides = ALL, turns = false }
    local map, machine = map_of({ { 0, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task, { side = '+x' })
