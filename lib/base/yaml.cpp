@@ -9,10 +9,10 @@
 #include <cassert>
 
 #include "base/text.h"
+#include "base/text_bytes.h"
 #include "base/yaml_events.h"
 #include "base/yaml_places.h"
 #include "base/yaml_syntax.h"
-#include "base/text_bytes.h"
 #include "base/yaml_tree.h"
 
 namespace stig {

@@ -48,8 +48,8 @@ std::optional<int> number_of(std::string_view word, int low, int high) {
 // Can a row of symbols be read back that has this one in it? A symbol must survive printing
 // and reading: it can be of no great length, no comment, no separator and no empty cell.
 bool drawable(std::string_view symbol) {
-  return !symbol.empty() && symbol.size() <= kLongestSymbol && symbol != "." && symbol != "---" && !symbol.starts_with("//") &&
-         symbol.find_first_of(" \t\r\n") == std::string_view::npos;
+  return !symbol.empty() && symbol.size() <= kLongestSymbol && symbol != "." && symbol != "---" &&
+         !symbol.starts_with("//") && symbol.find_first_of(" \t\r\n") == std::string_view::npos;
 }
 
 /// Names are the symbols: nothing better is known of bricks that are only drawn.
