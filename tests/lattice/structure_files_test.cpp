@@ -64,7 +64,8 @@ TEST_CASE("what is written is read back") {
 
 TEST_CASE("a byte order mark before a drawing does no harm") {
   const Folder folder;
-  std::ofstream(folder / "marked.txt") << "\xEF\xBB\xBF" << "1 2\n";
+  std::ofstream(folder / "marked.txt") << "\xEF\xBB\xBF"
+                                       << "1 2\n";
   Diagnostics diagnostics;
   const auto loaded = read_structure_file(folder / "marked.txt", {}, diagnostics);
   REQUIRE(loaded.has_value());
