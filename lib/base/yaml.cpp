@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cassert>
 
-#include "base/text.h"
 #include "base/text_bytes.h"
 #include "base/yaml_events.h"
 #include "base/yaml_places.h"
@@ -18,8 +17,6 @@
 namespace stig {
 
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 /// yaml-cpp would even take some bytes for the end. They are looked for before anything is parsed:
 /// afterwards every offset points at valid UTF-8.
@@ -46,7 +43,7 @@ const YamlNode* YamlNode::find(std::string_view key) const {
 std::optional<YamlDocument> parse_yaml(SourceRef source, const YamlLimits& limits,
                                        Diagnostics& diagnostics) {
   if (!check_bytes(source, limits, diagnostics)) return std::nullopt;
-  const bool marked = source->text().compare(0, kByteOrderMark.size(), kByteOrderMark) == 0;
+  const bool marked = source->text().starts_with(kByteOrderMark);
   const std::size_t base = marked ? kByteOrderMark.size() : 0;
   YamlTree tree(source, base, limits, diagnostics);
   // The parser's text begins after a byte order mark; the tree shifts its places back by `base`.

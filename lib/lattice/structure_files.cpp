@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "base/file_io.h"
+#include "base/text_bytes.h"
 #include "lattice/mesh_files.h"
 #include "lattice/rgb.h"
 #include "lattice/structure_json.h"
@@ -109,8 +110,6 @@ struct ToRead {
   std::string bytes;
   const StructureReadOptions& options;
 };
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::optional<LoadedStructure> read_text(ToRead what, Diagnostics& diagnostics) {
   if (what.bytes.starts_with(kByteOrderMark)) what.bytes.erase(0, kByteOrderMark.size());
