@@ -73,9 +73,13 @@ RuleSet worked_from(RuleSet rules, const std::vector<std::string>& sides) {
 }
 
 /// The file's own sides are what its author says of the robots' world.
+const std::vector<std::string>& own_sides(const RuleSet& rules,
+                                          const std::vector<std::string>& sides) {
+  return sides.empty() && rules.physical ? rules.physical->sides : sides;
+}
+
 RuleSet worked_from_own(RuleSet rules, const std::vector<std::string>& sides) {
-  const bool own = sides.empty() && rules.physical;
-  const std::vector<std::string> from = own ? rules.physical->sides : sides;
+  const std::vector<std::string> from = own_sides(rules, sides);
   return worked_from(std::move(rules), from);
 }
 

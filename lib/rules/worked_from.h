@@ -18,7 +18,11 @@ namespace stig::rules {
 /// sides, no side, no symmetry, or the hexagonal lattice, which has no sides.
 RuleSet worked_from(RuleSet rules, const std::vector<std::string>& sides);
 
-/// The same for these sides or, if there are none, those that the file names.
+/// These sides or, if there are none, those that the file names; none: nobody says.
+const std::vector<std::string>& own_sides(const RuleSet& rules,
+                                          const std::vector<std::string>& sides);
+
+/// The rules worked from own_sides().
 RuleSet worked_from_own(RuleSet rules, const std::vector<std::string>& sides);
 
 }  // namespace stig::rules

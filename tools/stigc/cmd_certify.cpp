@@ -13,6 +13,7 @@
 #include "base/file_io.h"
 #include "base/hash.h"
 #include "base/text.h"
+#include "base/text_bytes.h"
 #include "certify/check.h"
 #include "certify/drat.h"
 #include "certify/fewest.h"
@@ -106,11 +107,6 @@ std::vector<std::string> sides_of(const WorkCertificate& certificate) {
   return out;
 }
 
-/// The sides that robots are to work from, by the command line or the file; empty: nobody says.
-std::vector<std::string> meant_sides(const RuleSet& file, const std::vector<std::string>& given) {
-  return given.empty() && file.physical ? file.physical->sides : given;
-}
-
 std::string work_text(const WorkCertificate& certificate, const WorkReport& report) {
   const std::string looked =
       certificate.ordered
@@ -140,7 +136,7 @@ int certify_work(const CertifyOptions& options, const RuleSet& file, const std::
   if (!builder) return kFailed;
   // The compiler takes the file's own sides where none are given.
   const RuleSet rules = worked_from_own(file, options.sides);
-  const std::vector<std::string> meant = meant_sides(file, options.sides);
+  const std::vector<std::string> meant = own_sides(file, options.sides);
   const auto as_set = [](const std::vector<std::string>& sides) {
     return std::set<std::string>(sides.begin(), sides.end());
   };
@@ -179,7 +175,7 @@ int certify_rules(const CertifyOptions& options, App& app) {
   if (!rules) return kFailed;
   const auto text = bytes_of(options.proof, kMostCertificateBytes, app);
   if (!text) return kFailed;
-  if (text->starts_with("\xEF\xBB\xBF")) {
+  if (text->starts_with(kByteOrderMark)) {
     app.complain(fmt::format("'{}' begins with a byte order mark, and no certificate does",
                              printable(options.proof)));
     return kFailed;
