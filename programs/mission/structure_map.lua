@@ -153,11 +153,19 @@ function StructureMap:remember(structure)
    return true
 end
 
--- The cell of a brick that stands there.
-function StructureMap:note_brick(x, y, level)
+-- The cell of a place on the lattice.
+function StructureMap:cell_of(x, y)
    local along, left = geometry.into(self:lattice(), x, y)
-   local u, v = geometry.round(along / SIDE), geometry.round(left / SIDE)
-   local key = u .. ' ' .. v
+   return geometry.round(along / SIDE), geometry.round(left / SIDE)
+end
+
+-- Under which a cell's bricks are kept.
+local function key_of(u, v) return u .. ' ' .. v end
+
+-- Remembers a brick that stands there.
+function StructureMap:note_brick(x, y, level)
+   local u, v = self:cell_of(x, y)
+   local key = key_of(u, v)
    self.bricks[key] = self.bricks[key] or { u = u, v = v, levels = {} }
    self.bricks[key].levels[level] = true
 end
@@ -203,23 +211,28 @@ function StructureMap:all_bricks()
    return out
 end
 
+-- Whether a brick was ever seen in a cell.
+function StructureMap:had_brick_in(u, v, level)
+   local brick = self.bricks[key_of(u, v)]
+   return brick ~= nil and brick.levels[level] == true
+end
+
 -- Whether a brick was ever seen there.
 function StructureMap:had_brick(x, y, level)
    if not self.known then return false end
-   local along, left = geometry.into(self:lattice(), x, y)
-   local brick = self.bricks[geometry.round(along / SIDE) .. ' ' .. geometry.round(left / SIDE)]
-   return brick ~= nil and brick.levels[level] == true
+   local u, v = self:cell_of(x, y)
+   return self:had_brick_in(u, v, level)
 end
 
 -- Whether a block that comes down there is drawn aside: to where a brick stands a level lower, if neither one on the
 -- other side draws it back nor one on its own level stops it.
 function StructureMap:draws_aside(x, y, level)
    if not self.known then return false end
-   local c, s = SIDE * math.cos(self.known.yaw), SIDE * math.sin(self.known.yaw)
-   for _, way in ipairs { { c, s }, { -c, -s }, { -s, c }, { s, -c } } do
-      local dx, dy = way[1], way[2]
-      if self:had_brick(x + dx, y + dy, level - 1) and not self:had_brick(x - dx, y - dy, level - 1) and
-         not self:had_brick(x + dx, y + dy, level) then return true end
+   local u, v = self:cell_of(x, y)
+   for _, way in ipairs { { 1, 0 }, { -1, 0 }, { 0, 1 }, { 0, -1 } } do
+      local du, dv = way[1], way[2]
+      if self:had_brick_in(u + du, v + dv, level - 1) and not self:had_brick_in(u - du, v - dv, level - 1) and
+         not self:had_brick_in(u + du, v + dv, level) then return true end
    end
    return false
 end
