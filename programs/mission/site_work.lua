@@ -98,27 +98,25 @@ function SiteWork:idle_rounds()
    return self.in_vain // (self:keeps_to_side() and 1 or #self.task.sides)
 end
 
--- How far beside the outermost rows, and in from the foremost brick, a robot explores in its round, in cells.
-function SiteWork:explores()
-   local round = self:idle_rounds() + 1
-   if round < FAR_EXPLORES then return 1, 0 end
-   return FAR_BESIDE[(round - FAR_EXPLORES) % #FAR_BESIDE + 1], FAR_IN
-end
-
 -- A place beside the outermost rows that are known, as if a row began there, or nil: others may have built
--- where no look at a known row shows it. Whoever is alone has seen what it built.
+-- where no look at a known row shows it. Whoever is alone has seen what it built. The row begins where the outermost one
+-- does; in far looks, as far behind the foremost as a robot passes it.
 function SiteWork:flank_of(rows)
-   if self.task.delay == 0 or self:idle_rounds() + 1 < EXPLORES then return nil end
-   local first, last, front, frame = math.huge, -math.huge, -math.huge, nil
+   local round = self:idle_rounds() + 1
+   if self.task.delay == 0 or round < EXPLORES then return nil end
+   local far = round >= FAR_EXPLORES and FAR_BESIDE[(round - FAR_EXPLORES) % #FAR_BESIDE + 1]
+   local first, last, front = math.huge, -math.huge, -math.huge
    for v, of in pairs(rows) do
-      first, last, front, frame = math.min(first, v), math.max(last, v), math.max(front, of.front), of.frame
+      first, last, front = math.min(first, v), math.max(last, v), math.max(front, of.front)
    end
-   local beside, further_in = self:explores()
    for way = 1, -1, -2 do
       if not self.explored[way] then
          self.explored[way] = true
-         local v = (way > 0 and last or first) + way * beside
-         return { v = v, front = front - further_in, frame = frame, juts = 0, flank = true }
+         local outer = rows[way > 0 and last or first]
+         local row = { v = outer.v + way * (far or 1), frame = outer.frame, flank = true }
+         row.front = far and front - FAR_IN or outer.front
+         row.juts = far and 0 or self.map.juts_beside(rows, row)
+         return row
       end
    end
 end
@@ -289,6 +287,7 @@ function SiteWork:look()
    if wish then return 'decided' end
    if chosen.flank then
       self:survey()
+      if chosen.juts > 0 then self.path:back_off(chosen.juts) end
       return 'nothing'
    end
    self.tried[self.row.v] = true

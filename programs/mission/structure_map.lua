@@ -324,7 +324,7 @@ function StructureMap:is_on_own_side(place)
 end
 
 -- By how much, m, columns beside a row stand before it where the effector would sweep them.
-local function juts_beside(rows, of)
+function StructureMap.juts_beside(rows, of)
    local most = of.front
    for dv = -2, 2 do most = math.max(most, rows[of.v + dv] and rows[of.v + dv].front or most) end
    return SIDE * (most - of.front)
@@ -347,7 +347,7 @@ function StructureMap:rows()
       if not rows[v] or rows[v].front < u then remembered[v] = math.max(remembered[v] or u, u) end
    end
    for v, u in pairs(remembered) do rows[v] = { v = v, front = u, frame = frame, by_heart = true } end
-   for _, of in pairs(rows) do of.juts = juts_beside(rows, of) end
+   for _, of in pairs(rows) do of.juts = StructureMap.juts_beside(rows, of) end
    return rows
 end
 

@@ -446,7 +446,9 @@ case('a robot that finds nothing to do among others looks beyond the rows that i
    for _ = 1, 2 do
       same('beside', work:choose_row(), 'chosen')
       same('none', rows[work.row.v], nil)
-      near('before all rows', work.row.front, math.max(rows[0].front, rows[-1].front))
+      local outermost = work.row.v > 0 and rows[0] or rows[-1]
+      near('where the outermost row begins', work.row.front, outermost.front)
+      near('what juts out beside', work.row.juts, outermost.juts)
       seen[work.row.v] = true
    end
    same('to the left', seen[1], true)
