@@ -27,6 +27,7 @@ std::size_t around_index(int du, int dv, int z) {
   return static_cast<std::size_t>((z * kDepth + du + kBehind) * kRows + dv + kBeside);
 }
 
+constexpr int kFewestSteps = 5;        ///< between the heights that are looked from
 constexpr double kEdge = 0.02;         ///< of the image's width
 constexpr double kTilt = 5 * kDegree;  ///< of the widest angle at which a tag is read
 
@@ -168,12 +169,13 @@ int window_levels(const Abilities& robot, int target_levels) {
 
 Visibility::Visibility(const Abilities& robot, int levels)
     : levels_(levels), leds_needed_(robot.block.leds_needed) {
-  constexpr int kLifts = 6;
-  // Distances in m from the camera to the column's face, and heights of the lift from its
-  // lowest to its highest.
+  // Distances in m from the camera to the column's face, and heights of the lift from its lowest
+  // to its highest, no farther apart than levels are.
+  const int steps =
+      std::max(kFewestSteps, static_cast<int>(robot.lift_travel / robot.block.side) + 1);
   for (const double distance : {0.08, 0.10, 0.14, 0.20}) {
-    for (int i = 0; i < kLifts; ++i) {
-      viewpoints_.push_back({distance, robot.lift_travel * i / (kLifts - 1)});
+    for (int i = 0; i <= steps; ++i) {
+      viewpoints_.push_back({distance, robot.lift_travel * i / steps});
     }
   }
   for (const Viewpoint& viewpoint : viewpoints_) {
