@@ -31,11 +31,12 @@ namespace stig::assembly {
 struct AssemblyTask {
   Target target;  ///< cubic, two bricks or more
   Abilities robot;
-  std::vector<ApproachSide> sides;  ///< empty: chosen
-  std::optional<int> robots;        ///< none: as many as may be, at least one
-  std::optional<Cell> start;        ///< of the target; none: chosen
-  int most_colours = kBlockColours;
-  Wording wording;  ///< with a name
+  std::vector<ApproachSide> sides;   ///< empty: chosen
+  std::optional<int> robots;         ///< none: as many as may be, at least one
+  std::optional<Cell> start;         ///< of the target; none: chosen
+  int kinds = kBlockColours;         ///< of brick that there are
+  int most_colours = kBlockColours;  ///< that rules may need, of these
+  Wording wording;                   ///< with a name
 };
 
 struct AssemblyHooks {

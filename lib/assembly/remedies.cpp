@@ -75,17 +75,18 @@ class Healer {
     changed.robots = 1;
     if (task_.robots.value_or(1) > 1) attempt(changed, "by one robot alone");
     changed = task_;
-    changed.most_colours = kBlockColours;
+    const bool wished = !task_.target.bricks.empty() || task_.most_colours < task_.kinds;
+    const char* needed = "with colours as they are needed";
+    changed.most_colours = task_.kinds;
     changed.target.bricks.clear();
     changed.target.colours.assign(task_.target.cells.size(), StateSet::anything());
-    if (!task_.target.bricks.empty() || task_.most_colours < kBlockColours) {
-      attempt(changed, "with colours as they are needed");
-    }
+    if (wished && attempt(changed, needed)) return;
     // Code words on the LEDs, as many as survive one that is misread.
-    changed.most_colours = sensing::code_size(kBlockColours + 1);
-    if (task_.most_colours < changed.most_colours) {
-      attempt(changed, fmt::format("with --kinds {}", changed.most_colours));
-    }
+    changed.kinds = sensing::code_size(kBlockColours + 1);
+    changed.most_colours = changed.kinds;
+    if (task_.kinds >= changed.kinds) return;
+    const std::string more = fmt::format("--kinds {}", changed.kinds);
+    attempt(changed, wished ? fmt::format("{} and {}", needed, more) : "with " + more);
   }
 
   /// Cells of a target are sorted, and colours are listed beside them.

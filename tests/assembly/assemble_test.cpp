@@ -10,6 +10,7 @@
 
 #include "assembly/large_targets.h"
 #include "assembly/oracle.h"
+#include "assembly/remedies.h"
 #include "assembly/targets.h"
 #include "compiler/lattice_walk.h"
 #include "lattice/structure_text.h"
@@ -179,6 +180,29 @@ TEST_CASE("an order whose rules are in conflict as they are written gives way to
   REQUIRE(made.plan);
   check_file(task, *made.plan);
   check_work(task, *made.plan);
+}
+
+std::string first_remedy(const AssemblyTask& task) {
+  const Assembly made = assemble(task, 1);
+  REQUIRE_FALSE(made.plan.has_value());
+  const auto remedies = find_remedies(task, made, {}, 1, {});
+  REQUIRE_FALSE(remedies.empty());
+  return remedies.front().what;
+}
+
+TEST_CASE("colours are a remedy for what colours were asked for, and kinds where there are more") {
+  AssemblyTask task = task_for(box({8, 1, 1}));
+  CHECK(first_remedy(task) == "with --kinds 16");
+  task.most_colours = 3;
+  CHECK(first_remedy(task) == "with colours as they are needed and --kinds 16");
+  task.kinds = 16;
+  CHECK(first_remedy(task) == "with colours as they are needed");
+}
+
+TEST_CASE("a lift that goes higher than structures takes nothing from what can be built") {
+  AssemblyTask task = task_for(box({2, 1, 2}));
+  task.robot.lift_travel = 5;
+  CHECK(assemble(task, 1).plan.has_value());
 }
 
 TEST_CASE("of targets that are too large for rules it is said whether they are impossible") {

@@ -103,7 +103,8 @@ AssemblyTask task_of(const SynthOptions& options, Target target, Abilities robot
   for (const std::string& side : options.sides) out.sides.push_back(*parse_side(side));
   out.robots = options.robots;
   if (!options.start.empty()) out.start = options.start.front();
-  out.most_colours = options.colours.value_or(kinds_of(options));
+  out.kinds = kinds_of(options);
+  out.most_colours = options.colours.value_or(out.kinds);
   return out;
 }
 
@@ -209,7 +210,7 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   hooks.deadline = Deadline::after(options.seconds, &stop_requested());
   hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
   const AssemblyTask task = task_of(options, target, *robot);
-  const Assembly made = assemble(task, options.effort, hooks);
+  Assembly made = assemble(task, options.effort, hooks);
   std::vector<AssemblyRemedy> remedies;
   // Other robots are tried only when the one that was named cannot: as a remedy.
   if (!made.plan && !made.too_many) {
@@ -219,6 +220,10 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   progress.clear();
   std::vector<std::string> written;
   const int code = report(options, target, made, remedies, app, written);
+  // What would help was looked for in the time that was left.
+  const bool all_tried = made.plan || made.cut_short || !hooks.deadline.passed();
+  made.cut_short = made.cut_short || !all_tried;
+  if (!options.json && !all_tried) app.say(fmt::format("what would help: {}", ended_early()));
   if (options.json) {
     app.print(assembly_json(options, target, made, remedies, progress.seconds(), written));
   }
