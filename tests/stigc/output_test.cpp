@@ -231,6 +231,16 @@ TEST_CASE("an origin without a box, or away from the start, is a usage error") {
   }
 }
 
+TEST_CASE("only a certificate of robots' work has to do with a robot") {
+  const Workplace place;
+  for (const std::string line :
+       {"--drat a b --robot bebot.yaml", "--fewest a --block stigmergic.yaml",
+        "sets/line.yaml sets/line.cert --robot bebot.yaml"}) {
+    CAPTURE(line);
+    CHECK(place.shell("stigc certify " + line).exit_code == 2);
+  }
+}
+
 TEST_CASE("agents start where they are told") {
   const Workplace place;
   const std::string command = "stigc explore sets/line.yaml --json --steps 1 --agents ";

@@ -54,6 +54,9 @@ bool bounded(const CertifyOptions& options) {
   return options.world.box || options.world.origin || options.world.periodic;
 }
 
+/// Only a certificate of robots' work speaks of a robot.
+bool names_robot(const CertifyOptions& options) { return options.robot || options.block; }
+
 // An empty refusal is acceptance, in both checkers.
 void print_verdict(const std::string& path, const std::string& refusal, App& app) {
   if (refusal.empty()) {
@@ -187,6 +190,10 @@ int certify_rules(const CertifyOptions& options, App& app) {
     }
     return certify_work(options, *rules, *text, app);
   }
+  if (names_robot(options)) {
+    app.complain("--robot and --block are for a certificate of robots' work, and this is none");
+    return kUsage;
+  }
   // Sides change what orientations rules have, and so what is proved: the check must be given the
   // same ones as the proof.
   rules = worked_from(std::move(*rules), options.sides);
@@ -283,7 +290,8 @@ int certify_fewest(const CertifyOptions& options, App& app) {
 }  // namespace
 
 int run(const CertifyOptions& options, App& app) {
-  if (options.fewest && (options.drat || bounded(options) || !options.proof.empty())) {
+  if (options.fewest &&
+      (options.drat || bounded(options) || names_robot(options) || !options.proof.empty())) {
     app.complain("--fewest wants a folder and nothing else");
     return kUsage;
   }
@@ -292,8 +300,8 @@ int run(const CertifyOptions& options, App& app) {
     app.complain("PROOF is required\ntry 'stigc certify --help'");
     return kUsage;
   }
-  if (options.drat && bounded(options)) {
-    app.complain("--drat knows no box");
+  if (options.drat && (bounded(options) || names_robot(options))) {
+    app.complain(bounded(options) ? "--drat knows no box" : "--drat knows no robot");
     return kUsage;
   }
   return options.drat ? certify_drat(options, app) : certify_rules(options, app);
