@@ -20,13 +20,13 @@ TEST_CASE("build refuses a folder of the user's, and says why nothing can be bui
   const Outcome apart = place.stigc({"build", "apart.txt", "-o", "out"});
   CHECK(apart.exit_code == 1);
   CHECK(apart.out.starts_with("impossible: "));
-  CHECK_FALSE(place.has("out/rules.yaml"));
+  CHECK_FALSE(place.has("out"));
   // Rules of an earlier build are written over, which is not to be taken for an input.
   CHECK(place.shell("mkdir ours && echo 'source: compiled by stigc synth' > ours/rules.yaml")
             .exit_code == 0);
-  CHECK(place.stigc({"build", "apart.txt", "-o", "ours"}).exit_code == 1);
-  // The folder is no other's now: the drawing mended, the same command goes on.
-  CHECK(place.stigc({"build", "apart.txt", "-o", "out"}).exit_code == 1);
+  const Outcome ours = place.stigc({"build", "apart.txt", "-o", "ours"});
+  CHECK(ours.exit_code == 1);
+  CHECK(ours.err.find("what is in 'ours' is of an earlier build") != std::string::npos);
   CHECK(place.stigc({"build", "line.txt"}).exit_code == 2);
   place.write("blank.txt", "1\n\n.\n1\n");
   const std::string err = place.stigc({"build", "blank.txt", "-o", "blank"}).err;

@@ -49,7 +49,7 @@ class BuildWork {
   int run() {
     if (const int code = prepare(); code != kOk) return code;
     app_.say("1 of 3: rules that the robot can follow");
-    if (const int code = synth(); code != kOk) return code;
+    if (const int code = synth(); code != kOk) return leave(code);
     if (const int code = draw_target(); code != kOk) return code;
     app_.say("2 of 3: what a robot decides where");
     if (const int code = compile(); code != kOk) return code;
@@ -69,9 +69,22 @@ class BuildWork {
       return kUsage;
     }
     if (const int code = read_target(); code != kOk) return code;
-    const bool ours = made_by_synth(in_folder(kRules));
-    return prepare_folder({options_.output, {kRules, kDecisions, kTarget, kBuilt}, ours, "build"},
-                          app_);
+    std::error_code ignored;
+    made_folder_ = !fs::exists(options_.output, ignored);
+    earlier_ = made_by_synth(in_folder(kRules));
+    return prepare_folder(
+        {options_.output, {kRules, kDecisions, kTarget, kBuilt}, earlier_, "build"}, app_);
+  }
+
+  /// Nothing was built: what is in the folder then is of an earlier build, if anything.
+  int leave(int code) const {
+    std::error_code ignored;
+    if (earlier_) {
+      app_.say(fmt::format("what is in '{}' is of an earlier build", printable(options_.output)));
+    } else if (made_folder_) {
+      fs::remove(options_.output, ignored);
+    }
+    return code;
   }
 
   int read_target() {
@@ -153,6 +166,8 @@ class BuildWork {
   const BuildOptions& options_;
   App& app_;
   std::optional<LoadedStructure> target_;
+  bool earlier_ = false;      ///< the folder has the rules of another build
+  bool made_folder_ = false;  ///< by this one
 };
 
 }  // namespace
