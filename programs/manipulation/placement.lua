@@ -109,20 +109,20 @@ end
 
 -- What is to be done right before the last way to a place, or nil. On top, beside a neighbour, that may
 -- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then.
-function Placement:before_docking(raise, options)
-   if not raise or not options.colour or (options.aside or 0) == 0 then return nil end
+function Placement:before_docking(over, options)
+   if not over or not options.colour or (options.aside or 0) == 0 then return nil end
    return function() self.gripper:colour(options.colour) end
 end
 
 -- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper.
 function Placement:target(block, where, level, back, options)
-   local raise = where == 'raise'
+   local raise, over = where == 'raise', where == 'raise' or options.over
    return {
       block = block, heading = options.heading,
       lowest = math.min(SIDE * level + CLEAR, self.lift.highest - UNDER_TOP),
-      short = (raise and 0 or -DRAW) - back, ahead = where == 'extend' and -SIDE or 0,
+      short = (over and 0 or -DRAW) - back, ahead = where == 'extend' and -SIDE or 0,
       left = (options.left or 0) + ASIDE * (options.aside or 0),
-      stop = raise and function() return self.approach:column_ahead() end or nil,
+      stop = over and function() return self.approach:column_ahead() end or nil,
       -- a block that another robot is putting there hides the top
       free = function(line, top)
          return self:is_free(line.x, line.y, level) and
@@ -130,7 +130,7 @@ function Placement:target(block, where, level, back, options)
       end,
       alone = options.alone,
       contested = options.alone and function(line) return self:is_contested(line.x, line.y, level) end or nil,
-      clear = options.clear, begin = self:before_docking(raise, options),
+      clear = options.clear, begin = self:before_docking(over, options),
    }
 end
 
@@ -138,7 +138,7 @@ end
 -- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
 -- way in, whether nobody else is at work there; clear, whether no brick stands behind the place; colour, which
--- it will have.
+-- it will have; over, whether it is let down from above as when raised, and not slid in.
 function Placement:approach_site(block, where, options)
    options = options or {}
    if not self.magnets:holds() then return false, 'the block was lost' end
@@ -157,12 +157,13 @@ function Placement:approach_site(block, where, options)
    end
    if math.abs(yaw) > TURNED then self.path:turn_by(-yaw, 0.01) end
    self.site_level, self.site_aside = level, options.aside or 0
+   self.over = where == 'raise' or options.over
    return true, seen
 end
 
 -- Puts the carried block down where approach_site has brought it; `drawn` as with release.
-function Placement:attach(where, colour, drawn)
-   if where ~= 'raise' then
+function Placement:attach(colour, drawn)
+   if not self.over then
       if colour then self.gripper:colour(colour) end
       self:slide_in(self.site_level)
       colour = nil
@@ -175,7 +176,7 @@ function Placement:place(block, where, options)
    options = options or {}
    local near, problem = self:approach_site(block, where, options)
    if not near then return false, problem end
-   return self:attach(where, options.colour)
+   return self:attach(options.colour)
 end
 
 return Placement

@@ -367,6 +367,7 @@ function SiteWork:approach_site()
    local guide, where, left = self:guide_of(wish)
    local near, problem = self.placement:approach_site(guide, where, {
       heading = self.row.frame.yaw, level = wish.level, left = left,
+      over = wish.what == 'beside' and self:stands_free(),
       aside = wish.aside, colour = wish.colour, clear = wish.clear and self.task.delay > 0,
       alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
    })
@@ -396,6 +397,13 @@ function SiteWork:place_of_wish()
    return x, y, wish.level or geometry.level_of(wish.top.z) + 1
 end
 
+-- Whether the place beside a column is on a brick, with none behind it that would stop a block on its way in.
+function SiteWork:stands_free()
+   local x, y, level = self:place_of_wish()
+   local behind_x, behind_y = self.map.place_of(self.row, -1, self.wish.left)
+   return level > 0 and self.map:had_brick(x, y, level - 1) and not self.map:had_brick(behind_x, behind_y, level)
+end
+
 -- The map has what the robot has put down, though no look may show it.
 function SiteWork:note_placed()
    if self.map.known then self.map:note_brick(self:place_of_wish()) end
@@ -403,7 +411,7 @@ end
 
 function SiteWork:attach()
    local drawn = self.map:draws_aside(self:place_of_wish())
-   if not self.placement:attach(self.wish.what, self.wish.colour, drawn) then
+   if not self.placement:attach(self.wish.colour, drawn) then
       self.record:tally('aborted')
       return 'failed'
    end

@@ -265,9 +265,9 @@ case('on top, beside a neighbour, a block has its colour before it comes near', 
    run(function() return machine.pickup:pick_up(block) end)
    local base = run(function() return machine.search:find(lit) end)
    -- the colour over the place, before it is let down
-   local function over(where, aside)
+   local function over(where, aside, from_above)
       machine.gripper:colour(4)
-      local options = { colour = 2, aside = aside, heading = math.pi / 2 }
+      local options = { colour = 2, aside = aside, heading = math.pi / 2, level = from_above and 1, over = from_above }
       same('there', machine.placement:approach_site(base, where, options), true)
       machine.path:back_off(0.15)
       return fake.held.colour
@@ -275,6 +275,7 @@ case('on top, beside a neighbour, a block has its colour before it comes near', 
    same('beside one', run(function() return over('raise', 1) end), 2)
    same('beside none, or two', run(function() return over('raise', 0) end), 4)
    same('in front', run(function() return over('extend', 1) end), 4)
+   same('from above', run(function() return over('beside', 1, true) end), 2)
    -- where it does not come there, it is in transport
    machine.approach.to = function(_, target)
       target.begin()

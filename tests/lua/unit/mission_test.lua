@@ -412,6 +412,25 @@ case('a structure that is lost in a look is looked for, not built at', function(
    same('then', run(function() map.in_memory = function() return nil end return work:choose_row() end), 'lost')
 end)
 
+case('a place beside a column is come to from above where it is on a brick and nothing stops a block behind it', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 3, asks = {} }
+   local map, machine = map_of({ { 0, 0, 0 }, { 0, 1, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   local function stands_free(left, level)
+      work.row, work.wish = map:rows()[0], { what = 'beside', left = left, level = level, top = { z = SIDE / 2 } }
+      return work:stands_free()
+   end
+   same('on a brick', stands_free(1, 1), true)
+   same('over none', stands_free(-1, 1), false)
+   same('two levels up', stands_free(1, 2), false)
+   same('on the floor', stands_free(1, 0), false)
+   local x, y = map.place_of(work.row, -1, 1)
+   map:note_brick(x, y, 1)
+   same('with one behind', stands_free(1, 1), false)
+end)
+
 case('what it has put down is remembered, and counts as a neighbour', function()
    local task = { transport = 4, sides = ALL, turns = true, levels = 3, asks = {} }
    local map, machine = map_of({ { 0, 0, 0 }, { 0, 1, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
