@@ -144,7 +144,11 @@ function Placement:approach_site(block, where, options)
    if not self.magnets:holds() then return false, 'the block was lost' end
    local level = options.level or (where == 'raise' and (block.level or 0) + 1 or 0)
    local back, yaw = self.gripper:seat()
-   local near, seen = self.approach:to(self:target(block, where, level, back, options))
+   -- it is turned square once it is there, about the pivot, which takes it aside
+   local square = math.abs(yaw) > TURNED and -yaw or 0
+   local target = self:target(block, where, level, back, options)
+   target.left = target.left - square * (self.approach.description.magnets.ahead - self.odometry.ahead)
+   local near, seen = self.approach:to(target)
    if not near then
       if self.magnets:holds() then self.gripper:colour(self.transport) end
       return false, seen
@@ -155,7 +159,7 @@ function Placement:approach_site(block, where, options)
       self.path:back_off(0.15)
       return false, 'the block was lost'
    end
-   if math.abs(yaw) > TURNED then self.path:turn_by(-yaw, 0.01) end
+   if square ~= 0 then self.path:turn_by(square, 0.01) end
    self.site_level, self.site_aside = level, options.aside or 0
    self.over = where == 'raise' or options.over
    return true, seen

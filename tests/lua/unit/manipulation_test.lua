@@ -285,6 +285,23 @@ case('on top, beside a neighbour, a block has its colour before it comes near', 
    same('on its way again', fake.held.colour, 4)
 end)
 
+case('a block that hangs askew is brought so far aside as the turn that squares it will take it', function()
+   local machine, _, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
+   local block = run(function() return machine.search:find(dark) end)
+   run(function() return machine.pickup:pick_up(block) end)
+   local base, left = run(function() return machine.search:find(lit) end), nil
+   machine.approach.to = function(_, target)
+      left = target.left
+      return false, 'busy'
+   end
+   local ahead = machine.description.magnets.ahead - machine.odometry.ahead
+   for _, yaw in ipairs { 0, 0.003, 0.02, -0.02 } do
+      machine.gripper.seat = function() return 0, yaw end
+      run(function() return machine.placement:approach_site(base, 'extend', { colour = 2 }) end)
+      near('left', left, math.abs(yaw) > 0.004 and ahead * yaw or 0, 1e-9)
+   end
+end)
+
 case('where no brick stands behind a place, what comes up there is another robot', function()
    local machine, fake, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
    local block = run(function() return machine.search:find(dark) end)
