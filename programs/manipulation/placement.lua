@@ -8,6 +8,7 @@ local SIDE = geometry.SIDE
 local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
 local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
 local ASIDE = 0.002            -- from a neighbour beside, which draws the block when it is there
+local NEARER = 0.0005          -- less than that, at most, for a block that a turn takes away from it
 local DRAWN_OFF, FURTHER = 0.005, 0.003  -- ahead in the gripper, and than before: neighbours have drawn the block into
                                          -- its place
 local REST = 0.0015            -- of a block over what it is put on, and less than 1 mm more, on its way in
@@ -134,20 +135,28 @@ function Placement:target(block, where, level, back, options)
    }
 end
 
+-- By how much, m to the left, the turn that squares a block before its place takes it aside, for which to allow. A
+-- neighbour beside the place is kept clear of: the block would catch on it on its way.
+function Placement:taken_aside(turn, options)
+   local left, aside = turn * (self.approach.description.magnets.ahead - self.odometry.ahead), options.aside or 0
+   if aside == 0 then return options.open and left or 0 end
+   return aside * math.min(aside * left, NEARER)
+end
+
 -- Brings the carried block before its place next to `block`. True, or false and why not. options:
 -- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
--- way in, whether nobody else is at work there; clear, whether no brick stands behind the place; colour, which
--- it will have; over, whether it is let down from above as when raised, and not slid in.
+-- way in, whether nobody else is at work there; clear, whether no brick stands behind the place; open,
+-- whether no neighbour stands on either side; colour, which it will have; over, whether it is let down from above as
+-- when raised, and not slid in.
 function Placement:approach_site(block, where, options)
    options = options or {}
    if not self.magnets:holds() then return false, 'the block was lost' end
    local level = options.level or (where == 'raise' and (block.level or 0) + 1 or 0)
    local back, yaw = self.gripper:seat()
-   -- it is turned square once it is there, about the pivot, which takes it aside
-   local square = math.abs(yaw) > TURNED and -yaw or 0
    local target = self:target(block, where, level, back, options)
-   target.left = target.left - square * (self.approach.description.magnets.ahead - self.odometry.ahead)
+   local square = math.abs(yaw) > TURNED and -yaw or 0
+   target.left = target.left - self:taken_aside(square, options)
    local near, seen = self.approach:to(target)
    if not near then
       if self.magnets:holds() then self.gripper:colour(self.transport) end

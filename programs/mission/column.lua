@@ -121,12 +121,13 @@ function Column:stands(du, dv, level)
 end
 
 -- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to its left,
--- so that the block goes in a little off and does not catch on it.
+-- so that the block goes in a little off and does not catch on it; and whether none does on either side.
 function Column:room_beside(wish)
    local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
    -- on an overhang there is no brick from the floor up
    local level = wish.level or geometry.level_of(wish.top.z) + 1
-   return (self:stands(du, dv - 1, level) and 1 or 0) - (self:stands(du, dv + 1, level) and 1 or 0)
+   local right, left = self:stands(du, dv - 1, level), self:stands(du, dv + 1, level)
+   return (right and 1 or 0) - (left and 1 or 0), not right and not left
 end
 
 -- Its bricks from a level down, as far as they are known.
@@ -174,7 +175,7 @@ function Column:decide()
    if not wish.top then return nil, false end
    wish.feet = self:down_from(wish.level or 0)
    wish.next_to = wish.what == 'extend' and self:beside_site(wish.level or 0) or {}
-   wish.aside = self:room_beside(wish)
+   wish.aside, wish.open = self:room_beside(wish)
    wish.clear = wish.what == 'raise' and self:cell(-1, 0, geometry.level_of(wish.top.z) + 1) == 'empty'
    return wish, top ~= nil
 end

@@ -368,7 +368,7 @@ function SiteWork:approach_site()
    local near, problem = self.placement:approach_site(guide, where, {
       heading = self.row.frame.yaw, level = wish.level, left = left,
       over = wish.what == 'beside' and self:stands_free(),
-      aside = wish.aside, colour = wish.colour, clear = wish.clear and self.task.delay > 0,
+      aside = wish.aside, open = wish.open, colour = wish.colour, clear = wish.clear and self.task.delay > 0,
       alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
    })
    local mean, took = self.approach_time, self.odometry.time - start

@@ -443,7 +443,10 @@ case('what it has put down is remembered, and counts as a neighbour', function()
    local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, rows[0])
    same('to the left of the next', column:stands(0, 1, 1), true)
    same('not to the right', column:stands(0, -1, 1), false)
-   same('aside', column:room_beside { what = 'raise', top = { z = SIDE / 2 } }, -1)
+   local aside, open = column:room_beside { what = 'raise', top = { z = SIDE / 2 } }
+   same('aside', aside, -1)
+   same('not open', open, false)
+   same('open', select(2, column:room_beside { what = 'extend', level = 0 }), true)
    work.row, work.wish = rows[0], { what = 'extend', level = 0 }
    work:note_placed()
    same('in front', column:stands(1, 0, 0), true)
