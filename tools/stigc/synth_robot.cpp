@@ -210,22 +210,23 @@ int synth_for_robot(const SynthOptions& options, App& app) {
   hooks.deadline = Deadline::after(options.seconds, &stop_requested());
   hooks.progress = [&](double fraction, const std::string& what) { progress.show(fraction, what); };
   const AssemblyTask task = task_of(options, target, *robot);
-  Assembly made = assemble(task, options.effort, hooks);
+  const Assembly made = assemble(task, options.effort, hooks);
   std::vector<AssemblyRemedy> remedies;
+  bool cut_short = made.cut_short;
   // Other robots are tried only when the one that was named cannot: as a remedy.
   if (!made.plan && !made.too_many) {
     progress.show(0, "what would help");
     remedies = find_remedies(task, made, other_robots(*options.robot, app), options.effort, hooks);
+    cut_short = cut_short || hooks.deadline.passed();
   }
   progress.clear();
   std::vector<std::string> written;
   const int code = report(options, target, made, remedies, app, written);
-  // What would help was looked for in the time that was left.
-  const bool all_tried = made.plan || made.cut_short || !hooks.deadline.passed();
-  made.cut_short = made.cut_short || !all_tried;
-  if (!options.json && !all_tried) app.say(fmt::format("what would help: {}", ended_early()));
   if (options.json) {
-    app.print(assembly_json(options, target, made, remedies, progress.seconds(), written));
+    app.print(
+        assembly_json(options, target, made, remedies, cut_short, progress.seconds(), written));
+  } else if (cut_short && !made.cut_short) {
+    app.say(fmt::format("what would help: {}", ended_early()));
   }
   return code;
 }

@@ -19,9 +19,9 @@ std::string obstacle_lines(const Target& target, const AssemblyObstacle& obstacl
 std::string remedy_lines(const std::vector<AssemblyRemedy>& remedies);
 /// "none of 60 candidates: 12 had no order, …".
 std::string counts_in_words(const AssemblyCounts& counts);
-/// All of it as one JSON object.
+/// All of it as one JSON object. `cut_short`: of the search, or of what would help.
 std::string assembly_json(const SynthOptions& options, const Target& target, const Assembly& made,
-                          const std::vector<AssemblyRemedy>& remedies, double seconds,
-                          const std::vector<std::string>& written);
+                          const std::vector<AssemblyRemedy>& remedies, bool cut_short,
+                          double seconds, const std::vector<std::string>& written);
 
 }  // namespace stig::cli

@@ -354,8 +354,8 @@ std::string remedy_lines(const std::vector<AssemblyRemedy>& remedies) {
 }
 
 std::string assembly_json(const SynthOptions& options, const Target& target, const Assembly& made,
-                          const std::vector<AssemblyRemedy>& remedies, double seconds,
-                          const std::vector<std::string>& written) {
+                          const std::vector<AssemblyRemedy>& remedies, bool cut_short,
+                          double seconds, const std::vector<std::string>& written) {
   Json json = {{"target", options.target}, {"bricks", target.cells.size()}};
   if (made.plan) {
     json["verdict"] = "compiled";
@@ -372,7 +372,7 @@ std::string assembly_json(const SynthOptions& options, const Target& target, con
     for (const AssemblyRemedy& one : remedies) json["remedies"].push_back(remedy_text(one));
   }
   json["impossible"] = made.obstacle.has_value();
-  json["cut_short"] = made.cut_short;
+  json["cut_short"] = cut_short;
   json["candidates"] = made.counts.candidates;
   json["seconds"] = seconds;
   if (!written.empty()) json["written"] = written;
