@@ -108,6 +108,11 @@ function Placement:is_free(x, y, level)
    return true
 end
 
+-- Whether the block comes down on its place from above, or is slid in.
+local function comes_down(where, options)
+   return where == 'raise' or options.over
+end
+
 -- What is to be done right before the last way to a place, or nil. On top, beside a neighbour, that may
 -- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then.
 function Placement:before_docking(over, options)
@@ -117,7 +122,7 @@ end
 
 -- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper.
 function Placement:target(block, where, level, back, options)
-   local raise, over = where == 'raise', where == 'raise' or options.over
+   local raise, over = where == 'raise', comes_down(where, options)
    return {
       block = block, heading = options.heading,
       lowest = math.min(SIDE * level + CLEAR, self.lift.highest - UNDER_TOP),
@@ -170,7 +175,7 @@ function Placement:approach_site(block, where, options)
    end
    if square ~= 0 then self.path:turn_by(square, 0.01) end
    self.site_level, self.site_aside = level, options.aside or 0
-   self.over = where == 'raise' or options.over
+   self.over = comes_down(where, options)
    return true, seen
 end
 

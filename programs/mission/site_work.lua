@@ -260,6 +260,11 @@ function SiteWork:survey()
    self.map:rows()
 end
 
+-- Back from a row beside which others jut out, to where a turn does not sweep them.
+function SiteWork:leave(row)
+   if row.juts > 0 then self.path:back_off(row.juts) end
+end
+
 function SiteWork:look()
    local machine, chosen = self.machine, self.row
    local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
@@ -287,11 +292,11 @@ function SiteWork:look()
    if wish then return 'decided' end
    if chosen.flank then
       self:survey()
-      if chosen.juts > 0 then self.path:back_off(chosen.juts) end
+      self:leave(chosen)
       return 'nothing'
    end
    self.tried[self.row.v] = true
-   if self.row.juts > 0 then self.path:back_off(self.row.juts) end
+   self:leave(self.row)
    if top_seen then return 'nothing' end
    if self.row.by_heart then self.map:forget_row(self.row) end
    self.record:tally('aborted')
@@ -415,7 +420,7 @@ function SiteWork:attach()
       self.record:tally('aborted')
       return 'failed'
    end
-   if self.row.juts > 0 then self.path:back_off(self.row.juts) end
+   self:leave(self.row)
    self:note_placed()
    self.tried, self.wish, self.obstructed, self.patience = {}, nil, 0, 1
    self.rounds, self.in_vain = 0, 0
