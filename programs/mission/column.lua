@@ -66,6 +66,7 @@ function Column:watch()
       if known.time == self.odometry.time and known.seen >= OFTEN then self:note(known) end
    end
    local about = self.sight:blocks_about()
+   self.map:forget_gone(self.row, self.sight, about)
    for _, cell in ipairs(self.watched) do
       local x, y = self.map.place_of(self.row, cell.du, cell.dv)
       local key = self:key(cell.du, cell.dv, cell.level)

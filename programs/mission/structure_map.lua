@@ -17,8 +17,11 @@ local FAR_LINKED = 2.3 * SIDE
 local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
 local TURNED = 0.35            -- rad, likewise
 local OF_BRICK, OF_CACHE = 0.012, 0.07  -- m, from a brick's edge and from a cache's middle, of what is no robot
+local GONE = 6                 -- steps since it was last seen in which a brick would be seen, and is not: it is not there
+local ABOUT = 2                -- cells, from a column, of bricks that matter to what is decided before it
 
--- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels}.
+-- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels}, with the steps
+-- by level in which one would have been seen since, and was not.
 -- known: {x, y, reach, yaw, origin}: middle and radius of all these bricks, also those out of sight, the
 -- heading that faces the structure from params.side, and the middle of one cell; nil when it is not known.
 -- first: {u, v}, the structure's middle as first seen, in cells: what grows moves `known`, but no cache.
@@ -138,6 +141,14 @@ function StructureMap:origin_in(frame)
    return { x = x, y = y }
 end
 
+-- Whether a brick may stand in a cell, as far as its neighbours are known: on the floor, on one, or held by one beside.
+-- A block in the air is in a robot's hand, though it may have its colour already.
+function StructureMap:is_held_in(u, v, level)
+   return level == 0 or self:had_brick_in(u, v, level - 1) or
+          self:had_brick_in(u - 1, v, level) or self:had_brick_in(u + 1, v, level) or
+          self:had_brick_in(u, v - 1, level) or self:had_brick_in(u, v + 1, level)
+end
+
 -- Learns where the structure is, and how the lattice lies. False where the latter is not known.
 function StructureMap:remember(structure)
    local middle = middle_of(structure)
@@ -147,7 +158,9 @@ function StructureMap:remember(structure)
    local frame = { x = structure.frame.x, y = structure.frame.y, yaw = yaw }
    self.known = { yaw = wrap(yaw), origin = self:origin_in(frame) }
    for _, block in ipairs(structure.blocks) do
-      self:note_brick(block.x, block.y, geometry.level_of(block.z))
+      local u, v = self:cell_of(block.x, block.y)
+      local level = geometry.level_of(block.z)
+      if self:is_held_in(u, v, level) then self:note_brick_in(u, v, level) end
    end
    self:measure_bricks()
    return true
@@ -162,12 +175,17 @@ end
 -- Under which a cell's bricks are kept.
 local function key_of(u, v) return u .. ' ' .. v end
 
+-- Remembers a brick that stands in a cell.
+function StructureMap:note_brick_in(u, v, level)
+   local key = key_of(u, v)
+   self.bricks[key] = self.bricks[key] or { u = u, v = v, levels = {} }
+   self.bricks[key].levels[level] = 0
+end
+
 -- Remembers a brick that stands there.
 function StructureMap:note_brick(x, y, level)
    local u, v = self:cell_of(x, y)
-   local key = key_of(u, v)
-   self.bricks[key] = self.bricks[key] or { u = u, v = v, levels = {} }
-   self.bricks[key].levels[level] = true
+   self:note_brick_in(u, v, level)
 end
 
 -- The cell of a place, as rows of a side are counted: u towards the robot, v to the left.
@@ -186,6 +204,41 @@ function StructureMap:forget_row(row)
    for key, brick in pairs(self.bricks) do
       local _, v = cell_in(row.frame, self:place_of_brick(brick))
       if v == row.v then self.bricks[key] = nil end
+   end
+end
+
+-- Whether a block is in the picture just now whose middle is near a place.
+local function is_seen(tracker, place, now)
+   for _, known in ipairs(tracker.tracks) do
+      if known.time == now and geometry.near(known, place, geometry.HALF) then return true end
+   end
+   return false
+end
+
+-- Forgets what is not there of a cell's bricks.
+function StructureMap:review(brick, heading, sight, about)
+   local x, y = self:place_of_brick(brick)
+   for level, unseen in pairs(brick.levels) do
+      local place = { x = x, y = y, z = SIDE * (level + 0.5) }
+      if not is_seen(self.tracker, place, self.odometry.time) and sight:would_see(x, y, level, heading, about) then
+         brick.levels[level] = unseen + 1 < GONE and unseen + 1 or nil
+      end
+   end
+end
+
+-- Once in each step in which the robot stands before a row: forgets bricks about its column that would be seen, and are
+-- not. One that another robot held over its place, in its colour already, was taken for a brick that stands there.
+-- `sight`: LineOfSight; `about`: its blocks_about().
+function StructureMap:forget_gone(row, sight, about)
+   if not self.known then return end
+   local u, v = self:cell_of(StructureMap.place_of(row, 0, 0))
+   for du = -ABOUT, ABOUT do
+      for dv = -ABOUT, ABOUT do
+         local key = key_of(u + du, v + dv)
+         local brick = self.bricks[key]
+         if brick then self:review(brick, row.frame.yaw, sight, about) end
+         if brick and not next(brick.levels) then self.bricks[key] = nil end
+      end
    end
 end
 
@@ -214,7 +267,7 @@ end
 -- Whether a brick was ever seen in a cell.
 function StructureMap:had_brick_in(u, v, level)
    local brick = self.bricks[key_of(u, v)]
-   return brick ~= nil and brick.levels[level] == true
+   return brick ~= nil and brick.levels[level] ~= nil
 end
 
 -- Whether a brick was ever seen there.

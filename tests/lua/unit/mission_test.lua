@@ -108,6 +108,46 @@ case('bricks are remembered where they were seen, until the structure is lost', 
    same('lost', map:room_about(-0.3, 0), math.huge)
 end)
 
+case('a block in the air is no brick, but one that another holds from beside is', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 2 } }, { x = -0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   same('on the floor', map:had_brick(-0.3 + SIDE, 0, 0), true)
+   same('in the air', map:had_brick(-0.3 + SIDE, 0, 2), false)
+   machine.tracker.tracks[3].z = 1.5 * SIDE
+   map:remember(map:in_memory())
+   same('on one', map:had_brick(-0.3 + SIDE, 0, 1), true)
+   machine.tracker.tracks[1].x, machine.tracker.tracks[1].z = -0.3 + 2 * SIDE, 1.5 * SIDE
+   map:remember(map:in_memory())
+   same('an overhang', map:had_brick(-0.3 + 2 * SIDE, 0, 1), true)
+end)
+
+case('a brick that would be seen, and is not, is forgotten', function()
+   local task = { transport = 4, sides = ALL, turns = false }
+   local map, machine = map_of({ { 0, 0, 0 }, { 0, 0, 1 }, { 0, 1, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local row = map:rows()[0]
+   -- the second was in another's hand, the third is below the picture
+   table.remove(machine.tracker.tracks, 2)
+   machine.tracker.tracks[2].time = -1
+   local hidden = SIDE
+   machine.sight.would_see = function(_, _, y) return math.abs(y - hidden) > 1e-3 end
+   for _ = 1, 5 do map:forget_gone(row, machine.sight, {}) end
+   same('not yet', map:had_brick(0.3, 0, 1), true)
+   map:note_brick(0.3, 0, 1)
+   for _ = 1, 5 do map:forget_gone(row, machine.sight, {}) end
+   same('seen meanwhile', map:had_brick(0.3, 0, 1), true)
+   map:forget_gone(row, machine.sight, {})
+   same('gone', map:had_brick(0.3, 0, 1), false)
+   same('seen', map:had_brick(0.3, 0, 0), true)
+   same('hidden', map:had_brick(0.3, SIDE, 0), true)
+   hidden = math.huge
+   for _ = 1, 6 do map:forget_gone(row, machine.sight, {}) end
+   same('none of the column', map:had_brick(0.3, SIDE, 0), false)
+   same('bricks', map:count_bricks(), 1)
+end)
+
 case('a block is drawn aside to a lower brick that nothing stands against', function()
    local task = { transport = 4, sides = ALL, turns = false }
    local map = map_of({ { 0, 0, 0 }, { 1, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task)
