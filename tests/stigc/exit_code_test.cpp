@@ -254,6 +254,21 @@ TEST_CASE("an interrupted run writes whole files, says what was done, and exits 
   }
 }
 
+TEST_CASE("a search for rules that is interrupted says so in its verdict") {
+  const Workplace place;
+  place.write("bebot.yaml", project_file("robots/bebot.yaml"));
+  const std::string row(120, '1');  // a wall whose colours are sought for many seconds
+  place.write("wall.txt", row + "\n---\n" + row + "\n---\n" + row + "\n");
+  const pid_t process =
+      place.start({"synth", "wall.txt", "--robot", "bebot.yaml", "--json", "-o", "rules.yaml"});
+  Workplace::let_work(process);
+  REQUIRE(kill(process, SIGINT) == 0);
+  const Outcome outcome = place.finish(process);
+  CHECK(outcome.exit_code == 3);
+  CHECK(outcome.out.find("\"verdict\": \"interrupted\"") != std::string::npos);
+  CHECK(!place.has("rules.yaml"));
+}
+
 TEST_CASE("averages and structures leave interrupted runs out") {
   const Workplace place;
   const pid_t process =

@@ -81,7 +81,7 @@ Json synth_json(const SynthOptions& options, const Synthesis& result, const Synt
     if (!result.obstacle->drawing.empty()) json["drawing"] = result.obstacle->drawing;
     json["remedies"] = result.obstacle->remedies;
   } else {
-    json["verdict"] = result.cut_short ? "out-of-time" : "not-found";
+    json["verdict"] = result.cut_short ? early_verdict() : "not-found";
   }
   json["impossible"] = result.obstacle && result.obstacle->proved;
   json["cut_short"] = result.cut_short;

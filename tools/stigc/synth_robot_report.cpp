@@ -18,6 +18,7 @@
 #include "report.h"
 #include "rules/cell_text.h"
 #include "synth_robot.h"
+#include "synth_words.h"
 
 namespace stig::cli {
 namespace {
@@ -365,7 +366,7 @@ std::string assembly_json(const SynthOptions& options, const Target& target, con
     json["verdict"] = "impossible";
     json.update(obstacle_json(target, *made.obstacle));
   } else {
-    json["verdict"] = made.too_many ? "unknown" : made.cut_short ? "out-of-time" : "not-found";
+    json["verdict"] = made.too_many ? "unknown" : made.cut_short ? early_verdict() : "not-found";
   }
   if (!made.plan) {
     json["remedies"] = Json::array();

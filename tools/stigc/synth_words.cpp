@@ -25,6 +25,8 @@ std::string_view ended_early() {
                           : "the time allowed ended the search: another run may find better";
 }
 
+std::string_view early_verdict() { return stop_requested() ? "interrupted" : "out-of-time"; }
+
 int write_one(const std::string& path, const std::string& bytes, const App& app,
               std::vector<std::string>& written) {
   FileError error;

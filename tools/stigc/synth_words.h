@@ -22,6 +22,8 @@ std::string set_name(const std::string& path);
 
 /// Why the result of a search that was cut short is not the one that the effort gives.
 std::string_view ended_early();
+/// The same as the "verdict" of --json.
+std::string_view early_verdict();
 
 /// Writes one file and remembers it; returns an exit code.
 int write_one(const std::string& path, const std::string& bytes, const App& app,
