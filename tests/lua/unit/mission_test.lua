@@ -133,17 +133,17 @@ case('a brick that would be seen, and is not, is forgotten', function()
    machine.tracker.tracks[2].time = -1
    local hidden = SIDE
    machine.sight.would_see = function(_, _, y) return math.abs(y - hidden) > 1e-3 end
-   for _ = 1, 5 do map:forget_gone(row, machine.sight, {}) end
+   for _ = 1, 11 do map:forget_gone(row, machine.sight, {}) end
    same('not yet', map:had_brick(0.3, 0, 1), true)
    map:note_brick(0.3, 0, 1)
-   for _ = 1, 5 do map:forget_gone(row, machine.sight, {}) end
+   for _ = 1, 11 do map:forget_gone(row, machine.sight, {}) end
    same('seen meanwhile', map:had_brick(0.3, 0, 1), true)
    map:forget_gone(row, machine.sight, {})
    same('gone', map:had_brick(0.3, 0, 1), false)
    same('seen', map:had_brick(0.3, 0, 0), true)
    same('hidden', map:had_brick(0.3, SIDE, 0), true)
    hidden = math.huge
-   for _ = 1, 6 do map:forget_gone(row, machine.sight, {}) end
+   for _ = 1, 12 do map:forget_gone(row, machine.sight, {}) end
    same('none of the column', map:had_brick(0.3, SIDE, 0), false)
    same('bricks', map:count_bricks(), 1)
 end)
