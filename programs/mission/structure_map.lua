@@ -17,8 +17,8 @@ local FAR_LINKED = 2.3 * SIDE
 local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
 local TURNED = 0.35            -- rad, likewise
 local OF_BRICK, OF_CACHE = 0.012, 0.07  -- m, from a brick's edge and from a cache's middle, of what is no robot
-local GONE = 12                -- steps since it was last seen in which a brick would be seen, and is not: it is not there.
-                               -- More than two looks take: another robot that hides one for a look has gone by the next
+local GONE = 12                -- steps, more than of two looks, in which a brick would be seen, and is not: it is not there;
+                               -- another robot hides it for one look, but hardly in the next
 local ABOUT = 2                -- cells, from a column, of bricks that matter to what is decided before it
 
 -- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels}, with the steps
