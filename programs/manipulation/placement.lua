@@ -15,6 +15,8 @@ local REST = 0.0015            -- of a block over what it is put on, and less th
 local LET_DOWN = 0.002         -- likewise when it is let go: on its way down it slides into line with its neighbours,
                                -- before what it comes to lie on holds it
 local SET_DOWN = 0.0003        -- likewise where it would be drawn aside on a longer way
+local DROP = 0.006             -- likewise over the floor, where the effector is kept off by KEPT_OFF or more: the floor's
+local KEPT_OFF = 0.004         -- friction would hold it against magnets that are so far
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local CONTESTED = 0.08         -- m, likewise at any height, on the last way to the site: nearer than who looks aside
 local TAKEN = 0.6 * SIDE       -- from a site's middle, where a block is that fills it
@@ -36,10 +38,16 @@ function Placement.new(parts)
    return self
 end
 
+-- How high over what it is put on a block is let go.
+local function let_go_over(level, drawn, short)
+   if level == 0 and short > KEPT_OFF then return DROP end
+   return drawn and SET_DOWN or LET_DOWN
+end
+
 -- Puts the carried block down on `level`, over the gripping point; `colour` is set before. `drawn`: what stands about
--- the place would draw it aside.
-function Placement:release(level, colour, drawn)
-   local over = SIDE * level + (drawn and SET_DOWN or LET_DOWN)
+-- the place would draw it aside; `short`: how far it is before its place.
+function Placement:release(level, colour, drawn, short)
+   local over = SIDE * level + let_go_over(level, drawn, short or 0)
    self.process:enter('release')
    -- first the colour: near its place magnets draw the block away from the radio
    if colour then self.gripper:colour(colour) end
@@ -57,7 +65,8 @@ function Placement:release(level, colour, drawn)
 end
 
 -- From DRAW before a place, where the magnets of its neighbours begin to draw the carried block, down to
--- the level and on to it, or as far as the effector goes.
+-- the level and on to it, or as far as the effector goes. How far before its place the block is then, 0 where it was
+-- drawn in.
 function Placement:slide_in(level)
    self.process:enter('slide in')
    local drawn_off = self.gripper:drawn_off(DRAWN_OFF, FURTHER)
@@ -66,12 +75,13 @@ function Placement:slide_in(level)
    -- what goes on would push a block that is in its place already
    drawn_off()
    coroutine.yield()
-   if drawn_off() then return end
+   if drawn_off() then return 0 end
    -- beside a neighbour the block is to give way, and not the neighbour that draws it
    self.magnets:hold_fast(self.site_aside == 0)
    -- the neighbours draw the robot too
    self.approach:creep(DRAW - SHY - self.odometry:on_line(line), nil, drawn_off)
    self.magnets:hold_fast(false)
+   return drawn_off() and 0 or DRAW - self.odometry:on_line(line)
 end
 
 -- Whether another robot is seen to hold a block over a place, `within` m of it beside; `counts(block)`, if given,
@@ -181,12 +191,10 @@ end
 
 -- Puts the carried block down where approach_site has brought it; `drawn` as with release.
 function Placement:attach(colour, drawn)
-   if not self.over then
-      if colour then self.gripper:colour(colour) end
-      self:slide_in(self.site_level)
-      colour = nil
-   end
-   return self:release(self.site_level, colour, drawn)
+   if self.over then return self:release(self.site_level, colour, drawn) end
+   if colour then self.gripper:colour(colour) end
+   local short = self:slide_in(self.site_level)
+   return self:release(self.site_level, nil, drawn, short)
 end
 
 -- Both. options: those of approach_site, and colour.

@@ -222,6 +222,27 @@ case('a block is picked up, coloured, and put on another', function()
    same('let go', machine.magnets.carrying, false)
 end)
 
+case('before a column that keeps the effector off its place a block is let go higher over the floor', function()
+   local function let_go_over(level, kept_off)
+      local machine, _, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
+      local block = run(function() return machine.search:find(dark) end)
+      run(function() return machine.pickup:pick_up(block) end)
+      local base = run(function() return machine.search:find(lit) end)
+      machine.approach.mean_ahead = function(_, way) return kept_off and way - kept_off end
+      local height
+      machine.gripper.let_go = function()
+         height = machine.lift:height()
+         return true
+      end
+      run(function() return machine.placement:place(base, 'extend', { colour = 2, level = level }) end)
+      return height - SIDE * level
+   end
+   near('on to its place', let_go_over(0), 0.002, 1e-3)
+   near('a millimetre or two before it', let_go_over(0, 0.002), 0.002, 1e-3)
+   near('kept off', let_go_over(0, 0.0085), 0.006, 1e-3)
+   near('over a brick', let_go_over(1, 0.0085), 0.002, 1e-3)
+end)
+
 case('how a carried block hangs is the mean of many readings, and of none before it slipped', function()
    local machine, fake = machine_with()
    local finders, gripper = fake.robot.rangefinders, machine.gripper
