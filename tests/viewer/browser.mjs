@@ -82,12 +82,13 @@ export async function until(page, wanted, given) {
   }
 }
 
-/** Waits until no frame has been drawn for half a second. */
+/** Waits until no frame has been drawn for half a second, and none is asked for. */
 export async function still(page) {
   for (let last = -1, tries = 0;; ++tries) {
     assert.ok(tries < kPatience / 500, 'never still');
-    const frames = await page.evaluate(() => window.stigView.stage.frames);
-    if (frames === last) return;
+    const [frames, asked] = await page.evaluate(
+        () => [window.stigView.stage.frames, window.stigView.stage.asked]);
+    if (frames === last && !asked) return;
     last = frames;
     await page.waitForTimeout(500);
   }

@@ -213,6 +213,7 @@ test('a structure without history has no time bar; hexagonal bricks are picked t
   const at = await placeOf(page, 150);
   await page.mouse.click(at.x, at.y);
   assert.equal((await choices(page)).picked.brick, 150);
+  await still(page);
   // Its outline is that of a hexagonal prism, about it.
   const outline = await page.evaluate(() => {
     const {marker, run} = window.stigView.views[0];
