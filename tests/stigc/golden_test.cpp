@@ -119,6 +119,11 @@ TEST_CASE("verify proves, refutes, or shows growth without end") {
   hold(place, "verify-refuted-json", "stigc verify sets/corner.yaml --json");
   place.write("pyramid.yaml", project_file("rulesets/stepped-pyramid.yaml"));
   hold(place, "verify-never-fires", "stigc check sets/slice.yaml; stigc verify sets/slice.yaml");
+  place.write("exact.yaml", project_file("rulesets/staircase-exact.yaml"));
+  hold(place, "verify-losses",
+       "stigc verify pyramid.yaml --losses; stigc verify exact.yaml --losses; "
+       "stigc verify pyramid.yaml --losses --states 100; stigc verify sets/corner.yaml --losses");
+  hold(place, "verify-losses-json", "stigc verify exact.yaml --losses --json");
   hold(place, "verify-effort", "stigc verify pyramid.yaml --effort 0.00005");
   hold(place, "verify-replay",
        "stigc verify -q sets/corner.yaml --witness c > /dev/null; stigc replay c-first.stigt; "

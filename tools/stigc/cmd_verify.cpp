@@ -19,6 +19,9 @@
 namespace stig::cli {
 namespace {
 
+/// With losses: a list of more would not fit into memory.
+constexpr std::uint64_t kMostStructures = 200'000;
+
 /// The world to prove things of; none: unbounded space.
 std::optional<Box> chosen_box(const RuleSet& rules, const WorldOptions& world,
                               std::string& problem) {
@@ -39,6 +42,34 @@ int exit_code(ProofVerdict verdict) {
       break;
   }
   return kRunFailed;
+}
+
+int exit_code(LossVerdict verdict) {
+  switch (verdict) {
+    case LossVerdict::restored:
+      return kOk;
+    case LossVerdict::lasting:
+      return kFailed;
+    case LossVerdict::unknown:
+      break;
+  }
+  return kRunFailed;
+}
+
+/// Nothing where it is not proved in what the orders end.
+std::optional<LossResult> losses_of(const RuleSet& rules, const VerifyOptions& settings,
+                                    const VerifyResult& result, Progress& progress) {
+  if (result.verdict != ProofVerdict::proved) return std::nullopt;
+  LossOptions options;
+  options.box = settings.box;
+  options.states = std::min(settings.states, kMostStructures);
+  options.work = settings.work;
+  options.seconds = settings.seconds;
+  options.stop = settings.stop;
+  options.progress = [&](std::uint64_t structures) {
+    progress.show(0, fmt::format("losses: {} structures", structures));
+  };
+  return find_losses(rules, *result.structure, options);
 }
 
 int write_certificate(const std::string& path, const VerifyResult& result, const App& app) {
@@ -100,9 +131,13 @@ int run(const VerifyFileOptions& options, App& app) {
   // Walled-in bricks, rules that never fire, repairs: what else the user will ask.
   progress.show(0, "looking at what else there is to say");
   const Findings findings = find_more(*rules, settings, result, limits);
+  const std::optional<LossResult> losses =
+      options.losses ? losses_of(*rules, settings, result, progress) : std::nullopt;
   progress.clear();
+  if (options.losses && !losses) app.say("losses were not looked at: nothing was proved");
   int code = exit_code(result.verdict);
-  const VerifyReport report{*rules, settings.box, result, findings};
+  if (losses) code = std::max(code, exit_code(losses->verdict));
+  const VerifyReport report{*rules, settings.box, result, findings, losses ? &*losses : nullptr};
   if (options.json) {
     app.print(dump(to_json(report)));
   } else {

@@ -93,6 +93,7 @@ struct VerifyFileOptions {
   std::uint64_t states = 2'000'000;
   std::optional<std::string> certificate;
   std::optional<std::string> witness;  ///< begins the names of the files that show the verdict
+  bool losses = false;                 ///< also whether the loss of a brick is mended
   bool json = false;
 };
 

@@ -129,6 +129,7 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
               "  stigc verify rulesets/staircase.yaml --certificate staircase.cert\n"
               "  stigc certify rulesets/staircase.yaml staircase.cert\n"
               "  stigc verify rulesets/wall.yaml --box none --effort 5 --json\n"
+              "  stigc verify rulesets/staircase.yaml --losses\n"
               "  stigc verify rulesets/order-dependent.yaml --witness two-ends  # exit status 1: "
               "refuted\n");
   file(sub, "FILE", o.file, "the rule set; - is standard input");
@@ -143,6 +144,10 @@ void add_verify(CLI::App& app, VerifyFileOptions& o) {
           "seconds after which the verdict is 'unknown' whatever the effort (default: no limit)");
   integer(sub, "--states", o.states, 1, std::int64_t{1} << 31,
           "fillings of a group of bricks kept at most (default: 2000000)");
+  sub->add_flag("--losses", o.losses,
+                "where that is proved, also whether every order of events mends the loss of a "
+                "brick; looks at 200000 structures at most, or --states where that is less; exit "
+                "status 1 where one does not");
   path(sub, "--certificate", o.certificate, "write the certificate of a proof");
   path(sub, "--witness", o.witness,
        "write what shows the verdict: traces and pictures whose names begin with this")

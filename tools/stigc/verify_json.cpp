@@ -100,6 +100,42 @@ Json findings_json(const VerifyReport& report) {
   return json;
 }
 
+Json brick_json(const RuleSet& rules, const PlacedBrick& brick) {
+  return {{"at", to_json(brick.at)}, {"brick", symbol_of(rules, StateSet::of(brick.brick))}};
+}
+
+Json bricks_json(const RuleSet& rules, const std::vector<PlacedBrick>& bricks) {
+  Json json = Json::array();
+  for (const PlacedBrick& brick : bricks) json.push_back(brick_json(rules, brick));
+  return json;
+}
+
+Json losses_json(const LossResult& losses, const RuleSet& rules) {
+  Json json{{"verdict", to_string(losses.verdict)}};
+  if (losses.verdict == LossVerdict::unknown) {
+    json["explored"] = losses.open;
+    json["interrupted"] = losses.interrupted;
+    return json;
+  }
+  json["structures"] = losses.reached.size();
+  json["structures_after"] = losses.after.size();
+  json["losses"] = losses.losses();
+  json["restored"] = losses.restored();
+  json["bricks"] = Json::array();
+  for (const LostBrick& one : losses.bricks) {
+    Json brick = brick_json(rules, one.brick);
+    brick["losses"] = one.losses;
+    brick["restored"] = one.restored;
+    json["bricks"].push_back(std::move(brick));
+  }
+  if (losses.lasting) {
+    json["lasting"] = {{"before", bricks_json(rules, losses.lasting->before)},
+                       {"lost", brick_json(rules, losses.lasting->lost)},
+                       {"end", bricks_json(rules, losses.lasting->end)}};
+  }
+  return json;
+}
+
 }  // namespace
 
 Json to_json(const VerifyReport& report) {
@@ -132,6 +168,7 @@ Json to_json(const VerifyReport& report) {
                        {"step", to_json(result.endless->step)}};
   }
   json["findings"] = findings_json(report);
+  if (report.losses) json["losses"] = losses_json(*report.losses, report.rules);
   return json;
 }
 

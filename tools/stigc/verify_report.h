@@ -6,6 +6,7 @@
 #include "report.h"
 #include "uses.h"
 #include "verify/findings.h"
+#include "verify/losses.h"
 #include "verify/verify.h"
 
 namespace stig::cli {
@@ -15,6 +16,7 @@ struct VerifyReport {
   std::optional<Box> box;
   const VerifyResult& result;
   const Findings& findings;
+  const LossResult* losses = nullptr;  ///< where they were asked for, of a proof
 };
 
 std::string to_text(const VerifyReport& report, bool color);

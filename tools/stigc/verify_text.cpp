@@ -240,6 +240,41 @@ std::string findings_text(const VerifyReport& report) {
   return out;
 }
 
+std::string drawing_of(const VerifyReport& report, const std::vector<PlacedBrick>& bricks) {
+  return indented(small_drawing(Structure(report.rules.lattice, bricks), report.rules.bricks));
+}
+
+/// The numbers, bricks whose loss is not always mended, and one such loss with what comes of it.
+std::string losses_text(const VerifyReport& report) {
+  const LossResult& losses = *report.losses;
+  if (losses.verdict == LossVerdict::unknown) {
+    return line("losses", "unknown: " + printable(losses.open));
+  }
+  const std::string of = fmt::format("{} {} of a brick, from {}", losses.losses(),
+                                     losses.losses() == 1 ? "loss" : "losses",
+                                     counted(losses.reached.size(), "structure"));
+  if (losses.verdict == LossVerdict::restored) {
+    if (losses.losses() == 0) return line("losses", "there is no brick that can be lost");
+    return line("losses", of + ": every order of events mends each");
+  }
+  std::string out =
+      line("losses", fmt::format("{}: every order of events mends {}", of, losses.restored()));
+  std::size_t named = 0;
+  for (const LostBrick& one : losses.bricks) {
+    if (one.restored == one.losses) continue;
+    if (++named > kMostNames) continue;
+    out += line("", fmt::format("{} at {}: {} of {}", brick(report.rules, one.brick.brick),
+                                cell_text(one.brick.at), one.restored, one.losses));
+  }
+  if (named > kMostNames) out += line("", fmt::format("and {} bricks more", named - kMostNames));
+  const LastingLoss& lasting = *losses.lasting;
+  return out + fmt::format("\nA structure of {}\n{}  that loses brick {} at {} can end as\n{}",
+                           counted(lasting.before.size(), "brick"),
+                           drawing_of(report, lasting.before),
+                           brick(report.rules, lasting.lost.brick), cell_text(lasting.lost.at),
+                           drawing_of(report, lasting.end));
+}
+
 }  // namespace
 
 std::string to_text(const VerifyReport& report, bool color) {
@@ -261,6 +296,7 @@ std::string to_text(const VerifyReport& report, bool color) {
       break;
   }
   out += findings_text(report);
+  if (report.losses) out += losses_text(report);
   if (report.result.verdict == ProofVerdict::proved) {
     // Large structures have no small drawing; draw makes one.
     const std::string drawing = small_drawing(*report.result.structure, report.rules.bricks);
