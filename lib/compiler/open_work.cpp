@@ -4,6 +4,7 @@
 // the structure is looked up; after a local proof the view is computed anew.
 #include "compiler/open_work.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "compiler/columns.h"
@@ -21,16 +22,25 @@ OpenWork::OpenWork(const CompiledRules& compiled) : compiled_(compiled) {
 }
 
 std::map<std::uint32_t, ApproachSide> OpenWork::in(const BrickSet& state) const {
-  return sight_ ? by_looking(state) : by_the_walk(state);
+  return in(state, compiled_.sides);
 }
 
-std::map<std::uint32_t, ApproachSide> OpenWork::by_the_walk(const BrickSet& state) const {
+std::map<std::uint32_t, ApproachSide> OpenWork::in(const BrickSet& state,
+                                                   const std::vector<ApproachSide>& sides) const {
+  return sight_ ? by_looking(state, sides) : by_the_walk(state, sides);
+}
+
+bool OpenWork::knows(const BrickSet& state) const { return sight_ || numbers_.contains(state); }
+
+std::map<std::uint32_t, ApproachSide> OpenWork::by_the_walk(
+    const BrickSet& state, const std::vector<ApproachSide>& sides) const {
   std::map<std::uint32_t, ApproachSide> out;
   const auto found = numbers_.find(state);
   if (found == numbers_.end()) return out;
   const Policy& policy = compiled_.policy;
   for (std::size_t i = policy.first[found->second]; i < policy.first[found->second + 1]; ++i) {
     const Situation& here = policy.situations[i];
+    if (std::find(sides.begin(), sides.end(), here.side) == sides.end()) continue;
     const auto wish = decide(*compiled_.decision, policy.observations[here.observation]);
     for (const auto& [placement, to] : here.placements) {
       if (wish != placement) continue;
@@ -41,9 +51,10 @@ std::map<std::uint32_t, ApproachSide> OpenWork::by_the_walk(const BrickSet& stat
 }
 
 /// A column may offer several bricks; a robot's decision picks one.
-std::map<std::uint32_t, ApproachSide> OpenWork::by_looking(const BrickSet& state) const {
+std::map<std::uint32_t, ApproachSide> OpenWork::by_looking(
+    const BrickSet& state, const std::vector<ApproachSide>& sides) const {
   std::map<std::uint32_t, ApproachSide> out;
-  for (const ApproachSide side : compiled_.sides) {
+  for (const ApproachSide side : sides) {
     for (const auto& [v, u] : columns_before(*compiled_.target, state, side)) {
       if (const auto brick = decided(state, side, u, v)) out.emplace(*brick, side);
     }

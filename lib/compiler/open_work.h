@@ -4,6 +4,7 @@
 
 #include <map>
 #include <optional>
+#include <vector>
 
 #include "compiler/compile.h"
 #include "compiler/uses.h"
@@ -18,10 +19,17 @@ class OpenWork {
   /// The bricks, and for each a side from which it is put; none in a structure that robots never
   /// come to by themselves.
   std::map<std::uint32_t, ApproachSide> in(const BrickSet& state) const;
+  /// Likewise by robots that work from some of the compiled sides alone.
+  std::map<std::uint32_t, ApproachSide> in(const BrickSet& state,
+                                           const std::vector<ApproachSide>& sides) const;
+  /// Is it known what robots do in a structure?
+  bool knows(const BrickSet& state) const;
 
  private:
-  std::map<std::uint32_t, ApproachSide> by_the_walk(const BrickSet& state) const;
-  std::map<std::uint32_t, ApproachSide> by_looking(const BrickSet& state) const;
+  std::map<std::uint32_t, ApproachSide> by_the_walk(const BrickSet& state,
+                                                    const std::vector<ApproachSide>& sides) const;
+  std::map<std::uint32_t, ApproachSide> by_looking(const BrickSet& state,
+                                                   const std::vector<ApproachSide>& sides) const;
   std::optional<std::uint32_t> decided(const BrickSet& state, ApproachSide side, int u,
                                        int v) const;
 

@@ -128,6 +128,7 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
     case TrialEnd::built:
       return;
   }
+  out.insert(out.end(), trial.cannot.begin(), trial.cannot.end());
   // What a script broke explains what robots did.
   out.insert(out.end(), trial.broken.begin(), trial.broken.end());
   // Every robot is accounted for: the one that is at fault may be any.

@@ -88,7 +88,10 @@ struct Trial {
   BlockCount blocks;                ///< where each is at the end
   std::vector<std::string> broken;  ///< devices and parts that the scene's script broke: sentences
   std::vector<std::string> caches;  ///< what keeps them from dropping blocks: sentences
-  std::vector<TrialLine> lines;     ///< the last of what programs said
+  /// Why robots cannot complete a structure any more, likewise. No run says so, and no journal
+  /// keeps it: out_of_reach.h does, before a report.
+  std::vector<std::string> cannot;
+  std::vector<TrialLine> lines;  ///< the last of what programs said
   std::vector<TrialPicture> pictures;
   std::map<std::string, double> measures;  ///< of the scene's script
 

@@ -12,7 +12,6 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "base/file_io.h"
 #include "base/hash.h"
@@ -35,6 +34,8 @@
 #include "runtime_input.h"
 #include "scene_input.h"
 #include "scene_text.h"
+#include "validate/crew.h"
+#include "validate/out_of_reach.h"
 #include "validate/progress_svg.h"
 #include "validate/set_up.h"
 #include "validate_report.h"
@@ -81,6 +82,9 @@ class Validation {
     if (batch.trials.empty()) {
       app_.complain("interrupted before the first run");
       return kRunFailed;
+    }
+    for (Trial& trial : batch.trials) {
+      trial.cannot = out_of_reach(target_, compiled_, *scene_, trial);
     }
     ValidationReport report{&target_, decision_text(*rules_, *compiled_.decision),
                             robots_text(compiled_), std::move(batch.trials), &compiled_};
@@ -216,18 +220,12 @@ class Validation {
 
   /// One that robots work from, or `several`.
   bool is_side(const LuaValue& value, bool several) const {
-    // Sides are words parted by blanks: "+x -y".
-    const auto* text = std::get_if<std::string>(&value);
-    if (text == nullptr) return false;
-    std::istringstream words(*text);
-    int count = 0;
-    for (std::string word; words >> word; ++count) {
-      if (std::none_of(compiled_.sides.begin(), compiled_.sides.end(),
-                       [&](ApproachSide side) { return to_string(side) == word; })) {
-        return false;
-      }
-    }
-    return count == 1 || (several && count > 0);
+    const auto sides = sides_in(value);
+    return sides && (several || sides->size() == 1) &&
+           std::all_of(sides->begin(), sides->end(), [&](ApproachSide side) {
+             return std::find(compiled_.sides.begin(), compiled_.sides.end(), side) !=
+                    compiled_.sides.end();
+           });
   }
 
   /// The scene's files that are written, those in folders below its own among them; others stay
@@ -260,28 +258,15 @@ class Validation {
     return names;
   }
 
-  /// Does it run the compiled program? Robots with others may stand about.
-  bool is_builder(const RobotSpawn& robot) const {
-    return robot.program < scene_->programs.size() &&
-           scene_->programs[robot.program].path == kControllerFile;
-  }
-
-  /// Of its program, or null.
-  static const LuaValue* param(const RobotSpawn& robot, std::string_view name) {
-    const auto found = std::find_if(robot.params.begin(), robot.params.end(),
-                                    [&](const auto& one) { return one.first == name; });
-    return found == robot.params.end() ? nullptr : &found->second;
-  }
-
   /// Is every robot of the scene bound to sides that no other works from?
   bool have_own_sides() const {
-    std::set<std::string> taken;
+    std::set<ApproachSide> taken;
     for (const RobotSpawn& robot : scene_->robots) {
-      if (!is_builder(robot)) continue;
-      const LuaValue* sides = param(robot, "sides");
+      if (!is_builder(*scene_, robot)) continue;
+      const LuaValue* sides = param_of(robot, "sides");
       if (sides == nullptr || !is_side(*sides, true)) return false;
-      std::istringstream text(std::get<std::string>(*sides));
-      for (std::string side; text >> side;) {
+      const auto own = sides_in(*sides);
+      for (const ApproachSide side : *own) {
         if (!taken.insert(side).second) return false;
       }
     }
@@ -292,11 +277,11 @@ class Validation {
   int check_robots(Diagnostics& diagnostics) const {
     int count = 0;
     for (const RobotSpawn& robot : scene_->robots) {
-      const LuaValue* side = param(robot, "side");
-      const LuaValue* sides = param(robot, "sides");
+      const LuaValue* side = param_of(robot, "side");
+      const LuaValue* sides = param_of(robot, "sides");
       const bool begins = side != nullptr && is_side(*side, false);
       const bool bound = sides == nullptr || is_side(*sides, true);
-      const bool compiled = is_builder(robot);
+      const bool compiled = is_builder(*scene_, robot);
       count += compiled ? 1 : 0;
       if (!compiled || (begins && bound)) continue;
       diagnostics
