@@ -12,8 +12,9 @@
 -- short, by how much to stop before the target; stop(), asked on the last way, ends it before a column;
 -- apart, whether the block is none of the structure, and so to be come to from where there is room to turn;
 -- clear, whether no brick stands ahead of the place, so that what comes before the effector is another robot;
--- free(line, seen) and alone(line), whether the place is free, and nobody else at work there; begin(),
--- called right before the last way.
+-- free(line, seen) and alone(line), whether the place is free, and nobody else at work there; contested(line), another's
+-- block there; goes_before(place), whether that other is to leave; caught(), whether what is carried has caught on
+-- something; begin(), called right before the last way.
 
 local geometry = require 'common.geometry'
 local structures = require 'perception.structures'
@@ -23,22 +24,22 @@ local ATTEMPTS = 4
 local STAND_OFF = 0.30         -- m, from a block, where its approach begins
 local LOOSE_STAND_OFF = 0.24   -- m, likewise from one that is loose: at 0.30 robots of adjoining sides meet at a corner
 local NEARER = 0.02            -- m, by which it begins nearer where there is no room, down to NEAREST_TURN
-local SPARE = 0.015            -- m, about what a turn sweeps
+local RUN_UP = 0.02            -- m, of one from a robot that faces its line already, farther than the nearest that it begins
 local FARTHER = 0.02           -- m, by which it begins farther off after each attempt
-local HALF_DIAGONAL = 0.039    -- m, of a block
 local NEAREST_TURN = 0.22      -- m, from a block, out of its reach for a robot that turns
 local FACES_IT, ON_LINE = 0.2, 0.02  -- rad, m, of a robot that faces the block already
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
 local THERE = 0.05             -- m, from the stand-off, near enough
-local SPEED = 0.08             -- m/s, while it watches the block
+local SPEED = 0.12             -- m/s, while it watches the block
 local SLOW = 0.05              -- m/s, close to blocks
 local LAST_STRAIGHT = 0.025    -- m, in which the line is joined on the last, blind 50 to 85 mm
 local NEAREST_LOOK = 0.170     -- m, from a target, for the last look
-local FIRST_SIGHTINGS, LAST_SIGHTINGS = 4, 6
-local SEEN_LONG = 12           -- sightings after which a block in the picture needs no first look
+local FIRST_SIGHTINGS, LAST_SIGHTINGS = 3, 6
+local SEEN_LONG = 6            -- sightings after which a block in the picture needs no first look
 local SETTLE_TIME = 0.6        -- s, before the first look
 local BACKS, BACK = 2, 0.02    -- times, m, back from a block that is out of the picture after a turn
 local LONGEST_LOOK = 4         -- s
+local LEAVES = 5               -- s, in which another that is to leave has backed out
 local OFF, ASKEW = 0.005, 0.12 -- m and rad off the line, beyond which it tries again
 local OVER_FOOT = 0.095        -- height of the lift over a block's foot to see it beside the way
 local BESIDE = 0.01            -- m, from the block's line, of a place beside it
@@ -48,10 +49,13 @@ local COLUMN_AHEAD = 0.020     -- m, before the effector
 local NEXT_CELL = 0.040        -- m, likewise, nearer than a column two cells on
 local EFFECTOR_GAP = 0.0010    -- left between the effector and a column before it, at least: with the effector's 8.5 mm
                                -- before the block little less than its magnets reach
-local HELD_OFF = 0.010         -- of a carried block's face from a column's, which would draw it off
+local HELD_OFF = 0.012         -- of a carried block's face from a column's, which would draw it off: the effector is 1 mm farther
+                               -- from the column's middle then than one of 60 mm before an adjoining face is wide; from
+                               -- 14 mm on blocks that are let down are no longer drawn into line
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
 local CREEP_SPEED = 0.02       -- m/s
-local READINGS, MORE = 6, 10   -- of what is ahead, before that; and where it ends the way
+local READINGS, MOST_READINGS = 6, 40  -- of what is ahead, before that, at least and at most
+local MEAN_ERROR, FINAL_ERROR = 0.0006, 0.0003  -- m, of their mean, which it takes readings for; and where it ends the way
 local UNDER_TOP = 0.0005       -- m, of the lift
 
 local Approach = {}
@@ -63,14 +67,16 @@ Approach.TRANSITIONS = {
    acquire = { seen = 'align', unseen = 'retreat', absent = 'absent' },
    align = { seen = 'verify', unseen = 'retreat', obstructed = 'give way' },
    verify = { aligned = 'dock', askew = 'retreat', taken = 'give way' },
-   dock = { there = 'docked', obstructed = 'back out' },
+   dock = { there = 'docked', obstructed = 'back out', caught = 'come free' },
    retreat = { again = 'travel', exhausted = 'exhausted' },
    ['give way'] = { done = 'busy' },
    ['back out'] = { done = 'busy' },
+   ['come free'] = { done = 'caught' },
 }
 -- How it ends: nothing where it is docked, otherwise why not.
 Approach.ENDS = {
    docked = false, absent = 'it is not there', busy = 'busy', exhausted = 'no approach succeeded',
+   caught = 'the block has caught',
 }
 
 -- parts: description, odometry, process, ranges, camera, tracker, clearance, sweep, path, magnets, lift.
@@ -124,22 +130,26 @@ function Approach:column_ahead()
    return ahead ~= nil and ahead < COLUMN_AHEAD
 end
 
--- Whether something is so near ahead that it would stand in the next cell.
-function Approach:next_cell_filled()
+-- Whether something is so near ahead that it would stand in the next cell of a target, as the effector sees from where its
+-- way ends.
+function Approach:next_cell_filled(target)
    local ahead = self.ranges:range('front')
-   return ahead ~= nil and ahead < NEXT_CELL
+   return ahead ~= nil and ahead < NEXT_CELL + math.max(0, -(target.short or 0))
 end
 
--- How far what is ahead of the effector is, of some readings, since one may be off by a millimetre or two, and of more
+-- How far what is ahead of the effector is: the mean of as many readings as leave it uncertain by MEAN_ERROR, and less
 -- where it is nearer than `near`; nil where nothing is.
 function Approach:mean_ahead(near)
-   local sum, count = 0, READINGS
-   for reading = 1, READINGS + MORE do
+   local sum, squares, count = 0, 0, 0
+   for reading = 1, MOST_READINGS do
       local ahead = self.ranges:range('front')
       if not ahead then return nil end
-      sum = sum + ahead
-      if reading == READINGS and sum / READINGS < near then count = READINGS + MORE end
-      if reading == count then break end
+      sum, squares, count = sum + ahead, squares + ahead * ahead, reading
+      if reading >= READINGS then
+         local mean = sum / reading
+         local variance = math.max(0, squares / reading - mean * mean) / (reading - 1)
+         if variance < (mean < near and FINAL_ERROR or MEAN_ERROR) ^ 2 then break end
+      end
       coroutine.yield()
    end
    return sum / count
@@ -168,7 +178,7 @@ end
 -- turns there, m, or more than it takes.
 function Approach:stand_off_on(line, run)
    local farthest = self:farthest_beginning(run)
-   local needed, best, most = self.sweep.reach + SPARE, farthest, -math.huge
+   local needed, best, most = self.sweep.room, farthest, -math.huge
    for nearer = 0, farthest - NEAREST_TURN + 1e-9, NEARER do
       local room = not run.target.apart and needed or
                    self.clearance.room(self.odometry:pivot_on(line, nearer - farthest))
@@ -249,6 +259,8 @@ function Approach:sight_again(run, height)
    -- one to the side is out of the picture until the robot turns to it
    if is_beside(run.target) then return true end
    self.lift:to(height)
+   -- by a picture since those turns
+   coroutine.yield()
    local function in_sight() return self:in_picture(run.block) ~= nil end
    for _ = 1, BACKS do
       if self.process:wait_until(in_sight, SETTLE_TIME) then return true end
@@ -260,17 +272,18 @@ end
 -- To where the straight way begins. Whether nobody is in the way.
 function Approach:go_to_stand_off(run)
    local clearance, odometry = self.clearance, self.odometry
-   local function meets() return clearance:meets() end
    -- out of reach of the block before turning
-   local more = self.sweep.reach + HALF_DIAGONAL + SPARE - geometry.apart(odometry:pivot(), run.block)
+   local more = self.sweep.from_block - geometry.apart(odometry:pivot(), run.block)
    if more > 0 then self.path:back_off(more + FARTHER) end
    local x, y = odometry:pivot_on(run.line, -self:stand_off_on(run.line, run))
+   local function left() return geometry.apart(odometry:pivot(), { x = x, y = y }) end
+   local function meets() return clearance:meets(left()) end
    for _ = 1, 3 do
       self.path:go_to(x, y, nil, meets)
       if not meets() then break end
       self.process:wait(PATIENCE * math.random())
    end
-   return not meets() or geometry.apart(odometry:pivot(), { x = x, y = y }) <= THERE
+   return not meets() or left() <= THERE
 end
 
 -- States ---------------------------------------------------------------------------------------
@@ -294,7 +307,7 @@ function states.travel(self, run)
    local first, least = run.attempt == 1, self:nearest_beginning(run)
    if first and along > -least and math.abs(aside) < ON_LINE and math.abs(angle) < FACES_IT then
       -- it faces it already, and a turn sweeps more than going back
-      self.path:follow_back(run.line, -self:stand_off_on(run.line, run), 0.1)
+      self.path:follow_back(run.line, -math.min(self:stand_off_on(run.line, run), least + RUN_UP), 0.1)
    end
    along, aside = self.odometry:turned_onto(run.line)
    if first and along <= -least and math.abs(aside) <= ON_LINE then return 'arrived' end
@@ -311,8 +324,8 @@ function states.acquire(self, run)
    self.path:turn_to(run.line.yaw)
    self:watch(run.block, run.lowest)
    if self:is_in_view(run.block) then return 'seen' end
-   self.process:wait(SETTLE_TIME)
-   if self:look_aside(run.block, FIRST_SIGHTINGS) then return 'seen' end
+   self.process:wait_until(function() return self:in_picture(run.block) ~= nil end, SETTLE_TIME)
+   if self:is_in_view(run.block) or self:look_aside(run.block, FIRST_SIGHTINGS) then return 'seen' end
    if run.attempt > 1 then return 'unseen' end
    self.tracker:forget(run.block)
    return 'absent'
@@ -344,20 +357,42 @@ function states.verify(self, run)
    return 'askew'
 end
 
-function states.dock(self, run)
-   self.process:enter('reach')
-   local line, stop = self:aim(run), run.target.stop
-   if run.target.begin then run.target.begin() end
-   local to = -self.description.magnets.ahead + (run.target.short or 0)
-   local met = false
+-- Where another robot is met on the last way: ahead, in the cell behind the place, or with its block about the place.
+function Approach:met_at(run, line)
+   local target = run.target
+   if target.clear and self:next_cell_filled(target) then
+      local x, y = geometry.out_of(line, SIDE, 0)
+      return { x = x, y = y }
+   end
+   return target.contested and target.contested(line)
+end
+
+-- Along the last way: there, obstructed or caught; and whether a column ahead has ended it before. Where another is met who
+-- is to leave, it waits for that, once.
+function Approach:follow_last(run, line, to)
+   local target, met, caught, stopped = run.target, nil, false, false
    local function ends()
-      met = met or run.target.clear and self:next_cell_filled() or
-            run.target.contested and run.target.contested(line)
-      return met or stop and stop()
+      met, caught = self:met_at(run, line), target.caught and target.caught() or false
+      -- told once: of what is as far as that, every other reading says that it is farther
+      stopped = stopped or target.stop and target.stop()
+      return met or caught or stopped
    end
    self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)
-   if met then return 'obstructed' end
-   if not stop or not stop() then return 'there' end
+   if met and not caught and target.goes_before and target.goes_before(met) then
+      self.process:wait_until(function() return not self:met_at(run, line) end, LEAVES)
+      stopped = false
+      self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)
+   end
+   return caught and 'caught' or met and 'obstructed' or 'there', stopped
+end
+
+function states.dock(self, run)
+   self.process:enter('reach')
+   local line = self:aim(run)
+   if run.target.begin then run.target.begin() end
+   local to = -self.description.magnets.ahead + (run.target.short or 0)
+   local came, stopped = self:follow_last(run, line, to)
+   if came ~= 'there' or not stopped then return came end
    -- the column draws the block, which is held until it has been let down
    self.magnets:hold_fast(true)
    self:creep(to - self.odometry:on_line(line), HELD_OFF)
@@ -383,6 +418,8 @@ states['back out'] = function(self)
    self.magnets:hold_fast(false)
    return 'done'
 end
+
+states['come free'] = states['back out']
 
 -- True and the block as it was last seen, or false and why not.
 function Approach:to(target)

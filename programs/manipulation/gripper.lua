@@ -8,7 +8,7 @@ local PULSE, LOWER = 0.006, 0.003  -- heights of the lift over a block on the fl
 local CARRY = 0.058
 local CARRY_FAR = 0.080        -- passes over a block without being drawn to it
 local LET_GO = 0.030           -- up from a block that was put down
-local PULSE_TIME, LOWER_TIME, SETTLE_TIME = 0.5, 1, 0.4  -- s
+local PULSE_TIME, LOWER_TIME, SETTLE_TIME = 0.5, 0.5, 0.2  -- s
 local READY, EMPTY = 1.12, 1.06    -- of the charge at which the field vanishes
 local CHARGE_TIME, EMPTY_TIME = 8, 6  -- s, at most
 local BEHIND_BLOCK = 0.025     -- m, of the rangefinders behind a block that see it
@@ -77,6 +77,16 @@ function Gripper:drawn_off(most, further)
       local drawn = now and before
       before = now
       return drawn
+   end
+end
+
+-- A function that says, once a step, whether the carried block has been pushed back by more than `most` from where it
+-- hangs now: it has caught on something.
+function Gripper:pushed_back(most)
+   local nearest = self:seat() + self.gap - most
+   return function()
+      local left, right = self.ranges:range('left'), self.ranges:range('right')
+      return left ~= nil and right ~= nil and (left + right) / 2 < nearest
    end
 end
 

@@ -2,12 +2,15 @@
 -- Puts the carried block down next to another: where = 'raise', on top of it; 'extend', in front of it,
 -- on the robot's side; 'beside', to the left of it by `left`.
 
+local Approach = require 'manipulation.approach'
 local geometry = require 'common.geometry'
 
 local SIDE = geometry.SIDE
 local CLEAR = 0.014            -- of a carried block over what it passes, more than magnets reach
 local DRAW, SHY = 0.025, 0.001 -- from a face: where it begins to draw, and where to stop
 local ASIDE = 0.002            -- from a neighbour beside, which draws the block when it is there
+local CAUGHT = 0.0035          -- back in the gripper, of a block that has caught on something on its way in
+local CATCHES = 2              -- so often at most it comes again, ASIDE more off that neighbour each time
 local NEARER = 0.0005          -- less than that, at most, for a block that a turn takes away from it
 local DRAWN_OFF, FURTHER = 0.005, 0.003  -- ahead in the gripper, and than before: neighbours have drawn the block into
                                          -- its place
@@ -56,7 +59,7 @@ function Placement:release(level, colour, drawn, short)
    for _ = 1, RELEASES do
       if self.gripper:let_go() then
          self.process:enter('reverse')
-         self.path:go_by(-0.15, 0.08)
+         self.path:go_by(-0.15, 0.12)
          return true
       end
       self.lift:to(over)
@@ -84,28 +87,28 @@ function Placement:slide_in(level)
    return drawn_off() and 0 or DRAW - self.odometry:on_line(line)
 end
 
--- Whether another robot is seen to hold a block over a place, `within` m of it beside; `counts(block)`, if given,
+-- A block that another robot is seen to hold over a place, `within` m of it beside, or nil; `counts(block)`, if given,
 -- says which of these count.
 function Placement:held_near(x, y, within, counts)
    for _, known in ipairs(self.tracker.tracks) do
       local dx, dy = known.x - x, known.y - y
       if known.colour == self.transport and known.z > SIDE and
          self.odometry.time - known.time < SEEN_LATELY and dx * dx + dy * dy < within * within and
-         (not counts or counts(known)) then return true end
+         (not counts or counts(known)) then return known end
    end
-   return false
+   return nil
 end
 
--- Whether another robot's block is in sight about a place, on its way there or next to it, or, in its colour by now, in
--- it or over it: two that looked in the same second meet there.
-function Placement:is_contested(x, y, level)
+-- Another robot's block that is in sight about a place, on its way there or next to it, or, in its colour by now, in
+-- it or over it, or nil: two that looked in the same second meet there.
+function Placement:contested_by(x, y, level)
    for _, known in ipairs(self.tracker.tracks) do
       local dx, dy = known.x - x, known.y - y
       local near = known.z > SIDE * level and TAKEN or 0
       if known.colour == self.transport then near = CONTESTED end
-      if dx * dx + dy * dy < near * near and self.odometry.time - known.time < SEEN_NOW then return true end
+      if dx * dx + dy * dy < near * near and self.odometry.time - known.time < SEEN_NOW then return known end
    end
-   return false
+   return nil
 end
 
 -- Whether a place that is to be filled is free as far as the camera has seen.
@@ -130,14 +133,16 @@ function Placement:before_docking(over, options)
    return function() self.gripper:colour(options.colour) end
 end
 
--- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper.
-function Placement:target(block, where, level, back, options)
+-- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper; `caught`: how often it has
+-- caught on a neighbour.
+function Placement:target(block, where, level, back, options, caught)
    local raise, over = where == 'raise', comes_down(where, options)
    return {
       block = block, heading = options.heading,
       lowest = math.min(SIDE * level + CLEAR, self.lift.highest - UNDER_TOP),
       short = (over and 0 or -DRAW) - back, ahead = where == 'extend' and -SIDE or 0,
-      left = (options.left or 0) + ASIDE * (options.aside or 0),
+      left = (options.left or 0) + ASIDE * (options.aside or 0) * (1 + caught),
+      caught = self.gripper:pushed_back(CAUGHT),
       stop = over and function() return self.approach:column_ahead() end or nil,
       -- a block that another robot is putting there hides the top
       free = function(line, top)
@@ -145,8 +150,8 @@ function Placement:target(block, where, level, back, options)
                 (not raise or self.odometry.time - top.top_time < SEEN_NOW)
       end,
       alone = options.alone,
-      contested = options.alone and function(line) return self:is_contested(line.x, line.y, level) end or nil,
-      clear = options.clear, begin = self:before_docking(over, options),
+      contested = options.alone and function(line) return self:contested_by(line.x, line.y, level) end or nil,
+      clear = options.clear, goes_before = options.goes_before, begin = self:before_docking(over, options),
    }
 end
 
@@ -158,21 +163,33 @@ function Placement:taken_aside(turn, options)
    return aside * math.min(aside * left, NEARER)
 end
 
+-- Comes before the place once, `caught` times after the block has caught on a neighbour: as Approach:to, and the turn that
+-- squares the block.
+function Placement:come_before(block, where, level, options, caught)
+   local back, yaw = self.gripper:seat()
+   local target = self:target(block, where, level, back, options, caught)
+   local square = math.abs(yaw) > TURNED and -yaw or 0
+   target.left = target.left - self:taken_aside(square, options)
+   local near, seen = self.approach:to(target)
+   return near, seen, square
+end
+
 -- Brings the carried block before its place next to `block`. True, or false and why not. options:
 -- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
--- way in, whether nobody else is at work there; clear, whether no brick stands behind the place; open,
+-- way in, whether nobody else is at work there; goes_before(place), whether one who is met there is to leave; clear,
+-- whether no brick stands behind the place; open,
 -- whether no neighbour stands on either side; colour, which it will have; over, whether it is let down from above as
 -- when raised, and not slid in.
 function Placement:approach_site(block, where, options)
    options = options or {}
    if not self.magnets:holds() then return false, 'the block was lost' end
    local level = options.level or (where == 'raise' and (block.level or 0) + 1 or 0)
-   local back, yaw = self.gripper:seat()
-   local target = self:target(block, where, level, back, options)
-   local square = math.abs(yaw) > TURNED and -yaw or 0
-   target.left = target.left - self:taken_aside(square, options)
-   local near, seen = self.approach:to(target)
+   local near, seen, square
+   for caught = 0, CATCHES do
+      near, seen, square = self:come_before(block, where, level, options, caught)
+      if near or seen ~= Approach.ENDS.caught then break end
+   end
    if not near then
       if self.magnets:holds() then self.gripper:colour(self.transport) end
       return false, seen

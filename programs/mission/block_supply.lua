@@ -17,6 +17,8 @@ local LINKED = 1.25 * geometry.SIDE
 local AT_CACHE = 0.15          -- m, from the last block there
 local RESTS = 5                -- searches in vain, after which each rest is twice as long as the one before
 local SEARCHES = 2             -- likewise, from which on it leaves a cache that is empty
+local LEAVES = 1               -- likewise, from which on a robot that is bound to no side goes to the others' caches
+local TRIES = 1                -- to come there, and to a cache where none was seen yet
 local LAID_ASIDE = 0.36        -- m, from where it was found, of the robot that lays a block down that does not answer: at
                                -- a cache the next one comes when none lies within 0.35
 local LAY_BACK = 0.15          -- m, by which it has gone back from there
@@ -89,15 +91,23 @@ function BlockSupply:wander()
    return function(x, y) return self.navigation:wander(x, y) end
 end
 
--- A block at the cache, as a look there tells.
-function BlockSupply:at_cache(time)
+-- A block at the cache, as a look there tells, and whether something stood in the way, as Navigation:look_again has it.
+function BlockSupply:at_cache(time, tries)
    local is_wanted = self:wanted()
    local function seen()
       for _, known in ipairs(self.tracker:blocks()) do
          if is_wanted(known) and self.process:time() - known.time < FRESH then return true end
       end
    end
-   return self.navigation:look_again(self.map.cache, seen, time) and self.tracker:recall(is_wanted)
+   local found, blocked = self.navigation:look_again(self.map.cache, seen, time, tries)
+   return found and self.tracker:recall(is_wanted) or nil, blocked
+end
+
+-- One that was seen on the side from which the robot works, though not where its cache was expected.
+function BlockSupply:remembered_here()
+   local map, is_wanted = self.map, self:wanted()
+   if not map.known or not map.side then return nil end
+   return self.tracker:recall(function(known) return is_wanted(known) and map:is_on_side(map.side, known) end)
 end
 
 -- A block at the cache of a side where none was found yet: farther out than the last one's, since a structure that has
@@ -109,8 +119,8 @@ function BlockSupply:at_cache_further_out()
    for step = 1, FURTHER do
       local x, y = geometry.out_of({ x = expected.x, y = expected.y, yaw = heading }, -step * STEP_OUT, 0)
       map.cache = { x = x, y = y }
-      local block = self:at_cache(LOOK_TIME)
-      if block then return block end
+      local block, blocked = self:at_cache(LOOK_TIME, TRIES)
+      if block or blocked then return block end
    end
 end
 
@@ -120,20 +130,40 @@ function BlockSupply:patience()
    return (5 + 10 * math.random()) * 2 ^ math.min(self.in_vain, RESTS)
 end
 
+-- A block at one of the other sides' caches, the nearest first, or nil; of a robot that is bound to no side and found
+-- nothing at its own.
+function BlockSupply:at_others_caches()
+   local map = self.map
+   if self.machine.robot.params.sides or self.in_vain < LEAVES or not map.known then return nil end
+   local own, ways = map.cache, {}
+   for side in pairs(map.caches) do
+      local cache = map:cache_of(side)
+      if geometry.apart(cache, own) > AT_CACHE then table.insert(ways, cache) end
+   end
+   local function way(cache) return self.machine.odometry:distance_to(cache) end
+   table.sort(ways, function(a, b) return way(a) < way(b) end)
+   for _, cache in ipairs(ways) do
+      map.cache = cache
+      local block = self:at_cache(LOOK_TIME, TRIES)
+      if block then return block end
+   end
+   map.cache = own
+end
+
 -- Where the last block came from, about the robot, and there again: an empty cache is filled after a while.
 function BlockSupply:look_at_cache()
    local map = self.map
    if not map.cache then return nil end
    local block = self:at_cache(self.last_cache and FIRST_LOOK or LOOK_TIME)
    if not block and self.last_cache then
-      block = self:at_cache_further_out()
+      block = self:remembered_here() or self:at_cache_further_out()
       if not block then
          map.cache = self.last_cache
          block = self:at_cache()
       end
    end
    self.last_cache = nil
-   block = block or self.machine.search:look_about(self:wanted())
+   block = block or self:at_others_caches() or self.machine.search:look_about(self:wanted())
    if block then return block end
    -- what lies nearer than it should is below the picture
    local nearer = SURE_VIEW - self.machine.odometry:distance_to(map.cache)
@@ -183,6 +213,15 @@ function BlockSupply:approach_block()
    return 'lost'
 end
 
+-- Whether neither a block nor a brick is where the robot's turn on the spot would sweep it.
+function BlockSupply:has_room_to_turn()
+   local pivot, sweep = self.machine.odometry:pivot(), self.machine.sweep
+   for _, known in ipairs(self.tracker:blocks()) do
+      if geometry.apart(pivot, known) < sweep.from_block then return false end
+   end
+   return self.map:room_about(pivot.x, pivot.y) > sweep.room
+end
+
 function BlockSupply:pick_up()
    local block = self.block
    local place, fresh = { x = block.x, y = block.y }, block.colour == 0
@@ -190,7 +229,7 @@ function BlockSupply:pick_up()
    if holds then
       self.map.side, self.in_vain = nil, 0
       if fresh then self.map.cache = place end
-      self.machine.path:back_off(0.10)
+      if not self:has_room_to_turn() then self.machine.path:back_off(0.10) end
       self.silent = answers and 0 or self.silent + 1
       return self.task.answers and not answers and 'mute' or 'holds'
    end

@@ -16,7 +16,8 @@ local EDGE_LOOK = 0.3          -- rad, between looks from there
 local AT_ROW = 12              -- s, that others are out of sight at the far rows
 local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
 
--- way_round: to the next side, 1 to the left, -1 to the right.
+-- way_round: to the next side, 1 to the left, -1 to the right. wanted: index of the side to which it is to go next, if that
+-- is another. worked: of the one where it found somebody at work, if that was the last that it went to.
 local SideAllocation = {}
 SideAllocation.__index = SideAllocation
 
@@ -107,6 +108,18 @@ function SideAllocation:next_side()
    return all[(here - 1 + self.way_round) % #all + 1]
 end
 
+-- Index of that of the robot's other sides that is nearest on the way round and `is_wanted(index)`; nil for none.
+function SideAllocation:nearest_other(is_wanted)
+   local best, least
+   for _, name in ipairs(self.task.sides) do
+      local index = StructureMap.SIDES[name]
+      local quarters = (index - self.map.side) % 4
+      local way = math.min(quarters, 4 - quarters)
+      if way > 0 and (not best or way < least) and is_wanted(index) then best, least = index, way end
+   end
+   return best
+end
+
 -- The side is the robot's from now on, and so is its cache.
 function SideAllocation:take(side)
    local map = self.map
@@ -116,9 +129,13 @@ end
 -- To the next side. Where somebody works there, back to where it was, and the other way round the next
 -- time. Says whether the side has changed.
 function SideAllocation:change()
-   local map, side = self.map, self:next_side()
+   local map, side = self.map, self.wanted or self:next_side()
+   local quarters = (side - map.side) % 4
+   if self:are_shared() and quarters ~= 2 then self.way_round = quarters == 1 and 1 or -1 end
+   self.wanted = nil
    local free = not (self:are_shared() and map.cache_way and
                      self:is_worked(map:heading_of(side), self.way_round))
+   self.worked = not free and side or nil
    if free then
       self:take(side)
    else

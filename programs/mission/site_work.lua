@@ -4,6 +4,7 @@
 
 local geometry = require 'common.geometry'
 local Column = require 'mission.column'
+local DueRows = require 'mission.due_rows'
 local Navigation = require 'motion.navigation'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
@@ -12,6 +13,10 @@ local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
 local PEEK_RIM = 0.05          -- m/s, of that turn, at most: a robot stands across several measurements
 local PEEK_STOP = 0.2          -- rad, in which it ends
 local PEEK_TIME = 0.6          -- s
+local STAYS, STAY = 3, 3       -- looks more from there where it goes before those that it sees, and s between two
+local GOES_IN = 0.055          -- m, of a block from the nearest brick's edge, nearer than who stands to look to both sides
+local AT_SAME = 0.12           -- m, from a site, at most, of the block in the hand of another that looks to both sides before it,
+local FELT_AT_SAME = { 0.12, 0.16 }  -- and, at least and at most, of what rangefinders see of its chassis
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
 local COMES_UP = 0.03          -- m, before the effector, likewise on the way in along a row's line
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
@@ -22,6 +27,7 @@ local EXPLORES = 3             -- rounds in vain, from which on it looks beyond 
 local FAR_EXPLORES = 7         -- likewise farther beside them, where another side of the structure may begin
 local FAR_BESIDE, FAR_IN = { 3, 6 }, 4  -- cells beside the outermost row, in turn, and in from the foremost brick: as
                                -- near as a robot passes a row that juts out
+local NOT_DUE = 1e4            -- more than any order of rows
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local AWAKE, RESTS = 1, 6      -- rounds in vain, after which each rest is twice as long as the one before, so often
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -36,7 +42,7 @@ local TOO_FAR = 0.20           -- m, likewise, from where it looks
 local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
--- tried: rows of this side that asked for nothing; explored: ways beside its rows that were gone, 1 to the left, -1 to
+-- tried: rows of this side that asked for nothing; in_vain_at: by side and v, those of all sides, since the last brick; explored: ways beside its rows that were gone, 1 to the left, -1 to
 -- the right. in_vain: how often all rows of a side were tried since the last brick; rounds: likewise of this side.
 -- patience: how often it tries them before it goes elsewhere, of sides that are shared: once, and twice as often each
 -- time. obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what
@@ -52,7 +58,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
-      tried = {}, explored = {}, in_vain = 0, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {}, approach_time = 0,
+      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {}, approach_time = 0,
    }, SiteWork)
 end
 
@@ -68,22 +74,55 @@ function SiteWork:begin_side()
    self.tried, self.explored, self.unfound = {}, {}, nil
 end
 
--- The row, of those not tried yet, that juts out furthest; of several the one straight ahead, which
--- keeps robots apart that work from several sides.
+-- No more to a row of this side, until all were tried.
+function SiteWork:set_aside(v)
+   local side = self.map.side
+   self.tried[v] = true
+   -- the structure may have been lost meanwhile
+   if not side then return end
+   self.in_vain_at[side] = self.in_vain_at[side] or {}
+   self.in_vain_at[side][v] = true
+end
+
+-- Rows by v that the rules ask for from a side, as far as the robot remembers, and that were not looked at in vain.
+function SiteWork:due_from(side)
+   local due, vain = DueRows.of(self.map, self.task, side), self.in_vain_at[side] or {}
+   for v in pairs(vain) do due[v] = nil end
+   return due
+end
+
+-- That of its other sides that is nearest where a row is due, but for one where it has just found somebody at work; or
+-- nil.
+function SiteWork:due_side()
+   return self.sides:nearest_other(function(side)
+      return side ~= self.sides.worked and next(self:due_from(side)) ~= nil
+   end)
+end
+
+-- Whether the robot goes to another of its sides at once, since a row is due there, and none here.
+function SiteWork:leaves_for_due()
+   if self:keeps_to_side() then return false end
+   self.sides.wanted = self:due_side()
+   return self.sides.wanted ~= nil
+end
+
+-- The row, of those not tried yet, that is due as far as the robot remembers, or else any; of several the one that juts
+-- out furthest, and of these the one straight ahead, which keeps robots apart that work from several sides.
 function SiteWork:choose_row()
    if not self.magnets:holds() then return 'dropped' end
    if self.obstructed > OBSTRUCTED and #self.task.sides > 1 then return 'none' end
    local rows = self.map:rows()
    if not rows then return 'lost' end
    self.row = nil
-   local least
+   local due, least = self:due_from(self.map.side)
    for _, of in pairs(rows) do
       if not self.tried[of.v] and self.map.room_before(rows, of) then
          local _, aside = self.odometry:on_line(self.map.line_before(of))
-         local order = math.abs(aside) - of.front
+         local order = math.abs(aside) - of.front + (due[of.v] and 0 or NOT_DUE)
          if not self.row or order < least then self.row, least = of, order end
       end
    end
+   if not (self.row and due[self.row.v]) and self:leaves_for_due() then return 'none' end
    self.row = self.row or self:flank_of(rows)
    return self.row and 'chosen' or 'none'
 end
@@ -135,6 +174,11 @@ end
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
 -- while, since others' work may open a row.
 function SiteWork:stays()
+   if self.sides.wanted then
+      self:begin_side()
+      self.sides:withdraw()
+      return false
+   end
    self.tried, self.explored, self.rounds, self.in_vain = {}, {}, self.rounds + 1, self.in_vain + 1
    self.sides:withdraw()
    if not self:keeps_to_side() then
@@ -144,6 +188,7 @@ function SiteWork:stays()
       self:rest()
       return true
    end
+   if self.sides:are_shared() then self.sides.wanted = self:due_side() end
    self.obstructed, self.rounds, self.patience = 0, 0, 2 * self.patience
    return false
 end
@@ -198,7 +243,7 @@ function SiteWork:stand_before()
       return 'blocked'
    end
    self.path:turn_to(line.yaw)
-   if self:come_up(line, away, 0.10) then return 'there' end
+   if self:come_up(line, away, 0.14) then return 'there' end
    -- another robot is at the row: out of its way, and another try after a while
    self.path:back_off(0.10)
    self.process:wait(BUSY * math.random())
@@ -217,7 +262,7 @@ function SiteWork:stand_for(column, look)
    end
    for attempt = 1, REJOINS + 1 do
       if attempt > 1 then self.path:follow_back(line(), -away - REJOIN, 0.08) end
-      if not self:come_up(attempt > 1 and line or line(), away, 0.08) then return false end
+      if not self:come_up(attempt > 1 and line or line(), away, 0.12) then return false end
       if not self.lift:is_below(look.lift) and not self.clearance:await_room_below() then return false end
       self.lift:to(look.lift)
       local _, aside, angle = self.odometry:on_line(line())
@@ -271,7 +316,7 @@ function SiteWork:look()
    for _, look in ipairs(self.task.looks) do
       if not self:look_from(column, look) then
          self.path:back_off(0.10)
-         self.tried[self.row.v] = true
+         self:set_aside(self.row.v)
          self:give_up()
          return 'unseen'
       end
@@ -295,7 +340,7 @@ function SiteWork:look()
       self:leave(chosen)
       return 'nothing'
    end
-   self.tried[self.row.v] = true
+   self:set_aside(self.row.v)
    self:leave(self.row)
    if top_seen then return 'nothing' end
    if self.row.by_heart then self.map:forget_row(self.row) end
@@ -312,44 +357,87 @@ function SiteWork:comes_and_goes(point)
    return true
 end
 
--- Whether somebody holds a block near the structure, as a look over the column and to both sides tells: with
+-- Whether another, whose block or chassis is at a place, looks at the same site, and is to leave. Robots at adjoining sites
+-- are out of each other's pictures until they go in, so that neither knows when the other does.
+function SiteWork:goes_before(other, line)
+   local way, least, most = apart(line, other), FELT_AT_SAME[1], FELT_AT_SAME[2]
+   if other.z then least, most = 0, AT_SAME end
+   return (other.opposite or way > least and way < most) and self.map:goes_before(other)
+end
+
+-- The block that somebody is seen to hold at work about a place; `first`: except of those that this robot goes before,
+-- which have not gone in.
+function SiteWork:held_at_work(line, first)
+   return self.placement:held_near(line.x, line.y, NEXT_SITE, function(block)
+      local room = self.map:room_about(block.x, block.y)
+      return room < GOES_IN or room < PAST_LOOK and not (first and self:goes_before(block, line))
+   end)
+end
+
+-- Likewise a place where rangefinders have seen a robot since a time.
+function SiteWork:felt_at_work(line, since, first)
+   for _, point in ipairs(self.machine.returns:near(line.x, line.y, AT_SITE, since)) do
+      if self:comes_and_goes(point) and not (first and self:goes_before(point, line)) then return point end
+   end
+end
+
+-- Where somebody stands on the other side of the site: from the lift's top the effector's rangefinder looks over bricks,
+-- and sees the other's effector or what carries it. No camera looks so high.
+function SiteWork:opposite()
+   self.lift:to(self.lift:top())
+   local ahead = self.machine.ranges:range('front')
+   if not ahead then return nil end
+   local x, y = geometry.out_of(self.odometry.pose, self.machine.description.effector.front + ahead, 0)
+   return { x = x, y = y, opposite = true }
+end
+
+-- A block that somebody holds near the structure, as a look over the column and to both sides tells: with
 -- the lift at its top, since the picture's upper edge cuts off what another holds as high and as far away. What
 -- is seen on the way counts at once: by the end of a slow turn it would be long ago.
-function SiteWork:sees_others_work(line)
-   local returns = self.machine.returns
-   local function is_at_work(block) return self.map:room_about(block.x, block.y) < PAST_LOOK end
-   local function held() return self.placement:held_near(line.x, line.y, NEXT_SITE, is_at_work) end
+function SiteWork:sees_others_work(line, first)
+   local returns, busy = self.machine.returns, nil
+   local function held()
+      busy = busy or self:held_at_work(line, first)
+      return busy
+   end
    local drive = self.machine.description.drive
    local rim = math.min(PEEK_RIM, math.sqrt(PEEK_STOP * drive.acceleration * drive.track))
    self.lift:to(self.lift:top())
-   local busy = self.process:wait_until(held, PEEK_TIME)
+   self.process:wait_until(held, PEEK_TIME)
    for _, angle in ipairs { -PEEK, PEEK } do
       local turn = geometry.wrap(line.yaw + angle - self.odometry.pose.yaw)
-      if not busy and not returns:sweeps(turn, self.lift:height()) then
+      if not held() and not returns:sweeps(turn, self.lift:height()) then
          self.path:swing_to(line.yaw + angle, rim, held)
       end
-      busy = busy or held()
    end
    self.path:turn_to(line.yaw, rim, function()
-      busy = busy or held()
+      held()
       return false
    end)
-   return busy
+   return held()
 end
 
--- Whether no other robot is at work about the end of a line, as a look to both sides tells.
+-- Where another robot is seen at work about the end of a line, in a look to both sides, or nil.
 -- Who passes here stays nearer than PEEK_FROM until it has put its block down, where the others
 -- see it from the places from which they look in their turn: of two robots at work on adjoining
--- sides, the one that looks last sees the other. On the far side one hides behind the column: what
--- it holds is seen over that.
-function SiteWork:is_alone(line)
+-- sides, the one that looks last sees the other.
+function SiteWork:other_at_work(line, first)
    self.path:follow_back(line, -PEEK_FROM, 0.08)
    local start = self.odometry.time
-   local busy = self:sees_others_work(line)
-   for _, point in ipairs(self.machine.returns:near(line.x, line.y, AT_SITE, start)) do
-      busy = busy or self:comes_and_goes(point)
+   return self:opposite() or self:sees_others_work(line, first) or self:felt_at_work(line, start, first)
+end
+
+-- Whether nobody else is at work there. Of two that look at the same site and see each other the one leaves, and the other
+-- looks again after a while, and then goes in, whoever has come meanwhile of those that it goes before.
+function SiteWork:is_alone(line)
+   local first = false
+   for look = 0, STAYS do
+      local other = self:other_at_work(line, first)
+      if not other then return true end
+      first = self:goes_before(other, line)
+      if look == STAYS or not first then return false end
+      self.process:wait(STAY)
    end
-   return not busy
 end
 
 -- What leads to the site: a brick, how the site lies from it, and how far that is to its left, m. The highest of the
@@ -373,8 +461,9 @@ function SiteWork:approach_site()
    local near, problem = self.placement:approach_site(guide, where, {
       heading = self.row.frame.yaw, level = wish.level, left = left,
       over = wish.what == 'beside' and self:stands_free(),
-      aside = wish.aside, open = wish.open, colour = wish.colour, clear = wish.clear and self.task.delay > 0,
+      aside = wish.aside, open = wish.open, colour = wish.colour, clear = self.task.delay > 0 and self:is_clear(),
       alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
+      goes_before = function(place) return self.map:goes_before(place) end,
    })
    local mean, took = self.approach_time, self.odometry.time - start
    self.approach_time = mean == 0 and took or mean + LATEST * (took - mean)
@@ -390,7 +479,7 @@ function SiteWork:approach_site()
    self.record:tally('aborted')
    if problem == 'the block was lost' then return 'dropped' end
    -- what was not found twice is looked for from elsewhere
-   if self.unfound == self.row.v then self.tried[self.row.v] = true end
+   if self.unfound == self.row.v then self:set_aside(self.row.v) end
    self.unfound = self.row.v
    return 'lost'
 end
@@ -402,16 +491,31 @@ function SiteWork:place_of_wish()
    return x, y, wish.level or geometry.level_of(wish.top.z) + 1
 end
 
+-- Whether a brick was ever seen behind the place beside a column, on a level.
+function SiteWork:had_behind(level)
+   local x, y = self.map.place_of(self.row, -1, self.wish.left)
+   return self.map:had_brick(x, y, level)
+end
+
 -- Whether the place beside a column is on a brick, with none behind it that would stop a block on its way in.
 function SiteWork:stands_free()
    local x, y, level = self:place_of_wish()
-   local behind_x, behind_y = self.map.place_of(self.row, -1, self.wish.left)
-   return level > 0 and self.map:had_brick(x, y, level - 1) and not self.map:had_brick(behind_x, behind_y, level)
+   return level > 0 and self.map:had_brick(x, y, level - 1) and not self:had_behind(level)
+end
+
+-- Whether what comes before the effector on the last way is another robot, since no brick stands behind the place: the
+-- effector is over the block.
+function SiteWork:is_clear()
+   local wish = self.wish
+   if wish.what ~= 'beside' then return wish.clear end
+   return not self:had_behind(wish.level) and not self:had_behind(wish.level + 1)
 end
 
 -- The map has what the robot has put down, though no look may show it.
 function SiteWork:note_placed()
-   if self.map.known then self.map:note_brick(self:place_of_wish()) end
+   if not self.map.known then return end
+   local x, y, level = self:place_of_wish()
+   self.map:note_brick(x, y, level, self.wish.colour)
 end
 
 function SiteWork:attach()
@@ -422,7 +526,7 @@ function SiteWork:attach()
    end
    self:leave(self.row)
    self:note_placed()
-   self.tried, self.wish, self.obstructed, self.patience = {}, nil, 0, 1
+   self.tried, self.in_vain_at, self.wish, self.obstructed, self.patience = {}, {}, nil, 0, 1
    self.rounds, self.in_vain = 0, 0
    self.record:tally('placed')
    return 'placed'

@@ -21,8 +21,8 @@ local GONE = 12                -- steps, more than of two looks, in which a bric
                                -- another robot hides it for one look, but hardly in the next
 local ABOUT = 2                -- cells, from a column, of bricks that matter to what is decided before it
 
--- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels}, with the steps
--- by level in which one would have been seen since, and was not.
+-- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels, colours}, by level
+-- the steps in which one would have been seen since, and was not, and the colour that it had.
 -- known: {x, y, reach, yaw, origin}: middle and radius of all these bricks, also those out of sight, the
 -- heading that faces the structure from params.side, and the middle of one cell; nil when it is not known.
 -- first: {u, v}, the structure's middle as first seen, in cells: what grows moves `known`, but no cache.
@@ -52,6 +52,11 @@ local function middle_of(structure)
    return { x = x, y = y }
 end
 
+-- How far a place is from the structure as it is known, m: all bricks that it had may be forgotten.
+function StructureMap:off_known(place)
+   return math.min(self:room_about(place.x, place.y), apart(self.known, place) - self.known.reach)
+end
+
 -- The largest structure of bricks, of what is in memory; of two alike the one nearer to where the
 -- structure is known, or the robot began. Some of its bricks may be out of sight, and those in memory
 -- not be linked. Where the structure is known, a brick far from there is one that somebody lost,
@@ -59,11 +64,12 @@ end
 function StructureMap:in_memory(anywhere)
    local home = self.known or { x = 0, y = 0 }
    local best, least
-   local function is_brick(block) return self:is_brick(block) end
+   -- one that stands on no level is in a robot's hand, or was seen badly
+   local function is_brick(block) return block.level ~= nil and self:is_brick(block) end
    for _, structure in ipairs(structures.of(self.tracker:blocks(), is_brick, FAR_LINKED)) do
       local middle = middle_of(structure)
       local away = apart(home, middle)
-      local far = self.known and not anywhere and self:room_about(middle.x, middle.y) > STRAYED
+      local far = self.known and not anywhere and self:off_known(middle) > STRAYED
       if not far and (not best or #structure.blocks > #best.blocks or
                       #structure.blocks == #best.blocks and away < least) then
          best, least = structure, away
@@ -109,9 +115,8 @@ end
 -- Whether it is too far from where it was, or turned too much, for odometry's errors.
 function StructureMap:has_strayed(structure, middle)
    local before = self.known
-   return before and not self.task.turns and
-          (self:room_about(middle.x, middle.y) > STRAYED or
-           math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > TURNED)
+   if not before then return false end
+   return self:off_known(middle) > STRAYED or math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > TURNED
 end
 
 -- Middle and reach of all bricks that were ever seen. Of those in sight alone the robot would keep a way off
@@ -150,20 +155,35 @@ function StructureMap:is_held_in(u, v, level)
           self:had_brick_in(u, v - 1, level) or self:had_brick_in(u, v + 1, level)
 end
 
+-- Remembers the bricks of a structure in those cells that `counts(u, v, level)`.
+function StructureMap:note_structure(structure, counts)
+   for _, block in ipairs(structure.blocks) do
+      local u, v = self:cell_of(block.x, block.y)
+      local level = geometry.level_of(block.z)
+      if counts(u, v, level) then self:note_brick_in(u, v, level, block.colour) end
+   end
+end
+
+-- Where the structure is elsewhere, of rules that hold in every turn: which of its sides is which matters to nobody, but
+-- bricks and caches are not where they were.
+function StructureMap:begin_anew()
+   self.bricks, self.caches, self.first, self.known.origin = {}, {}, nil, nil
+end
+
 -- Learns where the structure is, and how the lattice lies. False where the latter is not known.
 function StructureMap:remember(structure)
    local middle = middle_of(structure)
-   if self:has_strayed(structure, middle) then self:lose() end
+   local strayed = self:has_strayed(structure, middle)
+   if strayed and self.task.turns then self:begin_anew() elseif strayed then self:lose() end
    local yaw = self:orientation(structure, middle)
    if not yaw then return false end
    local frame = { x = structure.frame.x, y = structure.frame.y, yaw = yaw }
    self.known = { yaw = wrap(yaw), origin = self:origin_in(frame) }
-   for _, block in ipairs(structure.blocks) do
-      local u, v = self:cell_of(block.x, block.y)
-      local level = geometry.level_of(block.z)
-      if self:is_held_in(u, v, level) then self:note_brick_in(u, v, level) end
-   end
+   self:note_structure(structure, function(...) return self:is_held_in(...) end)
+   -- of one that is seen for the first time, what holds its bricks may be out of sight
+   if not next(self.bricks) then self:note_structure(structure, function() return true end) end
    self:measure_bricks()
+   if strayed and self.side then self.cache = self:cache_of(self.side) end
    return true
 end
 
@@ -176,17 +196,17 @@ end
 -- Under which a cell's bricks are kept.
 local function key_of(u, v) return u .. ' ' .. v end
 
--- Remembers a brick that stands in a cell.
-function StructureMap:note_brick_in(u, v, level)
+-- Remembers a brick of a colour that stands in a cell.
+function StructureMap:note_brick_in(u, v, level, colour)
    local key = key_of(u, v)
-   self.bricks[key] = self.bricks[key] or { u = u, v = v, levels = {} }
-   self.bricks[key].levels[level] = 0
+   local brick = self.bricks[key] or { u = u, v = v, levels = {}, colours = {} }
+   self.bricks[key], brick.levels[level], brick.colours[level] = brick, 0, colour
 end
 
--- Remembers a brick that stands there.
-function StructureMap:note_brick(x, y, level)
+-- Remembers a brick of a colour that stands there.
+function StructureMap:note_brick(x, y, level, colour)
    local u, v = self:cell_of(x, y)
-   self:note_brick_in(u, v, level)
+   self:note_brick_in(u, v, level, colour)
 end
 
 -- The cell of a place, as rows of a side are counted: u towards the robot, v to the left.
@@ -327,8 +347,18 @@ function StructureMap:beginning()
    return { x = x, y = y }
 end
 
--- Where blocks come from on the side of this index: where they were found, or as far off as at another side;
--- nil where none is known.
+-- How near, m, to the structure's middle as it was first seen a cache was found.
+function StructureMap:nearest_cache()
+   local least = self.cache_way
+   for _, cache in pairs(self.caches) do
+      local along, left = cache.along - SIDE * self.first.u, cache.left - SIDE * self.first.v
+      least = math.min(least, math.sqrt(along * along + left * left))
+   end
+   return least
+end
+
+-- Where blocks come from on the side of this index: where they were found, or as far off as at that of the other sides
+-- where it is nearest; nil where none is known.
 function StructureMap:cache_of(index)
    local own = self.caches[index]
    if not own and not self.cache_way then return nil end
@@ -338,7 +368,7 @@ function StructureMap:cache_of(index)
    else
       local from = self:beginning()
       from.yaw = self:heading_of(index)
-      x, y = geometry.out_of(from, -self.cache_way, 0)
+      x, y = geometry.out_of(from, -self:nearest_cache(), 0)
    end
    return { x = x, y = y }
 end
@@ -349,11 +379,27 @@ function StructureMap:heading_of(index)
    return wrap(self.known.yaw + (index - first) * math.pi / 2)
 end
 
--- '+x' ..., of the side that the robot works from.
-function StructureMap:side_name()
+-- '+x' ..., of the side of this index.
+function StructureMap.name_of(side)
    for name, index in pairs(SIDES) do
-      if index == self.side then return name end
+      if index == side then return name end
    end
+end
+
+-- Likewise of the side that the robot works from.
+function StructureMap:side_name()
+   return StructureMap.name_of(self.side)
+end
+
+-- Whether a robot on this side goes before one that is at a place on another: the order of sides says. On the same side
+-- chance does.
+function StructureMap:goes_before(place)
+   local first = self.task.turns and SIDES[self.robot.params.side or self.task.sides[1]] or 0
+   local own = (self.side + first) % 4
+   local turn = wrap(angle_to(place, self.known) - self:heading_of(self.side))
+   local other = (own + geometry.round(turn / (math.pi / 2))) % 4
+   if own == other then return math.random() < 0.5 end
+   return own < other
 end
 
 -- The side among those allowed that a place is nearest to.
@@ -384,23 +430,46 @@ function StructureMap.juts_beside(rows, of)
    return SIDE * (most - of.front)
 end
 
+-- The frame in which the rows of the side of this index are counted.
+function StructureMap:frame_of(index)
+   local origin = self.known.origin
+   return { x = origin.x, y = origin.y, yaw = self:heading_of(index) }
+end
+
+-- The cells with bricks that were ever seen, as rows of the side of this index are counted: by v and u.
+function StructureMap:cells_from(index)
+   local frame, cells = self:frame_of(index), {}
+   for _, brick in pairs(self.bricks) do
+      local u, v = cell_in(frame, self:place_of_brick(brick))
+      cells[v] = cells[v] or {}
+      cells[v][u] = brick
+   end
+   return cells
+end
+
+-- By v, the foremost u of such cells.
+function StructureMap.fronts_of(cells)
+   local fronts = {}
+   for v, row in pairs(cells) do
+      for u in pairs(row) do fronts[v] = math.max(fronts[v] or u, u) end
+   end
+   return fronts
+end
+
 -- Rows of the structure as seen from this side: by v, the foremost u; `by_heart` where that was not seen lately: of a row
 -- of which nothing was seen, or only what stands farther back: the foremost may be below the picture.
 function StructureMap:rows()
    local structure = self:in_memory()
    if not structure or not self:remember(structure) then return nil end
-   local origin = self.known.origin
-   local frame = { x = origin.x, y = origin.y, yaw = self:heading_of(self.side) }
-   local rows, remembered = {}, {}
+   local frame = self:frame_of(self.side)
+   local rows = {}
    for _, known in ipairs(structure.blocks) do
       local u, v = cell_in(frame, known.x, known.y)
       if not rows[v] or rows[v].front < u then rows[v] = { v = v, front = u, frame = frame, by_heart = false } end
    end
-   for _, brick in pairs(self.bricks) do
-      local u, v = cell_in(frame, self:place_of_brick(brick))
-      if not rows[v] or rows[v].front < u then remembered[v] = math.max(remembered[v] or u, u) end
+   for v, u in pairs(StructureMap.fronts_of(self:cells_from(self.side))) do
+      if not rows[v] or rows[v].front < u then rows[v] = { v = v, front = u, frame = frame, by_heart = true } end
    end
-   for v, u in pairs(remembered) do rows[v] = { v = v, front = u, frame = frame, by_heart = true } end
    for _, of in pairs(rows) do of.juts = StructureMap.juts_beside(rows, of) end
    return rows
 end

@@ -66,18 +66,18 @@ function Navigation:give_way()
    self.path:follow(self.odometry:line_ahead(), way, 0.1, function() return self.clearance:meets(0) end)
 end
 
--- Straight to a place. Where something stands in the way: waits for it to go, then gives way.
-function Navigation:straight_to(x, y)
+-- Straight to a place. Where something stands in the way: waits for it to go, then gives way, `tries` times at most.
+function Navigation:straight_to(x, y, tries)
    if not self.magnets.carrying and (self.lift:is_below(DRIVE_LOW) or self.path:clear_below()) then
       self.lift:to(DRIVE_LOW)
    end
    local place = { x = x, y = y }
    local function left() return apart(self.odometry:pivot(), place) end
    local function meets() return self.clearance:meets(left()) end
-   for _ = 1, TRIES do
+   for try = 1, tries or TRIES do
       self.path:go_to(x, y, nil, meets)
       if left() < OFF then return true end
-      if not self.clearance:await_way(left) then self:give_way() end
+      if not self.clearance:await_way(left) and try ~= tries then self:give_way() end
    end
    return false
 end
@@ -100,11 +100,11 @@ function Navigation:round_structure(x, y)
 end
 
 -- To a place, round the structure where it is in the way.
-function Navigation:to(x, y)
+function Navigation:to(x, y, tries)
    local known = self.map.known
    if known and self:way_past(x, y) < known.reach + TOO_NEAR then self:round_structure(x, y) end
    self:past_cache(x, y)
-   return self:straight_to(x, y)
+   return self:straight_to(x, y, tries)
 end
 
 -- To a place beside the cache, if that stands in the way.
@@ -147,15 +147,16 @@ function Navigation:view_of(place)
    end
 end
 
--- Looks at a place in memory from a little away. Whether `found()` says something, soon.
-function Navigation:look_again(place, found, time)
+-- Looks at a place in memory from a little away. Whether `found()` says something, soon. With `tries`, to come there:
+-- nil and true where something stands in the way.
+function Navigation:look_again(place, found, time, tries)
    local odometry = self.odometry
    -- of the middle, once the robot faces it
    local function distance() return apart(place, odometry:pivot()) + odometry.ahead end
    local away = distance()
    if away > FAR_LOOK + 0.02 then
       local view = self:view_of(place)
-      self:to(view.x, view.y)
+      if not self:to(view.x, view.y, tries) and tries then return nil, true end
       away = FAR_LOOK
    end
    local pivot = odometry:pivot()

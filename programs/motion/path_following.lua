@@ -6,7 +6,7 @@ local geometry = require 'common.geometry'
 local profile = require 'motion.profile'
 
 local STRAIGHT = 0.04          -- m, in which a line is joined
-local TURN_RIM = 0.06          -- m/s, of the rims in a turn on the spot
+local TURN_RIM = 0.10          -- m/s, of the rims in a turn on the spot
 local BACK_SPEED = 0.1         -- m/s
 local OUT = 0.1                -- m, back from another robot
 local STOP_TIME = 0.5          -- s, two steps and some more

@@ -6,13 +6,16 @@ local Sweep = {}
 Sweep.__index = Sweep
 
 local ROUND = 2 * math.pi
+local SPARE = 0.015            -- m, about what a turn sweeps
+local HALF_DIAGONAL = 0.039    -- m, of a block
 
 -- The rectangle from the pivot to an end `ahead` of it, or behind: {direction, length, half_width}, rad, m, m.
 local function part(ahead, half_width)
    return { direction = ahead < 0 and math.pi or 0, length = math.abs(ahead), half_width = half_width }
 end
 
--- parts: as above; chassis: those that stand on the floor; reach: of the farthest corner, m from the pivot.
+-- parts: as above; chassis: those that stand on the floor; reach: of the farthest corner, m from the pivot; room: about the
+-- pivot, that a turn all round takes, m; from_block: likewise to a block's middle.
 function Sweep.new(description)
    local effector, body, pivot = description.effector, description.body, description.drive.pivot
    local self = setmetatable({
@@ -26,6 +29,8 @@ function Sweep.new(description)
    for _, one in ipairs(self.parts) do
       self.reach = math.max(self.reach, math.sqrt(one.length ^ 2 + one.half_width ^ 2))
    end
+   self.room = self.reach + SPARE
+   self.from_block = self.room + HALF_DIAGONAL
    return self
 end
 

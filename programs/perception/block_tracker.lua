@@ -2,8 +2,9 @@
 -- Tracks: blocks that were detected repeatedly, each with an estimate of its pose in the odometry
 -- frame, which is a mean weighted with its and the detection's variance.
 --
--- A track is a detection (block_detector.lua) with id, votes (of colours), seen and missed (how
--- often), time (when last), top_time (when its top was seen last, -1 for never).
+-- A track is a detection (block_detector.lua) with id, votes (of colours), dark (pictures in turn that showed none), jumped
+-- (likewise in which it was elsewhere), seen and missed (how often), time (when last), top_time (when its top was seen
+-- last, -1 for never).
 
 local geometry = require 'common.geometry'
 
@@ -13,7 +14,10 @@ local SEEN_OFTEN, MISSED_OFTEN = 3, 3
 local LEAST_GAIN = 0.1         -- of a detection, in a track's place
 local LEAST_TURN = 0.03        -- likewise in its yaw
 local MOVED = 0.015            -- m, from its track, of a block that somebody has moved
+local SAME = 0.010             -- m, from its track, of a block that stands where it stood
+local JUMPS = 2                -- pictures in turn in which a block is elsewhere, to be so: in one a corner may be far off
 local FADES = 0.7              -- of the votes for a colour, in each picture
+local DARK = 8                 -- pictures in turn without any, of a block that has none
 local MEMORY = 60              -- s, of a block out of sight
 local NEAREST, FARTHEST = 0.08, 0.40  -- m from the eye, between which a block is not overlooked
 local MARGIN = 0.022           -- m about a tag that has to be in the picture too
@@ -37,20 +41,27 @@ function BlockTracker:add_process_noise(ahead, turn)
    end
 end
 
+-- What is dark shows no colour, but with corners off by pixels half of the looks at what is lit find none either.
 local function vote(track, colour)
    local votes = track.votes
-   for one = 0, #votes do votes[one] = FADES * votes[one] end
-   if colour then votes[colour] = votes[colour] + 1 end
+   for one = 1, #votes do votes[one] = FADES * votes[one] end
+   if colour then track.dark = colour == 0 and track.dark + 1 or 0 end
+   if (colour or 0) > 0 then votes[colour] = votes[colour] + 1 end
    track.colour = 0
+   if track.dark >= DARK then return end
    for one = 1, #votes do
-      if track.votes[one] > track.votes[track.colour] then track.colour = one end
+      if votes[one] > (votes[track.colour] or 0) then track.colour = one end
    end
 end
 
 function BlockTracker:update(track, block)
    local dx, dy = block.x - track.x, block.y - track.y
    local gain = math.max(LEAST_GAIN, track.variance / (track.variance + block.variance))
-   if dx * dx + dy * dy > MOVED ^ 2 or track.level ~= block.level then gain = 1 end
+   local jumps = dx * dx + dy * dy > MOVED ^ 2 or track.level ~= block.level
+   track.jumped = jumps and track.jumped + 1 or 0
+   track.seen, track.missed, track.time = track.seen + 1, 0, self.odometry.time
+   if jumps and track.jumped < JUMPS then return end
+   if jumps then gain = 1 end
    track.x, track.y, track.z, track.level = track.x + gain * dx, track.y + gain * dy,
                                             block.z, block.level
    local turn = gain == 1 and 1 or math.max(LEAST_TURN, track.turned / (track.turned + block.turned))
@@ -58,17 +69,16 @@ function BlockTracker:update(track, block)
    track.turned = turn == 1 and block.turned or track.turned * (1 - turn)
    track.variance = gain == 1 and block.variance or track.variance * (1 - gain)
    vote(track, block.colour)
-   track.seen, track.missed, track.time = track.seen + 1, 0, self.odometry.time
    if block.top then track.top_time = self.odometry.time end
 end
 
 function BlockTracker:appear(block)
    self.last_id = self.last_id + 1
    block.id = self.last_id
-   block.votes = { [0] = 0 }
+   block.votes, block.dark = {}, 0
    for one = 1, self.detector.kinds do block.votes[one] = 0 end
    vote(block, block.colour)
-   block.seen, block.missed, block.time = 1, 0, self.odometry.time
+   block.seen, block.missed, block.time, block.jumped = 1, 0, self.odometry.time, 0
    block.top_time = block.top and self.odometry.time or -1
    table.insert(self.tracks, block)
 end
@@ -115,9 +125,17 @@ function BlockTracker:drop_stale(used)
    self.tracks = kept
 end
 
+-- Whether a block on a level is one that was seen there before.
+function BlockTracker:is_known(block)
+   for _, known in ipairs(self.tracks) do
+      if block.level and known.level == block.level and known.seen >= SEEN_OFTEN and near(known, block, SAME) then return true end
+   end
+   return false
+end
+
 -- Once in each step, after the odometry. What has no partner appears, or is missed.
 function BlockTracker:sense()
-   local found = self.detector:detect(self.odometry.pose)
+   local found = self.detector:detect(self.odometry.pose, function(block) return self:is_known(block) end)
    local taken, used = self:match(found)
    self:drop_stale(used)
    for i, block in ipairs(found) do

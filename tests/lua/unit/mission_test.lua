@@ -5,6 +5,7 @@ local FakeRobot = require 'fake_robot'
 local Machine = require 'machine'
 local Builder = require 'mission.builder'
 local Column = require 'mission.column'
+local DueRows = require 'mission.due_rows'
 local SideAllocation = require 'mission.side_allocation'
 local SiteWork = require 'mission.site_work'
 local StructureMap = require 'mission.structure_map'
@@ -84,6 +85,31 @@ case('a brick far from the structure is one that was lost, and a structure far a
    -- what is on its way is no brick
    machine.tracker.tracks[1].colour = 4
    same('in transport', map:in_memory(true), nil)
+end)
+
+case('a structure whose rules hold in every turn is known anew where it is found elsewhere', function()
+   local task = { transport = 4, sides = ALL, turns = true }
+   local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0 } }, { x = -0.3, y = 0, yaw = 0 }, task)
+   map.cache = { x = 0.2, y = 0 }
+   map:remember(map:in_memory())
+   map:settle()
+   local far = map.cache_way
+   local turned = machine.tracker.tracks
+   for _, track in ipairs(turned) do track.yaw = 0.5 end
+   turned[2].x, turned[2].y = -0.3 + SIDE * math.cos(0.5), SIDE * math.sin(0.5)
+   same('known', map:remember(map:in_memory()), true)
+   same('its bricks alone', map:count_bricks(), 2)
+   near('how it lies', geometry.wrap_quarter(map.known.yaw - 0.5), 0, 1e-9)
+   near('its cache as far off', geometry.apart(map:beginning(), map.cache), far, 1e-9)
+end)
+
+case('a structure of which only what is high up is seen at first is known by that', function()
+   local task = { transport = 4, sides = ALL, turns = true }
+   local map = map_of({ { 0, 0, 1 } }, { x = 0.3, y = 0, yaw = 0.1 }, task)
+   same('remembered', map:remember(map:in_memory()), true)
+   near('where it is', map.known.x, 0.3, 1e-9)
+   near('its reach', map.known.reach, SIDE / 2, 1e-9)
+   same('the brick', map:had_brick(0.3, 0, 1), true)
 end)
 
 case('bricks are remembered where they were seen, until the structure is lost', function()
@@ -188,6 +214,107 @@ case('a cache is where blocks were found, or as far from the beginning as anothe
    near('the first again', map.cache.x, 0.2, 1e-9)
    sides:take(StructureMap.SIDES['+y'])
    near('where the second was found', map.cache.x, -0.28, 1e-9)
+   -- farther off than the others
+   knows_cache(-0.3, -0.7)
+   near('of those that are known the nearest', geometry.apart(map:cache_of(StructureMap.SIDES['-x']), { x = -0.3, y = 0 }), 0.5, 0.01)
+end)
+
+-- Rules of a task: raise what shows 2 on the floor; from -x extend what shows 3.
+local function decides(column)
+   if column.top_colour == 2 and column.top_level == 0 then return { what = 'raise', colour = 1 } end
+   if column.top_colour == 3 and column.side == '-x' and column.cell(1, 0, 0) == 'empty' then
+      return { what = 'extend', colour = 1 }
+   end
+end
+
+case('rows are due where the rules ask for them in what is remembered', function()
+   local task = { transport = 4, sides = ALL, turns = false, levels = 2, decide = decides }
+   local map = map_of({ { 0, 0, 0 }, { 0, 1, 0, colour = 2 }, { 1, 0, 0, colour = 3 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local function due(side)
+      local out = {}
+      for v, row in pairs(DueRows.of(map, task, StructureMap.SIDES[side])) do
+         table.insert(out, v .. ':' .. row.front)
+      end
+      table.sort(out)
+      return table.concat(out, ' ')
+   end
+   same('from its own side', due('+x'), '1:0')
+   same('from the other', due('-x'), '-1:0 0:1')
+   same('from the side', due('-y'), '0:1')
+   map:note_brick(0.3, SIDE, 1, 1)
+   same('once it is built', due('+x'), '')
+   map:note_brick(0.3 + SIDE, 0, 0, nil)
+   same('nor where a colour is not known', due('-x'), '')
+end)
+
+case('a robot goes to a row that is due before others, and at once to the side where there is one', function()
+   local task = {
+      transport = 4, sides = ALL, turns = false, levels = 2, asks = {}, delay = 0, decide = decides,
+   }
+   local map, machine = map_of({ { 0, 0, 0 }, { 0, 1, 0, colour = 2 }, { 1, 0, 0, colour = 3 } },
+                               { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local sides = SideAllocation.new(machine, map, nil, task)
+   sides.withdraw = function() end
+   local work = SiteWork.new(machine, map, nil, sides, nil, task)
+   work.magnets = { holds = function() return true end }
+   same('chosen', work:choose_row(), 'chosen')
+   same('due, though not straight ahead', work.row.v, 1)
+   work:set_aside(1)
+   same('to another side', work:choose_row(), 'none')
+   same('the nearest', sides.wanted, StructureMap.SIDES['-y'])
+   same('at once', work:stays(), false)
+   same('which is no round in vain', work.in_vain, 0)
+   sides.navigation = { to = function() end }
+   same('changes', sides:change(), true)
+   same('there', map:side_name(), '-y')
+   same('and no farther', sides.wanted, nil)
+   work.in_vain_at[StructureMap.SIDES['-y']] = { [0] = true, [1] = true }
+   same('next', work:choose_row(), 'none')
+   same('the other', sides.wanted, StructureMap.SIDES['-x'])
+   -- where nothing is due as far as it remembers, all rows are tried
+   sides.wanted = nil
+   task.decide = function() end
+   same('any', work:choose_row(), 'chosen')
+   task.delay, task.decide = 30, decides
+   work:set_aside(0)
+   work:set_aside(1)
+   work.in_vain = 0
+   work:choose_row()
+   same('who shares its sides stays', sides.wanted, nil)
+end)
+
+case('a robot that shares its sides and finds nothing to do goes to the one where a row is due', function()
+   local task = { transport = 4, sides = ALL, turns = false, levels = 2, asks = {}, delay = 30, decide = decides }
+   local map, machine = map_of({ { 0, 0, 0 }, { 1, 0, 0, colour = 3 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local worked, edge = false, nil
+   local sides = SideAllocation.new(machine, map, { to = function() end }, task)
+   sides.withdraw, sides.path.back_off, map.cache_way = function() end, function() end, 0.5
+   sides.is_worked = function(_, _, from)
+      edge = from
+      return worked
+   end
+   local work = SiteWork.new(machine, map, nil, sides, nil, task)
+   work.rest = function() end
+   map.side, work.rounds = StructureMap.SIDES['+y'], 2
+   same('leaves', work:stays(), false)
+   same('to where extending is asked for', sides.wanted, StructureMap.SIDES['-x'])
+   worked = true
+   same('somebody is there', sides:change(), false)
+   same('seen from the nearer edge', edge, 1)
+   same('remembered', sides.worked, StructureMap.SIDES['-x'])
+   work.rounds = 20
+   same('again', work:stays(), false)
+   same('not there again at once', sides.wanted, nil)
+   worked = false
+   same('to the next on the other way round', sides:change(), true)
+   same('named', map:side_name(), '+x')
+   same('forgotten', sides.worked, nil)
 end)
 
 case('sides that a robot is bound to', function()
@@ -471,6 +598,41 @@ case('a place beside a column is come to from above where it is on a brick and n
    same('with one behind', stands_free(1, 1), false)
 end)
 
+case('what comes before the effector on the way in is a robot, where no brick stands behind the place', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 3, asks = {} }
+   -- with a brick on this level behind the place to the right of the column, if any
+   local function is_clear(wish, behind)
+      local map, machine = map_of({ { 0, 0, 0 }, { 0, 1, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+      map:remember(map:in_memory())
+      map:settle()
+      local work = SiteWork.new(machine, map, nil, nil, nil, task)
+      work.row, work.wish = map:rows()[0], wish
+      local x, y = map.place_of(work.row, -1, -1)
+      if behind then map:note_brick(x, y, behind) end
+      return work:is_clear()
+   end
+   same('a raise as it was seen', is_clear { what = 'raise', clear = true }, true)
+   same('likewise', is_clear { what = 'extend', clear = false }, false)
+   local beside = { what = 'beside', left = -1, level = 0 }
+   same('nothing behind', is_clear(beside), true)
+   same('a brick', is_clear(beside, 0), false)
+   same('one as high as the effector', is_clear(beside, 1), false)
+   same('one over that', is_clear(beside, 2), true)
+end)
+
+case('with the lift at its top a robot is seen on the other side of a site', function()
+   local machine, fake, run = machine_with {}
+   local work = SiteWork.new(machine, {}, nil, nil, nil, { delay = 30 })
+   machine.ranges.range = function(_, name)
+      return name == 'front' and fake.robot.lift_system.position > 0.13 and 0.12 or nil
+   end
+   local other = run(function() return work:opposite() end)
+   near('ahead', other.x, machine.description.effector.front + 0.12, 1e-3)
+   near('straight', other.y, 0, 1e-3)
+   machine.ranges.range = function() return nil end
+   same('nobody', run(function() return work:opposite() end), nil)
+end)
+
 case('what it has put down is remembered, and counts as a neighbour', function()
    local task = { transport = 4, sides = ALL, turns = true, levels = 3, asks = {} }
    local map, machine = map_of({ { 0, 0, 0 }, { 0, 1, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
@@ -494,7 +656,9 @@ end)
 
 -- Behind an arm that juts out nothing is seen from before it, and before the row beside it there is no room.
 case('a robot that finds nothing to do among others looks beyond the rows that it knows', function()
-   local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, delay = 30 }
+   local task = {
+      transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, delay = 30, decide = function() end,
+   }
    local map, machine = map_of({ { 0, 0, 0 }, { 2, -1, 0 } }, { x = 0.5, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
@@ -552,6 +716,37 @@ case('a block that does not answer is laid aside, and not taken again', function
    same('coloured', blocks[2].colour, 4)
    same('one is mute', #supply.mute, 1)
    same('and that is all', supply.silent, 0)
+end)
+
+case('a robot with a block turns where it is, unless that would sweep another block or a brick', function()
+   local fake = FakeRobot.new { { x = 0.35, y = 0 } }
+   local task = { sides = ALL, turns = true, transport = 4, delay = 0 }
+   local supply = Builder.new(fake.robot, CHART, task).supply
+   same('nothing about', supply:has_room_to_turn(), true)
+   supply.tracker.tracks = { { x = 0.1, y = 0.12, z = SIDE / 2, seen = 9 } }
+   same('a block', supply:has_room_to_turn(), false)
+   supply.tracker.tracks[1].y = 0.25
+   same('farther off', supply:has_room_to_turn(), true)
+   supply.map.room_about = function() return 0.1 end
+   same('a brick', supply:has_room_to_turn(), false)
+end)
+
+case('where a side\'s cache is not as expected, a block that was seen on that side is taken', function()
+   local fake = FakeRobot.new {}
+   local task = { sides = ALL, turns = true, transport = 4, delay = 0 }
+   local supply = Builder.new(fake.robot, CHART, task).supply
+   local map = supply.map
+   same('none while the structure is not known', supply:remembered_here(), nil)
+   map.known, map.side = { x = 0.5, y = 0, reach = 0.03, yaw = 0, origin = { x = 0.5, y = 0 } }, 0
+   local function lies(x, y)
+      supply.tracker.tracks = { {
+         id = 1, x = x, y = y, z = SIDE / 2, level = 0, yaw = 0, turned = 0, colour = 0, seen = 9, missed = 0,
+         time = supply.process:time(), top_time = -1,
+      } }
+      return supply:remembered_here() ~= nil
+   end
+   same('here', lies(0.1, 0.05), true)
+   same('on another side', lies(0.5, 0.4), false)
 end)
 
 case('of blocks that never answer nothing is expected', function()
@@ -679,6 +874,32 @@ case('a robot that is bound to a side takes blocks from there, as long as there 
    end
 end)
 
+case('where its cache has no block, a robot that is bound to no side goes to others\' caches', function()
+   local task = { transport = 4, sides = ALL, turns = false, levels = 1, asks = {}, delay = 30 }
+   for _, bound in ipairs { false, true } do
+      local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+      local supply, looked = Builder.new(FakeRobot.new().robot, CHART, task).supply, {}
+      supply.map, supply.in_vain = map, 1
+      supply.machine.robot.params.sides = bound and '+x' or nil
+      map:remember(map:in_memory())
+      map:settle()
+      for index, place in pairs { [0] = { -0.2, 0 }, [1] = { 0.3, -0.6 }, [2] = { 0.8, 0 } } do
+         map.caches[index] = { along = place[1] - 0.3, left = place[2] }
+      end
+      map.cache = map:cache_of(0)
+      supply.at_cache = function(_, _, tries)
+         table.insert(looked, string.format('%.1f %.1f %d', map.cache.x, map.cache.y, tries))
+         return #looked == 2 and 'block' or nil
+      end
+      local own = map.cache
+      same('found', supply:at_others_caches(), not bound and 'block' or nil)
+      same('the nearest first', table.concat(looked, ', '), bound and '' or '0.3 -0.6 1, 0.8 0.0 1')
+      if bound then same('its own', map.cache, own) end
+      supply.in_vain = 0
+      same('not before it has looked at its own', supply:at_others_caches(), nil)
+   end
+end)
+
 case('who is alone looks no more once it knows what to do, others look from everywhere', function()
    for _, delay in ipairs { 0, 30 } do
       local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = {}, delay = delay,
@@ -709,7 +930,7 @@ case('a robot looks to both sides for others with the lift at its top', function
       least, most = math.min(least, fake.pose.yaw), math.max(most, fake.pose.yaw)
       if math.abs(fake.pose.yaw) > 0.1 then lowest = math.min(lowest, fake.robot.lift_system.position) end
    end)
-   same('nobody', busy, false)
+   same('nobody', busy, nil)
    same('to both sides', least < -0.7 and most > 0.7, true)
    near('lift', lowest, machine.lift:top(), 0.001)
    near('ahead again', fake.pose.yaw, 0, 0.02)
@@ -739,15 +960,90 @@ end
 
 case('what another holds counts as soon as it is seen in a turn aside', function()
    local busy, furthest, yaw = look_aside(0.1)
-   same('somebody', busy, true)
+   near('somebody', busy.y, 0.1, 1e-9)
    same('at once', furthest > 0.4 and furthest < 0.6, true)
    near('ahead again', yaw, 0, 0.02)
 end)
 
 case('who stands farther off for a look of its own is not at work', function()
    local busy, furthest = look_aside(0.17)
-   same('nobody', busy, false)
+   same('nobody', busy, nil)
    same('to both sides', furthest > 0.7, true)
+end)
+
+case('of two robots that see each other the one goes before the other by their sides', function()
+   local task = { transport = 4, sides = ALL, turns = true }
+   -- each at its own side of a brick, which it sees ahead; places of others are to its left, opposite and to its right
+   local others = { { 0.3, 0.2 }, { 0.5, 0 }, { 0.3, -0.2 } }
+   local said = {}
+   for _, side in ipairs { '+x', '+y', '-x', '-y' } do
+      local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task, { side = side })
+      map:remember(map:in_memory())
+      map:settle()
+      for _, other in ipairs(others) do
+         table.insert(said, map:goes_before { x = other[1], y = other[2] } and 'first' or 'then')
+      end
+   end
+   -- who is to the left of +x is at -y, to the left of +y at +x, and so on
+   same('by the order of sides', table.concat(said, ' '),
+        'first first first then first first then then first then then then')
+   local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task, { side = '+x' })
+   map:remember(map:in_memory())
+   map:settle()
+   local count = 0
+   for _ = 1, 200 do count = count + (map:goes_before { x = 0.1, y = 0 } and 1 or 0) end
+   same('by chance on one side', count > 50 and count < 150, true)
+end)
+
+case('who goes first stays, looks again, and then goes in whoever comes; the other leaves at once', function()
+   local waits, looks = 0, {}
+   local work = setmetatable({
+      process = { wait = function() waits = waits + 1 end },
+      other_at_work = function(_, _, first)
+         table.insert(looks, first)
+         return not first and { x = 0.1, y = 0, z = 0.16 } or nil
+      end,
+   }, SiteWork)
+   work.map = { goes_before = function() return true end }
+   same('goes in', work:is_alone { x = 0, y = 0 }, true)
+   same('looks', #looks, 2)
+   same('past who leaves', looks[2], true)
+   same('waits between', waits, 1)
+   work.map = { goes_before = function() return false end }
+   same('leaves', work:is_alone { x = 0, y = 0 }, false)
+   same('after one look', #looks, 3)
+   work.map = { goes_before = function() return true end }
+   same('likewise where the other is at an adjoining site', work:is_alone { x = 0.1, y = 0.16 }, false)
+   same('after one', #looks, 4)
+   work.other_at_work = function() return { x = 0.06, y = 0, opposite = true } end
+   same('not for ever', work:is_alone { x = 0, y = 0 }, false)
+   same('waits', waits, 4)
+end)
+
+case('a block far from the bricks does not count for who goes before its robot, but one that is going in does', function()
+   local machine = machine_with {}
+   local map = {
+      goes_before = function() return true end,
+      room_about = function(_, x, y) return geometry.apart({ x = x, y = y }, { x = 0.3, y = 0 }) - geometry.HALF end,
+   }
+   local work = SiteWork.new(machine, map, nil, nil, nil, { delay = 30 })
+   local line = { x = 0.3, y = 0, yaw = 0 }
+   local function holds(y)
+      machine.tracker.tracks = { { x = 0.3, y = y, z = 0.14, colour = 4, time = machine.odometry.time } }
+      return work:held_at_work(line, false) ~= nil, work:held_at_work(line, true) ~= nil
+   end
+   local counts, for_first = holds(0.096)
+   same('looks to both sides', counts, true)
+   same('is to leave', for_first, false)
+   counts, for_first = holds(0.06)
+   same('goes in', counts and for_first, true)
+   counts, for_first = holds(0.13)
+   same('at an adjoining site', counts and for_first, true)
+   machine.returns.near = function() return { { x = 0.3, y = 0.145 } } end
+   same('felt', work:felt_at_work(line, 0, false).y, 0.145)
+   same('is to leave', work:felt_at_work(line, 0, true), nil)
+   machine.returns.near = function() return { { x = 0.3, y = 0.11 } } end
+   same('goes in', work:felt_at_work(line, 0, true).y, 0.11)
 end)
 
 case('a robot with nothing to do looks beside its rows from the lift\'s top, round after round', function()
@@ -848,6 +1144,19 @@ case('rows are known by heart, and forgotten where nothing is seen of them again
    map:forget_row(row)
    same('forgotten', map:rows()[2], nil)
    same('others are not', map:count_bricks(), 4)
+end)
+
+case('a structure all of whose bricks were forgotten is where it was, and one on no level is none', function()
+   local task = { transport = 4, sides = { '+x' }, turns = false, levels = 1, asks = {}, delay = 0 }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   map:forget_row(map:rows()[0])
+   same('none left', map:count_bricks(), 0)
+   same('not lost', map:remember(map:in_memory()), true)
+   same('remembered again', map:count_bricks(), 1)
+   machine.tracker.tracks[1].level = nil
+   same('held, or seen badly', map:in_memory(), nil)
 end)
 
 case('of a row the foremost counts that is known, though only what is behind it is seen now', function()

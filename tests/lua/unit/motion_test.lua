@@ -323,6 +323,19 @@ case('a remembered place is looked at from a distance that shows it', function()
    near('away', geometry.apart(fake.pose, { x = 0.8, y = 0.1 }), 0.36, 0.02)
 end)
 
+case('what cannot be come near to be looked at is given up at once by who asks for that', function()
+   local machine, fake, run = machine_with()
+   local navigation = Navigation.new(machine, {})
+   local turned, found, blocked = 0, nil, nil
+   fake.robot.rangefinders['1'].proximity = 0.05
+   run(function() found, blocked = navigation:look_again({ x = 0.8, y = 0 }, function() return true end, 1, 1) end, function()
+      turned = math.max(turned, math.abs(fake.pose.yaw))
+   end)
+   same('not looked at', found, nil)
+   same('since something is in the way', blocked, true)
+   assert(turned < 0.1)  -- nor is it given way to
+end)
+
 case('something in the way is waited for, and then given way to', function()
    local machine, fake, run = machine_with()
    local navigation = Navigation.new(machine, {})
