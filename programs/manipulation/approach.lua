@@ -40,6 +40,7 @@ local SETTLE_TIME = 0.6        -- s, before the first look
 local BACKS, BACK = 2, 0.02    -- times, m, back from a block that is out of the picture after a turn
 local LONGEST_LOOK = 4         -- s
 local LEAVES = 5               -- s, in which another that is to leave has backed out
+local AT_PLACE = 0.045         -- m, from where a block is to go, of another's that goes there
 local OFF, ASKEW = 0.005, 0.12 -- m and rad off the line, beyond which it tries again
 local OVER_FOOT = 0.095        -- height of the lift over a block's foot to see it beside the way
 local BESIDE = 0.01            -- m, from the block's line, of a place beside it
@@ -131,10 +132,10 @@ function Approach:column_ahead()
 end
 
 -- Whether something is so near ahead that it would stand in the next cell of a target, as the effector sees from where its
--- way ends.
+-- way ends; and how far what is ahead is, or nil.
 function Approach:next_cell_filled(target)
    local ahead = self.ranges:range('front')
-   return ahead ~= nil and ahead < NEXT_CELL + math.max(0, -(target.short or 0))
+   return ahead ~= nil and ahead < NEXT_CELL + math.max(0, -(target.short or 0)), ahead
 end
 
 -- How far what is ahead of the effector is: the mean of as many readings as leave it uncertain by MEAN_ERROR, and less
@@ -367,6 +368,21 @@ function Approach:met_at(run, line)
    return target.contested and target.contested(line)
 end
 
+-- Whether another that was met on the last way leaves, soon, rather than puts its block down where this one's is to go: its
+-- block was not last seen there, nor did the rangefinder lose its effector at once, as where the lift goes down.
+function Approach:await_leaving(run, line, met)
+   local target, ahead = run.target, nil
+   local felt = target.clear and self:next_cell_filled(target)
+   local left = self.process:wait_until(function()
+      local _, now = self:next_cell_filled(target)
+      local other = self:met_at(run, line)
+      met, ahead = other or met, now
+      return not other
+   end, LEAVES)
+   if felt then return left and ahead ~= nil end
+   return left and geometry.apart(met, line) > AT_PLACE
+end
+
 -- Along the last way: there, obstructed or caught; and whether a column ahead has ended it before. Where another is met who
 -- is to leave, it waits for that, once.
 function Approach:follow_last(run, line, to)
@@ -378,8 +394,8 @@ function Approach:follow_last(run, line, to)
       return met or caught or stopped
    end
    self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)
-   if met and not caught and target.goes_before and target.goes_before(met) then
-      self.process:wait_until(function() return not self:met_at(run, line) end, LEAVES)
+   if met and not caught and target.goes_before and target.goes_before(met) and
+      self:await_leaving(run, line, met) then
       stopped = false
       self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)
    end

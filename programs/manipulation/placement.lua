@@ -34,9 +34,9 @@ local Placement = {}
 Placement.__index = Placement
 
 -- parts: odometry, process, tracker, path, magnets, lift, gripper, approach. transport:
--- the colour of a block in a robot's hand.
+-- the colour of a block in a robot's hand. floats: set by who knows a structure: whether a block without a colour is in one.
 function Placement.new(parts)
-   local self = setmetatable({ transport = 4 }, Placement)
+   local self = setmetatable({ transport = 4, floats = function() return false end }, Placement)
    for name, part in pairs(parts) do self[name] = part end
    return self
 end
@@ -92,7 +92,7 @@ end
 function Placement:held_near(x, y, within, counts)
    for _, known in ipairs(self.tracker.tracks) do
       local dx, dy = known.x - x, known.y - y
-      if known.colour == self.transport and known.z > SIDE and
+      if (known.colour == self.transport or known.colour == 0 and self.floats(known)) and known.z > SIDE and
          self.odometry.time - known.time < SEEN_LATELY and dx * dx + dy * dy < within * within and
          (not counts or counts(known)) then return known end
    end

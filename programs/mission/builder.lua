@@ -31,6 +31,8 @@ local LEGS = 12                -- of a search for the structure
 local BEHIND = { x = -0.2, y = 0 }  -- where it is most likely, as robots begin with their backs to it
 local FIRST_WAIT = 0.125       -- of the longest wait, since the last brick
 local TURNS = 2                -- approaches that the longest wait lasts at least, of those that take long
+local OTHERS_WORK = 15         -- s, that another takes from where it was seen at a site until its block is there
+local OTHERS_LEAVE = 4         -- s, in which it is out of the way then
 
 local Builder = {}
 Builder.__index = Builder
@@ -59,6 +61,7 @@ function Builder.new(robot, chart, task)
    }, Builder)
    self.builder = self
    machine.placement.transport, machine.clearance.transport = task.transport, task.transport
+   machine.placement.floats = function(block) return map:floats(block) end
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
    machine.clearance.explained = function(x, y) return map:explains(x, y) end
    machine.clearance.alone = task.delay == 0
@@ -94,11 +97,17 @@ function Builder:follow_chart()
 end
 
 -- For a random while, which is short as long as nobody is met, and twice as long each time that somebody was:
--- robots that came at the same time come one after the other.
+-- robots that came at the same time come one after the other. Where it has left a site to another, only until that one's
+-- brick is seen, or might be there, and a short while.
 function Builder:wait()
-   local share = math.min(1, FIRST_WAIT * 2 ^ self.work.obstructed)
-   local longest = self.task.delay
-   if longest > 0 then longest = math.max(longest, TURNS * self.work.approach_time) end
+   local longest, share = self.task.delay, FIRST_WAIT
+   if self.work.yielded then
+      self.work.yielded = false
+      if self.process:wait_until(self.map:sees_new_brick(), OTHERS_WORK) then self.process:wait(OTHERS_LEAVE) end
+   else
+      share = math.min(1, FIRST_WAIT * 2 ^ self.work.obstructed)
+      if longest > 0 then longest = math.max(longest, TURNS * self.work.approach_time) end
+   end
    self.process:wait(math.random() * share * longest)
    return 'done'
 end

@@ -13,10 +13,15 @@ local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
 local PEEK_RIM = 0.05          -- m/s, of that turn, at most: a robot stands across several measurements
 local PEEK_STOP = 0.2          -- rad, in which it ends
 local PEEK_TIME = 0.6          -- s
+local THROUGH = 10             -- s, from such a look, that another takes to put its block
+local ACROSS, ACROSS_FROM = 0.14, 0.02  -- m aside from a site, at most, and on from it, at least, of the effector of another that
+                               -- stands before an adjoining one
 local STAYS, STAY = 3, 3       -- looks more from there where it goes before those that it sees, and s between two
 local GOES_IN = 0.055          -- m, of a block from the nearest brick's edge, nearer than who stands to look to both sides
-local AT_SAME = 0.12           -- m, from a site, at most, of the block in the hand of another that looks to both sides before it,
-local FELT_AT_SAME = { 0.12, 0.16 }  -- and, at least and at most, of what rangefinders see of its chassis
+local ON_LINE = 0.0275         -- m, from a line through a site, square to its cell, of the block in the hand of another that looks
+                               -- to both sides before it,
+local FELT_AT_SAME = { 0.12, 0.16 }  -- and, at least and at most from the site, of what rangefinders see of its chassis,
+local NEAR_EDGE = { 0.015, 0.060 }   -- or, farther off, of its near edge on this side of such a line
 local AT_SITE = 0.22           -- m, from a site, where others are in the way
 local COMES_UP = 0.03          -- m, before the effector, likewise on the way in along a row's line
 local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
@@ -29,7 +34,8 @@ local FAR_BESIDE, FAR_IN = { 3, 6 }, 4  -- cells beside the outermost row, in tu
                                -- near as a robot passes a row that juts out
 local NOT_DUE = 1e4            -- more than any order of rows
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
-local AWAKE, RESTS = 1, 6      -- rounds in vain, after which each rest is twice as long as the one before, so often
+local AWAKE, LONGER, LONGEST = 1, 8, 256  -- rounds in vain, after which each rest is so many times as long as the one before, up to
+                               -- so many times the first
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
 local PAST_LOOK = 0.11         -- m, and from the nearest brick's edge, nearer than who stands for a look holds his
@@ -48,7 +54,8 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- time. obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what
 -- stands near sites, and may be robots: {x, y, since}. row: {v, front, frame, juts}, the one it stands before; unfound:
 -- v of the row at which the last approach did not find its brick. wish: what is to be done there (Column:decide).
--- approach_time: mean of the last approaches to a site, s.
+-- approach_time: mean of the last approaches to a site, s. yielded: it has just left a site to another. across: a place where
+-- the last look to both sides found another before an adjoining site, or nil.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -59,6 +66,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
       tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {}, approach_time = 0,
+      yielded = false,
    }, SiteWork)
 end
 
@@ -163,12 +171,11 @@ end
 -- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick
 -- that it had not seen before.
 function SiteWork:rest()
-   local map, more = self.map, geometry.clamp(self:idle_rounds() - AWAKE, 0, RESTS)
-   local time = (2 + 4 * math.random()) * 2 ^ more
+   local map, more = self.map, math.max(0, self:idle_rounds() - AWAKE)
+   local time = (2 + 4 * math.random()) * math.min(LONGER ^ more, LONGEST)
    if more == 0 then return self.process:wait(time) end
    self.lift:to(self.lift:top())
-   local before = map:count_bricks()
-   self.process:wait_until(function() return map:rows() ~= nil and map:count_bricks() > before end, time)
+   self.process:wait_until(map:sees_new_brick(), time)
 end
 
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
@@ -360,9 +367,14 @@ end
 -- Whether another, whose block or chassis is at a place, looks at the same site, and is to leave. Robots at adjoining sites
 -- are out of each other's pictures until they go in, so that neither knows when the other does.
 function SiteWork:goes_before(other, line)
-   local way, least, most = apart(line, other), FELT_AT_SAME[1], FELT_AT_SAME[2]
-   if other.z then least, most = 0, AT_SAME end
-   return (other.opposite or way > least and way < most) and self.map:goes_before(other)
+   local ahead, left = geometry.into(line, other.x, other.y)
+   local way, same = apart(line, other), other.opposite
+   if other.z then
+      same = math.min(math.abs(ahead), math.abs(left)) < ON_LINE
+   elseif not same then
+      same = way > FELT_AT_SAME[1] and (way < FELT_AT_SAME[2] or -ahead > NEAR_EDGE[1] and -ahead < NEAR_EDGE[2])
+   end
+   return same and self.map:goes_before(other)
 end
 
 -- The block that somebody is seen to hold at work about a place; `first`: except of those that this robot goes before,
@@ -391,6 +403,16 @@ function SiteWork:opposite()
    return { x = x, y = y, opposite = true }
 end
 
+-- Where somebody stands before an adjoining site, on another side of the corner: the effector's rangefinder sees that one's
+-- in the turns of a look to both sides, while both lifts are at their tops.
+function SiteWork:felt_across(line)
+   local felt = self.machine.ranges:range('front')
+   if not felt then return nil end
+   local x, y = geometry.out_of(self.odometry.pose, self.machine.description.effector.front + felt, 0)
+   local ahead, left = geometry.into(line, x, y)
+   return ahead > ACROSS_FROM and math.abs(left) > SIDE and math.abs(left) < ACROSS and { x = x, y = y } or nil
+end
+
 -- A block that somebody holds near the structure, as a look over the column and to both sides tells: with
 -- the lift at its top, since the picture's upper edge cuts off what another holds as high and as far away. What
 -- is seen on the way counts at once: by the end of a slow turn it would be long ago.
@@ -398,6 +420,7 @@ function SiteWork:sees_others_work(line, first)
    local returns, busy = self.machine.returns, nil
    local function held()
       busy = busy or self:held_at_work(line, first)
+      self.across = self.across or self:felt_across(line)
       return busy
    end
    local drive = self.machine.description.drive
@@ -424,19 +447,24 @@ end
 function SiteWork:other_at_work(line, first)
    self.path:follow_back(line, -PEEK_FROM, 0.08)
    local start = self.odometry.time
+   self.across = nil
    return self:opposite() or self:sees_others_work(line, first) or self:felt_at_work(line, start, first)
 end
 
 -- Whether nobody else is at work there. Of two that look at the same site and see each other the one leaves, and the other
--- looks again after a while, and then goes in, whoever has come meanwhile of those that it goes before.
+-- looks again after a while, and then goes in, whoever has come meanwhile of those that it goes before. Of two before
+-- adjoining sites, whose effectors would meet over the corner, the one waits until the other is through; that one looks
+-- once more, too, as it may not have been noticed.
 function SiteWork:is_alone(line)
    local first = false
    for look = 0, STAYS do
       local other = self:other_at_work(line, first)
-      if not other then return true end
-      first = self:goes_before(other, line)
-      if look == STAYS or not first then return false end
-      self.process:wait(STAY)
+      local across = not other and self.across
+      local waits = across and self.map:waits_at_corner(across)
+      if not other and not waits and (not across or look > 0) then return true end
+      if other then first = self:goes_before(other, line) end
+      if look == STAYS or other and not first then return false end
+      self.process:wait(waits and THROUGH or STAY)
    end
 end
 
@@ -474,6 +502,7 @@ function SiteWork:approach_site()
    if problem == 'busy' then
       self.sides:withdraw()
       self:give_up()
+      self.yielded = true
       return 'busy'
    end
    self.record:tally('aborted')

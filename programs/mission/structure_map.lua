@@ -272,6 +272,12 @@ function StructureMap:count_bricks()
    return count
 end
 
+-- A function that says whether more bricks are known than at first, asked in each step.
+function StructureMap:sees_new_brick()
+   local before = self:count_bricks()
+   return function() return self:rows() ~= nil and self:count_bricks() > before end
+end
+
 -- All bricks that were ever seen, where they should stand: {x, y, z, yaw}.
 function StructureMap:all_bricks()
    local out = {}
@@ -296,6 +302,14 @@ function StructureMap:had_brick(x, y, level)
    if not self.known then return false end
    local u, v = self:cell_of(x, y)
    return self:had_brick_in(u, v, level)
+end
+
+-- Whether a block over the floor is in a robot's hand, though no colour was seen on it: it is none of the bricks that were
+-- ever seen, nor on one.
+function StructureMap:floats(block)
+   if not self.known or block.z < SIDE then return false end
+   local level = geometry.level_of(block.z)
+   return not self:had_brick(block.x, block.y, level) and not self:had_brick(block.x, block.y, level - 1)
 end
 
 -- Whether a block that comes down there is drawn aside: to where a brick stands a level lower, if neither one on the
@@ -391,15 +405,27 @@ function StructureMap:side_name()
    return StructureMap.name_of(self.side)
 end
 
--- Whether a robot on this side goes before one that is at a place on another: the order of sides says. On the same side
--- chance does.
-function StructureMap:goes_before(place)
+-- The robot's side in the order of sides, from 0 on, and that on which a place is.
+function StructureMap:order_of(place)
    local first = self.task.turns and SIDES[self.robot.params.side or self.task.sides[1]] or 0
    local own = (self.side + first) % 4
    local turn = wrap(angle_to(place, self.known) - self:heading_of(self.side))
-   local other = (own + geometry.round(turn / (math.pi / 2))) % 4
+   return own, (own + geometry.round(turn / (math.pi / 2))) % 4
+end
+
+-- Whether a robot on this side goes before one that is at a place on another: the order of sides says. On the same side
+-- chance does.
+function StructureMap:goes_before(place)
+   local own, other = self:order_of(place)
    if own == other then return math.random() < 0.5 end
    return own < other
+end
+
+-- Whether it waits at a corner for one that is at a place on an adjoining side: who works along y does, so that two at most
+-- wait, and those for whom they wait are on opposite sides.
+function StructureMap:waits_at_corner(place)
+   local own, other = self:order_of(place)
+   return own % 2 == 1 and other % 2 == 0
 end
 
 -- The side among those allowed that a place is nearest to.

@@ -410,23 +410,25 @@ end)
 
 case('of two that meet at a place the one goes on when the other has left', function()
    local machine, fake, run = machine_with {}
-   local asked, leaves_at, met_at = nil, math.huge, nil
-   local function reach(goes_before, line)
+   local asked, leaves_at, met_at, block = nil, math.huge, nil, { x = 0.3, y = 0.06 }
+   local front = fake.robot.rangefinders.front
+   local function reach(goes_before, line, clear)
       fake.pose.x, machine.odometry.pose.x = 0, 0
       local attempt = { target = {
+         clear = clear,
          goes_before = goes_before and function(other) asked = other return goes_before() end,
          contested = function()
             local now = machine.odometry.time
             if machine.odometry.pose.x < 0.1 or now > leaves_at then return nil end
             met_at = met_at or now
-            return 'its block'
+            return not clear and block or nil
          end,
       } }
       return run(function() return machine.approach:follow_last(attempt, line, -0.05) end)
    end
    local line = { x = 0.3, y = 0, yaw = 0 }
    same('leaves', reach(function() return false end, line), 'obstructed')
-   same('before the other', asked, 'its block')
+   same('before the other', asked, block)
    met_at, leaves_at = nil, machine.odometry.time + 4
    same('goes on', reach(function() return true end, line), 'there')
    near('to its place', machine.odometry.pose.x, 0.25, 1e-3)
@@ -434,6 +436,18 @@ case('of two that meet at a place the one goes on when the other has left', func
    met_at, leaves_at = nil, math.huge
    same('who stays is not waited for', reach(function() return true end, line), 'obstructed')
    same('nobody goes before anybody', reach(nil, line), 'obstructed')
+   block, met_at, leaves_at = { x = 0.3, y = 0.03 }, nil, machine.odometry.time + 4
+   same('a block that was last seen at the place is there', reach(function() return true end, line), 'obstructed')
+   -- an effector ahead that backs out, and one that goes down
+   for after, ended in pairs { [0.06] = 'there', [0.2] = 'obstructed' } do
+      local from = nil
+      fake.feel = function()
+         local x = machine.odometry.pose.x
+         if x > 0.1 then from = from or machine.odometry.time end
+         front.proximity = not from and 0.2 or machine.odometry.time - from < 2 and 0.035 or after
+      end
+      same('ahead ' .. after, reach(function() return true end, line, true), ended)
+   end
 end)
 
 case('a block that catches on a neighbour on its way is brought again, farther off that', function()

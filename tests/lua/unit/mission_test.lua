@@ -1001,23 +1001,89 @@ case('who goes first stays, looks again, and then goes in whoever comes; the oth
       process = { wait = function() waits = waits + 1 end },
       other_at_work = function(_, _, first)
          table.insert(looks, first)
-         return not first and { x = 0.1, y = 0, z = 0.16 } or nil
+         return not first and { x = 0, y = 0.1, z = 0.16 } or nil
       end,
    }, SiteWork)
    work.map = { goes_before = function() return true end }
-   same('goes in', work:is_alone { x = 0, y = 0 }, true)
+   same('goes in', work:is_alone { x = 0, y = 0, yaw = 0 }, true)
    same('looks', #looks, 2)
    same('past who leaves', looks[2], true)
    same('waits between', waits, 1)
    work.map = { goes_before = function() return false end }
-   same('leaves', work:is_alone { x = 0, y = 0 }, false)
+   same('leaves', work:is_alone { x = 0, y = 0, yaw = 0 }, false)
    same('after one look', #looks, 3)
    work.map = { goes_before = function() return true end }
-   same('likewise where the other is at an adjoining site', work:is_alone { x = 0.1, y = 0.16 }, false)
+   same('likewise where the other is at an adjoining site', work:is_alone { x = 0.05, y = 0.16, yaw = 0 }, false)
    same('after one', #looks, 4)
    work.other_at_work = function() return { x = 0.06, y = 0, opposite = true } end
-   same('not for ever', work:is_alone { x = 0, y = 0 }, false)
+   same('not for ever', work:is_alone { x = 0, y = 0, yaw = 0 }, false)
    same('waits', waits, 4)
+end)
+
+case('of two at a corner the one along y waits until the other is through, which looks once more', function()
+   local waits, across = {}, {}
+   local work = setmetatable({ process = { wait = function(_, seconds) table.insert(waits, seconds) end } }, SiteWork)
+   function work:other_at_work() self.across = table.remove(across, 1) or nil end
+   local function goes_in(along_y, ...)
+      waits, across = {}, { ... }
+      work.map = { waits_at_corner = function() return along_y end }
+      return work:is_alone { x = 0, y = 0, yaw = 0 }, table.concat(waits, ' ')
+   end
+   local place = { x = 0.06, y = 0.12 }
+   for along_y, said in pairs { [true] = '10 10', [false] = '3' } do
+      local goes, waited = goes_in(along_y, place, place, false)
+      same('goes in', goes, true)
+      same('waits', waited, said)
+   end
+   same('not for ever', (goes_in(true, place, place, place, place)), false)
+   same('nobody', select(2, goes_in(true)), '')
+
+   local machine, fake = machine_with {}
+   work = SiteWork.new(machine, { waits_at_corner = function() end }, nil, nil, nil, { delay = 30 })
+   local effector = machine.description.effector.front
+   local function felt(yaw, ahead)
+      machine.odometry.pose = { x = 0, y = 0, yaw = yaw }
+      fake.robot.rangefinders.front.proximity = ahead
+      return work:felt_across { x = 0.19, y = 0, yaw = 0 }
+   end
+   local place_seen = felt(0.5, 0.26 - effector)
+   near('ahead', place_seen.x, 0.26 * math.cos(0.5), 1e-9)
+   near('aside', place_seen.y, 0.26 * math.sin(0.5), 1e-9)
+   same('beyond the site', felt(0, 0.26 - effector), nil)
+   same('before the same site', felt(0.5, 0.21 - effector), nil)
+   same('nothing', felt(0.5, 0.2), nil)
+end)
+
+case('a block without a colour is in a hand where neither it nor one below was ever seen as a brick', function()
+   local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, { transport = 4, sides = ALL, turns = true })
+   local function floats(x, level) return map:floats { x = x, y = 0, z = SIDE * (level + 0.5), colour = 0 } end
+   same('nothing is known', floats(0.3, 2), false)
+   map:remember(map:in_memory())
+   map:settle()
+   same('over a place with nothing in it', floats(0.3 - SIDE, 2), true)
+   same('on a brick', floats(0.3, 1), false)
+   same('higher', floats(0.3, 2), true)
+   same('on the floor', floats(0.3 - SIDE, 0), false)
+   local machine = machine_with { { x = 0.5, y = 0 } }
+   machine.placement.floats = function(block) return block.x < 0.3 end
+   for x, said in pairs { [0.25] = true, [0.35] = false } do
+      machine.tracker.tracks = { { x = x, y = 0, z = 0.138, colour = 0, time = machine.odometry.time } }
+      same('held near at ' .. x, machine.placement:held_near(0.3, 0, 0.1) ~= nil, said)
+   end
+end)
+
+case('sides along y wait at a corner for those along x', function()
+   local task, said = { transport = 4, sides = ALL, turns = true }, {}
+   for _, side in ipairs { '+x', '+y', '-x', '-y' } do
+      local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task, { side = side })
+      map:remember(map:in_memory())
+      map:settle()
+      for _, other in ipairs { { 0.3, 0.2 }, { 0.5, 0 }, { 0.3, -0.2 } } do
+         table.insert(said, map:waits_at_corner { x = other[1], y = other[2] } and 'waits' or 'goes')
+      end
+   end
+   same('sides', table.concat(said, ' '),
+        'goes goes goes waits goes waits goes goes goes waits goes waits')
 end)
 
 case('a block far from the bricks does not count for who goes before its robot, but one that is going in does', function()
@@ -1028,8 +1094,8 @@ case('a block far from the bricks does not count for who goes before its robot, 
    }
    local work = SiteWork.new(machine, map, nil, nil, nil, { delay = 30 })
    local line = { x = 0.3, y = 0, yaw = 0 }
-   local function holds(y)
-      machine.tracker.tracks = { { x = 0.3, y = y, z = 0.14, colour = 4, time = machine.odometry.time } }
+   local function holds(y, x)
+      machine.tracker.tracks = { { x = x or 0.3, y = y, z = 0.14, colour = 4, time = machine.odometry.time } }
       return work:held_at_work(line, false) ~= nil, work:held_at_work(line, true) ~= nil
    end
    local counts, for_first = holds(0.096)
@@ -1037,7 +1103,7 @@ case('a block far from the bricks does not count for who goes before its robot, 
    same('is to leave', for_first, false)
    counts, for_first = holds(0.06)
    same('goes in', counts and for_first, true)
-   counts, for_first = holds(0.13)
+   counts, for_first = holds(0.11, 0.355)
    same('at an adjoining site', counts and for_first, true)
    machine.returns.near = function() return { { x = 0.3, y = 0.145 } } end
    same('felt', work:felt_at_work(line, 0, false).y, 0.145)
@@ -1092,7 +1158,7 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    }
    for _ = 1, 12 do same('stays', work:stays(), true) end
    math.random = random  -- luacheck: ignore 122
-   same('seconds', table.concat(waits, ' '), '4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0 256.0 256.0 256.0 256.0')
+   same('seconds', table.concat(waits, ' '), '4.0 32.0 256.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0')
    same('nothing new', begun(), false)
    table.insert(machine.tracker.tracks, {
       id = 2, x = 0.4 - SIDE, y = 0, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 2, seen = 9, missed = 0,
@@ -1201,6 +1267,12 @@ case('a robot waits longer each time that it meets others, but not for ever', fu
    end
    math.random = random  -- luacheck: ignore 122
    same('seconds', table.concat(waited, ' '), '4.0 8.0 16.0 32 32 32')
+   -- who has left a site to another waits for that one's brick, once
+   local longest = {}
+   builder.process.wait_until = function(_, _, seconds) table.insert(longest, seconds) end
+   builder.work.yielded = true
+   for _ = 1, 2 do builder:wait() end
+   same('once', table.concat(longest, ' '), '15')
 end)
 
 case('states that take no time follow each other in one step, unless they come again', function()
