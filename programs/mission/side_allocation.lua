@@ -65,6 +65,15 @@ function SideAllocation:withdraw()
    if more > 0 then self.path:back_off(more) end
 end
 
+-- Likewise, before the middle of the robot's side, which it faces.
+function SideAllocation:stand_back()
+   local map = self.map
+   if not map.side or not map.known then return end
+   local heading = map:heading_of(map.side)
+   self.navigation:to(self:place_on(heading, math.min(map.known.reach + WITHDRAWN, self:room_before_cache())))
+   self.path:turn_to(heading)
+end
+
 -- A place so far from the structure's middle, on the side that robots face with `heading`.
 function SideAllocation:place_on(heading, away)
    local known = self.map.known

@@ -34,6 +34,7 @@ local FAR_BESIDE, FAR_IN = { 3, 6 }, 4  -- cells beside the outermost row, in tu
                                -- near as a robot passes a row that juts out
 local NOT_DUE = 1e4            -- more than any order of rows
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
+local LOOKS_ALONG, IN_PICTURE = 60, 0.25  -- s, between looks along the rows in a rest; rad, of what is seen without a turn
 local AWAKE, LONGER, LONGEST = 1, 8, 256  -- rounds in vain, after which each rest is so many times as long as the one before, up to
                                -- so many times the first
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
@@ -168,14 +169,42 @@ function SiteWork:flank_of(rows)
    end
 end
 
--- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick
--- that it had not seen before.
+-- Turns to where a row would begin beside the outermost on each side, as far as these are out of the picture, until
+-- `seen()`.
+function SiteWork:look_along(seen)
+   local map, odometry = self.map, self.odometry
+   local rows, first, last = map:rows(), math.huge, -math.huge
+   local heading = rows and map:heading_of(map.side)
+   for v in pairs(rows or {}) do first, last = math.min(first, v), math.max(last, v) end
+   for _, v in ipairs(rows and { first - 1, last + 1 } or {}) do
+      local outer = rows[math.min(math.max(v, first), last)]
+      local x, y = map.place_of({ v = v, front = outer.front, frame = outer.frame }, 0, 0)
+      local way = geometry.wrap(math.atan(y - odometry.pose.y, x - odometry.pose.x) - heading)
+      local turn = math.max(0, math.abs(way) - IN_PICTURE) * (way < 0 and -1 or 1)
+      if turn ~= 0 and not seen() and not self.machine.returns:sweeps(turn, self.lift:height()) then
+         self.path:turn_to(heading + turn, nil, seen)
+         self.process:wait_until(seen, LOOK_TIME)
+         self.path:turn_to(heading)
+      end
+   end
+end
+
+-- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, before the middle of its
+-- side, until it sees a brick that it had not seen before.
 function SiteWork:rest()
-   local map, more = self.map, math.max(0, self:idle_rounds() - AWAKE)
+   local more = math.max(0, self:idle_rounds() - AWAKE)
    local time = (2 + 4 * math.random()) * math.min(LONGER ^ more, LONGEST)
    if more == 0 then return self.process:wait(time) end
+   self.sides:stand_back()
    self.lift:to(self.lift:top())
-   self.process:wait_until(map:sees_new_brick(), time)
+   local seen, over = self.map:sees_new_brick(), self.odometry.time + time
+   while self.odometry.time < over do
+      if self.process:wait_until(seen, math.min(LOOKS_ALONG, over - self.odometry.time)) then
+         self.in_vain = 0
+         return
+      end
+      self:look_along(seen)
+   end
 end
 
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a

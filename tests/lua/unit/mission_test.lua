@@ -1120,7 +1120,7 @@ case('a robot with nothing to do looks beside its rows from the lift\'s top, rou
    map:settle()
    local work, lifted = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}
    work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
-   work.process = { wait = function() end, wait_until = function() end }
+   work.process, work.rest = { wait = function() end }, function() end
    work.lift.to = function(_, height) table.insert(lifted, height) end
    work.look_from = function() return true end
    local flanks = {}
@@ -1145,26 +1145,50 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work, waits, begun = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}, nil
-   local random = math.random
+   local sides = { withdraw = function() end, stand_back = function() end }
+   local work, waits, begun = SiteWork.new(machine, map, nil, sides, nil, task), {}, nil
+   local random, rested, looks = math.random, 0, 0
    math.random = function() return 0.5 end  -- luacheck: ignore 122
    work.lift.to = function() end
+   local see_along = work.look_along
+   work.look_along = function() looks = looks + 1 end
    work.process = {
-      wait = function(_, seconds) table.insert(waits, seconds) end,
+      wait = function(_, seconds) rested = rested + seconds end,
       wait_until = function(_, until_, seconds)
-         table.insert(waits, seconds)
-         begun = until_
+         machine.odometry.time, rested, begun = machine.odometry.time + seconds, rested + seconds, until_
+         return until_()
       end,
    }
-   for _ = 1, 12 do same('stays', work:stays(), true) end
-   math.random = random  -- luacheck: ignore 122
-   same('seconds', table.concat(waits, ' '), '4.0 32.0 256.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0 1024.0')
+   local function stay()
+      rested = 0
+      same('stays', work:stays(), true)
+      table.insert(waits, rested)
+   end
+   for _ = 1, 6 do stay() end
+   same('seconds', table.concat(waits, ' '), '4.0 32.0 256.0 1024.0 1024.0 1024.0')
+   same('looks along its rows', looks, 1 + 5 + 3 * 18)
    same('nothing new', begun(), false)
+   local turns = {}
+   work.path = { turn_to = function(_, yaw) table.insert(turns, yaw) end }
+   machine.odometry.pose = { x = 0.3, y = 0, yaw = 0 }
+   see_along(work, begun)
+   same('to both sides and back', #turns, 4)
+   near('as far as it has to', turns[1], -math.atan(SIDE, 0.1) + 0.25, 1e-6)
+   near('likewise', turns[3], math.atan(SIDE, 0.1) - 0.25, 1e-6)
+   machine.odometry.pose, turns = { x = 0, y = 0, yaw = 0 }, {}
+   see_along(work, begun)
+   same('what is in the picture', #turns, 0)
    table.insert(machine.tracker.tracks, {
       id = 2, x = 0.4 - SIDE, y = 0, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 2, seen = 9, missed = 0,
       time = 0, top_time = 0,
    })
    same('a new brick', begun(), true)
+   waits = {}
+   table.remove(machine.tracker.tracks)
+   work.map.sees_new_brick = function() return function() return true end end
+   for _ = 1, 2 do stay() end
+   math.random = random  -- luacheck: ignore 122
+   same('ends a rest, and the next is a moment', work.in_vain, 1)
 end)
 
 case('a block that is never seen in one picture with another is not beside it', function()
