@@ -36,7 +36,8 @@ local NOT_DUE = 1e4            -- more than any order of rows
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local LOOKS_ALONG, IN_PICTURE = 60, 0.25  -- s, between looks along the rows in a rest; rad, of what is seen without a turn
 local AWAKE, LONGER, LONGEST = 1, 8, 256  -- rounds in vain, after which each rest is so many times as long as the one before, up to
-                               -- so many times the first
+                               -- so many times the first;
+local LONGER_SHARED, LONGEST_SHARED = 2, 64  -- likewise on a side that is shared
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
 local PAST_LOOK = 0.11         -- m, and from the nearest brick's edge, nearer than who stands for a look holds his
@@ -189,13 +190,14 @@ function SiteWork:look_along(seen)
    end
 end
 
--- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, before the middle of its
--- side, until it sees a brick that it had not seen before.
+-- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick that
+-- it had not seen before. On a side of its own it rests before the middle; where others may work, not so long, since it is
+-- in their way.
 function SiteWork:rest()
-   local more = math.max(0, self:idle_rounds() - AWAKE)
-   local time = (2 + 4 * math.random()) * math.min(LONGER ^ more, LONGEST)
+   local more, shared = math.max(0, self:idle_rounds() - AWAKE), self.sides:are_shared()
+   local time = (2 + 4 * math.random()) * math.min((shared and LONGER_SHARED or LONGER) ^ more, shared and LONGEST_SHARED or LONGEST)
    if more == 0 then return self.process:wait(time) end
-   self.sides:stand_back()
+   if not shared then self.sides:stand_back() end
    self.lift:to(self.lift:top())
    local seen, over = self.map:sees_new_brick(), self.odometry.time + time
    while self.odometry.time < over do

@@ -1145,7 +1145,10 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local sides = { withdraw = function() end, stand_back = function() end }
+   local shared, stood = false, 0
+   local sides = {
+      withdraw = function() end, stand_back = function() stood = stood + 1 end, are_shared = function() return shared end,
+   }
    local work, waits, begun = SiteWork.new(machine, map, nil, sides, nil, task), {}, nil
    local random, rested, looks = math.random, 0, 0
    math.random = function() return 0.5 end  -- luacheck: ignore 122
@@ -1167,6 +1170,13 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    for _ = 1, 6 do stay() end
    same('seconds', table.concat(waits, ' '), '4.0 32.0 256.0 1024.0 1024.0 1024.0')
    same('looks along its rows', looks, 1 + 5 + 3 * 18)
+   same('before the middle', stood, 5)
+   shared, waits, work.in_vain = true, {}, 0
+   work.task.sides = { '+x' }
+   for _ = 1, 8 do stay() end
+   same('shorter on a shared side', table.concat(waits, ' '), '4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0')
+   same('where it is', stood, 5)
+   shared = false
    same('nothing new', begun(), false)
    local turns = {}
    work.path = { turn_to = function(_, yaw) table.insert(turns, yaw) end }
