@@ -98,11 +98,11 @@ end
 
 -- For a random while, which is short as long as nobody is met, and twice as long each time that somebody was:
 -- robots that came at the same time come one after the other. Where it has left a site to another, only until that one's
--- brick is seen, or might be there, and a short while.
+-- brick is seen, or might be there, and a short while: all that see it come then, and at corners they have to feel each other.
 function Builder:wait()
-   local longest, share = self.task.delay, FIRST_WAIT
-   if self.work.yielded then
-      self.work.yielded = false
+   local longest, share, yielded = self.task.delay, FIRST_WAIT, self.work.yielded
+   self.work.yielded = false
+   if yielded and self.work:feels_across() then
       if self.process:wait_until(self.map:sees_new_brick(), OTHERS_WORK) then self.process:wait(OTHERS_LEAVE) end
    else
       share = math.min(1, FIRST_WAIT * 2 ^ self.work.obstructed)

@@ -434,6 +434,12 @@ function SiteWork:opposite()
    return { x = x, y = y, opposite = true }
 end
 
+-- Whether the effector's rangefinder reaches so far.
+function SiteWork:feels_across()
+   local front = self.machine.description.rangefinders.front
+   return front ~= nil and front.range > ACROSS
+end
+
 -- Where somebody stands before an adjoining site, on another side of the corner: the effector's rangefinder sees that one's
 -- in the turns of a look to both sides, while both lifts are at their tops.
 function SiteWork:felt_across(line)

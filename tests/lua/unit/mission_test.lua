@@ -1307,6 +1307,11 @@ case('a robot waits longer each time that it meets others, but not for ever', fu
    builder.work.yielded = true
    for _ = 1, 2 do builder:wait() end
    same('once', table.concat(longest, ' '), '15')
+   -- robots that would not feel each other at a corner do not all come when they see it
+   builder.machine.description.rangefinders.front.range, builder.work.yielded = 0.05, true
+   builder:wait()
+   same('by chance alone', #longest, 1)
+   same('and only then', builder.work.yielded, false)
 end)
 
 case('states that take no time follow each other in one step, unless they come again', function()
