@@ -132,10 +132,10 @@ function Approach:column_ahead()
 end
 
 -- Whether something is so near ahead that it would stand in the next cell of a target, as the effector sees from where its
--- way ends; and how far what is ahead is, or nil.
+-- way ends.
 function Approach:next_cell_filled(target)
    local ahead = self.ranges:range('front')
-   return ahead ~= nil and ahead < NEXT_CELL + math.max(0, -(target.short or 0)), ahead
+   return ahead ~= nil and ahead < NEXT_CELL + math.max(0, -(target.short or 0))
 end
 
 -- How far what is ahead of the effector is: the mean of as many readings as leave it uncertain by MEAN_ERROR, and less
@@ -374,9 +374,8 @@ function Approach:await_leaving(run, line, met)
    local target, ahead = run.target, nil
    local felt = target.clear and self:next_cell_filled(target)
    local left = self.process:wait_until(function()
-      local _, now = self:next_cell_filled(target)
       local other = self:met_at(run, line)
-      met, ahead = other or met, now
+      met, ahead = other or met, self.ranges:range('front')
       return not other
    end, LEAVES)
    if felt then return left and ahead ~= nil end

@@ -52,16 +52,16 @@ function SideAllocation:room_before_cache()
    return (self.map.cache_way or math.huge) - Navigation.BEFORE_CACHE
 end
 
--- Out of the others' way, as far as the cache leaves room; back to its side, if it has gone beside the outermost rows.
+-- How far from the structure's middle it is out of the others' way, as far as the cache leaves room.
+function SideAllocation:withdrawn()
+   return math.min(self.map.known.reach + WITHDRAWN, self:room_before_cache())
+end
+
+-- Out of the others' way; back to its side, if it has gone beside the outermost rows.
 function SideAllocation:withdraw()
    local map, pose = self.map, self.odometry.pose
-   local away = math.min(map.known.reach + WITHDRAWN, self:room_before_cache())
-   if map.side and not map:is_on_side(map.side, pose) then
-      self.navigation:to(self:place_on(map:heading_of(map.side), away))
-      self.path:turn_to(map:heading_of(map.side))
-      return
-   end
-   local more = away - geometry.apart(map.known, pose)
+   if map.side and not map:is_on_side(map.side, pose) then return self:stand_back() end
+   local more = self:withdrawn() - geometry.apart(map.known, pose)
    if more > 0 then self.path:back_off(more) end
 end
 
@@ -69,9 +69,9 @@ end
 function SideAllocation:stand_back()
    local map = self.map
    if not map.side or not map.known then return end
-   local heading = map:heading_of(map.side)
-   self.navigation:to(self:place_on(heading, math.min(map.known.reach + WITHDRAWN, self:room_before_cache())))
-   self.path:turn_to(heading)
+   self.navigation:to(self:place_on(map:heading_of(map.side), self:withdrawn()))
+   -- on the way it may have been seen to lie otherwise, or lost
+   if map.side and map.known then self.path:turn_to(map:heading_of(map.side)) end
 end
 
 -- A place so far from the structure's middle, on the side that robots face with `heading`.

@@ -35,9 +35,9 @@ local FAR_BESIDE, FAR_IN = { 3, 6 }, 4  -- cells beside the outermost row, in tu
 local NOT_DUE = 1e4            -- more than any order of rows
 local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
 local LOOKS_ALONG, IN_PICTURE = 60, 0.25  -- s, between looks along the rows in a rest; rad, of what is seen without a turn
-local AWAKE, LONGER, LONGEST = 1, 8, 256  -- rounds in vain, after which each rest is so many times as long as the one before, up to
-                               -- so many times the first;
-local LONGER_SHARED, LONGEST_SHARED = 2, 64  -- likewise on a side that is shared
+local AWAKE = 1                -- rounds in vain, after which it rests ever longer:
+local RESTS, SHARED_RESTS = { longer = 8, longest = 256 }, { longer = 2, longest = 64 }  -- so many times as long as before, up to
+                               -- so many times the first, on a side of its own, and on one that is shared
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
 local PAST_LOOK = 0.11         -- m, and from the nearest brick's edge, nearer than who stands for a look holds his
@@ -50,8 +50,8 @@ local TOO_FAR = 0.20           -- m, likewise, from where it looks
 local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
--- tried: rows of this side that asked for nothing; in_vain_at: by side and v, those of all sides, since the last brick; explored: ways beside its rows that were gone, 1 to the left, -1 to
--- the right. in_vain: how often all rows of a side were tried since the last brick; rounds: likewise of this side.
+-- tried: rows of this side that asked for nothing; in_vain_at: by side and v, those of all sides, since the last brick;
+-- explored: ways beside its rows that were gone, 1 to the left, -1 to the right. in_vain: how often all rows of a side were tried since the last brick; rounds: likewise of this side.
 -- patience: how often it tries them before it goes elsewhere, of sides that are shared: once, and twice as often each
 -- time. obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what
 -- stands near sites, and may be robots: {x, y, since}. row: {v, front, frame, juts}, the one it stands before; unfound:
@@ -67,8 +67,8 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
-      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {}, approach_time = 0,
-      yielded = false,
+      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {},
+      approach_time = 0, yielded = false,
    }, SiteWork)
 end
 
@@ -175,11 +175,11 @@ end
 function SiteWork:look_along(seen)
    local map, odometry = self.map, self.odometry
    local rows, first, last = map:rows(), math.huge, -math.huge
-   local heading = rows and map:heading_of(map.side)
-   for v in pairs(rows or {}) do first, last = math.min(first, v), math.max(last, v) end
-   for _, v in ipairs(rows and { first - 1, last + 1 } or {}) do
-      local outer = rows[math.min(math.max(v, first), last)]
-      local x, y = map.place_of({ v = v, front = outer.front, frame = outer.frame }, 0, 0)
+   if not rows then return end
+   local heading = map:heading_of(map.side)
+   for v in pairs(rows) do first, last = math.min(first, v), math.max(last, v) end
+   for _, outer in ipairs { { v = first, beside = -1 }, { v = last, beside = 1 } } do
+      local x, y = map.place_of(rows[outer.v], 0, outer.beside)
       local way = geometry.wrap(math.atan(y - odometry.pose.y, x - odometry.pose.x) - heading)
       local turn = math.max(0, math.abs(way) - IN_PICTURE) * (way < 0 and -1 or 1)
       if turn ~= 0 and not seen() and not self.machine.returns:sweeps(turn, self.lift:height()) then
@@ -195,7 +195,8 @@ end
 -- in their way.
 function SiteWork:rest()
    local more, shared = math.max(0, self:idle_rounds() - AWAKE), self.sides:are_shared()
-   local time = (2 + 4 * math.random()) * math.min((shared and LONGER_SHARED or LONGER) ^ more, shared and LONGEST_SHARED or LONGEST)
+   local rests = shared and SHARED_RESTS or RESTS
+   local time = (2 + 4 * math.random()) * math.min(rests.longer ^ more, rests.longest)
    if more == 0 then return self.process:wait(time) end
    if not shared then self.sides:stand_back() end
    self.lift:to(self.lift:top())
@@ -424,14 +425,21 @@ function SiteWork:felt_at_work(line, since, first)
    end
 end
 
+-- Where the effector's rangefinder sees something, or nil.
+function SiteWork:felt_ahead()
+   local ahead = self.machine.ranges:range('front')
+   if not ahead then return nil end
+   local x, y = geometry.out_of(self.odometry.pose, self.machine.description.effector.front + ahead, 0)
+   return { x = x, y = y }
+end
+
 -- Where somebody stands on the other side of the site: from the lift's top the effector's rangefinder looks over bricks,
 -- and sees the other's effector or what carries it. No camera looks so high.
 function SiteWork:opposite()
    self.lift:to(self.lift:top())
-   local ahead = self.machine.ranges:range('front')
-   if not ahead then return nil end
-   local x, y = geometry.out_of(self.odometry.pose, self.machine.description.effector.front + ahead, 0)
-   return { x = x, y = y, opposite = true }
+   local place = self:felt_ahead()
+   if place then place.opposite = true end
+   return place
 end
 
 -- Whether the effector's rangefinder reaches so far.
@@ -443,11 +451,10 @@ end
 -- Where somebody stands before an adjoining site, on another side of the corner: the effector's rangefinder sees that one's
 -- in the turns of a look to both sides, while both lifts are at their tops.
 function SiteWork:felt_across(line)
-   local felt = self.machine.ranges:range('front')
-   if not felt then return nil end
-   local x, y = geometry.out_of(self.odometry.pose, self.machine.description.effector.front + felt, 0)
-   local ahead, left = geometry.into(line, x, y)
-   return ahead > ACROSS_FROM and math.abs(left) > SIDE and math.abs(left) < ACROSS and { x = x, y = y } or nil
+   local place = self:felt_ahead()
+   if not place then return nil end
+   local ahead, left = geometry.into(line, place.x, place.y)
+   return ahead > ACROSS_FROM and math.abs(left) > SIDE and math.abs(left) < ACROSS and place or nil
 end
 
 -- A block that somebody holds near the structure, as a look over the column and to both sides tells: with
