@@ -10,6 +10,7 @@ local geometry = require 'common.geometry'
 local GRID = 0.02              -- m, between two points that are kept apart
 local KEPT = 10                -- s
 local SEES = 0.15              -- m, as far as a rangefinder surely sees through
+local CELL = 0.030             -- m, more than the grid has between two places that are the same point
 local SPARE = 0.012            -- m, about what a turn sweeps
 local OF_BLOCK = 0.050         -- m, from a block's middle to points on it
 
@@ -18,10 +19,15 @@ UnexplainedReturns.__index = UnexplainedReturns
 UnexplainedReturns.LOOK_RIM = 0.03  -- m/s, in a turn to look: a rangefinder measures every 10 degrees
 
 function UnexplainedReturns.new(odometry, ranges, tracker, sweep)
+   local rays = {}
+   for _, ray in ipairs(ranges:chassis_rays()) do
+      local from, to = ray.from, ray.to
+      table.insert(rays, { name = ray.name, x = from.x, y = from.y, way_x = to.x, way_y = to.y })
+   end
    return setmetatable({
       odometry = odometry, ranges = ranges, tracker = tracker, sweep = sweep,
       points = {},                   -- by place on the grid: {x, y, time}
-      rays = ranges:chassis_rays(),
+      rays = rays,                   -- {name, x, y, way_x, way_y}: place and direction in the robot's frame
    }, UnexplainedReturns)
 end
 
@@ -29,24 +35,47 @@ local function key_of(x, y)
    return math.floor(x / GRID + 0.5) * 65536 + math.floor(y / GRID + 0.5)
 end
 
-function UnexplainedReturns:trace(ray)
+-- Whether a ray may pass through one of some points {x, y} of the robot's frame before it has gone so far.
+local function may_pass(ray, far, places)
+   local ray_x, ray_y, way_x, way_y, beyond = ray.x, ray.y, ray.way_x, ray.way_y, far + CELL
+   for i = 1, #places do
+      local place = places[i]
+      local x, y = place.x - ray_x, place.y - ray_y
+      local aside, along = x * way_y - y * way_x, x * way_x + y * way_y
+      if aside < CELL and aside > -CELL and along > -CELL and along < beyond then return true end
+   end
+   return false
+end
+
+-- `places`: where the points are in the robot's frame. They are few, and most rays pass none of them.
+function UnexplainedReturns:trace(ray, places)
    local pose, distance = self.odometry.pose, self.ranges:range(ray.name)
    local function at(way)
-      return geometry.out_of(pose, ray.from.x + way * ray.to.x, ray.from.y + way * ray.to.y)
+      return geometry.out_of(pose, ray.x + way * ray.way_x, ray.y + way * ray.way_y)
    end
-   for way = 0, (distance or SEES) - 1.5 * GRID, GRID / 2 do self.points[key_of(at(way))] = nil end
+   local far = (distance or SEES) - 1.5 * GRID
+   if may_pass(ray, far, places) then
+      for way = 0, far, GRID / 2 do self.points[key_of(at(way))] = nil end
+   end
    if distance then
       local x, y = at(distance)
       self.points[key_of(x, y)] = { x = x, y = y, time = self.odometry.time }
+      table.insert(places, { x = ray.x + distance * ray.way_x, y = ray.y + distance * ray.way_y })
    end
 end
 
 -- Once in each step, after the tracker: what is seen, and what is seen through.
 function UnexplainedReturns:sense()
+   local pose, places = self.odometry.pose, {}
    for key, point in pairs(self.points) do
-      if self.odometry.time - point.time > KEPT then self.points[key] = nil end
+      if self.odometry.time - point.time > KEPT then
+         self.points[key] = nil
+      else
+         local x, y = geometry.into(pose, point.x, point.y)
+         table.insert(places, { x = x, y = y })
+      end
    end
-   for _, ray in ipairs(self.rays) do self:trace(ray) end
+   for _, ray in ipairs(self.rays) do self:trace(ray, places) end
 end
 
 function UnexplainedReturns:is_of_block(point)
