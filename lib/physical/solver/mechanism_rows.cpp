@@ -29,19 +29,21 @@ struct SomeDofs {
 template <class Dofs, bool kLoose>
 class MechanismMotion {
  public:
-  MechanismMotion(const RowPoint& first, const double* numbers) : numbers_(numbers) {
-    const Hold& hold = first.holds[0];
-    const std::size_t n = Dofs::of(hold);
-    for (std::size_t k = 0; k < n / 2; ++k) pairs_[k] = two_at(hold.v + 2 * k);
-    if (n % 2 != 0) last_ = hold.v[n - 1];
-    if constexpr (kLoose) loose_ = loose_at(first.loose[0].v);
+  template <class Of>
+  MechanismMotion(const RowPoint& first, const double* numbers, Of /*which*/) : numbers_(numbers) {
+    const double* v = Of::of(first.holds[0]);
+    const std::size_t n = Dofs::of(first.holds[0]);
+    for (std::size_t k = 0; k < n / 2; ++k) pairs_[k] = two_at(v + 2 * k);
+    if (n % 2 != 0) last_ = v[n - 1];
+    if constexpr (kLoose) loose_ = loose_at(Of::of(first.loose[0]));
   }
-  void finish(const RowPoint& first) const {
-    const Hold& hold = first.holds[0];
-    const std::size_t n = Dofs::of(hold);
-    for (std::size_t k = 0; k < n / 2; ++k) put(hold.v + 2 * k, pairs_[k]);
-    if (n % 2 != 0) hold.v[n - 1] = last_;
-    if constexpr (kLoose) keep(first.loose[0].v, loose_);
+  template <class Of>
+  void finish(const RowPoint& first, Of /*which*/) const {
+    double* v = Of::of(first.holds[0]);
+    const std::size_t n = Dofs::of(first.holds[0]);
+    for (std::size_t k = 0; k < n / 2; ++k) put(v + 2 * k, pairs_[k]);
+    if (n % 2 != 0) v[n - 1] = last_;
+    if constexpr (kLoose) keep(Of::of(first.loose[0]), loose_);
   }
 
   double along(const RowPoint& point, std::size_t direction) const {

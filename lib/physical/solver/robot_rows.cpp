@@ -64,13 +64,15 @@ void add(const double* w, double impulse, RobotMotion& v) {
 template <RowKind kKind>
 class RunMotion {
  public:
-  RunMotion(const RowPoint& first, const double* numbers)
-      : numbers_(numbers), robot_(robot_at(first.holds[0].v)) {
-    if constexpr (kLoose) loose_ = loose_at(first.loose[0].v);
+  template <class Of>
+  RunMotion(const RowPoint& first, const double* numbers, Of /*which*/)
+      : numbers_(numbers), robot_(robot_at(Of::of(first.holds[0]))) {
+    if constexpr (kLoose) loose_ = loose_at(Of::of(first.loose[0]));
   }
-  void finish(const RowPoint& first) const {
-    keep(first.holds[0].v, robot_);
-    if constexpr (kLoose) keep(first.loose[0].v, loose_);
+  template <class Of>
+  void finish(const RowPoint& first, Of /*which*/) const {
+    keep(Of::of(first.holds[0]), robot_);
+    if constexpr (kLoose) keep(Of::of(first.loose[0]), loose_);
   }
 
   double along(const RowPoint& point, std::size_t direction) const {
@@ -147,6 +149,10 @@ double relax_run(std::span<RowPoint> run, const double* numbers, double inverse_
 
 void follow_run_gaps(std::span<RowPoint> run, const double* numbers, double dt) {
   code_of(run[0]).follow_gaps(run, numbers, dt);
+}
+
+void shift_run(std::span<RowPoint> run, const double* numbers) {
+  code_of(run[0]).shift(run, numbers);
 }
 
 }  // namespace stig::physics

@@ -22,5 +22,6 @@ RowKind kind_of(const RowPoint& point);
 void apply_last_run(std::span<const RowPoint> run, const double* numbers);
 double relax_run(std::span<RowPoint> run, const double* numbers, double inverse_dt);
 void follow_run_gaps(std::span<RowPoint> run, const double* numbers, double dt);
+void shift_run(std::span<RowPoint> run, const double* numbers);
 
 }  // namespace stig::physics

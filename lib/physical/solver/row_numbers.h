@@ -31,6 +31,21 @@ inline Two row_two(const double* p) {
 inline void put(double* p, const Two& two) { std::memcpy(p, &two, sizeof two); }
 inline Two both(double x) { return Two{x, x}; }
 
+/// Which numbers rows are about: velocities, or the shift that undoes overlaps. The type chooses,
+/// without a test at run time.
+struct OfVelocities {
+  template <class Side>
+  static double* of(const Side& side) {
+    return side.v;
+  }
+};
+struct OfShifts {
+  template <class Side>
+  static double* of(const Side& side) {
+    return side.way;
+  }
+};
+
 /// J times v. In two sums, of which neither waits for the other.
 inline double product(const double* j, const Hold& hold, const double* v) {
   const std::size_t begin = hold.reach.begin, dofs = hold.dofs;
@@ -64,11 +79,16 @@ inline double next_push(RowPoint& point, double speed, double inverse_dt) {
 /// would: the step along the axle is shorter by the square of that part.
 inline std::array<double, 2> next_slide(RowPoint& point, double mass, double first, double second) {
   const double part = point.axle_friction;
-  double x = point.slide[0] - (first + point.bend[0]) * mass * part * part;
+  double x = (first + point.bend[0]) * mass, across = 0;
+  // Most points have no axle, and others wait for this one's numbers.
+  if (part == 1) {
+    x = across = point.slide[0] - x;
+  } else {
+    x = part == 0 ? 0 : point.slide[0] - x * part * part;
+    across = part > 0 ? x / part : 0;
+  }
   double y = point.slide[1] - (second + point.bend[1]) * mass;
   const double most = point.friction * point.push;
-  if (part == 0) x = 0;
-  const double across = part == 1 ? x : part > 0 ? x / part : 0;
   const double size = across * across + y * y;
   if (size > most * most) {
     const double less = most / std::sqrt(size);
@@ -77,6 +97,16 @@ inline std::array<double, 2> next_slide(RowPoint& point, double mass, double fir
   }
   const std::array change{x - point.slide[0], y - point.slide[1]};
   point.slide = {x, y};
+  return change;
+}
+
+/// Takes the impulse along the normal that undoes an overlap; returns by how much it changes.
+/// Shifts are along normals only: overlaps know no friction.
+inline double next_shift(RowPoint& point, double speed) {
+  const double impulse =
+      std::max(0.0, point.shift + (point.shift_target - speed) * point.mass[kNormal]);
+  const double change = impulse - point.shift;
+  point.shift = impulse;
   return change;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Runs of points, gone through with their velocities at hand: a Motion takes them from where they
-// are kept, knows how fast a point is along a direction and what an impulse does to it, and puts
-// them back.
+// Runs of points, gone through with their velocities at hand: a Motion takes them (or shifts, which
+// are the same to it) from where they are kept, knows how fast a point is along a direction and
+// what an impulse does to it, and puts them back.
 #pragma once
 
 #include <algorithm>
@@ -43,7 +43,7 @@ inline void add(const LooseSide& side, std::size_t direction, double impulse, Lo
 
 template <class Motion>
 double relax_points(std::span<RowPoint> run, const double* numbers, double inverse_dt) {
-  Motion motion(run[0], numbers);
+  Motion motion(run[0], numbers, OfVelocities{});
   double most = 0;
   for (RowPoint& point : run) {
     const double change = next_push(point, motion.along(point, kNormal), inverse_dt);
@@ -59,26 +59,36 @@ double relax_points(std::span<RowPoint> run, const double* numbers, double inver
     }
     most = std::max(most, asked(slide, mass));
   }
-  motion.finish(run[0]);
+  motion.finish(run[0], OfVelocities{});
   return most;
 }
 
 template <class Motion>
 void apply_last_points(std::span<const RowPoint> run, const double* numbers) {
-  Motion motion(run[0], numbers);
+  Motion motion(run[0], numbers, OfVelocities{});
   for (const RowPoint& point : run) {
     if (carries_nothing(point)) continue;
     motion.push(point, kNormal, point.push);
     motion.push(point, kFirst, point.slide[0]);
     motion.push(point, kSecond, point.slide[1]);
   }
-  motion.finish(run[0]);
+  motion.finish(run[0], OfVelocities{});
 }
 
 template <class Motion>
 void follow_point_gaps(std::span<RowPoint> run, const double* numbers, double dt) {
-  const Motion motion(run[0], numbers);
+  const Motion motion(run[0], numbers, OfVelocities{});
   for (RowPoint& point : run) point.gap += motion.along(point, kNormal) * dt;
+}
+
+template <class Motion>
+void shift_points(std::span<RowPoint> run, const double* numbers) {
+  Motion motion(run[0], numbers, OfShifts{});
+  for (RowPoint& point : run) {
+    const double change = next_shift(point, motion.along(point, kNormal));
+    if (change != 0) motion.push(point, kNormal, change);
+  }
+  motion.finish(run[0], OfShifts{});
 }
 
 /// What is done with a run.
@@ -86,11 +96,13 @@ struct RunCode {
   double (*relax)(std::span<RowPoint> run, const double* numbers, double inverse_dt);
   void (*apply_last)(std::span<const RowPoint> run, const double* numbers);
   void (*follow_gaps)(std::span<RowPoint> run, const double* numbers, double dt);
+  void (*shift)(std::span<RowPoint> run, const double* numbers);
 };
 
 template <class Motion>
 constexpr RunCode run_code() {
-  return {&relax_points<Motion>, &apply_last_points<Motion>, &follow_point_gaps<Motion>};
+  return {&relax_points<Motion>, &apply_last_points<Motion>, &follow_point_gaps<Motion>,
+          &shift_points<Motion>};
 }
 
 }  // namespace stig::physics

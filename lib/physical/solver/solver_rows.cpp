@@ -56,21 +56,6 @@ void add(const LooseSide& side, std::size_t direction, const std::array<double, 
   }
 }
 
-/// Which numbers rows are about: velocities, or the shift that undoes overlaps. The type chooses,
-/// without a test at run time.
-struct OfVelocities {
-  template <class Side>
-  static double* of(const Side& side) {
-    return side.v;
-  }
-};
-struct OfShifts {
-  template <class Side>
-  static double* of(const Side& side) {
-    return side.way;
-  }
-};
-
 /// The velocity at a point along a direction.
 template <class Of = OfVelocities>
 double along(std::size_t direction, const Rows& rows, const RowPoint& point) {
@@ -202,13 +187,14 @@ bool overlapping(const Rows& rows) {
 }
 
 void shift_rows(Rows& rows) {
-  // Shifts are along normals only: overlaps know no friction.
-  for (RowPoint& point : rows.points) {
-    const double speed = along<OfShifts>(kNormal, rows, point);
-    const double impulse =
-        std::max(0.0, point.shift + (point.shift_target - speed) * point.mass[kNormal]);
-    push<OfShifts>(kNormal, rows, point, std::array{impulse - point.shift});
-    point.shift = impulse;
+  for (const RowRun& run : rows.runs) {
+    const std::span points = points_of(rows, run);
+    if (points[0].kind != RowKind::any) {
+      shift_run(points, rows.numbers.data());
+      continue;
+    }
+    const double change = next_shift(points[0], along<OfShifts>(kNormal, rows, points[0]));
+    push<OfShifts>(kNormal, rows, points[0], std::array{change});
   }
 }
 
