@@ -33,6 +33,28 @@ void add_body(Part& part, const BodyDef& def, const Pose& X_PB) {
   part.mass = mass;
 }
 
+/// Whether the parts of two mechanisms move in the same way; what they weigh does not matter.
+bool move_alike(const std::vector<Part>& a, const std::vector<Part>& b) {
+  const auto same_dof = [](const DofDef& x, const DofDef& y) {
+    return x.linear == y.linear && x.axis == y.axis;
+  };
+  const auto same_part = [&](const Part& x, const Part& y) {
+    return x.parent == y.parent && x.floating == y.floating && x.X_PJ == y.X_PJ &&
+           x.X_CJ == y.X_CJ &&
+           std::equal(x.dofs.begin(), x.dofs.end(), y.dofs.begin(), y.dofs.end(), same_dof);
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_part);
+}
+
+/// Robots of one model share a mechanism: those of a crowd would not fit into the processor's
+/// cache.
+std::shared_ptr<Mechanism> mechanism_for(const std::vector<Part>& parts,
+                                         const std::vector<Articulation>& others) {
+  const auto alike = [&](const Articulation& other) { return move_alike(other.parts, parts); };
+  const auto found = std::find_if(others.begin(), others.end(), alike);
+  return found != others.end() ? found->mechanism : make_mechanism(parts);
+}
+
 /// Makes one articulation from a root body on.
 class Builder {
  public:
@@ -85,7 +107,7 @@ class Builder {
       // A position motor begins with where it is as its goal, so that nothing jerks at the start.
       if (it_.dofs[i].actuator == Actuator::position) it_.axes[i].target = it_.q[i];
     }
-    it_.mechanism = make_mechanism(it_.parts);
+    it_.mechanism = mechanism_for(it_.parts, out_.all);
     assert(it_.mechanism && it_.mechanism->dofs() == it_.q.size());
     note_chains();
     // The base's velocity, too: what is spawned in flight flies.

@@ -28,6 +28,7 @@ struct Part {
   Mat3 inertia;  ///< about that centre, in the part's axes
 };
 
+/// Keeps nothing but the positions set last, so that articulations that move alike may share one.
 class Mechanism {
  public:
   Mechanism() = default;
