@@ -12,6 +12,7 @@ local FRESH = 1                -- s, in which a block in sight was seen
 local STILL = 15               -- sightings after which a block in transport is one that was dropped
 local LEGS = 12                -- of a search, before it begins again where something is known; then more
 local LEGS_AHEAD = 2           -- likewise, of a robot that is bound to a side
+local AHEAD = 0.55             -- m, that it goes straight on at first: a cache is the farther off, the more is to be built
 local SURE_VIEW = 0.28         -- m, from an empty cache, to wait for its next block
 local LINKED = 1.25 * geometry.SIDE
 local AT_CACHE = 0.15          -- m, from the last block there
@@ -196,9 +197,15 @@ function BlockSupply:search_elsewhere()
    return block
 end
 
+-- Where a robot begins, blocks come from ahead.
+function BlockSupply:look_ahead_at_first()
+   if self.map.cache or self.map.known or self.map.lost or self.in_vain > 0 then return nil end
+   return self.tracker:recall(self:wanted()) or self.machine.search:look_ahead(self:wanted(), AHEAD)
+end
+
 -- Where the last one came from, then all about.
 function BlockSupply:search_block()
-   self.block = self:another() or self:look_at_cache()
+   self.block = self:another() or self:look_ahead_at_first() or self:look_at_cache()
    if self.block then return 'found' end
    self.in_vain = self.in_vain + 1
    self.block = self:search_elsewhere()

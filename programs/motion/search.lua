@@ -5,6 +5,7 @@
 local geometry = require 'common.geometry'
 
 local RIM = 0.050              -- m/s, of a turn to look; faster would turn the camera by its width in two steps
+local GLANCE = 1.0             -- s, for one ahead
 local LEG = 0.33               -- m, between two looks round
 local LEGS = 25
 local LEG_SPEED = 0.12         -- m/s
@@ -52,6 +53,16 @@ function Search:look_about(wanted)
       if block then return block end
    end
    return nil
+end
+
+-- Straight on, as far as `way` m, with the lift up, from where the camera sees farthest: a block that is wanted, or nil.
+function Search:look_ahead(wanted, way)
+   local function found() return self.tracker:recall(wanted, FRESH) end
+   self.process:enter('search')
+   self.lift:to(self.lift:top())
+   self.process:wait_until(found, GLANCE)
+   self.path:follow(self.odometry:line_ahead(), way, LEG_SPEED, function() return found() or self.clearance:blocked() end)
+   return found()
 end
 
 -- A block that is wanted: one in memory, or else one that comes in sight. Looks about, and after
