@@ -47,21 +47,22 @@ function SideAllocation:are_shared()
    return self.task.delay > 0 and not self.robot.params.sides
 end
 
--- As far from the structure's middle as the cache leaves room.
-function SideAllocation:room_before_cache()
-   return (self.map.cache_way or math.huge) - Navigation.BEFORE_CACHE
+-- As far from the face of the side of this index as its cache leaves room.
+function SideAllocation:room_before_cache(index)
+   return self.map:room_to_cache(index) - Navigation.BEFORE_CACHE
 end
 
--- How far from the structure's middle it is out of the others' way, as far as the cache leaves room.
-function SideAllocation:withdrawn()
-   return math.min(self.map.known.reach + WITHDRAWN, self:room_before_cache())
+-- How far from that face a robot is out of the others' way, as far as the cache leaves room.
+function SideAllocation:withdrawn(index)
+   return math.min(WITHDRAWN, self:room_before_cache(index))
 end
 
 -- Out of the others' way; back to its side, if it has gone beside the outermost rows.
 function SideAllocation:withdraw()
    local map, pose = self.map, self.odometry.pose
-   if map.side and not map:is_on_side(map.side, pose) then return self:stand_back() end
-   local more = self:withdrawn() - geometry.apart(map.known, pose)
+   if not map.side then return end
+   if not map:is_on_side(map.side, pose) then return self:stand_back() end
+   local more = self:withdrawn(map.side) + geometry.into(map:face_of(map.side), pose.x, pose.y)
    if more > 0 then self.path:back_off(more) end
 end
 
@@ -69,21 +70,22 @@ end
 function SideAllocation:stand_back()
    local map = self.map
    if not map.side or not map.known then return end
-   self.navigation:to(self:place_on(map:heading_of(map.side), self:withdrawn()))
+   self.navigation:to(self:place_before(map.side, self:withdrawn(map.side)))
    -- on the way it may have been seen to lie otherwise, or lost
    if map.side and map.known then self.path:turn_to(map:heading_of(map.side)) end
 end
 
--- A place so far from the structure's middle, on the side that robots face with `heading`.
-function SideAllocation:place_on(heading, away)
-   local known = self.map.known
-   return geometry.out_of({ x = known.x, y = known.y, yaw = heading }, -away, 0)
+-- A place so far before the face of the side of this index.
+function SideAllocation:place_before(index, away)
+   return geometry.out_of(self.map:face_of(index), -away, 0)
 end
 
--- Whether someone works on the side that robots face with `heading`, seen from its left edge (1) or the right one (-1).
-function SideAllocation:is_worked(heading, edge)
-   local x, y = self:place_on(heading, (self.map.known.reach + self.map.cache_way) / 2)
-   return self:is_worked_across({ x = x, y = y, yaw = geometry.wrap(heading - edge * math.pi / 2) })
+-- Whether someone works on the side of this index, seen from its left edge (1) or the right one (-1).
+function SideAllocation:is_worked(index, edge)
+   local face, cache = self.map:face_of(index), self.map:cache_of(index)
+   local along, left = geometry.into(face, cache.x, cache.y)
+   local x, y = geometry.out_of(face, along / 2, left)
+   return self:is_worked_across({ x = x, y = y, yaw = geometry.wrap(face.yaw - edge * math.pi / 2) })
 end
 
 -- Whether someone works on a side: who does so is somewhere between the structure and the cache, and is seen or met by one
@@ -143,7 +145,7 @@ function SideAllocation:change()
    if self:are_shared() and quarters ~= 2 then self.way_round = quarters == 1 and 1 or -1 end
    self.wanted = nil
    local free = not (self:are_shared() and map.cache_way and
-                     self:is_worked(map:heading_of(side), self.way_round))
+                     self:is_worked(side, self.way_round))
    self.worked = not free and side or nil
    if free then
       self:take(side)
@@ -151,8 +153,8 @@ function SideAllocation:change()
       self.way_round = -self.way_round
       self.path:back_off(EDGE - INNER_EDGE)
    end
-   local away = math.min(map.known.reach + Navigation.CLEAR_OF, self:room_before_cache())
-   self.navigation:to(self:place_on(map:heading_of(map.side), away))
+   local away = math.min(Navigation.CLEAR_OF, self:room_before_cache(map.side))
+   self.navigation:to(self:place_before(map.side, away))
    return free
 end
 

@@ -19,6 +19,7 @@ local TURNED = 0.35            -- rad, likewise
 local OF_BRICK, OF_CACHE = 0.012, 0.07  -- m, from a brick's edge and from a cache's middle, of what is no robot
 local GONE = 12                -- steps, more than of two looks, in which a brick would be seen, and is not: it is not there;
                                -- another robot hides it for one look, but hardly in the next
+local LEAST_TO_CACHE = 0.36    -- m, from a side's foremost brick to its cache, wherever that is
 local ABOUT = 2                -- cells, from a column, of bricks that matter to what is decided before it
 
 -- bricks: by "u v", cells of its lattice from the origin on, those that were ever seen: {u, v, levels, colours}, by level
@@ -371,8 +372,25 @@ function StructureMap:nearest_cache()
    return least
 end
 
+-- The frame of the face of the side of this index: on the edge of its foremost brick, or as far out as the structure reached
+-- where all bricks are forgotten, before the structure's middle, with the heading of who faces it.
+function StructureMap:face_of(index)
+   local frame, known = self:frame_of(index), self.known
+   local along, left = geometry.into(frame, known.x, known.y)
+   local front = next(self.bricks) and -math.huge or geometry.round((known.reach - along) / SIDE - 0.5)
+   for _, u in pairs(StructureMap.fronts_of(self:cells_from(index))) do front = math.max(front, u) end
+   local x, y = geometry.out_of(frame, -SIDE * (front + 0.5), left)
+   return { x = x, y = y, yaw = frame.yaw }
+end
+
+-- How far, m, the cache of that side is from the face; math.huge where none is known.
+function StructureMap:room_to_cache(index)
+   local cache = self:cache_of(index)
+   return cache and -geometry.into(self:face_of(index), cache.x, cache.y) or math.huge
+end
+
 -- Where blocks come from on the side of this index: where they were found, or as far off as at that of the other sides
--- where it is nearest; nil where none is known.
+-- where it is nearest, but not nearer to what stands there than caches are; nil where none is known.
 function StructureMap:cache_of(index)
    local own = self.caches[index]
    if not own and not self.cache_way then return nil end
@@ -382,7 +400,9 @@ function StructureMap:cache_of(index)
    else
       local from = self:beginning()
       from.yaw = self:heading_of(index)
-      x, y = geometry.out_of(from, -self:nearest_cache(), 0)
+      local face = self:face_of(index)
+      local out = -geometry.into(from, face.x, face.y)
+      x, y = geometry.out_of(from, -math.max(self:nearest_cache(), out + LEAST_TO_CACHE), 0)
    end
    return { x = x, y = y }
 end
