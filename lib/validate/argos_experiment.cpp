@@ -138,6 +138,7 @@ std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) 
     const std::string bound = sides_text(robot.bound);
     if (!bound.empty()) params += fmt::format(" sides=\"{}\"", bound);
     if (robot.standby > 0) params += fmt::format(" standby=\"{}\"", robot.standby);
+    if (robot.crew > 0) params += fmt::format(" crew=\"{}\"", robot.crew);
     out += fmt::format("    <lua_controller id=\"{}\">\n{}", name, builder_devices());
     out += fmt::format("      <params script=\"{}\"{}/>\n    </lua_controller>\n",
                        escaped_markup(scripts.robot), params);

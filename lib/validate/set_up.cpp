@@ -158,12 +158,11 @@ class Layout {
                           : beyond % 2 == 1 ? kStandbyAside
                                             : -kStandbyAside;
       // A robot alone goes where there is work.
+      const bool several_robots = request_.robots > 1;
+      const bool fixed = request_.allocation == Allocation::fixed;
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
-                     own.front(),
-                     request_.allocation == Allocation::fixed && request_.robots > 1
-                         ? own
-                         : std::vector<ApproachSide>{},
-                     waits ? beyond : 0});
+                     own.front(), fixed && several_robots ? own : std::vector<ApproachSide>{},
+                     waits ? beyond : 0, !fixed && several_robots ? request_.robots : 0});
     }
     return out;
   }
@@ -271,6 +270,7 @@ std::string set_up_scene(const RuleSet& rules, const CompiledRules& compiled,
     const std::string sides = sides_text(robot.bound);
     std::string bound = sides.empty() ? "" : fmt::format(", sides: \"{}\"", sides);
     if (robot.standby > 0) bound += fmt::format(", standby: {}", robot.standby);
+    if (robot.crew > 0) bound += fmt::format(", crew: {}", robot.crew);
     // Noise of starting poses: 1 cm and 5°, so that runs with different seeds differ.
     out += fmt::format(
         "  - {{name: robot {}, file: {}, at: [{:g}, {:g}], heading: {}, jitter: 0.01, "

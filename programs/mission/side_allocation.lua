@@ -25,7 +25,7 @@ function SideAllocation.new(machine, map, navigation, task)
    return setmetatable({
       robot = machine.robot, odometry = machine.odometry, process = machine.process,
       ranges = machine.ranges, returns = machine.returns, clearance = machine.clearance,
-      path = machine.path, map = map, navigation = navigation, task = task, way_round = 1,
+      path = machine.path, map = map, navigation = navigation, task = task, way_round = 1, taken = {},
    }, SideAllocation)
 end
 
@@ -45,6 +45,11 @@ end
 -- Whether others may work on the robot's sides.
 function SideAllocation:are_shared()
    return self.task.delay > 0 and not self.robot.params.sides
+end
+
+-- Whether others may work on its sides, and there is a robot for each: `params.crew` says how many there are.
+function SideAllocation:are_manned()
+   return self:are_shared() and (tonumber(self.robot.params.crew) or math.huge) >= #self.task.sides
 end
 
 -- As far from the face of the side of this index as its cache leaves room.
@@ -146,7 +151,7 @@ function SideAllocation:change()
    self.wanted = nil
    local free = not (self:are_shared() and map.cache_way and
                      self:is_worked(side, self.way_round))
-   self.worked = not free and side or nil
+   self.worked, self.taken[side] = not free and side or nil, free
    if free then
       self:take(side)
    else

@@ -33,10 +33,10 @@ local FAR_EXPLORES = 7         -- likewise farther beside them, where another si
 local FAR_BESIDE, FAR_IN = { 3, 6 }, 4  -- cells beside the outermost row, in turn, and in from the foremost brick: as
                                -- near as a robot passes a row that juts out
 local NOT_DUE = 1e4            -- more than any order of rows
-local ROUNDS = 3               -- likewise one that found nothing to do so often, before its first brick
+local STALLED = 90             -- s, at least, and twice that at most, with no change seen, after which one leaves its side
 local LOOKS_ALONG, IN_PICTURE = 60, 0.25  -- s, between looks along the rows in a rest; rad, of what is seen without a turn
 local AWAKE = 1                -- rounds in vain, after which it rests ever longer:
-local RESTS, SHARED_RESTS = { longer = 8, longest = 256 }, { longer = 2, longest = 64 }  -- so many times as long as before, up to
+local RESTS, SHARED_RESTS = { longer = 4, longest = 256 }, { longer = 2, longest = 64 }  -- so many times as long as before, up to
                                -- so many times the first, on a side of its own, and on one that is shared
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
@@ -51,13 +51,14 @@ local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
 -- tried: rows of this side that asked for nothing; in_vain_at: by side and v, those of all sides, since the last brick;
--- explored: ways beside its rows that were gone, 1 to the left, -1 to the right. in_vain: how often all rows of a side were tried since the last brick; rounds: likewise of this side.
--- patience: how often it tries them before it goes elsewhere, of sides that are shared: once, and twice as often each
--- time. obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what
--- stands near sites, and may be robots: {x, y, since}. row: {v, front, frame, juts}, the one it stands before; unfound:
--- v of the row at which the last approach did not find its brick. wish: what is to be done there (Column:decide).
--- approach_time: mean of the last approaches to a site, s. yielded: it has just left a site to another. across: a place where
--- the last look to both sides found another before an adjoining site, or nil.
+-- explored: ways beside its rows that were gone, 1 to the left, -1 to the right. in_vain: how often all rows of a side were
+-- tried since the last brick. news: when, s, there were last more bricks, or fewer, than the robot knew, and how many there
+-- are. patience: s after that in which it keeps to its side, where sides are shared and manned; twice as long each time.
+-- obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what stands near
+-- sites, and may be robots: {x, y, since}. row: {v, front, frame, juts}, the one it stands before; unfound: v of the row at
+-- which the last approach did not find its brick. wish: what is to be done there (Column:decide). approach_time: mean of the
+-- last approaches to a site, s. yielded: it has just left a site to another. across: a place where the last look to both
+-- sides found another before an adjoining site, or nil.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -67,8 +68,8 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
-      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, rounds = 0, patience = ROUNDS, obstructed = 0, standing = {},
-      approach_time = 0, yielded = false,
+      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = STALLED * (1 + math.random()),
+      obstructed = 0, standing = {}, approach_time = 0, yielded = false,
    }, SiteWork)
 end
 
@@ -101,18 +102,18 @@ function SiteWork:due_from(side)
    return due
 end
 
--- That of its other sides that is nearest where a row is due, but for one where it has just found somebody at work; or
--- nil.
-function SiteWork:due_side()
-   return self.sides:nearest_other(function(side)
-      return side ~= self.sides.worked and next(self:due_from(side)) ~= nil
+-- That of its other sides that is nearest where a row is due, but for one where it has just found somebody at work, and,
+-- with `taken`, of those that it found free; or nil.
+function SiteWork:due_side(taken)
+   local sides = self.sides
+   return sides:nearest_other(function(side)
+      return side ~= sides.worked and (not taken or sides.taken[side]) and next(self:due_from(side)) ~= nil
    end)
 end
 
 -- Whether the robot goes to another of its sides at once, since a row is due there, and none here.
 function SiteWork:leaves_for_due()
-   if self:keeps_to_side() then return false end
-   self.sides.wanted = self:due_side()
+   self.sides.wanted = self:due_side(self:keeps_to_side())
    return self.sides.wanted ~= nil
 end
 
@@ -139,7 +140,7 @@ end
 
 -- Whether the robot tries the rows of one side again and again, before it goes to another.
 function SiteWork:keeps_to_side()
-   return #self.task.sides == 1 or self.sides:are_shared()
+   return #self.task.sides == 1 or self.sides:are_manned()
 end
 
 -- How often all rows of all its sides were tried, or of the one that it keeps to, since the last brick.
@@ -190,6 +191,15 @@ function SiteWork:look_along(seen)
    end
 end
 
+-- Until when, s, a robot keeps to its side that may leave it: where nothing has changed for long, as far as it has seen, who
+-- works elsewhere may have broken down.
+function SiteWork:keeps_until()
+   if #self.task.sides == 1 or not self.sides:are_manned() then return math.huge end
+   local count = self.map:count_bricks()
+   if count ~= self.news.count then self.news = { count = count, time = self.odometry.time } end
+   return self.news.time + self.patience
+end
+
 -- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick that
 -- it had not seen before. On a side of its own it rests before the middle; where others may work, not so long, since it is
 -- in their way.
@@ -200,7 +210,7 @@ function SiteWork:rest()
    if more == 0 then return self.process:wait(time) end
    if not shared then self.sides:stand_back() end
    self.lift:to(self.lift:top())
-   local seen, over = self.map:sees_new_brick(), self.odometry.time + time
+   local seen, over = self.map:sees_new_brick(), math.min(self.odometry.time + time, self:keeps_until())
    while self.odometry.time < over do
       if self.process:wait_until(seen, math.min(LOOKS_ALONG, over - self.odometry.time)) then
          self.in_vain = 0
@@ -218,17 +228,17 @@ function SiteWork:stays()
       self.sides:withdraw()
       return false
    end
-   self.tried, self.explored, self.rounds, self.in_vain = {}, {}, self.rounds + 1, self.in_vain + 1
+   self.tried, self.explored, self.in_vain = {}, {}, self.in_vain + 1
    self.sides:withdraw()
    if not self:keeps_to_side() then
       -- once a way round; for who is alone nobody opens a row
       if self.task.delay > 0 and self.in_vain % #self.task.sides == 0 then self:rest() end
-   elseif #self.task.sides == 1 or self.obstructed <= OBSTRUCTED and self.rounds < self.patience then
+   elseif #self.task.sides == 1 or self.obstructed <= OBSTRUCTED and self.odometry.time < self:keeps_until() then
       self:rest()
       return true
    end
    if self.sides:are_shared() then self.sides.wanted = self:due_side() end
-   self.obstructed, self.rounds, self.patience = 0, 0, 2 * self.patience
+   self.obstructed, self.patience = 0, 2 * self.patience
    return false
 end
 
@@ -599,8 +609,8 @@ function SiteWork:attach()
    end
    self:leave(self.row)
    self:note_placed()
-   self.tried, self.in_vain_at, self.wish, self.obstructed, self.patience = {}, {}, nil, 0, 1
-   self.rounds, self.in_vain = 0, 0
+   self.tried, self.in_vain_at, self.wish, self.obstructed, self.patience = {}, {}, nil, 0, STALLED * (1 + math.random())
+   self.in_vain = 0
    self.record:tally('placed')
    return 'placed'
 end

@@ -64,9 +64,17 @@ TEST_CASE("two robots share four sides that follow each other, or are bound to n
   CHECK(fixed.find("params: {side: \"-x\", sides: \"-x -y\"}") != std::string::npos);
   request.allocation = Allocation::dynamic_;
   const std::string dynamic = set_up_scene(set.rules, set.compiled, request);
-  CHECK(dynamic.find("params: {side: \"+x\"}") != std::string::npos);
-  CHECK(dynamic.find("params: {side: \"-x\"}") != std::string::npos);
+  CHECK(dynamic.find("params: {side: \"+x\", crew: 2}") != std::string::npos);
+  CHECK(dynamic.find("params: {side: \"-x\", crew: 2}") != std::string::npos);
   CHECK(dynamic.find("sides:") == std::string::npos);
+  request.robots = 5;
+  request.structures = 2;
+  const SetUpLayout layout = lay_out(set.rules, set.compiled, request);
+  REQUIRE(layout.robots.size() == 5);
+  for (std::size_t i = 0; i < layout.robots.size(); ++i)
+    CHECK(layout.robots[i].crew == (i < 3 ? 3 : 2));
+  request.robots = 2;
+  for (const auto& robot : lay_out(set.rules, set.compiled, request).robots) CHECK(robot.crew == 0);
 }
 
 TEST_CASE("the set-up of the pyramid for four robots") {

@@ -301,20 +301,29 @@ case('a robot that shares its sides and finds nothing to do goes to the one wher
    end
    local work = SiteWork.new(machine, map, nil, sides, nil, task)
    work.rest = function() end
-   map.side, work.rounds = StructureMap.SIDES['+y'], 2
-   same('leaves', work:stays(), false)
+   map.side = StructureMap.SIDES['+y']
+   same('stays at first', work:stays(), true)
+   machine.odometry.time = 200
+   same('leaves where nothing has changed for long', work:stays(), false)
    same('to where extending is asked for', sides.wanted, StructureMap.SIDES['-x'])
    worked = true
    same('somebody is there', sides:change(), false)
    same('seen from the nearer edge', edge, 1)
    same('remembered', sides.worked, StructureMap.SIDES['-x'])
-   work.rounds = 20
+   machine.odometry.time = 600
    same('again', work:stays(), false)
    same('not there again at once', sides.wanted, nil)
    worked = false
    same('to the next on the other way round', sides:change(), true)
    same('named', map:side_name(), '+x')
    same('forgotten', sides.worked, nil)
+   sides.robot.params.crew = 3
+   same('where sides are free, at once', work:stays(), false)
+   sides.robot.params.crew, map.side, work.tried = 4, StructureMap.SIDES['+y'], {}
+   same('not at once to others\' sides', work:leaves_for_due(), false)
+   sides.taken[StructureMap.SIDES['-x']] = true
+   same('to one that it found free', work:leaves_for_due(), true)
+   same('that one', sides.wanted, StructureMap.SIDES['-x'])
 end)
 
 case('sides that a robot is bound to', function()
@@ -662,7 +671,9 @@ case('a robot that finds nothing to do among others looks beyond the rows that i
    local map, machine = map_of({ { 0, 0, 0 }, { 2, -1, 0 } }, { x = 0.5, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work = SiteWork.new(machine, map, nil, { are_shared = function() return true end }, nil, task)
+   local function shares() return true end
+   local sides = { are_shared = shares, are_manned = shares, nearest_other = function() end }
+   local work = SiteWork.new(machine, map, nil, sides, nil, task)
    work.magnets = { holds = function() return true end }
    local rows = map:rows()
    for v in pairs(rows) do work.tried[v] = true end
@@ -761,9 +772,9 @@ case('a robot to which no block answers gives up', function()
    same('three', events[3], 'useless')
 end)
 
-case('a robot that is bound to a side finds a cache that it does not see from where it begins', function()
-   for _, params in ipairs { { side = '+x', sides = '+x' }, { side = '+x' } } do
-      local fake = FakeRobot.new { { x = 0.62, y = 0.02 } }
+case('a robot finds a cache that it does not see from where it begins straight ahead', function()
+   for away, params in pairs { [0.62] = { side = '+x', sides = '+x' }, [0.85] = { side = '+x' } } do
+      local fake = FakeRobot.new { { x = away, y = 0.02 } }
       fake.robot.params = params
       local supply = Builder.new(fake.robot, CHART, { sides = { '+x', '-x' }, transport = 4, delay = 30 }).supply
       local machine, found = supply.machine, nil
@@ -773,8 +784,29 @@ case('a robot that is bound to a side finds a cache that it does not see from wh
          fake:step()
       end
       same('found', found, 'found')
-      near('there', supply.block and supply.block.x, 0.62, 0.01)
+      near('there', supply.block and supply.block.x, away, 0.01)
+      same('without a search', machine.process:time() < 10, true)
    end
+end)
+
+case('each side has its face, from which places before it are counted', function()
+   local task = { transport = 4, sides = ALL, turns = false, delay = 30 }
+   -- an arm of four to +x, behind which the middle lies
+   local cells = { { 0, 0, 0 } }
+   for i = 1, 4 do cells[i + 1] = { i, 0, 0, colour = 2 } end
+   local map = map_of(cells, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map.cache = { x = 0, y = 0 }
+   map:settle()
+   for index, face in pairs { [0] = { 0.3 - SIDE / 2, 0 }, [2] = { 0.3 + 4.5 * SIDE, 0 }, [1] = { 0.3 + 2 * SIDE, -SIDE / 2 } } do
+      near('x', map:face_of(index).x, face[1], 1e-3)
+      near('y', map:face_of(index).y, face[2], 1e-3)
+   end
+   near('to the cache', map:room_to_cache(0), 0.3 - SIDE / 2, 1e-3)
+   near('where none was found, past the arm', map:room_to_cache(2), 0.36, 1e-3)
+   local sides = SideAllocation.new({ odometry = { pose = { x = 0, y = 0, yaw = 0 } } }, map, nil, task)
+   near('before the near side', sides:place_before(0, 0.1), 0.3 - SIDE / 2 - 0.1, 1e-3)
+   near('before the far one', sides:place_before(2, 0.1), 0.3 + 4.5 * SIDE + 0.1, 1e-3)
 end)
 
 case('a robot that has gone beside its rows withdraws to its own side', function()
@@ -786,7 +818,7 @@ case('a robot that has gone beside its rows withdraws to its own side', function
       local machine, map = builder.machine, builder.map
       machine.odometry.pose = { x = place.x, y = place.y, yaw = math.pi }
       local structure = { x = -0.4, y = 0 }
-      map.known = { x = structure.x, y = structure.y, reach = 0.1, yaw = math.pi, origin = structure }
+      map.known = { x = structure.x, y = structure.y, reach = SIDE / 2, yaw = math.pi, origin = structure }
       map.first, map.side = { u = 0, v = 0 }, 0
       local done
       machine:start(function()
@@ -795,7 +827,7 @@ case('a robot that has gone beside its rows withdraws to its own side', function
       end)
       while not done and machine:step() and machine.process:time() < 120 do fake:step() end
       same('on its side', map:is_on_side(0, machine.odometry.pose), true)
-      near('as far', geometry.apart(structure, machine.odometry.pose), 0.38, 0.035)
+      near('as far', geometry.apart(structure, machine.odometry.pose), SIDE / 2 + 0.28, 0.035)
       near('facing the structure', geometry.wrap(machine.odometry.pose.yaw - math.pi), 0, 0.1)
       same('straight back', math.abs(machine.odometry.pose.y - place.y) < 0.01, place.own)
    end
@@ -1118,7 +1150,7 @@ case('a robot with nothing to do looks beside its rows from the lift\'s top, rou
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work, lifted = SiteWork.new(machine, map, nil, { withdraw = function() end }, nil, task), {}
+   local work, lifted = SiteWork.new(machine, map, nil, { withdraw = function() end, nearest_other = function() end }, nil, task), {}
    work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
    work.process, work.rest = { wait = function() end }, function() end
    work.lift.to = function(_, height) table.insert(lifted, height) end
@@ -1168,8 +1200,8 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
       table.insert(waits, rested)
    end
    for _ = 1, 6 do stay() end
-   same('seconds', table.concat(waits, ' '), '4.0 32.0 256.0 1024.0 1024.0 1024.0')
-   same('looks along its rows', looks, 1 + 5 + 3 * 18)
+   same('seconds', table.concat(waits, ' '), '4.0 16.0 64.0 256.0 1024.0 1024.0')
+   same('looks along its rows', looks, 1 + 2 + 5 + 2 * 18)
    same('before the middle', stood, 5)
    shared, waits, work.in_vain = true, {}, 0
    work.task.sides = { '+x' }
@@ -1282,7 +1314,8 @@ case('a robot bound to several sides rests once a way round, and goes on', funct
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local sides = { withdraw = function() end, are_shared = function() return false end }
+   local function no() return false end
+   local sides = { withdraw = function() end, are_shared = no, are_manned = no }
    local work, rests = SiteWork.new(machine, map, nil, sides, nil, task), 0
    work.rest = function() rests = rests + 1 end
    for _ = 1, 6 do same('to the next side', work:stays(), false) end
