@@ -112,6 +112,11 @@ function Builder:wait()
    return 'done'
 end
 
+-- Where the nearest brick is that it knows, or nil: a look at the middle of a large structure would lead into it.
+function Builder:nearest_brick()
+   return self.map.known and self.map:nearest_brick(self.machine.odometry:pivot())
+end
+
 -- The structure in memory, or after a look where it is known or was at first, or a search.
 function Builder:find_structure()
    local map = self.map
@@ -119,7 +124,7 @@ function Builder:find_structure()
    local found = in_memory()
    if not found and (map.known or not map.lost) then
       local there = self.standby.number > 0 and self.standby.structure or BEHIND
-      self.navigation:look_again(map.known or there, in_memory)
+      self.navigation:look_again(self:nearest_brick() or there, in_memory)
       if not map.known then self.process:wait(LOOK_TIME) end
       found = in_memory()
    end
@@ -152,7 +157,7 @@ function Builder:next_side()
    if self.sides:change() then self.supply.last_cache = cache end
    -- what was seen before the turns on the way does not fit what is seen now
    self.machine.tracker:forget_all()
-   if self.navigation:look_again(map.known, function() return map:in_memory() end) then return 'there' end
+   if self.navigation:look_again(self:nearest_brick(), function() return map:in_memory() end) then return 'there' end
    return 'lost'
 end
 

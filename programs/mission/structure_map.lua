@@ -344,6 +344,18 @@ function StructureMap:room_about(x, y)
    return least
 end
 
+-- Where the brick is that is nearest to a place, of all that were ever seen, or the structure's middle. Of two as near the
+-- first by its cell, as the order of `pairs` is nobody's.
+function StructureMap:nearest_brick(place)
+   local best, least, first
+   for key, brick in pairs(self.bricks) do
+      local x, y = self:place_of_brick(brick)
+      local off = apart({ x = x, y = y }, place)
+      if not best or off < least or off == least and key < first then best, least, first = { x = x, y = y }, off, key end
+   end
+   return best or self.known
+end
+
 -- Whether what stands at a place is a brick, or the cache.
 function StructureMap:explains(x, y)
    if self:room_about(x, y) < OF_BRICK then return true end

@@ -142,8 +142,7 @@ function Navigation:view_of(place)
       local angle = first + (i % 2 == 0 and 1 or -1) * ((i + 1) // 2) * VIEW_TURN
       local away = FAR_LOOK - self.odometry.ahead
       local view = { x = place.x + away * math.cos(angle), y = place.y + away * math.sin(angle) }
-      if i == VIEWS or not known or place == known or
-         apart(known, view) > known.reach + TOO_NEAR then return view end
+      if i == VIEWS or not known or self.map:room_about(view.x, view.y) > TOO_NEAR then return view end
    end
 end
 

@@ -807,6 +807,11 @@ case('each side has its face, from which places before it are counted', function
    local sides = SideAllocation.new({ odometry = { pose = { x = 0, y = 0, yaw = 0 } } }, map, nil, task)
    near('before the near side', sides:place_before(0, 0.1), 0.3 - SIDE / 2 - 0.1, 1e-3)
    near('before the far one', sides:place_before(2, 0.1), 0.3 + 4.5 * SIDE + 0.1, 1e-3)
+   near('the nearest brick', map:nearest_brick({ x = 0, y = 0.1 }).x, 0.3, 1e-3)
+   near('from the other end', map:nearest_brick({ x = 1, y = -0.1 }).x, 0.3 + 4 * SIDE, 1e-3)
+   map.bricks = {}
+   near('where all are forgotten, as far out', map:face_of(0).x, 0.3 - SIDE / 2, 1e-3)
+   near('the middle', map:nearest_brick({ x = 0, y = 0 }).x, 0.3 + 2 * SIDE, 1e-3)
 end)
 
 case('a robot that has gone beside its rows withdraws to its own side', function()
