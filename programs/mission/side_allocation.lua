@@ -13,6 +13,7 @@ local StructureMap = require 'mission.structure_map'
 local EDGE = 0.40              -- m, from a side's middle, where one is in nobody's way
 local INNER_EDGE = 0.30        -- m, likewise, from where one sees robots up to the middle
 local EDGE_LOOK = 0.3          -- rad, between looks from there
+local CARRIED = 0.30           -- m, from half way, of a block in the hand of who works there
 local AT_ROW = 12              -- s, that others are out of sight at the far rows
 local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
 
@@ -25,7 +26,7 @@ function SideAllocation.new(machine, map, navigation, task)
    return setmetatable({
       robot = machine.robot, odometry = machine.odometry, process = machine.process,
       ranges = machine.ranges, returns = machine.returns, clearance = machine.clearance,
-      path = machine.path, map = map, navigation = navigation, task = task, way_round = 1, taken = {},
+      path = machine.path, lift = machine.lift, map = map, navigation = navigation, task = task, way_round = 1, taken = {},
    }, SideAllocation)
 end
 
@@ -93,17 +94,26 @@ function SideAllocation:is_worked(index, edge)
    return self:is_worked_across({ x = x, y = y, yaw = geometry.wrap(face.yaw - edge * math.pi / 2) })
 end
 
+-- Whether a block was seen in another's hand on the way from a side's cache to the structure, half way or farther on.
+function SideAllocation:is_carried_near(across)
+   for _, block in ipairs(self.clearance:held_by_others()) do
+      if geometry.apart(block, across) < CARRIED then return true end
+   end
+   return false
+end
+
 -- Whether someone works on a side: who does so is somewhere between the structure and the cache, and is seen or met by one
 -- that comes in across; `across` is a place half way between them, and the direction to come from there.
 function SideAllocation:is_worked_across(across)
    local path = self.path
    local start, met = self.odometry.time, false
    local function meets()
-      met = met or self.ranges:range('front') or self.clearance:meets(1)
+      met = met or self.ranges:range('front') or self.clearance:meets(1) or self:is_carried_near(across)
       return met
    end
    if not self.navigation:to(geometry.out_of(across, -EDGE, 0)) then return true end
    path:turn_to(across.yaw)
+   self.lift:to(self.lift:top())
    path:follow(across, -INNER_EDGE, 0.06, meets)
    for step = -2, 2 do
       if not meets() then path:turn_to(across.yaw + step * EDGE_LOOK, UnexplainedReturns.LOOK_RIM) end
