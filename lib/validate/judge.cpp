@@ -11,6 +11,7 @@
 #include <cassert>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <tuple>
 
 #include "physical/readout/lattice_reading.h"
@@ -110,7 +111,18 @@ void measure_joints(Judgement& out, const Closeness& closeness) {
   }
 }
 
-/// Blocks that fill no cell of the structure but are against what is built.
+/// The blocks that the watch has seen come to rest as bricks, and not leave again.
+std::set<std::size_t> bricks_of(const std::vector<BrickEvent>& events) {
+  std::set<std::size_t> out;
+  for (const BrickEvent& event : events) {
+    if (event.kind == BrickEvent::Kind::placed) out.insert(event.block);
+    if (event.kind == BrickEvent::Kind::left) out.erase(event.block);
+  }
+  return out;
+}
+
+/// Blocks that fill no cell of the structure but are against what is built. Not one that has come
+/// to a cell where a brick is missing: it may yet rest there, and be held against the rules then.
 std::vector<StrayBrick> strays(const BuildSite& site, const std::vector<WatchedBlock>& blocks,
                                const std::vector<BrickCheck>& bricks) {
   std::vector<Vec3> built;
@@ -128,6 +140,11 @@ std::vector<StrayBrick> strays(const BuildSite& site, const std::vector<WatchedB
     });
     if (counted || !near) continue;
     const CellFit fit = fit_of(site, block.X_WB);
+    const bool comes =
+        fills(fit) && std::any_of(bricks.begin(), bricks.end(), [&](const auto& one) {
+          return one.cell == fit.cell && !one.block;
+        });
+    if (comes) continue;
     out.push_back({block.block, fit.cell, block.led, fit.off, fit.yaw, fills(fit)});
   }
   return out;
@@ -158,8 +175,14 @@ Judgement judge(const BuildTarget& target, std::size_t structure,
                 const Closeness& closeness) {
   assert(target.rules != nullptr && structure < target.sites.size());
   const BuildSite& site = target.sites[structure];
+  std::vector<BrickEvent> own;
+  std::copy_if(events.begin(), events.end(), std::back_inserter(own),
+               [&](const BrickEvent& event) { return event.structure == structure; });
+  const std::set<std::size_t> rested = bricks_of(own);
   std::map<Cell, Filled> filled;
   for (const WatchedBlock& block : blocks) {
+    // What has not rested for long enough was not held against the rules, and is none yet.
+    if (!block.fixed && rested.count(block.block) == 0) continue;
     const CellFit fit = fit_of(site, block.X_WB);
     // Two blocks cannot fill one cell without overlapping; if physics has let them, the first
     // counts and the other is found as stray.
@@ -180,9 +203,6 @@ Judgement judge(const BuildTarget& target, std::size_t structure,
   }
   measure_joints(out, closeness);
   out.extra = strays(site, blocks, out.bricks);
-  std::vector<BrickEvent> own;
-  std::copy_if(events.begin(), events.end(), std::back_inserter(own),
-               [&](const BrickEvent& event) { return event.structure == structure; });
   const Replayed replayed = replay_events(target, own);
   out.placements = replayed.placements;
   out.allowed = replayed.allowed;

@@ -4,9 +4,9 @@
 //
 // Three things are held to the rules, none of which asks a robot what it believes:
 //
-//     the end      every brick of the structure is in its cell and shows its colour, within 2 mm
-//                  and 2° of the lattice that fits all bricks best, and each of its neighbours;
-//                  nothing else lies in or against the structure
+//     the end      every brick of the structure has come to rest in its cell (validate/watch.h) and
+//                  shows its colour, within 2 mm and 2° of the lattice that fits all bricks best,
+//                  and each of its neighbours; nothing else lies in or against the structure
 //     the order    each placement, in the order in which bricks came to rest, was an event that
 //                  some rule allowed in the structure as it stood then
 //     the verdict  complete: both hold. incomplete: bricks are missing, what is there is right.

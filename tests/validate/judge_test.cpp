@@ -55,11 +55,30 @@ TEST_CASE("a missing brick") {
   std::erase_if(stairs.blocks, [&](const WatchedBlock& block) {
     return block.block == stairs.at({2, 0, 0}).block;
   });
-  const Judgement judgement = judge(stairs.target, 0, stairs.blocks, {});
+  const Judgement judgement = judged(stairs);
   CHECK(judgement.verdict == BuildVerdict::incomplete);
   CHECK(judgement.missing() == 1);
   CHECK(all_findings(stairs, judgement).find("missing: a Q1 brick at (2, 0, 0)") !=
         std::string::npos);
+}
+
+TEST_CASE("what has come to its cell but has not rested there is no brick yet") {
+  Staircase stairs;
+  std::vector<BrickEvent> events = stairs.events();
+  const Cell last = events.back().cell;
+  events.pop_back();
+  const Judgement judgement = judge(stairs.target, 0, stairs.blocks, events);
+  CHECK(judgement.verdict == BuildVerdict::incomplete);
+  CHECK(judgement.missing() == 1);
+  CHECK(judgement.extra.empty());
+  CHECK(judgement.placements == 4);
+  for (const BrickCheck& brick : judgement.bricks)
+    CHECK(brick.block.has_value() == (brick.cell != last));
+  // Nobody has brought anything: what lies there is no work of the rules.
+  CHECK(judge(stairs.target, 0, stairs.blocks, {}).missing() == 5);
+  // In a cell where no brick belongs it is in the way all the same.
+  stairs.blocks.push_back(stairs.block(9, {0, 1, 0}, Led::q1));
+  CHECK(judge(stairs.target, 0, stairs.blocks, events).verdict == BuildVerdict::wrong);
 }
 
 TEST_CASE("a brick 4 mm off is wrong, one turned by 3° too") {
@@ -160,6 +179,7 @@ TEST_CASE("what left is gone for the rules: the same brick may come again") {
   SUBCASE("after it left") {
     events.push_back(gone);
     events.push_back(again);
+    stairs.at(again.cell).block = again.block;
     CHECK(judge(stairs.target, 0, stairs.blocks, events).verdict == BuildVerdict::complete);
   }
   SUBCASE("a dark one is against the rules") {
