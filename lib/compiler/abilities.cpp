@@ -63,10 +63,12 @@ void measure_bodies(const RobotModel& robot, Abilities& out) {
       if (!lifted[i]) out.body_half_width = std::max(out.body_half_width, width);
     }
   }
-  out.lowest = underside - out.block.side;
+  // Without anything over the block nothing carries it.
+  const bool carries = underside < 1e9;
+  out.lowest = carries ? underside - out.block.side : 0;
   // A level counts if the lift raises a block over its bricks with some clearance.
   out.levels = 0;
-  while (out.lift_for(out.levels) <= out.lift_travel) ++out.levels;
+  while (carries && out.lift_for(out.levels) <= out.lift_travel) ++out.levels;
 }
 
 }  // namespace

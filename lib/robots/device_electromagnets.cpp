@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "base/text.h"
 #include "robots/device_parts.h"
 #include "robots/robot_extent.h"
 
@@ -42,8 +43,16 @@ MagnetCircuitModel ElectromagnetsKind::read(const FormView& view, DeviceParts& p
   for (const FormView& pole : entries(view, "poles", parts.bad)) {
     // Unlike other devices' places, the middle: that is where a coil's dipole is.
     const std::size_t on = parts.on_body(pole);
-    magnets.poles.push_back({on, pole.has("at") ? parts.place(pole, on) : Vec3{},
-                             parts.direction(pole, "direction", {0, 0, 1})});
+    const Vec3 at = pole.has("at") ? parts.place(pole, on) : Vec3{};
+    // No world takes it, and a compiler would look for what carries a block far from the robot.
+    if (on != kNoBody && length(at) > radius_of(parts.model.bodies[on])) {
+      parts.out
+          .add(Code::P619, parts.range(*pole.find("at")),
+               fmt::format("the pole is outside of the body {}",
+                           in_quotes(parts.model.bodies[on].name)))
+          .note(parts.model.bodies[on].place, "the body is here");
+    }
+    magnets.poles.push_back({on, at, parts.direction(pole, "direction", {0, 0, 1})});
   }
   magnets.passive = view.number("passive");
   magnets.active = view.number("active");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 
 namespace stig::robots {
 
@@ -29,6 +30,22 @@ BodyExtent extent_of(const BodyModel& body) {
     const Vec3 corner{(i & 1) ? h.x : -h.x, (i & 2) ? h.y : -h.y, (i & 4) ? h.z : -h.z};
     grow(out, body.X_RB.p + r * corner);
   }
+  return out;
+}
+
+double radius_of(const BodyModel& body) {
+  switch (body.shape) {
+    case ShapeType::sphere:
+      return body.size.x / 2;
+    case ShapeType::cylinder:
+      return std::hypot(body.size.x, body.size.z) / 2;
+    case ShapeType::box:
+      return length(body.size) / 2;
+    case ShapeType::hull:
+      break;
+  }
+  double out = 0;
+  for (const Vec3& p : body.points) out = std::max(out, length(p));
   return out;
 }
 

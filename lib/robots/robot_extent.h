@@ -17,6 +17,9 @@ struct BodyExtent {
 /// Boxes and hulls exactly; round shapes by the box about them.
 BodyExtent extent_of(const BodyModel& body);
 
+/// The radius of the smallest ball about a body's centre that contains its shape, m.
+double radius_of(const BodyModel& body);
+
 /// The box about all bodies of which `counts` says so; there has to be one.
 BodyExtent extent_of(const RobotModel& robot, const std::vector<bool>& counts);
 /// For each body, whether it goes up with the lift. Of a robot that has one.
