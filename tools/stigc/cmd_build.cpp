@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "base/text.h"
 #include "commands.h"
@@ -28,19 +27,6 @@ constexpr const char* kRules = "rules.yaml";
 constexpr const char* kDecisions = "decisions.txt";
 constexpr const char* kTarget = "target.png";
 constexpr const char* kBuilt = "built.png";
-constexpr std::size_t kMostHead = 1 << 16;
-
-/// The rules are the first file that a build writes, and say near their begin by whom. They are
-/// looked at and not read as an input is, over which nothing could be written afterwards.
-bool made_by_synth(const std::string& path) {
-  std::error_code ignored;
-  if (!fs::is_regular_file(path, ignored)) return false;  // a pipe would be waited for
-  std::ifstream rules(path);
-  std::string head(kMostHead, '\0');
-  rules.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(rules.gcount()));
-  return head.find(kMadeBySynth) != std::string::npos;
-}
 
 class BuildWork {
  public:
@@ -71,7 +57,8 @@ class BuildWork {
     if (const int code = read_target(); code != kOk) return code;
     std::error_code ignored;
     made_folder_ = !fs::exists(options_.output, ignored);
-    earlier_ = made_by_synth(in_folder(kRules));
+    // The rules are the first file that a build writes, and say near their begin by whom.
+    earlier_ = has_words(in_folder(kRules), {kMadeBySynth});
     return prepare_folder(
         {options_.output, {kRules, kDecisions, kTarget, kBuilt}, earlier_, "build"}, app_);
   }

@@ -317,10 +317,12 @@ class Validation {
   }
 
   int prepare_folder() const {
-    // An earlier report or journal marks the folder as this command's own.
+    // An earlier report or journal marks the folder as this command's own; of another's journal
+    // its reader says so.
     std::error_code ignored;
-    const bool ours = fs::exists(*options_.output + "/" + kReport, ignored) ||
-                      fs::exists(*options_.output + "/" + kTrialJournal, ignored);
+    const bool ours =
+        has_words(*options_.output + "/" + kReport, {"{\n  \"rules\": ", "\n  \"complete\": "}) ||
+        fs::exists(*options_.output + "/" + kTrialJournal, ignored);
     return cli::prepare_folder({*options_.output, output_names(), ours, "validation"}, app_);
   }
 

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
 #include <map>
 
 #include "base/file_guard.h"
@@ -98,6 +99,7 @@ std::string without_last_slash(std::string path) {
   return path;
 }
 
+constexpr std::size_t kMostHead = 1 << 16;     ///< bytes
 constexpr std::ptrdiff_t kMostComplaints = 8;  ///< of one kind: a film has thousands of frames
 
 /// Complains of what is wrong.
@@ -153,6 +155,17 @@ int prepare_folder(const FolderOutputs& outputs, const App& app) {
     return kUsage;
   }
   return make_folder(outputs.folder, app);
+}
+
+bool has_words(const std::string& path, std::initializer_list<std::string_view> words) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return false;  // a pipe would be waited for
+  std::ifstream file(path);
+  std::string head(kMostHead, '\0');
+  file.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(file.gcount()));
+  return std::all_of(words.begin(), words.end(),
+                     [&](std::string_view one) { return head.find(one) != std::string::npos; });
 }
 
 int write_output(const std::string& path, std::string_view bytes, const App& app) {

@@ -3,6 +3,7 @@
 // before it works, so that a slip does not cost the work; each file is written whole or not at all.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,11 @@ struct FolderOutputs {
 /// Before the work: checks the names as check_outputs does, and makes the folder. An exit code:
 /// kUsage as well where files of these names are there that are not ours.
 int prepare_folder(const FolderOutputs& outputs, const App& app);
+
+/// Whether a regular file has all of these near its beginning, by which a command knows what it has
+/// written itself. It is looked at and not read as an input is, over which nothing could be written
+/// afterwards.
+bool has_words(const std::string& path, std::initializer_list<std::string_view> words);
 
 /// Writes a file and says so; an exit code.
 int write_output(const std::string& path, std::string_view bytes, const App& app);

@@ -9,8 +9,9 @@
 #include <numeric>
 #include <optional>
 
-#include "base/file_guard.h"
+#include "base/file_io.h"
 #include "base/parallel.h"
+#include "lattice/loaded_structure.h"
 #include "progress.h"
 #include "trace_file.h"
 
@@ -19,6 +20,13 @@ namespace {
 
 constexpr std::size_t kMostEndsDrawn = 12;  ///< runs whose end is drawn
 constexpr int kPicturesOnTheWay = 4;        ///< of the first run
+
+bool is_whole_trace(const std::string& path) {
+  FileError error;
+  Diagnostics problems;
+  std::optional<std::string> bytes = read_file(path, kMostFileBytes, error);
+  return bytes && read_pose_trace(path, std::move(*bytes), problems);
+}
 
 struct Slot {
   std::optional<Trial> trial;
@@ -87,12 +95,12 @@ class Batch {
     ++done_;
   }
 
-  /// What an earlier command did, unless its trace was taken away meanwhile.
+  /// What an earlier command did, unless its trace was taken away or damaged meanwhile.
   bool take_earlier(Slot& slot, std::uint64_t seed) {
     const auto found = journal_.earlier().find(seed);
     if (found == journal_.earlier().end() || !options_.output) return false;
     slot.trace_path = *options_.output + "/" + trace_name(seed);
-    if (!file_number(slot.trace_path)) return false;
+    if (!is_whole_trace(slot.trace_path)) return false;
     slot.trial = found->second;
     slot.traced = true;
     return true;
