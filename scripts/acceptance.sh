@@ -205,6 +205,18 @@ shape_rows() {
   done
 }
 
+# uneven_rows [ARGUMENT…]: structures of which one wing, or two, are much longer than the others, by
+# robots with sides of their own and by robots that share them.
+uneven_rows() {
+  local allocation
+  for allocation in fixed dynamic; do
+    validate_row "long-wing-four-$allocation" tests/compiler/long-wing.yaml --robots 4 \
+      --allocation "$allocation" "$@"
+    validate_row "long-wings-two-$allocation" tests/compiler/long-wings.yaml --robots 2 \
+      --allocation "$allocation" "$@"
+  done
+}
+
 # Twenty robots at five structures: how fast a core simulates them.
 five_part() {
   printf '\n## Twenty robots at five structures\n\n'
@@ -279,6 +291,7 @@ robots_part() {
   validate_row pyramid-four-later-robots "$pyramid" --robots 4 --robot robots/builderbot.yaml \
     "${seeds[@]}"
   shape_rows "${seeds[@]}"
+  uneven_rows "${seeds[@]}"
   fault_rows "${seeds[@]}"
   validate_row pyramid-eight "$pyramid" --robots 8 "${seeds[@]}"
   validate_row five-pyramids-twenty "$pyramid" --structures 5 --robots 20 "${seeds[@]}"
