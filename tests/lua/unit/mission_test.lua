@@ -806,6 +806,11 @@ case('each side has its face, from which places before it are counted', function
    near('where none was found, past the arm', map:room_to_cache(2), 0.36, 1e-3)
    local sides = SideAllocation.new({ odometry = { pose = { x = 0, y = 0, yaw = 0 } } }, map, nil, task)
    near('before the near side', sides:place_before(0, 0.1), 0.3 - SIDE / 2 - 0.1, 1e-3)
+   local function held(x, y) return { held_by_others = function() return { { x = x, y = y } } end } end
+   sides.clearance = held(0.1, -0.2)
+   same('carried where one works', sides:is_carried_near({ x = 0.15, y = 0 }), true)
+   sides.clearance = held(0.1, -0.4)
+   same('carried elsewhere', sides:is_carried_near({ x = 0.15, y = 0 }), false)
    near('before the far one', sides:place_before(2, 0.1), 0.3 + 4.5 * SIDE + 0.1, 1e-3)
    near('the nearest brick', map:nearest_brick({ x = 0, y = 0.1 }).x, 0.3, 1e-3)
    near('from the other end', map:nearest_brick({ x = 1, y = -0.1 }).x, 0.3 + 4 * SIDE, 1e-3)
