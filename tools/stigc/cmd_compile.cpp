@@ -10,10 +10,12 @@
 #include "base/text.h"
 #include "commands.h"
 #include "compile_report.h"
+#include "compiler/block_figures.h"
 #include "compiler/compile.h"
 #include "compiler/work_proof.h"
 #include "other_rules.h"
 #include "outputs.h"
+#include "recheck/check_work.h"
 #include "refusal_page.h"
 #include "robot_input.h"
 #include "robots/robot_description.h"
@@ -183,6 +185,18 @@ std::vector<std::string> output_names(const CompileFileOptions& options) {
   return names;
 }
 
+// The checker certifies less than the compiler proves: who writes a certificate is to know at once.
+void note_refusal(const std::string& text, const RuleSet& rules, const Builder& builder,
+                  const App& app) {
+  Diagnostics problems;
+  const auto certificate = read_work_certificate("", text, problems);
+  if (!certificate) return;
+  const WorkReport report =
+      check_work(rules, recheck::figures_of(builder.robot, builder.block), *certificate);
+  if (!report.accepted)
+    app.say(fmt::format("note: `stigc certify` refuses it: {}", report.refusal));
+}
+
 // Without a budget the work is bounded by steps, so that the result does not depend on the
 // machine.
 CompileOptions settings_of(const CompileFileOptions& options, const RuleSet& rules,
@@ -208,17 +222,18 @@ int run(const CompileFileOptions& options, App& app) {
   if (!rules) return kFailed;
   // Rules whose own `sides` narrow them are compiled for these.
   rules = worked_from_own(std::move(*rules), options.sides);
-  const std::optional<Abilities> robot =
-      read_abilities({options.robot, options.block,
-                      target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot},
-                     app);
-  if (!robot) return kFailed;
+  const std::optional<Builder> builder =
+      read_builder({options.robot, options.block,
+                    target_of(options) == CompileTarget::argos ? kArgosRobot : kPaperRobot},
+                   app);
+  if (!builder) return kFailed;
+  const Abilities robot = abilities_of(builder->robot, compiler::figures_of(builder->block));
   if (const int code = check_outputs(output_names(options), app); code != kOk) return code;
   const CompileOptions settings = settings_of(options, *rules, app);
   stop_on_signals();
   Diagnostics diagnostics;
-  const CompiledRules compiled = compile_rules(*rules, *robot, settings, diagnostics);
-  note_other_rules(*rules, compiled, *robot, options.robot, diagnostics);
+  const CompiledRules compiled = compile_rules(*rules, robot, settings, diagnostics);
+  note_other_rules(*rules, compiled, robot, options.robot, diagnostics);
   app.report(diagnostics);
   // Asked before the result is taken for a refusal: an interrupted proof refuses too.
   if (stop_requested()) {
@@ -233,10 +248,11 @@ int run(const CompileFileOptions& options, App& app) {
   if (!compiled.decision) return compiled.unknown ? kRunFailed : kFailed;
   // Warnings count as errors where the user wants that.
   if (app.invalid(diagnostics)) return kFailed;
-  const CompileJob job{&*rules, &*robot, &compiled, plan_controller(*rules, *robot, compiled)};
+  const CompileJob job{&*rules, &robot, &compiled, plan_controller(*rules, robot, compiled)};
   if (options.certificate) {
     const auto text = print_work_certificate(certificate_of_work(*rules, compiled, job.plan));
     if (const int code = write(*options.certificate, text, app); code != kOk) return code;
+    note_refusal(text, *rules, *builder, app);
   }
   return print(options, job, app);
 }
