@@ -6,13 +6,6 @@
 
 namespace stig::cli {
 
-namespace {
-
-// As large as traces get; they are read whole.
-constexpr std::size_t kMostTraceBytes = std::size_t{1} << 30;
-
-}  // namespace
-
 std::optional<std::string> trace_bytes(const std::string& path, const App& app) {
   FileError error;
   auto bytes = read_file(path, kMostTraceBytes, error);

@@ -11,6 +11,9 @@
 
 namespace stig::cli {
 
+inline constexpr std::size_t kMostTraceBytes = std::size_t{1}
+                                               << 30;  ///< of a file, which is read whole
+
 /// The bytes of a trace of either kind; complains when there are none.
 std::optional<std::string> trace_bytes(const std::string& path, const App& app);
 

@@ -11,9 +11,9 @@
 
 #include "base/file_io.h"
 #include "base/parallel.h"
-#include "lattice/loaded_structure.h"
 #include "progress.h"
 #include "trace_file.h"
+#include "trace_rules.h"
 
 namespace stig::cli {
 namespace {
@@ -24,7 +24,7 @@ constexpr int kPicturesOnTheWay = 4;        ///< of the first run
 bool is_whole_trace(const std::string& path) {
   FileError error;
   Diagnostics problems;
-  std::optional<std::string> bytes = read_file(path, kMostFileBytes, error);
+  std::optional<std::string> bytes = read_file(path, kMostTraceBytes, error);
   return bytes && read_pose_trace(path, std::move(*bytes), problems);
 }
 
