@@ -62,13 +62,18 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
+-- That of a robot that has just begun, or put a brick: robots that see nothing change at the same time leave one by one.
+local function patience_at_first()
+   return STALLED * (1 + math.random())
+end
+
 function SiteWork.new(machine, map, navigation, sides, record, task)
    return setmetatable({
       machine = machine, odometry = machine.odometry, process = machine.process, path = machine.path,
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
-      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = STALLED * (1 + math.random()),
+      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
       obstructed = 0, standing = {}, approach_time = 0, yielded = false,
    }, SiteWork)
 end
@@ -609,8 +614,8 @@ function SiteWork:attach()
    end
    self:leave(self.row)
    self:note_placed()
-   self.tried, self.in_vain_at, self.wish, self.obstructed, self.patience = {}, {}, nil, 0, STALLED * (1 + math.random())
-   self.in_vain = 0
+   self.tried, self.in_vain_at, self.wish = {}, {}, nil
+   self.obstructed, self.in_vain, self.patience = 0, 0, patience_at_first()
    self.record:tally('placed')
    return 'placed'
 end
