@@ -204,6 +204,8 @@ void print_task(Printer& out, const ControllerPlan& plan) {
   out.line(fmt::format("   sides = {{ {}}}, turns = {},", list, plan.turns));
   out.line(fmt::format("   levels = {}, transport = {}, delay = {:.1f},", plan.levels,
                        plan.transport, plan.longest_wait));
+  out.line(fmt::format("   starts = {{ {} }},  -- what bricks show that stand at first",
+                       fmt::join(plan.starts, ", ")));
   if (plan.answers) out.line("   answers = true,  -- blocks, when they are told a colour");
   if (plan.kinds > kBlockColours) {
     out.line(fmt::format("   kinds = {},  -- that blocks show as code words", plan.kinds));

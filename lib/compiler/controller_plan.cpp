@@ -58,6 +58,9 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   out.levels = compiled.target->levels();
   out.kinds = sensing::code_size(std::max(1, rules.highest_kind()));
   out.transport = transport_colour(rules, out.kinds);
+  for (const PlacedBrick& brick : rules.start) {
+    out.starts.insert(kind_named(rules.brick(brick.brick).led).value_or(0));
+  }
   // Robots wait a random time before they approach, so that two that saw the same do not
   // act at the same moment.
   out.longest_wait = compiled.robots == 1 ? 0 : kLongestWait;

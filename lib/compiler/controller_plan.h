@@ -7,6 +7,7 @@
 //     viewpoints from where to look at it
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ struct ControllerPlan {
   bool turns = false;       ///< any side will do, whatever its name
   int levels = 0;           ///< of the structure
   int transport = 4;        ///< what a block on its way shows; 0: dark
+  std::set<int> starts;     ///< what the bricks show that stand at first; kinds
   int kinds = 4;            ///< that the code has by which blocks are read (sensing/led_code.h)
   bool answers = false;     ///< blocks do, when they are told a colour
   double longest_wait = 0;  ///< s, before a site is approached

@@ -26,6 +26,8 @@ local LAY_BACK = 0.15          -- m, by which it has gone back from there
 local MUTE = 0.10              -- m, about where one was laid down
 local MUTES = 3                -- so many one after the other that do not answer: its own radio is dead
 local ASLEEP = 600             -- s, of a robot that can do nothing, until it tries again
+local STEP_BACK = 0.12         -- m, from a block that is none to be taken
+local LOST_FROM = 0.165        -- m, from the structure and other blocks, of a brick that somebody lost
 local ELSEWHERE = 2            -- searches in vain after which a robot that is bound to a side takes others' blocks
 
 -- block: the one to be fetched. refused: one that could not be come near. last_cache: that of the
@@ -36,14 +38,17 @@ local BlockSupply = {}
 BlockSupply.__index = BlockSupply
 
 function BlockSupply.new(machine, map, navigation, sides, record, task)
-   -- the search would turn away from it before it can be told from one in a robot's hand
-   machine.search.undecided = function(known)
-      return task.transport > 0 and known.colour == task.transport and known.level == 0 and known.seen < STILL
-   end
-   return setmetatable({
+   local self = setmetatable({
       machine = machine, tracker = machine.tracker, process = machine.process, map = map,
       navigation = navigation, sides = sides, record = record, task = task, in_vain = 0, mute = {}, silent = 0,
    }, BlockSupply)
+   -- the search would turn away from it before it can be told from one in a robot's hand, or from a brick of the structure
+   machine.search.undecided = function(known)
+      local in_transport = task.transport > 0 and known.colour == task.transport
+      local lost = self.in_vain > 0 and map:is_brick(known) and map:may_be_lost { known }
+      return (in_transport or lost) and known.level == 0 and known.seen < STILL
+   end
+   return self
 end
 
 -- Whether a block stands beside another. What is never in one picture with it is the same block again, seen by its
@@ -72,6 +77,18 @@ function BlockSupply:is_unused(known)
    return true
 end
 
+-- Whether it is a brick that somebody lost, and that lies where a block may come from: a cache drops no other on it. One
+-- that stands alone, of a colour that no structure begins with, and that several looks have shown so; nobody takes one as long
+-- as a block is found.
+function BlockSupply:is_lost(known)
+   if self.in_vain == 0 or known.level ~= 0 or known.seen < STILL or not self.map:is_brick(known) or
+      not self.map:may_be_lost { known } or self.map:room_about(known.x, known.y) < LOST_FROM then return false end
+   for _, other in ipairs(self.tracker:blocks()) do
+      if other.id ~= known.id and geometry.apart(other, known) < LOST_FROM then return false end
+   end
+   return true
+end
+
 -- Whether a place is on the robot's side. Before it has seen the structure, that is ahead of where it began, since
 -- robots begin with their backs to the structure, or where it has watched the cache.
 function BlockSupply:is_on_own_side(place)
@@ -84,7 +101,9 @@ end
 -- from elsewhere leads past others at work.
 function BlockSupply:wanted()
    local anywhere = not self.machine.robot.params.sides or self.in_vain >= ELSEWHERE
-   return function(known) return self:is_unused(known) and (anywhere or self:is_on_own_side(known)) end
+   return function(known)
+      return (self:is_unused(known) or self:is_lost(known)) and (anywhere or self:is_on_own_side(known))
+   end
 end
 
 -- Driven to where a search goes on.
@@ -186,7 +205,8 @@ function BlockSupply:search_elsewhere()
    local map, search = self.map, self.machine.search
    if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
       -- as long as it knows no cache, that may be some way ahead
-      local block = not map.cache and search:find(self:wanted(), LEGS_AHEAD, self:wander()) or nil
+      local legs = self.in_vain < ELSEWHERE and LEGS_AHEAD or LEGS
+      local block = not map.cache and search:find(self:wanted(), legs, self:wander()) or nil
       if not block and not map.cache then self.process:wait(self:patience()) end
       return block
    end
@@ -214,7 +234,12 @@ end
 
 function BlockSupply:approach_block()
    local near, seen = self.machine.pickup:approach_block(self.block)
-   if near then self.block = seen return 'near' end
+   -- from near, others may be seen beside a brick that seemed to be lost
+   if near and (seen.colour == 0 or not self.map:is_brick(seen) or self:is_lost(seen)) then
+      self.block = seen
+      return 'near'
+   end
+   if near then self.machine.path:back_off(STEP_BACK) end
    self.refused = { x = self.block.x, y = self.block.y }
    self.record:tally('aborted')
    return 'lost'
@@ -231,7 +256,7 @@ end
 
 function BlockSupply:pick_up()
    local block = self.block
-   local place, fresh = { x = block.x, y = block.y }, block.colour == 0
+   local place, fresh = { x = block.x, y = block.y }, block.colour == 0 or not self.map.cache
    local holds, answers = self.machine.pickup:grip_block(block, self.task.transport)
    if holds then
       self.map.side, self.in_vain = nil, 0

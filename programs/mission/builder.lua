@@ -11,6 +11,7 @@
 --     task.sides           sides to work from, '+x' ...; task.turns: the rules hold in every turn
 --     task.widest          rad, between a tag's normal and the line to a camera that reads it
 --     task.transport       colour of a block on its way (0: dark)
+--     task.starts          what bricks show that stand at first
 --     task.answers         blocks do, when they are told a colour
 --     task.kinds           of brick, where blocks show code words (common/led_code.lua); nil: four colours
 --     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
@@ -120,7 +121,11 @@ end
 -- The structure in memory, or after a look where it is known or was at first, or a search.
 function Builder:find_structure()
    local map = self.map
-   local function in_memory() return map:in_memory() end
+   -- what may be a lost brick counts where a search shows nothing else
+   local function in_memory()
+      local structure = map:in_memory()
+      return structure and (map.known or not map:may_be_lost(structure.blocks)) and structure or nil
+   end
    local found = in_memory()
    if not found and (map.known or not map.lost) then
       local there = self.standby.number > 0 and self.standby.structure or BEHIND
@@ -129,11 +134,11 @@ function Builder:find_structure()
       found = in_memory()
    end
    if found then return found end
-   local function is_brick(block) return map:is_brick(block) end
+   local function is_of_structure(block) return map:is_of_structure(block) end
    local function wander(x, y) return self.navigation:wander(x, y) end
-   if not self.machine.search:find(is_brick, LEGS, wander) then
+   if not self.machine.search:find(is_of_structure, LEGS, wander) then
       self.navigation:straight_to(0, 0)
-      return nil
+      return map:in_memory(true)
    end
    self.process:wait(LOOK_TIME)
    return map:in_memory(true)

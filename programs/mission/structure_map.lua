@@ -47,6 +47,25 @@ function StructureMap:is_brick(block)
    return block.colour > 0 and block.colour ~= self.task.transport
 end
 
+-- Whether blocks linked with each other may be no structure but one brick that somebody lost: of a colour that none begins
+-- with. Of a large structure a look may show a single brick, too.
+function StructureMap:may_be_lost(blocks)
+   if #blocks ~= 1 or not self.task.starts then return false end
+   for _, colour in ipairs(self.task.starts) do
+      if colour == blocks[1].colour then return false end
+   end
+   return true
+end
+
+-- Whether a block is a brick, and none that somebody may have lost.
+function StructureMap:is_of_structure(block)
+   if not self:is_brick(block) then return false end
+   if not self:may_be_lost { block } then return true end
+   return self.tracker:recall(function(other)
+      return other.id ~= block.id and self:is_brick(other) and geometry.near(other, block, FAR_LINKED)
+   end) ~= nil
+end
+
 local function middle_of(structure)
    local x, y, n = 0, 0, #structure.blocks
    for _, known in ipairs(structure.blocks) do x, y = x + known.x / n, y + known.y / n end
@@ -59,21 +78,21 @@ function StructureMap:off_known(place)
 end
 
 -- The largest structure of bricks, of what is in memory; of two alike the one nearer to where the
--- structure is known, or the robot began. Some of its bricks may be out of sight, and those in memory
+-- structure is known, or the robot began; a brick that may be lost where nothing else is. Some of its bricks may be out of sight, and those in memory
 -- not be linked. Where the structure is known, a brick far from there is one that somebody lost,
 -- unless `anywhere` is true.
 function StructureMap:in_memory(anywhere)
    local home = self.known or { x = 0, y = 0 }
-   local best, least
+   local best, most, least
    -- one that stands on no level is in a robot's hand, or was seen badly
    local function is_brick(block) return block.level ~= nil and self:is_brick(block) end
    for _, structure in ipairs(structures.of(self.tracker:blocks(), is_brick, FAR_LINKED)) do
       local middle = middle_of(structure)
       local away = apart(home, middle)
       local far = self.known and not anywhere and self:off_known(middle) > STRAYED
-      if not far and (not best or #structure.blocks > #best.blocks or
-                      #structure.blocks == #best.blocks and away < least) then
-         best, least = structure, away
+      local size = self:may_be_lost(structure.blocks) and 0 or #structure.blocks
+      if not far and (not best or size > most or size == most and away < least) then
+         best, most, least = structure, size, away
       end
    end
    return best
