@@ -3,10 +3,15 @@
 -- a radio. A message's first byte, '1' to '4', sets all LEDs to that colour; anything else turns
 -- them off. A 'w' and four such digits, which blocks of 2017 did not know, set the four LEDs of each
 -- face one by one, as a code word for more kinds of brick than four. Nor did they answer, as ours do: an
--- 'a' and the message tell whoever sent it that it came. Neighbours hear that too, and do nothing.
+-- 'a' and the message tell whoever sent it that it came. Neighbours hear that too, and do nothing. What comes after a
+-- 'p' is passed on by the lowest face, and one answer to it back: a robot reaches a brick by way of the block that it
+-- holds over it. Blocks stand as they were laid out, with their top up.
 
 local FACES, LEDS = 6, 4
-local ANSWER = string.byte("a")
+local ANSWER, PASS = string.byte("a"), string.byte("p")
+
+-- The face by which the next answer goes on that is heard at the lowest one.
+local asks
 
 local function colour_of(byte)
    local colour = (byte or 0) - string.byte("0")
@@ -25,13 +30,22 @@ function init()
    robot.directional_leds.set_all_colors("off")
 end
 
+local function hear(face, message)
+   local radios = robot.simple_radios
+   if message[1] == PASS then
+      asks = face
+      radios.bottom.send({ table.unpack(message, 2, LEDS + 2) })
+   elseif message[1] ~= ANSWER then
+      show(message)
+      radios[face].send({ ANSWER, table.unpack(message, 1, LEDS + 1) })
+   elseif asks and face == "bottom" then
+      radios[asks].send(message)
+      asks = nil
+   end
+end
+
 function step()
-   for _, radio in pairs(robot.simple_radios) do
-      for _, message in ipairs(radio.recv) do
-         if message[1] ~= ANSWER then
-            show(message)
-            radio.send({ ANSWER, table.unpack(message, 1, LEDS + 1) })
-         end
-      end
+   for face, radio in pairs(robot.simple_radios) do
+      for _, message in ipairs(radio.recv) do hear(face, message) end
    end
 end

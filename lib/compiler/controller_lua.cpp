@@ -206,6 +206,11 @@ void print_task(Printer& out, const ControllerPlan& plan) {
                        plan.transport, plan.longest_wait));
   out.line(fmt::format("   starts = {{ {} }},  -- what bricks show that stand at first",
                        fmt::join(plan.starts, ", ")));
+  list.clear();
+  for (const auto& [cell, kind] : plan.structure) {
+    list += fmt::format("{{ {}, {}, {}, {} }}, ", cell.x, cell.y, cell.z, kind);
+  }
+  out.line(fmt::format("   structure = {{ {}}},  -- in the end: x, y, level, colour", list));
   if (plan.answers) out.line("   answers = true,  -- blocks, when they are told a colour");
   if (plan.kinds > kBlockColours) {
     out.line(fmt::format("   kinds = {},  -- that blocks show as code words", plan.kinds));

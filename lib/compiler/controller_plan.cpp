@@ -14,7 +14,8 @@ namespace stig::compiler {
 
 namespace {
 
-constexpr double kLongestWait = 30;  ///< s; Allwright et al. 2017, section 7.2
+constexpr std::size_t kMostBricks = 400;  ///< that a robot compares with what it knows
+constexpr double kLongestWait = 30;       ///< s; Allwright et al. 2017, section 7.2
 
 void gather_asks(const DecisionNode& node, std::set<WindowCell>& out) {
   if (!node.question) return;
@@ -58,8 +59,13 @@ ControllerPlan plan_controller(const RuleSet& rules, const Abilities& robot,
   out.levels = compiled.target->levels();
   out.kinds = sensing::code_size(std::max(1, rules.highest_kind()));
   out.transport = transport_colour(rules, out.kinds);
-  for (const PlacedBrick& brick : rules.start) {
-    out.starts.insert(kind_named(rules.brick(brick.brick).led).value_or(0));
+  const auto kind_of = [&](Colour colour) {
+    return kind_named(rules.brick(colour).led).value_or(0);
+  };
+  for (const PlacedBrick& brick : rules.start) out.starts.insert(kind_of(brick.brick));
+  const TargetBricks& target = *compiled.target;
+  for (std::size_t i = 0; i < target.bricks() && target.bricks() <= kMostBricks; ++i) {
+    out.structure.emplace_back(target.cell(i), kind_of(target.colour(i)));
   }
   // Robots wait a random time before they approach, so that two that saw the same do not
   // act at the same moment.

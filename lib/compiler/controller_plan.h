@@ -9,6 +9,7 @@
 
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/chart.h"
@@ -23,10 +24,13 @@ struct ControllerPlan {
   std::vector<WindowCell> asks;            ///< cells that the decision asks for, rising
   std::vector<Viewpoint> viewpoints;
   std::vector<ApproachSide> sides;
-  bool turns = false;       ///< any side will do, whatever its name
-  int levels = 0;           ///< of the structure
-  int transport = 4;        ///< what a block on its way shows; 0: dark
-  std::set<int> starts;     ///< what the bricks show that stand at first; kinds
+  bool turns = false;    ///< any side will do, whatever its name
+  int levels = 0;        ///< of the structure
+  int transport = 4;     ///< what a block on its way shows; 0: dark
+  std::set<int> starts;  ///< what the bricks show that stand at first; kinds
+  /// What stands in the end: cells and kinds, by which a brick of a wrong colour is found. Empty
+  /// where it is larger than a robot would compare it with what it knows.
+  std::vector<std::pair<Cell, int>> structure;
   int kinds = 4;            ///< that the code has by which blocks are read (sensing/led_code.h)
   bool answers = false;     ///< blocks do, when they are told a colour
   double longest_wait = 0;  ///< s, before a site is approached

@@ -106,9 +106,10 @@ void of_robot(const BuildTarget& target, const RobotRecord& robot, const Trial& 
 void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::string>& out) {
   switch (trial.end) {
     case TrialEnd::spoilt:
-      out.push_back(fmt::format(
-          "ended at {:.0f} s: a wrong brick had stood for two minutes, and robots take none away",
-          trial.time));
+      out.push_back(
+          fmt::format("ended at {:.0f} s: a wrong brick had stood for five minutes, and no robot "
+                      "had put it right",
+                      trial.time));
       break;
     case TrialEnd::stuck:
       out.push_back(fmt::format("nothing went on at {:.0f} s", trial.time));

@@ -20,7 +20,7 @@ namespace {
 // The control period of the robots that ship.
 constexpr double kLookSeconds = 0.2;
 constexpr double kSettled = 10;        ///< s, that the whole structure has to stand
-constexpr double kSpoilt = 120;        ///< s, that a wrong brick has to stand
+constexpr double kSpoilt = 300;        ///< s, that a wrong brick has to stand
 constexpr double kNothingMoves = 600;  ///< s
 constexpr std::size_t kMostLines = 200;
 

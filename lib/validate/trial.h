@@ -2,9 +2,10 @@
 // One run of a set-up: a simulation with an observer, to the end of the work or of its time.
 //
 // It ends when every structure is over: 10 s after the whole of it stands, so that what falls over
-// has time to, or when a brick too much, or one of a wrong colour, has been part of it for two
-// minutes, since robots take none away. It ends too when no robot can go on (its program failed, it
-// left the arena or lies on its side), or none has moved for ten minutes; or when time is out.
+// has time to, or when a brick too much, or one of a wrong colour, has been part of it for five
+// minutes, in which no robot has put it right. It ends too when no robot can go on (its program
+// failed, it left the arena or lies on its side), or none has moved for ten minutes; or when time
+// is out.
 #pragma once
 
 #include <atomic>

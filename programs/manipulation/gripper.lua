@@ -19,6 +19,8 @@ local FIRST_CHARACTER = 48     -- '0', of colours as the radio sends them
 local WORD = 119               -- 'w', before the four of a code word
 local ANSWER = 97              -- 'a', before what a block says to have heard
 local ANSWER_TIME = 0.3        -- s, since the step after it was sent: it hears in that, and is heard in the next
+local PASS = 112               -- 'p', before what the carried block is to pass on to the one below it
+local PASS_TIME = 1.0          -- s, likewise, that the answer takes by way of the carried block
 local SENDS = 2
 
 -- neutral: the charge at which a current takes the magnets' field away. gap: from the rangefinders
@@ -100,20 +102,34 @@ function Gripper:hears_answer(message)
    return false
 end
 
--- Colours the carried block (or the one at the radio): 1 to 4, 0 for dark, or the kind of a code word. Whether it
--- answered.
+-- What tells a block its colour: 1 to 4, 0 for dark, or the kind of a code word.
+local function message_of(colour)
+   if colour <= led_code.PLAIN then return { FIRST_CHARACTER + colour } end
+   local message = { WORD }
+   for i, letter in ipairs(led_code.word_of(colour)) do message[i + 1] = FIRST_CHARACTER + letter end
+   return message
+end
+
+-- Sends something, and waits for a message to be answered. Whether it was.
+function Gripper:ask(sent, message, time)
+   self.robot.simple_radios.nfc.send(sent)
+   coroutine.yield()
+   return self.process:wait_until(function() return self:hears_answer(message) end, time)
+end
+
+-- Colours the carried block (or the one at the radio). Whether it answered.
 function Gripper:colour(colour)
-   local message = { FIRST_CHARACTER + colour }
-   if colour > led_code.PLAIN then
-      message = { WORD }
-      for i, letter in ipairs(led_code.word_of(colour)) do message[i + 1] = FIRST_CHARACTER + letter end
-   end
+   local message = message_of(colour)
    for _ = 1, SENDS do
-      self.robot.simple_radios.nfc.send(message)
-      coroutine.yield()
-      if self.process:wait_until(function() return self:hears_answer(message) end, ANSWER_TIME) then return true end
+      if self:ask(message, message, ANSWER_TIME) then return true end
    end
    return false
+end
+
+-- Colours the block right below the carried one, which passes the message on. Whether it answered.
+function Gripper:colour_below(colour)
+   local message = message_of(colour)
+   return self:ask({ PASS, table.unpack(message) }, message, PASS_TIME)
 end
 
 -- Takes the block that lies below the magnets. Whether it came along.
@@ -133,11 +149,16 @@ function Gripper:pull()
    return magnets.carrying
 end
 
+-- Until the magnets' charge is so many times that at which the field vanishes, or for a while.
+function Gripper:await_charge(times, seconds)
+   self.process:wait_until(function() return self.magnets:charge() >= times * self.neutral end, seconds)
+end
+
 -- Lets the current flow against the magnets' own field until the two cancel, and goes up before it
 -- turns over: a block's free magnets would follow. Whether the block stayed behind.
 function Gripper:let_go()
    local magnets, neutral = self.magnets, self.neutral
-   self.process:wait_until(function() return magnets:charge() >= READY * neutral end, CHARGE_TIME)
+   self:await_charge(READY, CHARGE_TIME)
    magnets:discharge('destructive')
    self.process:wait_until(function() return magnets:charge() <= EMPTY * neutral end, EMPTY_TIME)
    magnets.carrying = false

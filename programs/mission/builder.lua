@@ -12,6 +12,7 @@
 --     task.widest          rad, between a tag's normal and the line to a camera that reads it
 --     task.transport       colour of a block on its way (0: dark)
 --     task.starts          what bricks show that stand at first
+--     task.structure       what stands in the end: {x, y, level, colour} of each brick; empty where that is large
 --     task.answers         blocks do, when they are told a colour
 --     task.kinds           of brick, where blocks show code words (common/led_code.lua); nil: four colours
 --     task.delay           s, the longest random wait before a site is approached; 0: there is but one robot
@@ -44,6 +45,7 @@ Builder.BEHAVIOURS = {
    search_block = 'supply', approach_block = 'supply', pick_up = 'supply', lay_aside = 'supply',
    sleep = 'supply', find_cache = 'supply',
    choose_row = 'work', stand_before = 'work', look = 'work', approach_site = 'work', attach = 'work',
+   recolour = 'work',
 }
 
 function Builder.new(robot, chart, task)

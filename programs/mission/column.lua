@@ -6,6 +6,7 @@ local geometry = require 'common.geometry'
 
 local SIDE = geometry.SIDE
 local OFTEN = 3                -- sightings that count
+local SURELY = 10              -- likewise of a colour that should not be there
 
 -- Cells that are empty where a brick would be seen: those that decisions ask for, and the column's own,
 -- since its top is the brick below the first empty one. The top's own tag need not be in any picture. Behind a
@@ -46,12 +47,16 @@ function Column:count_empty(key)
    self.empty[key] = (self.empty[key] or 0) + 1
 end
 
--- A block that is in the picture just now.
-function Column:note(known)
+-- The cell of a block: du, dv.
+function Column:cell_of(known)
    local row = self.row
    local along, left = geometry.into(row.frame, known.x, known.y)
-   local du = -geometry.round(along / SIDE) - row.front
-   local dv = geometry.round(left / SIDE) - row.v
+   return -geometry.round(along / SIDE) - row.front, geometry.round(left / SIDE) - row.v
+end
+
+-- A block that is in the picture just now.
+function Column:note(known)
+   local du, dv = self:cell_of(known)
    local level = geometry.level_of(known.z)
    self.bricks[self:key(du, dv, level)] = known
    if known.top_time == self.odometry.time then self:count_empty(self:key(du, dv, level + 1)) end
@@ -107,6 +112,19 @@ function Column:highest()
       local known = self:brick(0, 0, level)
       if known then return known end
    end
+end
+
+-- Bricks as they show themselves from here, {u, v, level, colour, block}, in cells of the map: those that stand, whatever
+-- they show.
+function Column:shown()
+   local out = {}
+   for _, known in pairs(self.bricks) do
+      local u, v = self.map:cell_of(known.x, known.y)
+      if known.level and known.seen >= SURELY and self.map:is_held_in(u, v, known.level) then
+         table.insert(out, { u = u, v = v, level = known.level, colour = known.colour, block = known })
+      end
+   end
+   return out
 end
 
 -- Whether a brick stands in a cell, as was seen from here, or ever before: looks show what decisions ask for,

@@ -7,7 +7,7 @@ local Record = {}
 Record.__index = Record
 
 function Record.new(robot)
-   local self = setmetatable({ robot = robot, placed = 0, aborted = 0, busy = 0 }, Record)
+   local self = setmetatable({ robot = robot, placed = 0, aborted = 0, busy = 0, recoloured = 0 }, Record)
    self:show('placed')
    return self
 end

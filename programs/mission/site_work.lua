@@ -4,6 +4,7 @@
 
 local geometry = require 'common.geometry'
 local Column = require 'mission.column'
+local ColourFaults = require 'mission.colour_faults'
 local DueRows = require 'mission.due_rows'
 local Navigation = require 'motion.navigation'
 
@@ -38,6 +39,7 @@ local LOOKS_ALONG, IN_PICTURE = 60, 0.25  -- s, between looks along the rows in 
 local AWAKE = 1                -- rounds in vain, after which it rests ever longer:
 local RESTS, SHARED_RESTS = { longer = 4, longest = 256 }, { longer = 2, longest = 64 }  -- so many times as long as before, up to
                                -- so many times the first, on a side of its own, and on one that is shared
+local FAULT_LASTS = 15         -- s, that a brick was seen to show a colour that it should not, before it is coloured anew
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
 local PAST_LOOK = 0.11         -- m, and from the nearest brick's edge, nearer than who stands for a look holds his
@@ -364,6 +366,56 @@ function SiteWork:leave(row)
    if row.juts > 0 then self.path:back_off(row.juts) end
 end
 
+-- The brick of those that are known whose colour is wrong, {u, v, level, colour, right}, as a look at a column shows, or nil.
+function SiteWork:fault_seen_at(column)
+   local structure = self.task.structure
+   if not structure or #structure == 0 or not self.map.known then return nil end
+   local shown = column:shown()
+   local wrong, right = ColourFaults.find(self.map:bricks_with(shown), structure)
+   if not wrong then return nil end
+   for _, brick in ipairs(shown) do
+      if brick == wrong then
+         brick.right = right
+         return brick
+      end
+   end
+end
+
+-- Whether a fault was seen for a while: what another robot is about to put there shows no colour of its own at first.
+function SiteWork:lasts(fault)
+   local before, now = self.fault, self.odometry.time
+   local same = before and before.u == fault.u and before.v == fault.v and before.level == fault.level and
+                before.colour == fault.colour
+   self.fault = same and before or fault
+   self.fault.since = self.fault.since or now
+   return now - self.fault.since > FAULT_LASTS
+end
+
+-- What is to be done before a column at which a brick of a wrong colour was seen: {what, top, mends} with feet, next_to, aside, open
+-- and clear, as a decision has them, if nothing is in the way to it from there; or nil. One that is dark counts as none where
+-- rows are, and may stand before the column.
+function SiteWork:mending_of(column, fault)
+   local du, dv = column:cell_of(fault.block)
+   local over = fault.level + 1
+   if dv ~= 0 or du < 0 or du > 1 or not self.placement:reaches(over) or column:stands(du, 0, over) or
+      column:stands(du, 1, over) or column:stands(du, -1, over) then return nil end
+   return { top = fault.block, what = 'raise', feet = { fault.block }, next_to = {}, aside = 0, open = true,
+            clear = column:cell(du - 1, 0, over) == 'empty', mends = fault.right }
+end
+
+-- Sees to a brick of a wrong colour that a look has shown: the event with which that ends, or nil where none was seen.
+function SiteWork:see_to_faults(column)
+   local fault = self:fault_seen_at(column)
+   if not fault then return nil end
+   self.wish = self:lasts(fault) and self:mending_of(column, fault) or nil
+   if self.wish then return 'faulty' end
+   -- by a dark one nothing is decided anyway
+   if not self.map:is_brick(fault) then return nil end
+   self:set_aside(self.row.v)
+   self:leave(self.row)
+   return 'nothing'
+end
+
 function SiteWork:look()
    local machine, chosen = self.machine, self.row
    local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
@@ -384,6 +436,8 @@ function SiteWork:look()
       self.record:tally('aborted')
       return 'unseen'
    end
+   local faults = self:see_to_faults(column)
+   if faults then return faults end
    local wish, top_seen = column:decide()
    self.record:tell('branch', tostring(wish and wish.branch or 'none'))
    self.record:tell('told', table.concat(column.told, '; '))
@@ -604,6 +658,15 @@ function SiteWork:note_placed()
    if not self.map.known then return end
    local x, y, level = self:place_of_wish()
    self.map:note_brick(x, y, level, self.wish.colour)
+end
+
+-- Gives the brick below the carried block the colour that it should have.
+function SiteWork:recolour()
+   local answered = self.placement:recolour_below(self.wish.mends)
+   self.record:tally(answered and 'recoloured' or 'aborted')
+   self:leave(self.row)
+   self.wish, self.fault, self.tried, self.in_vain_at = nil, nil, {}, {}
+   return self.magnets:holds() and 'done' or 'dropped'
 end
 
 function SiteWork:attach()

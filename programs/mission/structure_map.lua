@@ -311,6 +311,20 @@ function StructureMap:all_bricks()
    return out
 end
 
+-- Bricks that are known, {u, v, level, colour}, with what some of them show just now.
+function StructureMap:bricks_with(shown)
+   local out, now = {}, {}
+   for _, brick in ipairs(shown) do now[key_of(brick.u, brick.v) .. ' ' .. brick.level] = brick end
+   for key, brick in pairs(self.bricks) do
+      for level, colour in pairs(brick.colours) do
+         if brick.levels[level] and not now[key .. ' ' .. level] then
+            table.insert(out, { u = brick.u, v = brick.v, level = level, colour = colour })
+         end
+      end
+   end
+   return table.move(shown, 1, #shown, #out + 1, out)
+end
+
 -- Whether a brick was ever seen in a cell.
 function StructureMap:had_brick_in(u, v, level)
    local brick = self.bricks[key_of(u, v)]

@@ -66,6 +66,33 @@ TEST_CASE("our block answers what it is told on the same radio, and leaves answe
   for (const auto& sent : heard.sends) CHECK(sent.empty());
 }
 
+TEST_CASE("our block passes on by its lowest face what follows a p, and one answer back") {
+  LuaBlockController controller = our_block();
+  BlockCommands commands;
+  REQUIRE(controller.init(commands).ok);
+  for (const std::size_t asked : {0, 3, 4}) {
+    for (const std::string word : {"2", "w1234"}) {
+      std::vector<std::vector<Message>> radios(6);
+      radios[asked] = {"p" + word};
+      const BlockCommands passed = step(controller, radios);
+      CHECK(!passed.all_leds);
+      for (std::size_t i = 0; i < 6; ++i) {
+        CHECK(passed.sends[i] == (i == 5 ? std::vector<Message>{word} : std::vector<Message>{}));
+      }
+      // A neighbour's answer at another face is not the one that is awaited.
+      for (const auto& sent : step(controller, {{}, {"a1"}, {}, {}, {}, {}}).sends) {
+        CHECK(sent.empty());
+      }
+      const BlockCommands answered = step(controller, {{}, {}, {}, {}, {}, {"a" + word, "a1"}});
+      CHECK(!answered.all_leds);
+      for (std::size_t i = 0; i < 6; ++i) {
+        CHECK(answered.sends[i] ==
+              (i == asked ? std::vector<Message>{"a" + word} : std::vector<Message>{}));
+      }
+    }
+  }
+}
+
 TEST_CASE("LEDs one by one, colours by number and name, radios of six faces") {
   LuaBlockController controller = block(R"(function step()
     local leds = robot.directional_leds

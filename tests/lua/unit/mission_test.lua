@@ -1458,3 +1458,72 @@ case('a column of two with one in front is built', function()
    near('its x', third.x, -0.20 + 0.056, 2e-3)
    near('its y', third.y, 0, 2e-3)
 end)
+
+case('after a search in vain a robot takes a brick that lies where no structure can be', function()
+   local fake = FakeRobot.new {}
+   local task = { sides = ALL, turns = true, transport = 4, delay = 0, starts = { 3 } }
+   local supply = Builder.new(fake.robot, CHART, task).supply
+   local function brick(id, x, y, colour)
+      return { id = id, x = x, y = y, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = colour, seen = 20, missed = 0,
+               time = 0, top_time = -1 }
+   end
+   local lost = brick(1, 0.4, 0, 1)
+   local tracks = { lost, brick(2, 0.3, 0.3, 3) }
+   supply.tracker.tracks = tracks
+   same('not at first', supply:is_lost(lost), false)
+   supply.in_vain = 1
+   same('then', supply:is_lost(lost), true)
+   same('one with which structures begin', supply:is_lost(tracks[2]), false)
+   tracks[3] = brick(3, 0.4, 0.07, 2)
+   same('one beside another', supply:is_lost(lost), false)
+   tracks[3] = nil
+   supply.map.room_about = function() return 0.1 end
+   same('one near the structure', supply:is_lost(lost), false)
+   supply.map.room_about, lost.seen = function() return 0.3 end, 9
+   same('one that was hardly seen', supply:is_lost(lost), false)
+   same('of rules that do not say how they begin', (function()
+      task.starts, lost.seen = nil, 20
+      return supply:is_lost(lost)
+   end)(), false)
+end)
+
+case('a lone brick of a colour that none begins with is no structure where another is seen', function()
+   local task = { sides = ALL, turns = true, transport = 4, starts = { 3 } }
+   local map, machine = map_of({ { 0, 0, 0, colour = 1 }, { -9, 0, 0, colour = 3 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   local tracks = machine.tracker.tracks
+   same('the farther one', map:in_memory().blocks[1].colour, 3)
+   same('of the structure', map:is_of_structure(tracks[2]), true)
+   same('not of it', map:is_of_structure(tracks[1]), false)
+   tracks[2].x = tracks[1].x + SIDE
+   same('both', #map:in_memory().blocks, 2)
+   same('beside a brick', map:is_of_structure(tracks[1]), true)
+   table.remove(tracks)
+   same('for want of another', map:in_memory().blocks[1].colour, 1)
+end)
+
+case('a brick of a wrong colour before the robot is coloured when it has been so for a while', function()
+   local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 },
+                  structure = { { 0, 0, 0, 3 }, { 1, 0, 0, 2 }, { 2, 0, 0, 1 } } }
+   local map, machine = map_of({ { 0, 0, 0, colour = 4 }, { 1, 0, 0, colour = 2 }, { 2, 0, 0, colour = 3 } },
+                               { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   work.placement = { reaches = function() return true end }
+   work.row = map:rows()[0]
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, work.row)
+   for _, known in ipairs(machine.tracker.tracks) do
+      known.seen, known.colour = 30, known.id == 1 and 0 or known.colour
+      column:note(known)
+   end
+   local fault = work:fault_seen_at(column)
+   same('its colour', fault.right, 1)
+   same('the one before the robot', fault.block.id, 1)
+   same('not at once', work:see_to_faults(column), nil)
+   machine.odometry.time = machine.odometry.time + 20
+   same('then', work:see_to_faults(column), 'faulty')
+   same('what it is told', work.wish.mends, 1)
+   table.insert(machine.tracker.tracks, { id = 9, x = 0.3, y = SIDE, z = 1.5 * SIDE, level = 1, yaw = 0, turned = 1e-4, colour = 2,
+                                          seen = 30, missed = 0, time = 0, top_time = -1 })
+   same('not beside a higher one', work:mending_of(column, fault), nil)
+end)
