@@ -149,16 +149,11 @@ function Gripper:pull()
    return magnets.carrying
 end
 
--- Until the magnets' charge is so many times that at which the field vanishes, or for a while.
-function Gripper:await_charge(times, seconds)
-   self.process:wait_until(function() return self.magnets:charge() >= times * self.neutral end, seconds)
-end
-
 -- Lets the current flow against the magnets' own field until the two cancel, and goes up before it
 -- turns over: a block's free magnets would follow. Whether the block stayed behind.
 function Gripper:let_go()
    local magnets, neutral = self.magnets, self.neutral
-   self:await_charge(READY, CHARGE_TIME)
+   self.process:wait_until(function() return magnets:charge() >= READY * neutral end, CHARGE_TIME)
    magnets:discharge('destructive')
    self.process:wait_until(function() return magnets:charge() <= EMPTY * neutral end, EMPTY_TIME)
    magnets.carrying = false

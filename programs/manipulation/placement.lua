@@ -20,10 +20,9 @@ local LET_DOWN = 0.002         -- likewise when it is let go: on its way down it
 local SET_DOWN = 0.0003        -- likewise where it would be drawn aside on a longer way
 local DROP = 0.006             -- likewise over the floor, where the effector is kept off by KEPT_OFF or more: the floor's
 local KEPT_OFF = 0.004         -- friction would hold it against magnets that are so far
--- of a block over a brick to which it passes a message on, ever lower until that answers: radios 5 mm below their faces reach
--- 20 mm, and a column ahead keeps the block 12 mm off
-local PASSES = { 0.0080, 0.0052, 0.0045, 0.0038 }
-local CHARGED, CHARGE_TIME = 4, 8  -- of the charge at which the field vanishes; s, at most, until then
+-- of a block over a brick to which it passes a message on, ever lower until that answers: radios reach 20 mm, and are up to
+-- 5 mm below their faces
+local PASSES = { CLEAR, 0.0080, 0.0052, 0.0045, 0.0038 }
 local BACK_SLOWLY = 0.05       -- m, from over it
 local CARRIED = 0.12           -- m, from a site, where a block in another robot's hand is in the way
 local CONTESTED = 0.08         -- m, likewise at any height, on the last way to the site: nearer than who looks aside
@@ -150,7 +149,7 @@ function Placement:target(block, where, level, back, options, caught)
    return {
       block = block, heading = options.heading,
       lowest = math.min(SIDE * level + CLEAR, self.lift.highest - UNDER_TOP),
-      short = (over and 0 or -DRAW) - back, ahead = where == 'extend' and -SIDE or 0,
+      short = (over and -(options.before or 0) or -DRAW) - back, ahead = where == 'extend' and -SIDE or 0,
       left = (options.left or 0) + ASIDE * (options.aside or 0) * (1 + caught),
       caught = self.gripper:pushed_back(CAUGHT),
       stop = over and function() return self.approach:column_ahead() end or nil,
@@ -189,7 +188,8 @@ end
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
 -- way in, whether nobody else is at work there; goes_before(place), whether one who is met there is to leave; clear,
 -- whether no brick stands behind the place; open,
--- whether no neighbour stands on either side; colour, which it will have; over, whether it is let down from above as
+-- whether no neighbour stands on either side; colour, which it will have; before, by how much, m, it stays before the place,
+-- over which it is not to be let go; over, whether it is let down from above as
 -- when raised, and not slid in.
 function Placement:approach_site(block, where, options)
    options = options or {}
@@ -224,13 +224,13 @@ function Placement:attach(colour, drawn)
    return self:release(self.site_level, nil, drawn, short)
 end
 
--- Over the top brick of a column, where approach_site has brought the carried block, gives that brick a colour, by way of
--- the block, and goes back. Whether it answered.
+-- Over the top brick of a column, or nearly, where approach_site has brought the carried block: gives that brick a colour,
+-- by way of the block, and goes back. Whether it answered.
 function Placement:recolour_below(colour)
    self.process:enter('recolour')
-   -- that brick draws the block harder than magnets hold it without a current
-   self.gripper:await_charge(CHARGED, CHARGE_TIME)
    local answered = false
+   -- that brick draws the block harder than magnets hold it without a current
+   self.magnets:hold_fast(true)
    for _, over in ipairs(PASSES) do
       self.lift:to(SIDE * self.site_level + over)
       self.magnets:hold_fast(true)

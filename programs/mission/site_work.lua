@@ -40,6 +40,7 @@ local AWAKE = 1                -- rounds in vain, after which it rests ever long
 local RESTS, SHARED_RESTS = { longer = 4, longest = 256 }, { longer = 2, longest = 64 }  -- so many times as long as before, up to
                                -- so many times the first, on a side of its own, and on one that is shared
 local FAULT_LASTS = 15         -- s, that a brick was seen to show a colour that it should not, before it is coloured anew
+local STAYS_OFF = 0.012        -- m, of the block from right over it meanwhile: a column behind would draw it off
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
 local PAST_LOOK = 0.11         -- m, and from the nearest brick's edge, nearer than who stands for a look holds his
@@ -602,7 +603,8 @@ function SiteWork:approach_site()
    local near, problem = self.placement:approach_site(guide, where, {
       heading = self.row.frame.yaw, level = wish.level, left = left,
       over = wish.what == 'beside' and self:stands_free(),
-      aside = wish.aside, open = wish.open, colour = wish.colour, clear = self.task.delay > 0 and self:is_clear(),
+      before = wish.mends and STAYS_OFF, aside = wish.aside, open = wish.open, colour = wish.colour,
+      clear = self.task.delay > 0 and self:is_clear(),
       alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
       goes_before = function(place) return self.map:goes_before(place) end,
    })
