@@ -38,9 +38,10 @@ local Placement = {}
 Placement.__index = Placement
 
 -- parts: odometry, process, tracker, path, magnets, lift, gripper, approach. transport:
--- the colour of a block in a robot's hand. floats: set by who knows a structure: whether a block without a colour is in one.
+-- the colour of a block in a robot's hand. floats: set by who knows a structure: whether a block without a colour is in one;
+-- spared: id of a brick that shows the colour of one, or false.
 function Placement.new(parts)
-   local self = setmetatable({ transport = 4, floats = function() return false end }, Placement)
+   local self = setmetatable({ transport = 4, spared = false, floats = function() return false end }, Placement)
    for name, part in pairs(parts) do self[name] = part end
    return self
 end
@@ -101,7 +102,8 @@ end
 function Placement:held_near(x, y, within, counts)
    for _, known in ipairs(self.tracker.tracks) do
       local dx, dy = known.x - x, known.y - y
-      if (known.colour == self.transport or known.colour == 0 and self.floats(known)) and known.z > SIDE and
+      local in_hand = known.colour == self.transport or known.colour == 0 and self.floats(known)
+      if in_hand and known.id ~= self.spared and known.z > SIDE and
          self.odometry.time - known.time < SEEN_LATELY and dx * dx + dy * dy < within * within and
          (not counts or counts(known)) then return known end
    end
@@ -115,6 +117,7 @@ function Placement:contested_by(x, y, level)
       local dx, dy = known.x - x, known.y - y
       local near = known.z > SIDE * level and TAKEN or 0
       if known.colour == self.transport then near = CONTESTED end
+      if known.id == self.spared then near = 0 end
       if dx * dx + dy * dy < near * near and self.odometry.time - known.time < SEEN_NOW then return known end
    end
    return nil
@@ -237,6 +240,8 @@ function Placement:recolour_below(colour)
       answered = self.gripper:colour_below(colour)
       if answered then break end
    end
+   -- one that knows nothing of passing on has taken it for another colour
+   if not answered then self.gripper:colour(self.transport) end
    -- in a jolt so near that brick would keep the block
    self.lift:to(math.min(SIDE * self.site_level + 2 * CLEAR, self.lift.highest - UNDER_TOP))
    self.magnets:hold_fast(true)

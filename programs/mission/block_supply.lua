@@ -205,8 +205,7 @@ function BlockSupply:search_elsewhere()
    local map, search = self.map, self.machine.search
    if self.machine.robot.params.sides or self.sides:are_shared() and map.cache then
       -- as long as it knows no cache, that may be some way ahead
-      local legs = self.in_vain < ELSEWHERE and LEGS_AHEAD or LEGS
-      local block = not map.cache and search:find(self:wanted(), legs, self:wander()) or nil
+      local block = not map.cache and search:find(self:wanted(), LEGS_AHEAD, self:wander()) or nil
       if not block and not map.cache then self.process:wait(self:patience()) end
       return block
    end

@@ -40,6 +40,7 @@ local AWAKE = 1                -- rounds in vain, after which it rests ever long
 local RESTS, SHARED_RESTS = { longer = 4, longest = 256 }, { longer = 2, longest = 64 }  -- so many times as long as before, up to
                                -- so many times the first, on a side of its own, and on one that is shared
 local FAULT_LASTS = 15         -- s, that a brick was seen to show a colour that it should not, before it is coloured anew
+local TELLINGS = 3             -- so often one is told at most: its LEDs may be dead
 local STAYS_OFF = 0.012        -- m, of the block from right over it meanwhile: a column behind would draw it off
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
 local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
@@ -61,7 +62,8 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- sites, and may be robots: {x, y, since}. row: {v, front, frame, juts}, the one it stands before; unfound: v of the row at
 -- which the last approach did not find its brick. wish: what is to be done there (Column:decide). approach_time: mean of the
 -- last approaches to a site, s. yielded: it has just left a site to another. across: a place where the last look to both
--- sides found another before an adjoining site, or nil.
+-- sides found another before an adjoining site, or nil. fault: a brick of a wrong colour that was seen, and since when
+-- (see_to_faults); mended: by cell, how often one was told its colour.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -77,7 +79,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task,
       tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
-      obstructed = 0, standing = {}, approach_time = 0, yielded = false,
+      obstructed = 0, standing = {}, approach_time = 0, yielded = false, mended = {},
    }, SiteWork)
 end
 
@@ -389,19 +391,25 @@ function SiteWork:lasts(fault)
                 before.colour == fault.colour
    self.fault = same and before or fault
    self.fault.since = self.fault.since or now
+   -- it may show what blocks in robots' hands do
+   self.placement.spared = fault.block.id
    return now - self.fault.since > FAULT_LASTS
 end
 
--- What is to be done before a column at which a brick of a wrong colour was seen: {what, top, mends} with feet, next_to, aside, open
--- and clear, as a decision has them, if nothing is in the way to it from there; or nil. One that is dark counts as none where
+-- Under which it is counted how often a brick was told its colour.
+local function mended_key(fault) return fault.u .. ' ' .. fault.v .. ' ' .. fault.level end
+
+-- What is to be done before a column at which a brick of a wrong colour was seen: {what, top, mends, fault} with feet, next_to,
+-- aside, open and clear, as a decision has them, if nothing is in the way to it from there; or nil. One that is dark counts as none where
 -- rows are, and may stand before the column.
 function SiteWork:mending_of(column, fault)
    local du, dv = column:cell_of(fault.block)
    local over = fault.level + 1
    if dv ~= 0 or du < 0 or du > 1 or not self.placement:reaches(over) or column:stands(du, 0, over) or
-      column:stands(du, 1, over) or column:stands(du, -1, over) then return nil end
+      column:stands(du, 0, over + 1) or column:stands(du, 1, over) or column:stands(du, -1, over) or
+      (self.mended[mended_key(fault)] or 0) >= TELLINGS then return nil end
    return { top = fault.block, what = 'raise', feet = { fault.block }, next_to = {}, aside = 0, open = true,
-            clear = column:cell(du - 1, 0, over) == 'empty', mends = fault.right }
+            clear = column:cell(du - 1, 0, over) == 'empty', mends = fault.right, fault = fault }
 end
 
 -- Sees to a brick of a wrong colour that a look has shown: the event with which that ends, or nil where none was seen.
@@ -437,7 +445,7 @@ function SiteWork:look()
       self.record:tally('aborted')
       return 'unseen'
    end
-   local faults = self:see_to_faults(column)
+   local faults = not chosen.flank and self.task.answers and self:see_to_faults(column)
    if faults then return faults end
    local wish, top_seen = column:decide()
    self.record:tell('branch', tostring(wish and wish.branch or 'none'))
@@ -666,8 +674,10 @@ end
 function SiteWork:recolour()
    local answered = self.placement:recolour_below(self.wish.mends)
    self.record:tally(answered and 'recoloured' or 'aborted')
+   local key = mended_key(self.wish.fault)
+   self.mended[key] = (self.mended[key] or 0) + 1
    self:leave(self.row)
-   self.wish, self.fault, self.tried, self.in_vain_at = nil, nil, {}, {}
+   self.wish, self.fault, self.placement.spared, self.tried, self.in_vain_at = nil, nil, false, {}, {}
    return self.magnets:holds() and 'done' or 'dropped'
 end
 

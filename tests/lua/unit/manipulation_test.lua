@@ -530,6 +530,10 @@ case('a site over which another holds a block is not free', function()
    same('free', placement:is_free(0.3, 0, 0), true)
    machine.tracker.tracks = { { x = 0.38, y = 0, z = 0.1, colour = 4, time = 0, missed = 0 } }
    same('held near', placement:is_free(0.3, 0, 0), false)
+   machine.tracker.tracks[1].id, placement.spared = 7, 7
+   same('a brick that shows what blocks in hands do', placement:is_free(0.3, 0, 0), true)
+   same('nor is its place contested', placement:contested_by(0.38, 0, 0), nil)
+   placement.spared = false
    machine.tracker.tracks = { { x = 0.38, y = 0, z = 0.0275, colour = 1, time = 0, missed = 0 } }
    same('a brick beside', placement:is_free(0.3, 0, 0), true)
    same('where it stands', placement:is_free(0.38, 0.01, 0), false)

@@ -1523,6 +1523,18 @@ case('a brick of a wrong colour before the robot is coloured when it has been so
    machine.odometry.time = machine.odometry.time + 20
    same('then', work:see_to_faults(column), 'faulty')
    same('what it is told', work.wish.mends, 1)
+   same('it is in no robot\'s hand', work.placement.spared, 1)
+   for _ = 1, 3 do
+      same('again', work:see_to_faults(column), 'faulty')
+      work.placement.recolour_below = function() return true end
+      work.record, work.leave = { tally = function() end }, function() end
+      work.magnets = { holds = function() return true end }
+      same('coloured', work:recolour(), 'done')
+      work:see_to_faults(column)
+      machine.odometry.time = machine.odometry.time + 20
+   end
+   same('not for ever', work:see_to_faults(column), nil)
+   work.mended = {}
    table.insert(machine.tracker.tracks, { id = 9, x = 0.3, y = SIDE, z = 1.5 * SIDE, level = 1, yaw = 0, turned = 1e-4, colour = 2,
                                           seen = 30, missed = 0, time = 0, top_time = -1 })
    same('not beside a higher one', work:mending_of(column, fault), nil)
