@@ -400,8 +400,8 @@ end
 local function mended_key(fault) return fault.u .. ' ' .. fault.v .. ' ' .. fault.level end
 
 -- What is to be done before a column at which a brick of a wrong colour was seen: {what, top, mends, fault} with feet, next_to,
--- aside, open and clear, as a decision has them, if nothing is in the way to it from there; or nil. One that is dark counts as none where
--- rows are, and may stand before the column.
+-- aside, open and clear, as a decision has them, if nothing is in the way to it from there; or nil. One that is dark counts
+-- as none where rows begin, and may stand before the column.
 function SiteWork:mending_of(column, fault)
    local du, dv = column:cell_of(fault.block)
    local over = fault.level + 1
