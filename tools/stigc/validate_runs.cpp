@@ -9,6 +9,7 @@
 #include <numeric>
 #include <optional>
 
+#include "base/file_guard.h"
 #include "base/file_io.h"
 #include "base/parallel.h"
 #include "progress.h"
@@ -22,6 +23,8 @@ constexpr std::size_t kMostEndsDrawn = 12;  ///< runs whose end is drawn
 constexpr int kPicturesOnTheWay = 4;        ///< of the first run
 
 bool is_whole_trace(const std::string& path) {
+  // One that is not is written over, although it is read here.
+  if (!was_read(path)) let_replace(path);
   FileError error;
   Diagnostics problems;
   std::optional<std::string> bytes = read_file(path, kMostTraceBytes, error);
