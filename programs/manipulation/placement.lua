@@ -31,7 +31,8 @@ local SEEN_LATELY = 2          -- s
 local SEEN_NOW = 0.7           -- s, in which a tag in sight was seen
 local SETTLE_TIME = 0.4        -- s
 local RELEASES = 3             -- attempts to let go
-local TURNED = 0.004           -- rad, by which a block hangs askew that is worth a turn
+local TURNED = 0.012           -- rad, by which a block hangs askew that is worth a turn: how blocks hang differs by 0.003, and
+                               -- what the rangefinders say of that by 0.005
 local UNDER_TOP = 0.0005       -- m, of the lift
 
 local Placement = {}
