@@ -12,6 +12,7 @@ local StructureMap = require 'mission.structure_map'
 
 local EDGE = 0.40              -- m, from a side's middle, where one is in nobody's way
 local INNER_EDGE = 0.30        -- m, likewise, from where one sees robots up to the middle
+local BEFORE_EDGE = 0.26       -- m, likewise from there, where one sees whoever looks across already and has its back to one
 local EDGE_LOOK = 0.3          -- rad, between looks from there
 local CARRIED = 0.30           -- m, from half way, of a block in the hand of who works there
 local AT_ROW = 12              -- s, that others are out of sight at the far rows
@@ -111,6 +112,10 @@ function SideAllocation:is_worked_across(across)
       met = met or self.ranges:range('front') or self.clearance:meets(1) or self:is_carried_near(across)
       return met
    end
+   local x, y = geometry.out_of(across, -INNER_EDGE, 0)
+   if not self.navigation:to_before(x, y, BEFORE_EDGE) then return true end
+   coroutine.yield()
+   if self.clearance:meets(BEFORE_EDGE) then return true end
    if not self.navigation:to(geometry.out_of(across, -EDGE, 0)) then return true end
    path:turn_to(across.yaw)
    self.lift:to(self.lift:top())

@@ -99,12 +99,28 @@ function Navigation:round_structure(x, y)
    end
 end
 
--- To a place, round the structure where it is in the way.
-function Navigation:to(x, y, tries)
+-- To where the straight way to a place is free of the structure and the cache.
+function Navigation:round(x, y)
    local known = self.map.known
    if known and self:way_past(x, y) < known.reach + TOO_NEAR then self:round_structure(x, y) end
    self:past_cache(x, y)
+end
+
+-- To a place, round the structure where it is in the way.
+function Navigation:to(x, y, tries)
+   self:round(x, y)
    return self:straight_to(x, y, tries)
+end
+
+-- Likewise to so far before it at most, where the robot turns to it.
+function Navigation:to_before(x, y, away)
+   self:round(x, y)
+   local pivot = self.odometry:pivot()
+   local share = math.min(1, away / apart(pivot, { x = x, y = y }))
+   local there = self:straight_to(x + share * (pivot.x - x), y + share * (pivot.y - y))
+   pivot = self.odometry:pivot()
+   self.path:turn_to(math.atan(y - pivot.y, x - pivot.x))
+   return there
 end
 
 -- To a place beside the cache, if that stands in the way.
