@@ -358,16 +358,16 @@ case('a block that hangs askew is brought so far aside as the turn that squares 
       return false, 'busy'
    end
    local ahead = machine.description.magnets.ahead - machine.odometry.ahead
-   for _, yaw in ipairs { 0, 0.003, 0.02, -0.02 } do
+   for _, yaw in ipairs { 0, 0.008, 0.02, -0.02 } do
       machine.gripper.seat = function() return 0, yaw end
       run(function() return machine.placement:approach_site(base, 'extend', { colour = 2 }) end)
       near('neighbours on both sides', left, 0, 1e-9)
       run(function() return machine.placement:approach_site(base, 'extend', { colour = 2, aside = 1 }) end)
-      near('one to its right', left, 0.002 + math.max(math.abs(yaw) > 0.004 and ahead * yaw or 0, -0.0005), 1e-9)
+      near('one to its right', left, 0.002 + math.max(math.abs(yaw) > 0.012 and ahead * yaw or 0, -0.0005), 1e-9)
       run(function() return machine.placement:approach_site(base, 'extend', { colour = 2, aside = -1 }) end)
-      near('one to its left', left, -0.002 + math.min(math.abs(yaw) > 0.004 and ahead * yaw or 0, 0.0005), 1e-9)
+      near('one to its left', left, -0.002 + math.min(math.abs(yaw) > 0.012 and ahead * yaw or 0, 0.0005), 1e-9)
       run(function() return machine.placement:approach_site(base, 'extend', { colour = 2, open = true }) end)
-      near('none', left, math.abs(yaw) > 0.004 and ahead * yaw or 0, 1e-9)
+      near('none', left, math.abs(yaw) > 0.012 and ahead * yaw or 0, 1e-9)
    end
 end)
 

@@ -843,6 +843,30 @@ case('a robot that has gone beside its rows withdraws to its own side', function
    end
 end)
 
+case('who would look across a side turns back before it drives into another that does', function()
+   local across = { x = 0.5, y = 0.6, yaw = math.pi / 2 }
+   for _, somebody in ipairs { true, false } do
+      local fake, worked = FakeRobot.new {}, nil
+      local builder = Builder.new(fake.robot, CHART, { sides = ALL, transport = 4, delay = 30 })
+      local machine = builder.machine
+      local x, y = geometry.out_of(across, -0.30, 0)
+      local finder, nearest = fake.robot.rangefinders['2'], math.huge
+      local nothing = finder.proximity
+      machine:start(function() worked = builder.sides:is_worked_across(across) end)
+      while worked == nil and machine.process:time() < 200 and machine:step() do
+         fake:step()
+         local ahead, left = geometry.into(fake.pose, x, y)
+         -- from the chassis' front to the other's side, as far as it sees
+         local range = ahead - 0.045 - 0.06
+         local sees = somebody and math.abs(left) < 0.05 and range > 0 and range < 0.2
+         finder.proximity = sees and range or nothing
+         nearest = math.min(nearest, geometry.apart(machine.odometry:pivot(), { x = x, y = y }))
+      end
+      same('worked', worked, somebody)
+      same('kept off', nearest > 0.2, somebody)
+   end
+end)
+
 -- A robot that stands by on the side of a cache with a block, for so many seconds or until it has something to do; in
 -- each step `meanwhile(fake, time)`. When it went to work, s, what it found then, and the robot.
 local function stands_by(number, worked, seconds, meanwhile)
