@@ -114,6 +114,7 @@ function SideAllocation:is_worked_across(across)
    end
    local x, y = geometry.out_of(across, -INNER_EDGE, 0)
    if not self.navigation:to_before(x, y, BEFORE_EDGE) then return true end
+   -- by readings since that turn
    coroutine.yield()
    if self.clearance:meets(BEFORE_EDGE) then return true end
    if not self.navigation:to(geometry.out_of(across, -EDGE, 0)) then return true end
