@@ -13,16 +13,26 @@ local STOP_TIME = 0.5          -- s, two steps and some more
 local SWUNG = 0.05             -- rad, before its end, at which a swing is over
 local LONGEST_TURN, LONGEST_DRIVE = 20, 60  -- s
 local AT_REST = 1e-3           -- m/s
+local SLOWEST = 0.1            -- of the pace, that turns and ways end in the times above
 local FACES, NEARLY = 1e-5, 2e-4  -- m, of the rims, from a heading; of motors that lag and so go past it
 
 local PathFollower = {}
 PathFollower.__index = PathFollower
 
--- cruise: speed of travel, m/s, at which it can stop for what the rangefinders see.
+-- The part of its speeds at which a robot drives: `params.pace`, as one does whose motors are weak, or 1.
+local function pace_of(robot)
+   local pace = tonumber(robot.params.pace or 1)
+   if not pace or not (pace >= SLOWEST and pace <= 1) then
+      error(string.format("params.pace has to be from %g to 1, and is '%s'", SLOWEST, tostring(robot.params.pace)), 0)
+   end
+   return pace
+end
+
+-- cruise: speed of travel, m/s, at which it can stop for what the rangefinders see. pace: the part of all speeds that it drives at.
 function PathFollower.new(robot, description, odometry, process, ranges, clearance)
    return setmetatable({
       robot = robot, description = description, odometry = odometry, process = process,
-      clearance = clearance,
+      clearance = clearance, pace = pace_of(robot),
       cruise = math.min(description.drive.speed / 2, ranges:reach() / STOP_TIME),
    }, PathFollower)
 end
@@ -48,7 +58,7 @@ end
 
 -- The speed for the next step of what now moves at `now`; `gentle` as with profile.speed.
 function PathFollower:speed_for(left, now, most, gentle)
-   return profile.speed(left, now, most, self.odometry.period, self.description.drive.acceleration, gentle)
+   return profile.speed(left, now, most * self.pace, self.odometry.period, self.description.drive.acceleration, gentle)
 end
 
 -- How far the rims have to go to face a heading, and how fast they do; m and m/s.

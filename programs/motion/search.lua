@@ -32,7 +32,7 @@ function Search:look_round(found)
    local block
    while turned < 2 * math.pi and not block do
       -- what is seen for the first time is worth a look
-      local rim = self.tracker:glimpse(self.undecided) and 0 or RIM
+      local rim = self.tracker:glimpse(self.undecided) and 0 or RIM * self.path.pace
       self.path:drive_rims(-rim, rim)
       coroutine.yield()
       turned = turned + math.abs(geometry.wrap(self.odometry.pose.yaw - before))

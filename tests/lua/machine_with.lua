@@ -1,12 +1,13 @@
 -- SPDX-License-Identifier: MIT
--- A machine on a fake robot among blocks. Gives the machine, the robot, and run(does, each), which
+-- A machine on a fake robot among blocks, with these parameters of a scene. Gives the machine, the robot, and run(does, each), which
 -- lets the machine do something to its end, calls `each` after every step, and returns its results.
 
 local FakeRobot = require 'fake_robot'
 local Machine = require 'machine'
 
-return function(blocks)
+return function(blocks, params)
    local fake = FakeRobot.new(blocks)
+   fake.robot.params = params or fake.robot.params
    local machine = Machine.new(fake.robot)
    local function run(does, each)
       local out

@@ -26,6 +26,23 @@ case('a turn ends at its heading, a drive on its line', function()
    near('back', machine.odometry:on_line(line), -0.2, 2e-3)
 end)
 
+case('a robot drives and turns at its pace', function()
+   local took = {}
+   for i, pace in ipairs { 1, 0.25 } do
+      local machine, fake, run = machine_with(nil, { pace = pace })
+      run(function() return machine.path:go_by(0.3) end)
+      run(function() return machine.path:turn_to(3) end)
+      near('there', fake.pose.yaw, 3, 1e-3)
+      took[i] = machine.process:time()
+   end
+   same('much longer', took[2] > 2 * took[1], true)
+   for _, pace in ipairs { 0, -1, 0.05, 1.5, 0 / 0, 'slow' } do
+      local good, problem = pcall(machine_with, nil, { pace = pace })
+      same('refused', good, false)
+      same('says so', tostring(problem):find('params.pace has to be from 0.1 to 1') ~= nil, true)
+   end
+end)
+
 case('a turn on the spot leaves the pivot where it is, and a place is reached by it', function()
    local machine, fake, run = machine_with()
    local pivot = fake.robot.description.drive.pivot
