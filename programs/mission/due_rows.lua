@@ -1,6 +1,8 @@
 -- SPDX-License-Identifier: MIT
--- Rows of a side that the rules ask for, if the structure is as the robot remembers it: where it goes first, to look
--- whether that is so.
+-- Rows of a side that the rules ask for, if the structure is as the robot remembers it, and those at which a brick is still
+-- missing: where it goes first, to look whether that is so.
+
+local BESIDE = { { 0, 0 }, { 1, 0 }, { 0, 1 }, { 0, -1 } }  -- du, dv: on a row's column, before it and beside it
 
 local DueRows = {}
 
@@ -34,6 +36,31 @@ function DueRows.of(map, task, index)
       if wish then due[v] = of end
    end
    return due
+end
+
+-- Whether the structure, if it lies in a way in the robot's cells, has a brick at a row that the robot does not know.
+local function lacks_brick(map, target, way, of, levels)
+   for _, cell in ipairs(BESIDE) do
+      local u, v = map:cell_of(map.place_of(of, cell[1], cell[2]))
+      for level = 0, levels - 1 do
+         if target:colour(way, u, v, level) and not map:had_brick_in(u, v, level) then return true end
+      end
+   end
+   return false
+end
+
+-- By v, rows of this side at which a brick of the structure in which work ends is not known to stand, in any of the ways in
+-- which the known bricks lie in it; nil where they lie in it in no way.
+function DueRows.unfinished(map, task, target, index)
+   local fits, frame, out = target:fits(map:bricks_with({})), map:frame_of(index), {}
+   if #fits == 0 then return nil end
+   for v, front in pairs(map.fronts_of(map:cells_from(index))) do
+      local of = { v = v, front = front, frame = frame }
+      for _, way in ipairs(fits) do
+         if not out[v] and lacks_brick(map, target, way, of, task.levels) then out[v] = of end
+      end
+   end
+   return out
 end
 
 return DueRows

@@ -13,9 +13,11 @@ local StructureMap = require 'mission.structure_map'
 local EDGE = 0.40              -- m, from a side's middle, where one is in nobody's way
 local INNER_EDGE = 0.30        -- m, likewise, from where one sees robots up to the middle
 local BEFORE_EDGE = 0.26       -- m, likewise from there, where one sees whoever looks across already and has its back to one
+local ON_THE_WAY = 0.15        -- m, farther off than that, where whoever is in the way is on another side
 local EDGE_LOOK = 0.3          -- rad, between looks from there
 local CARRIED = 0.30           -- m, from half way, of a block in the hand of who works there
 local AT_ROW = 12              -- s, that others are out of sight at the far rows
+local COMES_IN = 8             -- s more, from the right edge: in which one that has looked from the left edge has come in
 local WITHDRAWN = 0.28         -- m, from the structure, where a robot waits that has nothing to do
 
 -- way_round: to the next side, 1 to the left, -1 to the right. wanted: index of the side to which it is to go next, if that
@@ -87,12 +89,13 @@ function SideAllocation:place_before(index, away)
    return geometry.out_of(self.map:face_of(index), -away, 0)
 end
 
--- Whether someone works on the side of this index, seen from its left edge (1) or the right one (-1).
+-- Whether someone works on the side of this index, seen from its left edge (1) or the right one (-1), or is in the way to it.
 function SideAllocation:is_worked(index, edge)
    local face, cache = self.map:face_of(index), self.map:cache_of(index)
    local along, left = geometry.into(face, cache.x, cache.y)
    local x, y = geometry.out_of(face, along / 2, left)
-   return self:is_worked_across({ x = x, y = y, yaw = geometry.wrap(face.yaw - edge * math.pi / 2) })
+   local across = { x = x, y = y, yaw = geometry.wrap(face.yaw - edge * math.pi / 2) }
+   return self:is_worked_across(across, edge > 0 and AT_ROW or AT_ROW + COMES_IN)
 end
 
 -- Whether a block was seen in another's hand on the way from a side's cache to the structure, half way or farther on.
@@ -104,8 +107,10 @@ function SideAllocation:is_carried_near(across)
 end
 
 -- Whether someone works on a side: who does so is somewhere between the structure and the cache, and is seen or met by one
--- that comes in across; `across` is a place half way between them, and the direction to come from there.
-function SideAllocation:is_worked_across(across)
+-- that comes in across; `across` is a place half way between them, and the direction to come from there. Two that look from
+-- both edges at the same time are too far apart to see each other, and so go in one after the other: `time`, s, is how long
+-- each looks. The second result: whether it did not get there, since somebody was in its way.
+function SideAllocation:is_worked_across(across, time)
    local path = self.path
    local start, met = self.odometry.time, false
    local function meets()
@@ -113,7 +118,9 @@ function SideAllocation:is_worked_across(across)
       return met
    end
    local x, y = geometry.out_of(across, -INNER_EDGE, 0)
-   if not self.navigation:to_before(x, y, BEFORE_EDGE) then return true end
+   if not self.navigation:to_before(x, y, BEFORE_EDGE) then
+      return true, geometry.apart(self.odometry:pivot(), { x = x, y = y }) > BEFORE_EDGE + ON_THE_WAY
+   end
    -- by readings since that turn
    coroutine.yield()
    if self.clearance:meets(BEFORE_EDGE) then return true end
@@ -125,7 +132,7 @@ function SideAllocation:is_worked_across(across)
       if not meets() then path:turn_to(across.yaw + step * EDGE_LOOK, UnexplainedReturns.LOOK_RIM) end
    end
    if not meets() then path:turn_to(across.yaw) end
-   return self.process:wait_until(meets, AT_ROW) or
+   return self.process:wait_until(meets, time or AT_ROW) or
           #self.returns:near(across.x, across.y, INNER_EDGE, start) > 0
 end
 
@@ -140,14 +147,15 @@ function SideAllocation:next_side()
    return all[(here - 1 + self.way_round) % #all + 1]
 end
 
--- Index of that of the robot's other sides that is nearest on the way round and `is_wanted(index)`; nil for none.
+-- Index of that of the robot's other sides that is nearest and `is_wanted(index)`; nil for none. Of two as near the one on
+-- its way round: robots that begin on opposite sides do not come to the same one.
 function SideAllocation:nearest_other(is_wanted)
    local best, least
    for _, name in ipairs(self.task.sides) do
       local index = StructureMap.SIDES[name]
       local quarters = (index - self.map.side) % 4
-      local way = math.min(quarters, 4 - quarters)
-      if way > 0 and (not best or way < least) and is_wanted(index) then best, least = index, way end
+      local way = math.min(quarters, 4 - quarters) + (quarters == self.way_round % 4 and 0 or 0.5)
+      if quarters > 0 and (not best or way < least) and is_wanted(index) then best, least = index, way end
    end
    return best
 end
@@ -158,20 +166,31 @@ function SideAllocation:take(side)
    map.side, map.cache = side, map:cache_of(side) or map.cache
 end
 
+-- To a side so many quarters on, the way round: to the left (1) or right (-1); to the opposite one, past that side of the two
+-- between on which it did not find somebody at work.
+function SideAllocation:way_to(quarters)
+   if quarters ~= 2 then return quarters == 1 and 1 or -1 end
+   local side, way = self.map.side, self.way_round
+   local function free(to) return self.taken[(side + to) % 4] ~= false end
+   return (free(way) or not free(-way)) and way or -way
+end
+
 -- To the next side. Where somebody works there, back to where it was, and the other way round the next
--- time. Says whether the side has changed.
+-- time, unless it is the opposite one, and nobody was on the way there. Says whether the side has changed.
 function SideAllocation:change()
    local map, side = self.map, self.wanted or self:next_side()
    local quarters = (side - map.side) % 4
-   if self:are_shared() and quarters ~= 2 then self.way_round = quarters == 1 and 1 or -1 end
+   if self:are_shared() then self.way_round = self:way_to(quarters) end
    self.wanted = nil
-   local free = not (self:are_shared() and map.cache_way and
-                     self:is_worked(side, self.way_round))
-   self.worked, self.taken[side] = not free and side or nil, free
+   local worked, on_the_way
+   if self:are_shared() and map.cache_way then worked, on_the_way = self:is_worked(side, self.way_round) end
+   local free = not worked
+   self.worked = not free and side or nil
+   if not on_the_way then self.taken[side] = free end
    if free then
       self:take(side)
    else
-      self.way_round = -self.way_round
+      if quarters ~= 2 or on_the_way then self.way_round = -self.way_round end
       self.path:back_off(EDGE - INNER_EDGE)
    end
    local away = math.min(Navigation.CLEAR_OF, self:room_before_cache(map.side))

@@ -7,6 +7,7 @@ local Column = require 'mission.column'
 local ColourFaults = require 'mission.colour_faults'
 local DueRows = require 'mission.due_rows'
 local Navigation = require 'motion.navigation'
+local Target = require 'mission.target'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
@@ -63,7 +64,9 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- which the last approach did not find its brick. wish: what is to be done there (Column:decide). approach_time: mean of the
 -- last approaches to a site, s. yielded: it has just left a site to another. across: a place where the last look to both
 -- sides found another before an adjoining site, or nil. fault: a brick of a wrong colour that was seen, and since when
--- (see_to_faults); mended: by cell, how often one was told its colour.
+-- (see_to_faults); mended: by cell, how often one was told its colour. fronts: by v, the front of rows of this side as they were
+-- looked at since it last came to it. at_home: it has put a brick here since then; contested: it has not, and somebody was in
+-- its way.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -77,14 +80,15 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       machine = machine, odometry = machine.odometry, process = machine.process, path = machine.path,
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
-      record = record, task = task,
+      record = record, task = task, target = Target.of(task),
       tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
-      obstructed = 0, standing = {}, approach_time = 0, yielded = false, mended = {},
+      obstructed = 0, standing = {}, fronts = {}, at_home = true, approach_time = 0, yielded = false, mended = {},
    }, SiteWork)
 end
 
 -- Another robot was in the way.
 function SiteWork:give_up()
+   self.contested = not self.at_home
    self.obstructed = self.obstructed + 1
    self.record:tally('aborted')
    self.record:tally('busy')
@@ -112,19 +116,70 @@ function SiteWork:due_from(side)
    return due
 end
 
--- That of its other sides that is nearest where a row is due, but for one where it has just found somebody at work, and,
--- with `taken`, of those that it found free; or nil.
-function SiteWork:due_side(taken)
-   local sides = self.sides
-   return sides:nearest_other(function(side)
-      return side ~= sides.worked and (not taken or sides.taken[side]) and next(self:due_from(side)) ~= nil
-   end)
+-- Whether a row is due from a side, as far as the robot remembers.
+function SiteWork:is_due(side)
+   return next(self:due_from(side)) ~= nil
 end
 
--- Whether the robot goes to another of its sides at once, since a row is due there, and none here.
+-- Whether a brick is missing at one of a side's rows, as far as the robot remembers; false where it can't know.
+function SiteWork:is_unfinished(side)
+   return next(self:unfinished_from(side) or {}) ~= nil
+end
+
+-- Rows by v of a side at which a brick is missing, as far as the robot remembers; nil where it can't know.
+function SiteWork:unfinished_from(side)
+   return self.target and DueRows.unfinished(self.map, self.task, self.target, side)
+end
+
+-- That of its other sides that is nearest where there may be work, or nil: where a row is due, or else a brick missing, and
+-- it did not find somebody at work when it was last there, since whatever is due there by its memory is built by then; or
+-- else where it found somebody before the last change of sides.
+function SiteWork:likely_side()
+   local sides = self.sides
+   local function nearest(counts, has_work)
+      return sides:nearest_other(function(side) return counts(side) and has_work(side) end)
+   end
+   local function due(side) return self:is_due(side) end
+   local function unfinished(side) return self:is_unfinished(side) end
+   local function unmanned(side) return sides.taken[side] ~= false end
+   local function left(side) return side ~= sides.worked end
+   return nearest(unmanned, due) or nearest(unmanned, unfinished) or nearest(left, due) or nearest(left, unfinished)
+end
+
+-- Whether the robot goes to another of its sides at once, since a row is due there, and none here: where it keeps to its
+-- side, to one that it found free.
 function SiteWork:leaves_for_due()
-   self.sides.wanted = self:due_side(self:keeps_to_side())
-   return self.sides.wanted ~= nil
+   local sides, keeps = self.sides, self:keeps_to_side()
+   sides.wanted = sides:nearest_other(function(side)
+      local found = sides.taken[side]
+      return (keeps and found or not keeps and found ~= false) and self:is_due(side)
+   end)
+   return sides.wanted ~= nil
+end
+
+-- Whether somebody else builds from this side, where there are fewer robots than sides: somebody was in the way before the
+-- robot had put a brick here, or a row has grown since it looked at it. From the edge nobody is seen who is at a row, and
+-- two that come at the same time, from both edges, do not see each other.
+function SiteWork:is_worked_by_others(rows)
+   local others = self.contested
+   for v, front in pairs(self.fronts) do others = others or rows[v] and rows[v].front > front end
+   return others and self.sides:are_shared() and not self.sides:are_manned()
+end
+
+-- Leaves the side to whoever else builds from it, if there may be work at another.
+function SiteWork:leaves_to_others()
+   local sides, side = self.sides, self.map.side
+   sides.taken[side], sides.worked = false, side
+   sides.wanted = self:likely_side()
+   return sides.wanted ~= nil
+end
+
+-- Whether a row is worth a look, of those that may be due: on the first way round sides that others build at, too, only where
+-- a brick is missing, as far as the robot remembers.
+function SiteWork:worth_a_look()
+   local unfinished = self.target and self:idle_rounds() == 0 and self.sides:are_shared() and
+                      not self.sides:are_manned() and self:unfinished_from(self.map.side)
+   return function(v) return not unfinished or unfinished[v] ~= nil end
 end
 
 -- The row, of those not tried yet, that is due as far as the robot remembers, or else any; of several the one that juts
@@ -135,9 +190,10 @@ function SiteWork:choose_row()
    local rows = self.map:rows()
    if not rows then return 'lost' end
    self.row = nil
-   local due, least = self:due_from(self.map.side)
+   if self:is_worked_by_others(rows) and self:leaves_to_others() then return 'none' end
+   local due, worth, least = self:due_from(self.map.side), self:worth_a_look(), nil
    for _, of in pairs(rows) do
-      if not self.tried[of.v] and self.map.room_before(rows, of) then
+      if not self.tried[of.v] and (due[of.v] or worth(of.v)) and self.map.room_before(rows, of) then
          local _, aside = self.odometry:on_line(self.map.line_before(of))
          local order = math.abs(aside) - of.front + (due[of.v] and 0 or NOT_DUE)
          if not self.row or order < least then self.row, least = of, order end
@@ -230,13 +286,19 @@ function SiteWork:rest()
    end
 end
 
+-- Nothing of what it knew of who works on its side counts from now on.
+function SiteWork:leave_side()
+   self.fronts, self.at_home, self.contested = {}, false, false
+   return false
+end
+
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
 -- while, since others' work may open a row.
 function SiteWork:stays()
    if self.sides.wanted then
       self:begin_side()
       self.sides:withdraw()
-      return false
+      return self:leave_side()
    end
    self.tried, self.explored, self.in_vain = {}, {}, self.in_vain + 1
    self.sides:withdraw()
@@ -247,9 +309,9 @@ function SiteWork:stays()
       self:rest()
       return true
    end
-   if self.sides:are_shared() then self.sides.wanted = self:due_side() end
+   if self.sides:are_shared() then self.sides.wanted = self:likely_side() end
    self.obstructed, self.patience = 0, 2 * self.patience
-   return false
+   return self:leave_side()
 end
 
 -- Says whether another robot stands before the row, on the way in along a line, or beside it so that its arm may be there.
@@ -371,10 +433,9 @@ end
 
 -- The brick of those that are known whose colour is wrong, {u, v, level, colour, right}, as a look at a column shows, or nil.
 function SiteWork:fault_seen_at(column)
-   local structure = self.task.structure
-   if not structure or #structure == 0 or not self.map.known then return nil end
+   if not self.target or not self.map.known then return nil end
    local shown = column:shown()
-   local wrong, right = ColourFaults.find(self.map:bricks_with(shown), structure)
+   local wrong, right = ColourFaults.find(self.map:bricks_with(shown), self.target)
    if not wrong then return nil end
    for _, brick in ipairs(shown) do
       if brick == wrong then
@@ -439,6 +500,7 @@ function SiteWork:look()
       if self.task.delay == 0 and self.map.known and column:decide() then break end
    end
    self.row = column.row
+   self.fronts[column.row.v] = column.row.front
    if not self.magnets:holds() then return 'dropped' end
    -- a structure that was pushed away meanwhile is looked for before anything is put to it
    if not self.map.known then
@@ -689,6 +751,10 @@ function SiteWork:attach()
    end
    self:leave(self.row)
    self:note_placed()
+   -- of the row that it is in, and of that of the brick
+   self.fronts[self.row.v], self.fronts[self.row.v + (self.wish.left or 0)] = nil, nil
+   if self.wish.what == 'extend' then self.fronts[self.row.v] = self.row.front + 1 end
+   self.at_home, self.contested = true, false
    self.tried, self.in_vain_at, self.wish = {}, {}, nil
    self.obstructed, self.in_vain, self.patience = 0, 0, patience_at_first()
    self.record:tally('placed')

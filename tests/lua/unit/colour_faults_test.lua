@@ -2,6 +2,7 @@
 -- Bricks of a wrong colour: what is found is right, of whatever part of a structure a robot knows.
 
 local ColourFaults = require 'mission.colour_faults'
+local Target = require 'mission.target'
 local unit = require 'unit'
 local case, same = unit.case, unit.same
 
@@ -37,7 +38,7 @@ local function faults_found(known, structure)
       for colour = 0, 4 do
          if colour ~= brick.right then
             brick.colour = colour
-            local wrong, right = ColourFaults.find(known, structure)
+            local wrong, right = ColourFaults.find(known, Target.new(structure))
             if wrong then
                same('the brick', wrong, brick)
                same('its colour', right, brick.right)
@@ -69,23 +70,23 @@ end)
 
 case('nothing is found where no brick is wrong', function()
    for _, structure in ipairs { STAIRCASE, BAR, EVEN } do
-      for_each_part(structure, function(known) same('fault', ColourFaults.find(known, structure), nil) end)
+      for_each_part(structure, function(known) same('fault', ColourFaults.find(known, Target.new(structure)), nil) end)
    end
-   same('of no bricks', ColourFaults.find({}, STAIRCASE), nil)
+   same('of no bricks', ColourFaults.find({}, Target.new(STAIRCASE)), nil)
 end)
 
 case('nothing is found where two bricks are wrong, or one is in no cell of the structure', function()
    local known = known_of(STAIRCASE, 0, function() return true end)
    known[1].colour, known[5].colour = 1, 4
-   same('two', ColourFaults.find(known, STAIRCASE), nil)
+   same('two', ColourFaults.find(known, Target.new(STAIRCASE)), nil)
    known = known_of(STAIRCASE, 0, function() return true end)
    known[4].colour = 1
    table.insert(known, { u = 9, v = 9, level = 0, colour = 1 })
-   same('elsewhere', ColourFaults.find(known, STAIRCASE), nil)
+   same('elsewhere', ColourFaults.find(known, Target.new(STAIRCASE)), nil)
 end)
 
 case('which of two may be wrong is not guessed', function()
    -- either end may be the wrong one: 2 2 3 or 1 2 2
    same('either', ColourFaults.find({ { u = 0, v = 0, level = 0, colour = 2 }, { u = 1, v = 0, level = 0, colour = 2 },
-                                      { u = 2, v = 0, level = 0, colour = 2 } }, BAR), nil)
+                                      { u = 2, v = 0, level = 0, colour = 2 } }, Target.new(BAR)), nil)
 end)

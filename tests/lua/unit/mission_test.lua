@@ -326,6 +326,106 @@ case('a robot that shares its sides and finds nothing to do goes to the one wher
    same('that one', sides.wanted, StructureMap.SIDES['-x'])
 end)
 
+-- Work of one of two robots at a bar of four bricks, of which it knows these cells, on the side of this name.
+local function work_at_bar(cells, side)
+   local task = {
+      transport = 4, sides = ALL, turns = false, levels = 1, asks = {}, delay = 30, decide = function() end,
+      structure = { { 0, 0, 0, 3 }, { 1, 0, 0, 1 }, { 2, 0, 0, 2 }, { -1, 0, 0, 1 } },
+   }
+   local map, machine = map_of(cells, { x = 0.3, y = 0, yaw = math.pi }, task, { side = '+x', crew = 2 })
+   map:remember(map:in_memory())
+   map:settle()
+   map.side = StructureMap.SIDES[side]
+   local sides = SideAllocation.new(machine, map, { to = function() end }, task)
+   sides.withdraw, sides.path.back_off = function() end, function() end
+   local work = SiteWork.new(machine, map, nil, sides, nil, task)
+   work.magnets, work.rest = { holds = function() return true end }, function() end
+   return work, sides, map
+end
+
+local function numbers_of(rows)
+   local out = {}
+   for v in pairs(rows) do table.insert(out, v) end
+   table.sort(out)
+   return table.concat(out, ' ')
+end
+
+case('rows at which a brick of the final structure is missing, as far as a robot knows', function()
+   local work, _, map = work_at_bar({ { 0, 0, 0, colour = 3 }, { 1, 0, 0, colour = 1 } }, '+y')
+   local SIDES = StructureMap.SIDES
+   -- its cells are counted from the side; beside the ends of the row that runs along the side, and before it in its own line
+   same('seen from aside', #numbers_of(work:unfinished_from(SIDES['+y'])) > 0, true)
+   same('before the one end', work:is_unfinished(SIDES['+x']), true)
+   same('before the other', work:is_unfinished(SIDES['-x']), true)
+   for _, u in ipairs { -1, 2 } do
+      for _, way in ipairs { 1, -1 } do
+         local x, y = map.place_of({ v = 0, front = 0, frame = map:frame_of(0) }, way * u, 0)
+         if not map:had_brick(x, y, 0) then map:note_brick(x, y, 0, u == 2 and 2 or 1) end
+      end
+   end
+   same('a structure that is none of its own fits in no way', work:unfinished_from(0), nil)
+   local done = work_at_bar({ { 0, 0, 0, colour = 3 }, { 1, 0, 0, colour = 1 }, { 2, 0, 0, colour = 2 },
+                              { -1, 0, 0, colour = 1 } }, '+y')
+   for _, side in pairs(SIDES) do same('none when it stands', done:is_unfinished(side), false) end
+   done.target = nil
+   same('not known where the task does not have it', done:unfinished_from(0), nil)
+end)
+
+case('on the first way round shared sides only rows where a brick is missing are looked at', function()
+   local work = work_at_bar({ { 0, 0, 0, colour = 3 }, { 1, 0, 0, colour = 1 }, { 2, 0, 0, colour = 2 },
+                              { -1, 0, 0, colour = 1 } }, '+y')
+   same('none', work:choose_row(), 'none')
+   work.in_vain = 4
+   same('later any', work:choose_row(), 'chosen')
+end)
+
+case('a robot goes first to a side where it did not find somebody at work', function()
+   local SIDES = StructureMap.SIDES
+   local work, sides = work_at_bar({ { 0, 0, 0, colour = 3 } }, '+y')
+   same('on its way round', work:likely_side(), SIDES['-x'])
+   sides.taken[SIDES['-x']] = false
+   same('the other', work:likely_side(), SIDES['+x'])
+   sides.taken[SIDES['+x']] = false
+   same('the opposite', work:likely_side(), SIDES['-y'])
+   sides.taken[SIDES['-y']], sides.worked = false, SIDES['-x']
+   same('or back where somebody was before the last change', work:likely_side(), SIDES['+x'])
+end)
+
+case('the way to the opposite side leads past that where nobody was found at work', function()
+   local _, sides = work_at_bar({ { 0, 0, 0, colour = 3 } }, '+y')
+   same('left', sides:way_to(1), 1)
+   same('right', sides:way_to(3), -1)
+   same('as it goes', sides:way_to(2), 1)
+   sides.taken[StructureMap.SIDES['-x']] = false
+   same('the other way', sides:way_to(2), -1)
+   sides.taken[StructureMap.SIDES['+x']] = false
+   same('as it goes, where both are worked at', sides:way_to(2), 1)
+end)
+
+case('of fewer robots than sides one leaves a side at which another builds', function()
+   local work, sides, map = work_at_bar({ { 0, 0, 0, colour = 3 }, { 1, 0, 0, colour = 1 } }, '+x')
+   work:leave_side()
+   same('nothing tells', work:is_worked_by_others(map:rows()), false)
+   work.record = { tally = function() end }
+   work:give_up()
+   same('somebody was in the way', work:is_worked_by_others(map:rows()), true)
+   same('leaves', work:choose_row(), 'none')
+   same('remembered', sides.taken[map.side], false)
+   same('to another', sides.wanted ~= nil, true)
+   same('at once', work:stays(), false)
+   same('forgotten', work.contested, false)
+   work.at_home = true
+   work:give_up()
+   same('who has put a brick stays', work:is_worked_by_others(map:rows()), false)
+   local v = next(map:rows())
+   work.fronts[v] = map:rows()[v].front
+   same('as it was looked at', work:is_worked_by_others(map:rows()), false)
+   work.fronts[v] = map:rows()[v].front - 1
+   same('a row has grown', work:is_worked_by_others(map:rows()), true)
+   sides.robot.params.crew = 4
+   same('not where there is a robot for each side', work:is_worked_by_others(map:rows()), false)
+end)
+
 case('sides that a robot is bound to', function()
    local task = { sides = ALL, turns = false }
    same('all', SideAllocation.own({}, task), ALL)
