@@ -205,8 +205,8 @@ shape_rows() {
   done
 }
 
-# uneven_rows [ARGUMENT…]: structures of which one wing, or two, are much longer than the others, by
-# robots with sides of their own and by robots that share them.
+# uneven_rows [ARGUMENT…]: structures of which one wing, or two, are much longer than the others, and one
+# at which one of two robots is slow, by robots with sides of their own and by robots that share them.
 uneven_rows() {
   local allocation
   for allocation in fixed dynamic; do
@@ -214,6 +214,8 @@ uneven_rows() {
       --allocation "$allocation" "$@"
     validate_row "long-wings-two-$allocation" tests/compiler/long-wings.yaml --robots 2 \
       --allocation "$allocation" "$@"
+    validate_row "slow-robot-$allocation" tests/compiler/cross.yaml \
+      --scene "scenes/uneven/slow-robot-$allocation.yaml" "$@"
   done
 }
 
@@ -297,6 +299,8 @@ robots_part() {
   validate_row pyramid-eight "$pyramid" --robots 8 "${seeds[@]}"
   validate_row five-pyramids-twenty "$pyramid" --structures 5 --robots 20 --runs "$few" --seed "$seed"
   head_on "${seeds[@]:1}"
+  printf '\n### Allocation where work is uneven\n\n'
+  scripts/allocation_table.py "$rows" || failures=$((failures + 1))
   printf '\n### More robots at one pyramid\n\n'
   STIGC=build/dev/stigc scripts/scaling.sh --seed "$seed" --runs "$few" ||
     failures=$((failures + 1))
