@@ -179,16 +179,28 @@ function Column:answer(du, dv, level)
    return is
 end
 
+-- Whether two decisions want the same.
+local function is_same(one, other)
+   if not one or not other then return one == other end
+   return one.what == other.what and one.colour == other.colour and one.level == other.level and one.left == other.left
+end
+
 -- What the rules want here, for the task's decision: {what, colour, level, left, rule} with top, feet
 -- (what the place is next to), next_to and aside, or nil, also where no brick of the column was seen yet, by which a robot
--- would find the place. The second result says whether the column's top was seen.
+-- would find the place, or while the robot is not certain of its directions and they want something else for others. The second
+-- result says whether the column's top was seen.
 function Column:decide()
    local top = self:top()
    self.told = { top and string.format('top Q%d, level %d', top.colour, top.level) or 'top not seen' }
-   local wish = self.task.decide {
-      top_colour = top and top.colour, top_level = top and top.level, side = self.map:side_name(),
-      cell = function(du, dv, level) return self:answer(du, dv, level) end,
-   }
+   local wish
+   for i, side in ipairs(self.map:possible_sides()) do
+      local found = self.task.decide {
+         top_colour = top and top.colour, top_level = top and top.level, side = side,
+         cell = function(du, dv, level) return self:answer(du, dv, level) end,
+      }
+      if i == 1 then wish = found end
+      if not is_same(wish, found) then return nil, top ~= nil end
+   end
    if not wish then return nil, top ~= nil end
    wish.top = self:highest()
    if not wish.top then return nil, false end

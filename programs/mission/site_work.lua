@@ -7,7 +7,6 @@ local Column = require 'mission.column'
 local ColourFaults = require 'mission.colour_faults'
 local DueRows = require 'mission.due_rows'
 local Navigation = require 'motion.navigation'
-local Target = require 'mission.target'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
@@ -80,7 +79,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       machine = machine, odometry = machine.odometry, process = machine.process, path = machine.path,
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
-      record = record, task = task, target = Target.of(task),
+      record = record, task = task, target = map.target,
       tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
       obstructed = 0, standing = {}, fronts = {}, at_home = true, approach_time = 0, yielded = false, mended = {},
    }, SiteWork)
@@ -503,6 +502,7 @@ function SiteWork:look()
    self.fronts[column.row.v] = column.row.front
    if not self.magnets:holds() then return 'dropped' end
    -- a structure that was pushed away meanwhile is looked for before anything is put to it
+   if self.map:has_turned() then self.map:lose() end
    if not self.map.known then
       self.record:tally('aborted')
       return 'unseen'

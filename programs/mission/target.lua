@@ -30,35 +30,55 @@ function Target.of(task)
    return structure and #structure > 0 and Target.new(structure) or nil
 end
 
--- Colour of the brick that in the end stands in a cell of a robot's, if these lie in a way {turn, dx, dy}; or nil.
+-- Colour of the brick that in the end stands in a cell of a robot's, if these lie in a way {quarters, dx, dy}: turned by so
+-- many, and moved; or nil.
 function Target:colour(way, u, v, level)
-   local x, y = way.turn(u, v)
+   local x, y = TURNS[way.quarters + 1](u, v)
    return self.colours[key_of(x + way.dx, y + way.dy, level)]
 end
 
 -- All ways in which a robot's brick {u, v, level} is one of those that stand in the end, whatever their colours.
 function Target:ways(brick)
    local out = {}
-   for _, turn in ipairs(TURNS) do
-      local x, y = turn(brick.u, brick.v)
+   for quarters = 0, 3 do
+      local x, y = TURNS[quarters + 1](brick.u, brick.v)
       for _, own in ipairs(self.bricks) do
-         if own[3] == brick.level then table.insert(out, { turn = turn, dx = own[1] - x, dy = own[2] - y }) end
+         if own[3] == brick.level then table.insert(out, { quarters = quarters, dx = own[1] - x, dy = own[2] - y }) end
       end
    end
    return out
 end
 
--- Those ways in which each of a robot's bricks {u, v, level, colour} has the colour that it has in the end.
+-- How many of a robot's bricks {u, v, level, colour} are not as in the end, if they lie so; counted up to `most`.
+function Target:off_in(way, known, most)
+   local off = 0
+   for _, brick in ipairs(known) do
+      if self:colour(way, brick.u, brick.v, brick.level) ~= brick.colour then off = off + 1 end
+      if off == most then break end
+   end
+   return off
+end
+
+-- The ways in which all of them are.
 function Target:fits(known)
    local out = {}
    for _, way in ipairs(known[1] and self:ways(known[1]) or {}) do
-      local fits = true
-      for _, brick in ipairs(known) do
-         fits = fits and self:colour(way, brick.u, brick.v, brick.level) == brick.colour
-      end
-      if fits then table.insert(out, way) end
+      if self:off_in(way, known, 1) == 0 then table.insert(out, way) end
    end
    return out
+end
+
+-- By the number of quarter turns, from 0 on, how many are not, at least, counted up to 2. One that is off may have a wrong
+-- colour, or have been misread; two hardly.
+function Target:least_off(known)
+   local least = { [0] = 2, 2, 2, 2 }
+   -- the first may be the one that is off
+   for i = 1, math.min(2, #known) do
+      for _, way in ipairs(self:ways(known[i])) do
+         least[way.quarters] = math.min(least[way.quarters], self:off_in(way, known, 2))
+      end
+   end
+   return least
 end
 
 return Target

@@ -73,17 +73,20 @@ case('a brick far from the structure is one that was lost, and a structure far a
    map.cache = { x = 0.2, y = 0 }
    map:remember(map:in_memory())
    map:settle()
-   machine.tracker.tracks[1].x = 0.5
+   local track = machine.tracker.tracks[1]
+   track.x = 0.5
    same('not that', map:in_memory(), nil)
    local elsewhere = map:in_memory(true)
    same('lost', map:remember(elsewhere), false)
    same('unknown', map.known, nil)
+   same('what was seen before does not count any more', #machine.tracker.tracks, 0)
    -- the way to where blocks come from tells the directions
    map.cache = { x = 0.5, y = 0.5 }
    same('known again', map:remember(elsewhere), true)
    near('turned', geometry.wrap(map.known.yaw), -math.pi / 2, 1e-9)
    -- what is on its way is no brick
-   machine.tracker.tracks[1].colour = 4
+   machine.tracker.tracks = { track }
+   track.colour = 4
    same('in transport', map:in_memory(true), nil)
 end)
 
@@ -666,6 +669,102 @@ case('what stands at a brick or a cache is explained', function()
    same('nothing known', map:explains(0, 0.2), false)
    map:lose()
    same('nor any more', map:explains(0.17, 0.01), false)
+end)
+
+-- A structure that looks otherwise from every side: x, y, level, colour in the end.
+local HOOK = { { 0, 0, 0, 3 }, { 1, 0, 0, 1 }, { 2, 0, 0, 2 }, { 2, 1, 0, 1 }, { 0, 0, 1, 2 } }
+
+-- A map of the hook as a robot of the side `side` sees it whose odometry's x axis points to the world's at so many quarter
+-- turns; `of`: numbers of the bricks that it sees, `colours`: what some show instead.
+local function map_of_hook(side, quarters, of, colours)
+   local cells = {}
+   for _, i in ipairs(of) do
+      local x, y, level, colour = table.unpack(HOOK[i])
+      table.insert(cells, { x, y, level, colour = colours and colours[i] or colour })
+   end
+   local task = { transport = 4, sides = ALL, turns = false, structure = HOOK }
+   return map_of(cells, { x = 0.4, y = 0.1, yaw = geometry.wrap(0.1 - quarters * math.pi / 2) }, task, { side = side })
+end
+
+case('colours tell the directions of a structure to one that is lost, but for what a single brick says', function()
+   for side, index in pairs(StructureMap.SIDES) do
+      for quarters = 0, 3 do
+         local function heading(of, colours)
+            local map = map_of_hook(side, quarters, of, colours)
+            map.lost = true
+            return map:remember(map:in_memory()) and map.known.yaw
+         end
+         -- in the world it faces the side from outside
+         local right = 0.1 + (index + 2 - quarters) * math.pi / 2
+         near('all bricks', geometry.wrap(heading { 1, 2, 3, 4, 5 } - right), 0, 1e-6)
+         near('some', geometry.wrap(heading { 1, 2, 3, 4 } - right), 0, 1e-6)
+         same('one tells nothing', heading { 1 }, false)
+         same('nor where one may be wrong', heading({ 1, 2, 3, 4, 5 }, { [3] = 3 }), false)
+         -- with a cache: of two ways in which the bricks are as in the end, that which it tells, or the one nearest to before
+         for told, found in pairs { [0] = 0, [-1] = -1, [2] = 0 } do
+            local map = map_of_hook(side, quarters, { 3, 4 })
+            map.lost, map.yaw_before, map.bearing = true, geometry.wrap(right + 0.4), 0
+            local at, way = map:in_memory(), right + told * math.pi / 2
+            local x, y = at.blocks[1].x + at.blocks[2].x, at.blocks[1].y + at.blocks[2].y
+            map.cache = { x = x / 2 + math.cos(way), y = y / 2 + math.sin(way) }
+            map:remember(at)
+            near('by the cache', geometry.wrap(map.known.yaw - right - found * math.pi / 2), 0, 1e-6)
+            same('in doubt', map.doubtful, true)
+         end
+      end
+   end
+end)
+
+case('in doubt of its directions a robot does what all that are possible want', function()
+   local map, machine = map_of_hook('+x', 0, { 3, 4 })
+   local asked = {}
+   local task = setmetatable({
+      asks = {}, levels = 2,
+      decide = function(column)
+         table.insert(asked, column.side)
+         return map.wishes[column.side]
+      end,
+   }, { __index = map.task })
+   map.orientation = function() return geometry.wrap(0.1 + math.pi) end
+   map:remember(map:in_memory())
+   map:settle()
+   local _, row = next(map:rows())
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, row)
+   local function decision(wishes)
+      map.wishes, asked = wishes, {}
+      column.highest = function() return machine.tracker.tracks[1] end
+      return column:decide()
+   end
+   local here = map:side_name()
+   same('is certain', decision { [here] = { what = 'raise', colour = 1 } } ~= nil, true)
+   same('asks once', table.concat(asked, ' '), here)
+   map.doubtful = true
+   local sides = map:possible_sides()
+   same('two are possible', #sides, 2)
+   same('its own', sides[1], here)
+   same('they want something else', decision { [here] = { what = 'raise', colour = 1 } }, nil)
+   local function both(one, other)
+      return decision { [here] = { what = 'raise', colour = one }, [sides[2]] = { what = 'raise', colour = other } }
+   end
+   same('of another colour', both(1, 2), nil)
+   same('the same', both(1, 1) ~= nil, true)
+end)
+
+case('a robot that has been turned notices by the colours of bricks', function()
+   for quarters = 0, 3 do
+      local function turned(of, colours)
+         local map = map_of_hook('+x', 0, of, colours)
+         -- it takes the structure to face it otherwise
+         map.orientation = function() return geometry.wrap(0.1 + math.pi + quarters * math.pi / 2) end
+         map:remember(map:in_memory())
+         return map:has_turned()
+      end
+      same('all bricks', turned { 1, 2, 3, 4, 5 }, quarters ~= 0)
+      same('one brick', turned { 1 }, false)
+      same('one of a wrong colour', turned({ 1, 2, 3, 4, 5 }, { [2] = 3 }), false)
+   end
+   local builder = map_of_hook('+x', 0, { 1, 2, 3 })
+   same('nothing known', builder:has_turned(), false)
 end)
 
 case('a structure that is lost in a look is looked for, not built at', function()
