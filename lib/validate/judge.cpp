@@ -80,6 +80,7 @@ void measure(BrickCheck& check, const Filled& filled, const BuildTarget& target,
   const CellFit fit = fit_of(fitted, filled.block->X_WB);
   check.block = filled.block->block;
   check.led = filled.block->led;
+  check.dead = filled.block->dead;
   check.off = fit.off;
   check.yaw = fit.yaw;
   check.turn = fit.turn;

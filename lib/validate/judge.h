@@ -39,6 +39,7 @@ struct BrickCheck {
   double yaw = 0, turn = 0;          ///< rad, likewise
   Vec3 drift;                        ///< m, from its place in the lattice of the start
   bool close = false, coloured = false;
+  bool dead = false;  ///< all LEDs of the block are
 };
 
 /// A block that should not be where it is.

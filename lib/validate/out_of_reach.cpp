@@ -78,6 +78,19 @@ std::string sentence(const StructureReach& reach, const std::vector<ApproachSide
                      who, bricks_in_words(reach.never, states));
 }
 
+/// Bricks without light on others: nobody takes a brick from where it stands above the floor, and
+/// they will never show what the structure wants.
+void of_dead_bricks(const Judgement& judgement, const std::string& of,
+                    std::vector<std::string>& out) {
+  for (const BrickCheck& brick : judgement.bricks) {
+    if (!brick.block || brick.coloured || !brick.dead || brick.cell.z == 0) continue;
+    out.push_back(
+        fmt::format("{}it cannot be completed: all LEDs of the brick at {} are dead, and "
+                    "robots take no brick off another",
+                    of, cell_text(brick.cell)));
+  }
+}
+
 }  // namespace
 
 std::optional<StructureReach> reach_of(const CompiledRules& compiled, const BrickSet& standing,
@@ -114,16 +127,22 @@ std::vector<std::string> out_of_reach(const BuildTarget& target, const CompiledR
   std::vector<std::string> out;
   if (compiled.target == nullptr || compiled.decision == nullptr) return out;
   const auto sides = sides_at_work(compiled, scene, trial);
+  if (!sides) return out;
+  const auto of = [&target](std::size_t i) {
+    return target.sites.size() > 1 ? fmt::format("structure {}: ", i + 1) : std::string();
+  };
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    of_dead_bricks(trial.judgements[i], of(i), out);
+  }
   // From all sides together the whole was proved to be reached.
-  if (!sides || sides->size() == compiled.sides.size()) return out;
+  if (sides->size() == compiled.sides.size()) return out;
   for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
     if (trial.judgements[i].missing() == 0) continue;
     const auto standing = right_so_far(trial.judgements[i], *compiled.target);
     if (!standing) continue;
     const auto reach = reach_of(compiled, *standing, *sides);
     if (!reach || reach->whole) continue;
-    out.push_back((target.sites.size() > 1 ? fmt::format("structure {}: ", i + 1) : "") +
-                  sentence(*reach, *sides, *compiled.target));
+    out.push_back(of(i) + sentence(*reach, *sides, *compiled.target));
   }
   return out;
 }

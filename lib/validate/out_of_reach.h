@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What robots that are left can build no more. By the decisions that were compiled, which say what
 // is put from which side: all structures are looked at to which robots that keep to their sides can
-// bring one as it stands.
+// bring one as it stands. And by what programs do: they take blocks from the floor alone.
 #pragma once
 
 #include <optional>
@@ -29,8 +29,8 @@ std::optional<StructureReach> reach_of(const CompiledRules& compiled, const Bric
                                        std::size_t most = kMostReached);
 
 /// For each structure that is right as it stands, and that robots which still run cannot complete
-/// from the sides that they are bound to: why, a sentence. Nothing where some robot runs another
-/// program than the compiled one.
+/// from the sides that they are bound to: why, a sentence; and for each brick on another whose LEDs
+/// are all dead. Nothing where some robot runs another program than the compiled one.
 std::vector<std::string> out_of_reach(const BuildTarget& target, const CompiledRules& compiled,
                                       const Scene& scene, const Trial& trial);
 

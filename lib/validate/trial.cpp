@@ -153,6 +153,10 @@ class TrialRun {
     out.robots = robots_.finish(watch_);
     out.measures = run_.measures();
     std::vector<WatchedBlock> free = blocks();
+    for (WatchedBlock& block : free) {
+      const BodyId body{static_cast<std::uint32_t>(block.block)};
+      block.dead = run_.crew() != nullptr && run_.crew()->leds_dead(body);
+    }
     // Counted before those in hands are taken out.
     out.blocks = count(free);
     out.broken = broken_parts();

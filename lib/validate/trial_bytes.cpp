@@ -60,6 +60,7 @@ void each_member(auto& each, EitherWay<BrickCheck> auto& b) {
   members(each, b.block, [&](auto& block) { each(block); });
   as<int>(each, b.led), each_member(each, b.off), each(b.yaw), each(b.turn);
   each_member(each, b.drift), each(b.close), each(b.coloured);
+  each(b.dead);
 }
 void each_member(auto& each, EitherWay<StrayBrick> auto& s) {
   each(s.block), each_member(each, s.cell), as<int>(each, s.led), each_member(each, s.off);
@@ -95,6 +96,7 @@ void each_member(auto& each, EitherWay<RobotRecord> auto& r) {
 }
 void each_member(auto& each, EitherWay<WatchedBlock> auto& b) {
   each(b.block), each_member(each, b.X_WB), as<int>(each, b.led), each(b.fixed);
+  each(b.dead);
 }
 void each_member(auto& each, EitherWay<BlockCount> auto& c) {
   each(c.began), each(c.dropped), each(c.structure), each(c.caches), each(c.carried);

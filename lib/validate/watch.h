@@ -25,6 +25,7 @@ struct WatchedBlock {
   Pose X_WB;
   Led led = Led::off;
   bool fixed = false;  ///< of the start
+  bool dead = false;   ///< all its LEDs are, as a run's report has it
 };
 
 /// The place over which a robot's end-effector holds: the middle of its magnets' lower ends.

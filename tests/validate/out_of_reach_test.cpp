@@ -164,6 +164,31 @@ TEST_CASE("a report says that a wing is lost with the only robot of its side") {
   CHECK(built.said()[0] == "it cannot be completed: no robot is left that works");
 }
 
+TEST_CASE("a report says that a brick on another without light stays so") {
+  HalfBuilt built("stepped-pyramid", 4);
+  built.stand_all_but({{2, 0, 0}});
+  const auto spoil = [&](Cell cell, bool dead) {
+    for (BrickCheck& brick : built.trial.judgements[0].bricks) {
+      if (brick.cell == cell) brick.coloured = false, brick.dead = dead;
+    }
+  };
+  // One that only shows another colour may be told its own.
+  spoil({0, 0, 2}, false);
+  CHECK(built.said().empty());
+  spoil({0, 0, 2}, true);
+  REQUIRE(built.said().size() == 1);
+  CHECK(built.said()[0] ==
+        "it cannot be completed: all LEDs of the brick at (0, 0, 2) are dead, and robots take no "
+        "brick off another");
+  // From the floor a robot may take it.
+  spoil({0, 1, 0}, true);
+  CHECK(built.said().size() == 1);
+  spoil({1, 0, 1}, true);
+  CHECK(built.said().size() == 2);
+  built.scene.robots[2].program = RobotSpawn::kNoProgram;
+  CHECK(built.said().empty());
+}
+
 TEST_CASE("nothing is said of what is wrong, of robots bound to no side, or of other programs") {
   HalfBuilt built("stepped-pyramid", 4);
   built.stand_all_but({{2, 0, 0}});

@@ -20,7 +20,7 @@ Trial full_trial() {
   t.judgements.resize(2);
   t.judgements[0].verdict = BuildVerdict::wrong;
   t.judgements[0].bricks = {
-      {{1, -2, 3}, 4, true, 5, Led::q2, {1, 2, 3}, 0.5, 0.25, {4, 5, 6}, true}};
+      {{1, -2, 3}, 4, true, 5, Led::q2, {1, 2, 3}, 0.5, 0.25, {4, 5, 6}, true, false, true}};
   t.judgements[0].bricks.emplace_back();
   t.judgements[0].extra = {{9, {7, 8, 9}, Led::q4, {0.1, 0.2, 0.3}, -1, true}};
   t.judgements[0].placements = 3;
@@ -41,7 +41,7 @@ Trial full_trial() {
   robot.energy.lift = 8;
   robot.holding = true;
   t.robots = {robot};
-  t.loose = {{3, {}, Led::q3, true}};
+  t.loose = {{3, {}, Led::q3, true, true}};
   t.blocks.left = 2;
   t.broken = {"dark", "dead"};
   t.caches = {"empty"};

@@ -102,6 +102,8 @@ class Crew {
   void set_leds(std::size_t block, LedSet which, bool alive) {
     signals_.set_leds(block, which, alive);
   }
+  /// Whether all LEDs of a body that is a block are dead.
+  bool leds_dead(BodyId body) const;
   /// What of this is broken now: a sentence each, robots first.
   std::vector<std::string> broken() const;
 

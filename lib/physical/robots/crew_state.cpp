@@ -117,6 +117,11 @@ std::vector<std::string> Crew::broken() const {
   return out;
 }
 
+bool Crew::leds_dead(BodyId body) const {
+  const std::size_t block = block_of(body);
+  return block < blocks_.size() && CrewSignals::block(signals_, block).dead_leds == kAllLeds;
+}
+
 bool Crew::faulty() const {
   bool out = false;
   const auto broken = [&out](auto value) { out = out || value != 0; };
