@@ -42,6 +42,11 @@ function geometry.apart(a, b)
    return math.sqrt((a.x - b.x) ^ 2 + (a.y - b.y) ^ 2)
 end
 
+-- Of the way from a place to another.
+function geometry.angle_to(from, to)
+   return math.atan(to.y - from.y, to.x - from.x)
+end
+
 -- The square of the distance of two points, or nil where it is not below `most`.
 function geometry.near(a, b, most)
    local dx, dy, dz = a.x - b.x, a.y - b.y, a.z - b.z

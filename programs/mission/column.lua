@@ -193,7 +193,7 @@ function Column:decide()
    local top = self:top()
    self.told = { top and string.format('top Q%d, level %d', top.colour, top.level) or 'top not seen' }
    local wish
-   for i, side in ipairs(self.map:possible_sides()) do
+   for i, side in ipairs(self.map.directions:possible_sides()) do
       local found = self.task.decide {
          top_colour = top and top.colour, top_level = top and top.level, side = side,
          cell = function(du, dv, level) return self:answer(du, dv, level) end,

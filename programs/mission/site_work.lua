@@ -5,8 +5,8 @@
 local geometry = require 'common.geometry'
 local Column = require 'mission.column'
 local ColourFaults = require 'mission.colour_faults'
-local DueRows = require 'mission.due_rows'
 local Navigation = require 'motion.navigation'
+local Prospects = require 'mission.prospects'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
@@ -54,7 +54,7 @@ local TOO_FAR = 0.20           -- m, likewise, from where it looks
 local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
--- tried: rows of this side that asked for nothing; in_vain_at: by side and v, those of all sides, since the last brick;
+-- tried: rows of this side that asked for nothing;
 -- explored: ways beside its rows that were gone, 1 to the left, -1 to the right. in_vain: how often all rows of a side were
 -- tried since the last brick. news: when, s, there were last more bricks, or fewer, than the robot knew, and how many there
 -- are. patience: s after that in which it keeps to its side, where sides are shared and manned; twice as long each time.
@@ -79,8 +79,8 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       machine = machine, odometry = machine.odometry, process = machine.process, path = machine.path,
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
-      record = record, task = task, target = map.target,
-      tried = {}, in_vain_at = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
+      record = record, task = task, prospects = Prospects.new(map, sides, task),
+      tried = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
       obstructed = 0, standing = {}, fronts = {}, at_home = true, approach_time = 0, yielded = false, mended = {},
    }, SiteWork)
 end
@@ -104,56 +104,13 @@ function SiteWork:set_aside(v)
    self.tried[v] = true
    -- the structure may have been lost meanwhile
    if not side then return end
-   self.in_vain_at[side] = self.in_vain_at[side] or {}
-   self.in_vain_at[side][v] = true
+   self.prospects:note_in_vain(side, v)
 end
 
--- Rows by v that the rules ask for from a side, as far as the robot remembers, and that were not looked at in vain.
-function SiteWork:due_from(side)
-   local due, vain = DueRows.of(self.map, self.task, side), self.in_vain_at[side] or {}
-   for v in pairs(vain) do due[v] = nil end
-   return due
-end
-
--- Whether a row is due from a side, as far as the robot remembers.
-function SiteWork:is_due(side)
-   return next(self:due_from(side)) ~= nil
-end
-
--- Whether a brick is missing at one of a side's rows, as far as the robot remembers; false where it can't know.
-function SiteWork:is_unfinished(side)
-   return next(self:unfinished_from(side) or {}) ~= nil
-end
-
--- Rows by v of a side at which a brick is missing, as far as the robot remembers; nil where it can't know.
-function SiteWork:unfinished_from(side)
-   return self.target and DueRows.unfinished(self.map, self.task, self.target, side)
-end
-
--- That of its other sides that is nearest where there may be work, or nil: where a row is due, or else a brick missing, and
--- it did not find somebody at work when it was last there, since whatever is due there by its memory is built by then; or
--- else where it found somebody before the last change of sides.
-function SiteWork:likely_side()
-   local sides = self.sides
-   local function nearest(counts, has_work)
-      return sides:nearest_other(function(side) return counts(side) and has_work(side) end)
-   end
-   local function due(side) return self:is_due(side) end
-   local function unfinished(side) return self:is_unfinished(side) end
-   local function unmanned(side) return sides.taken[side] ~= false end
-   local function left(side) return side ~= sides.worked end
-   return nearest(unmanned, due) or nearest(unmanned, unfinished) or nearest(left, due) or nearest(left, unfinished)
-end
-
--- Whether the robot goes to another of its sides at once, since a row is due there, and none here: where it keeps to its
--- side, to one that it found free.
+-- Whether the robot goes to another of its sides at once, since a row is due there, and none here.
 function SiteWork:leaves_for_due()
-   local sides, keeps = self.sides, self:keeps_to_side()
-   sides.wanted = sides:nearest_other(function(side)
-      local found = sides.taken[side]
-      return (keeps and found or not keeps and found ~= false) and self:is_due(side)
-   end)
-   return sides.wanted ~= nil
+   self.sides.wanted = self.prospects:due_side(self:keeps_to_side())
+   return self.sides.wanted ~= nil
 end
 
 -- Whether somebody else builds from this side, where there are fewer robots than sides: somebody was in the way before the
@@ -169,15 +126,15 @@ end
 function SiteWork:leaves_to_others()
    local sides, side = self.sides, self.map.side
    sides.taken[side], sides.worked = false, side
-   sides.wanted = self:likely_side()
+   sides.wanted = self.prospects:likely_side()
    return sides.wanted ~= nil
 end
 
 -- Whether a row is worth a look, of those that may be due: on the first way round sides that others build at, too, only where
 -- a brick is missing, as far as the robot remembers.
 function SiteWork:worth_a_look()
-   local unfinished = self.target and self:idle_rounds() == 0 and self.sides:are_shared() and
-                      not self.sides:are_manned() and self:unfinished_from(self.map.side)
+   local unfinished = self.map.target and self:idle_rounds() == 0 and self.sides:are_shared() and
+                      not self.sides:are_manned() and self.prospects:unfinished_from(self.map.side)
    return function(v) return not unfinished or unfinished[v] ~= nil end
 end
 
@@ -190,7 +147,7 @@ function SiteWork:choose_row()
    if not rows then return 'lost' end
    self.row = nil
    if self:is_worked_by_others(rows) and self:leaves_to_others() then return 'none' end
-   local due, worth, least = self:due_from(self.map.side), self:worth_a_look(), nil
+   local due, worth, least = self.prospects:due_from(self.map.side), self:worth_a_look(), nil
    for _, of in pairs(rows) do
       if not self.tried[of.v] and (due[of.v] or worth(of.v)) and self.map.room_before(rows, of) then
          local _, aside = self.odometry:on_line(self.map.line_before(of))
@@ -308,7 +265,7 @@ function SiteWork:stays()
       self:rest()
       return true
    end
-   if self.sides:are_shared() then self.sides.wanted = self:likely_side() end
+   if self.sides:are_shared() then self.sides.wanted = self.prospects:likely_side() end
    self.obstructed, self.patience = 0, 2 * self.patience
    return self:leave_side()
 end
@@ -432,9 +389,9 @@ end
 
 -- The brick of those that are known whose colour is wrong, {u, v, level, colour, right}, as a look at a column shows, or nil.
 function SiteWork:fault_seen_at(column)
-   if not self.target or not self.map.known then return nil end
+   if not self.map.target or not self.map.known then return nil end
    local shown = column:shown()
-   local wrong, right = ColourFaults.find(self.map:bricks_with(shown), self.target)
+   local wrong, right = ColourFaults.find(self.map:bricks_with(shown), self.map.target)
    if not wrong then return nil end
    for _, brick in ipairs(shown) do
       if brick == wrong then
@@ -502,7 +459,7 @@ function SiteWork:look()
    self.fronts[column.row.v] = column.row.front
    if not self.magnets:holds() then return 'dropped' end
    -- a structure that was pushed away meanwhile is looked for before anything is put to it
-   if self.map:has_turned() then self.map:lose() end
+   if self.map.directions:has_turned() then self.map:lose() end
    if not self.map.known then
       self.record:tally('aborted')
       return 'unseen'
@@ -739,7 +696,8 @@ function SiteWork:recolour()
    local key = mended_key(self.wish.fault)
    self.mended[key] = (self.mended[key] or 0) + 1
    self:leave(self.row)
-   self.wish, self.fault, self.placement.spared, self.tried, self.in_vain_at = nil, nil, false, {}, {}
+   self.wish, self.fault, self.placement.spared, self.tried = nil, nil, false, {}
+   self.prospects:forget()
    return self.magnets:holds() and 'done' or 'dropped'
 end
 
@@ -755,7 +713,8 @@ function SiteWork:attach()
    self.fronts[self.row.v], self.fronts[self.row.v + (self.wish.left or 0)] = nil, nil
    if self.wish.what == 'extend' then self.fronts[self.row.v] = self.row.front + 1 end
    self.at_home, self.contested = true, false
-   self.tried, self.in_vain_at, self.wish = {}, {}, nil
+   self.tried, self.wish = {}, nil
+   self.prospects:forget()
    self.obstructed, self.in_vain, self.patience = 0, 0, patience_at_first()
    self.record:tally('placed')
    return 'placed'

@@ -2,22 +2,17 @@
 -- What a robot knows of the structure that it builds: where it is, how its lattice lies, which
 -- sides it has, and what rows of columns are seen from them.
 --
--- A side's name tells nothing to a robot that has no compass. `params.side` is the side on which it
--- begins, as it makes out when it first sees the structure; from then on it knows the lattice's directions
--- by its own turns, put right by a few degrees whenever it sees the structure again. Where the
--- structure is far from where it was, the robot is lost. Then the colours of its bricks tell the directions, where they are
--- as in the structure in which work ends in one way only; or else the way from the structure to the cache, once the robot
--- has seen a block there again.
+-- `params.side` is the side on which it begins. Where the structure is far from where it was, the robot is lost
+-- (mission/directions.lua).
 
 local geometry = require 'common.geometry'
 local structures = require 'perception.structures'
-local Target = require 'mission.target'
+local Directions = require 'mission.directions'
 
 local SIDE = geometry.SIDE
 local apart, wrap, wrap_quarter = geometry.apart, geometry.wrap, geometry.wrap_quarter
 local FAR_LINKED = 2.3 * SIDE
 local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
-local TURNED = 0.35            -- rad, likewise
 local OF_BRICK, OF_CACHE = 0.012, 0.07  -- m, from a brick's edge and from a cache's middle, of what is no robot
 local GONE = 12                -- steps, more than of two looks, in which a brick would be seen, and is not: it is not there;
                                -- another robot hides it for one look, but hardly in the next
@@ -32,20 +27,21 @@ local ABOUT = 2                -- cells, from a column, of bricks that matter to
 -- cache: {x, y}, where the last block came from; cache_way: its distance from `first`; caches: by side, where
 -- blocks were found there, in the lattice's frame. side: index of the side that the robot works from.
 -- bearing: of the cache from `first`, against known.yaw; kept when lost. lost: it was known once. target: the structure in which
--- work ends, or nil. doubtful: it was lost, and its directions since are not certain;
--- yaw_before: known.yaw when it was lost.
+-- work ends, or nil.
 local StructureMap = {}
 StructureMap.__index = StructureMap
-StructureMap.SIDES = { ['+x'] = 0, ['+y'] = 1, ['-x'] = 2, ['-y'] = 3 }
+StructureMap.SIDES, StructureMap.name_of = Directions.SIDES, Directions.name_of
 
 local SIDES = StructureMap.SIDES
 
 -- Knows nothing yet; of the task, `transport`, `sides` and `turns` count here.
 function StructureMap.new(robot, odometry, tracker, task)
-   return setmetatable({
+   local self = setmetatable({
       robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false, bricks = {}, caches = {},
-      target = Target.of(task), doubtful = false,
    }, StructureMap)
+   self.directions = Directions.new(self, robot, odometry, task)
+   self.target = self.directions.target
+   return self
 end
 
 function StructureMap:is_brick(block)
@@ -103,123 +99,8 @@ function StructureMap:in_memory(anywhere)
    return best
 end
 
-local function angle_to(from, to)
-   return math.atan(to.y - from.y, to.x - from.x)
-end
-
--- Of the four headings that a lattice's yaw may mean, the one nearest to an angle.
-local function nearest_to(angle, yaw)
-   return angle + wrap_quarter(yaw - angle)
-end
-
--- The heading that faces a structure, seen for the first time, from the side on which the robot
--- began: what two of three say. It began there, most likely with its back to the structure, and
--- it will not have gone far; each alone may be wrong after a search, or in a crowd.
-function StructureMap:facing_at_first(middle, yaw)
-   local here = nearest_to(angle_to(self.odometry.pose, middle), yaw)
-   local there = nearest_to(angle_to({ x = 0, y = 0 }, middle), yaw)
-   local behind = nearest_to(math.pi, yaw)
-   return math.abs(wrap(there - behind)) < 0.1 and there or here
-end
-
--- Of a structure as it is seen, how many of its bricks are not as in the end, at least, counted up to 2, by the number of
--- quarter turns from its frame to the world; nil where the end is not known.
-function StructureMap:colours_off(structure)
-   local known = {}
-   for i, block in ipairs(structure.blocks) do
-      local u, v, level = table.unpack(structure.cells[i])
-      known[i] = { u = u, v = v, level = level, colour = block.colour }
-   end
-   return self.target and self.target:least_off(known)
-end
-
--- The number of quarter turns for which no brick is off, if for any other `least` are; or nil.
-local function only_turn(off, least)
-   local only
-   for quarters = 0, 3 do
-      if off[quarters] < least then
-         if only or off[quarters] > 0 then return nil end
-         only = quarters
-      end
-   end
-   return only
-end
-
--- Of the headings that face a structure from params.side for which no brick that is seen is off the one nearest to a heading,
--- and by how much it differs; or nil.
-function StructureMap:heading_by_colours(structure, off, near)
-   local best, least
-   for quarters = 0, 3 do
-      local heading = wrap(structure.frame.yaw + math.pi + (self:first_side() - quarters) * math.pi / 2)
-      local apart_from = math.abs(wrap(heading - near))
-      if off[quarters] == 0 and (not best or apart_from < least) then best, least = heading, apart_from end
-   end
-   return best, least
-end
-
--- The heading that faces a structure from params.side when the robot has lost its directions, or nil; and whether that is in
--- doubt, since another cache may have told it, or a brick of a wrong colour. Where the cache tells another than the colours
--- leave possible, it is that of those nearest to the one before: who was pushed has hardly been turned far.
-function StructureMap:orientation_when_lost(structure, middle)
-   local off = self:colours_off(structure)
-   local by_cache = self.cache and self.bearing and
-                    nearest_to(angle_to(middle, self.cache) - self.bearing, structure.frame.yaw)
-   if not off then return by_cache, false end
-   for least = 2, 1, -1 do
-      if only_turn(off, least) then return self:heading_by_colours(structure, off, 0), least == 1 end
-   end
-   if not by_cache then return nil end
-   local _, differs = self:heading_by_colours(structure, off, by_cache)
-   if not differs or differs < TURNED or not self.yaw_before then return by_cache, true end
-   return self:heading_by_colours(structure, off, self.yaw_before), true
-end
-
--- The heading that faces the structure from params.side; nil where the robot cannot know.
-function StructureMap:orientation(structure, middle)
-   local yaw = structure.frame.yaw
-   if self.known then return nearest_to(self.known.yaw, yaw) end
-   if self.lost and not self.task.turns then
-      local heading, doubtful = self:orientation_when_lost(structure, middle)
-      self.doubtful = heading ~= nil and doubtful
-      return heading
-   end
-   return self:facing_at_first(middle, yaw)
-end
-
--- Of the bricks that are known, how many are not as in the end, as above, and the number of turns that the robot takes for
--- right; nil where every turn is.
-function StructureMap:known_off()
-   if not self.known or not self.target or self.task.turns then return nil end
-   return self.target:least_off(self:bricks_with {}), (self:first_side() + 2) % 4
-end
-
--- Whether the bricks that are known are as in the end for other directions than the robot takes for theirs, and two of them
--- at least not for these, or one where they are in doubt: it has been turned.
-function StructureMap:has_turned()
-   local off, right = self:known_off()
-   for quarters = 0, 3 do
-      if off and off[quarters] == 0 then return off[right] >= (self.doubtful and 1 or 2) and off[right] > 0 end
-   end
-   return false
-end
-
--- Names of the sides on which the robot may be: its own, and, while its directions are in doubt, those that the bricks that are
--- known leave possible.
-function StructureMap:possible_sides()
-   local out = { self:side_name() }
-   if not self.doubtful then return out end
-   local off, right = self:known_off()
-   if not off then return out end
-   for quarters = 0, 3 do
-      local side = StructureMap.name_of((self.side + quarters - right) % 4)
-      if quarters ~= right and off[quarters] == 0 then table.insert(out, side) end
-   end
-   if only_turn(off, 2) == right then self.doubtful = false end
-   return out
-end
-
 function StructureMap:lose()
-   self.yaw_before = self.known and self.known.yaw or self.yaw_before
+   self.directions.before = self.known and self.known.yaw or self.directions.before
    self.known, self.side, self.lost, self.cache, self.bricks = nil, nil, true, nil, {}
    self.first, self.caches = nil, {}
 end
@@ -228,7 +109,7 @@ end
 function StructureMap:has_strayed(structure, middle)
    local before = self.known
    if not before then return false end
-   return self:off_known(middle) > STRAYED or math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > TURNED
+   return self:off_known(middle) > STRAYED or math.abs(wrap_quarter(structure.frame.yaw - before.yaw)) > Directions.TURNED
 end
 
 -- Middle and reach of all bricks that were ever seen. Of those in sight alone the robot would keep a way off
@@ -294,7 +175,7 @@ function StructureMap:remember(structure)
       self.tracker:forget_all()
       return false
    end
-   local yaw = self:orientation(structure, middle)
+   local yaw = self.directions:facing(structure, middle)
    if not yaw then return false end
    local frame = { x = structure.frame.x, y = structure.frame.y, yaw = yaw }
    self.known = { yaw = wrap(yaw), origin = self:origin_in(frame) }
@@ -551,34 +432,22 @@ function StructureMap:cache_of(index)
    return { x = x, y = y }
 end
 
--- Index of the side on which the robot began.
-function StructureMap:first_side()
-   return SIDES[self.robot.params.side or self.task.sides[1]]
-end
-
 -- The heading of a robot on the side of this index.
 function StructureMap:heading_of(index)
-   local first = self.task.turns and 0 or self:first_side()
+   local first = self.task.turns and 0 or self.directions:first_side()
    return wrap(self.known.yaw + (index - first) * math.pi / 2)
 end
 
--- '+x' ..., of the side of this index.
-function StructureMap.name_of(side)
-   for name, index in pairs(SIDES) do
-      if index == side then return name end
-   end
-end
-
--- Likewise of the side that the robot works from.
+-- '+x' ..., of the side that the robot works from.
 function StructureMap:side_name()
    return StructureMap.name_of(self.side)
 end
 
 -- The robot's side in the order of sides, from 0 on, and that on which a place is.
 function StructureMap:order_of(place)
-   local first = self.task.turns and self:first_side() or 0
+   local first = self.task.turns and self.directions:first_side() or 0
    local own = (self.side + first) % 4
-   local turn = wrap(angle_to(place, self.known) - self:heading_of(self.side))
+   local turn = wrap(geometry.angle_to(place, self.known) - self:heading_of(self.side))
    return own, (own + geometry.round(turn / (math.pi / 2))) % 4
 end
 
@@ -599,7 +468,7 @@ end
 
 -- The side among those allowed that a place is nearest to.
 function StructureMap:nearest_side(place)
-   local there = angle_to(place, self.known)
+   local there = geometry.angle_to(place, self.known)
    local best, least
    for _, name in ipairs(self.task.sides) do
       local off = math.abs(wrap(self:heading_of(SIDES[name]) - there))
@@ -610,7 +479,7 @@ end
 
 -- Whether a place is on the side of this index rather than on another.
 function StructureMap:is_on_side(index, place)
-   return math.abs(wrap(self:heading_of(index) - angle_to(place, self.known))) <= math.pi / 4
+   return math.abs(wrap(self:heading_of(index) - geometry.angle_to(place, self.known))) <= math.pi / 4
 end
 
 -- Whether a place is on one of the sides allowed rather than on another.
@@ -694,7 +563,7 @@ function StructureMap:settle()
    self.lost = false
    if self.cache then
       local from = self:beginning()
-      self.bearing = wrap(angle_to(from, self.cache) - self.known.yaw)
+      self.bearing = wrap(geometry.angle_to(from, self.cache) - self.known.yaw)
       self.cache_way = apart(from, self.cache)
       local along, left = geometry.into(self:lattice(), self.cache.x, self.cache.y)
       self.caches[self:nearest_side(self.cache)] = { along = along, left = left }

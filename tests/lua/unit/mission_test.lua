@@ -275,7 +275,7 @@ case('a robot goes to a row that is due before others, and at once to the side w
    same('changes', sides:change(), true)
    same('there', map:side_name(), '-y')
    same('and no farther', sides.wanted, nil)
-   work.in_vain_at[StructureMap.SIDES['-y']] = { [0] = true, [1] = true }
+   for v = 0, 1 do work.prospects:note_in_vain(StructureMap.SIDES['-y'], v) end
    same('next', work:choose_row(), 'none')
    same('the other', sides.wanted, StructureMap.SIDES['-x'])
    -- where nothing is due as far as it remembers, all rows are tried
@@ -357,21 +357,21 @@ case('rows at which a brick of the final structure is missing, as far as a robot
    local work, _, map = work_at_bar({ { 0, 0, 0, colour = 3 }, { 1, 0, 0, colour = 1 } }, '+y')
    local SIDES = StructureMap.SIDES
    -- its cells are counted from the side; beside the ends of the row that runs along the side, and before it in its own line
-   same('seen from aside', #numbers_of(work:unfinished_from(SIDES['+y'])) > 0, true)
-   same('before the one end', work:is_unfinished(SIDES['+x']), true)
-   same('before the other', work:is_unfinished(SIDES['-x']), true)
+   same('seen from aside', #numbers_of(work.prospects:unfinished_from(SIDES['+y'])) > 0, true)
+   same('before the one end', work.prospects:is_unfinished(SIDES['+x']), true)
+   same('before the other', work.prospects:is_unfinished(SIDES['-x']), true)
    for _, u in ipairs { -1, 2 } do
       for _, way in ipairs { 1, -1 } do
          local x, y = map.place_of({ v = 0, front = 0, frame = map:frame_of(0) }, way * u, 0)
          if not map:had_brick(x, y, 0) then map:note_brick(x, y, 0, u == 2 and 2 or 1) end
       end
    end
-   same('a structure that is none of its own fits in no way', work:unfinished_from(0), nil)
+   same('a structure that is none of its own fits in no way', work.prospects:unfinished_from(0), nil)
    local done = work_at_bar({ { 0, 0, 0, colour = 3 }, { 1, 0, 0, colour = 1 }, { 2, 0, 0, colour = 2 },
                               { -1, 0, 0, colour = 1 } }, '+y')
-   for _, side in pairs(SIDES) do same('none when it stands', done:is_unfinished(side), false) end
-   done.target = nil
-   same('not known where the task does not have it', done:unfinished_from(0), nil)
+   for _, side in pairs(SIDES) do same('none when it stands', done.prospects:is_unfinished(side), false) end
+   done.map.target = nil
+   same('not known where the task does not have it', done.prospects:unfinished_from(0), nil)
 end)
 
 case('on the first way round shared sides only rows where a brick is missing are looked at', function()
@@ -385,13 +385,13 @@ end)
 case('a robot goes first to a side where it did not find somebody at work', function()
    local SIDES = StructureMap.SIDES
    local work, sides = work_at_bar({ { 0, 0, 0, colour = 3 } }, '+y')
-   same('on its way round', work:likely_side(), SIDES['-x'])
+   same('on its way round', work.prospects:likely_side(), SIDES['-x'])
    sides.taken[SIDES['-x']] = false
-   same('the other', work:likely_side(), SIDES['+x'])
+   same('the other', work.prospects:likely_side(), SIDES['+x'])
    sides.taken[SIDES['+x']] = false
-   same('the opposite', work:likely_side(), SIDES['-y'])
+   same('the opposite', work.prospects:likely_side(), SIDES['-y'])
    sides.taken[SIDES['-y']], sides.worked = false, SIDES['-x']
-   same('or back where somebody was before the last change', work:likely_side(), SIDES['+x'])
+   same('or back where somebody was before the last change', work.prospects:likely_side(), SIDES['+x'])
 end)
 
 case('the way to the opposite side leads past that where nobody was found at work', function()
@@ -703,13 +703,13 @@ case('colours tell the directions of a structure to one that is lost, but for wh
          -- with a cache: of two ways in which the bricks are as in the end, that which it tells, or the one nearest to before
          for told, found in pairs { [0] = 0, [-1] = -1, [2] = 0 } do
             local map = map_of_hook(side, quarters, { 3, 4 })
-            map.lost, map.yaw_before, map.bearing = true, geometry.wrap(right + 0.4), 0
+            map.lost, map.directions.before, map.bearing = true, geometry.wrap(right + 0.4), 0
             local at, way = map:in_memory(), right + told * math.pi / 2
             local x, y = at.blocks[1].x + at.blocks[2].x, at.blocks[1].y + at.blocks[2].y
             map.cache = { x = x / 2 + math.cos(way), y = y / 2 + math.sin(way) }
             map:remember(at)
             near('by the cache', geometry.wrap(map.known.yaw - right - found * math.pi / 2), 0, 1e-6)
-            same('in doubt', map.doubtful, true)
+            same('in doubt', map.directions.doubtful, true)
          end
       end
    end
@@ -725,7 +725,7 @@ case('in doubt of its directions a robot does what all that are possible want', 
          return map.wishes[column.side]
       end,
    }, { __index = map.task })
-   map.orientation = function() return geometry.wrap(0.1 + math.pi) end
+   map.directions.facing = function() return geometry.wrap(0.1 + math.pi) end
    map:remember(map:in_memory())
    map:settle()
    local _, row = next(map:rows())
@@ -738,8 +738,8 @@ case('in doubt of its directions a robot does what all that are possible want', 
    local here = map:side_name()
    same('is certain', decision { [here] = { what = 'raise', colour = 1 } } ~= nil, true)
    same('asks once', table.concat(asked, ' '), here)
-   map.doubtful = true
-   local sides = map:possible_sides()
+   map.directions.doubtful = true
+   local sides = map.directions:possible_sides()
    same('two are possible', #sides, 2)
    same('its own', sides[1], here)
    same('they want something else', decision { [here] = { what = 'raise', colour = 1 } }, nil)
@@ -755,16 +755,16 @@ case('a robot that has been turned notices by the colours of bricks', function()
       local function turned(of, colours)
          local map = map_of_hook('+x', 0, of, colours)
          -- it takes the structure to face it otherwise
-         map.orientation = function() return geometry.wrap(0.1 + math.pi + quarters * math.pi / 2) end
+         map.directions.facing = function() return geometry.wrap(0.1 + math.pi + quarters * math.pi / 2) end
          map:remember(map:in_memory())
-         return map:has_turned()
+         return map.directions:has_turned()
       end
       same('all bricks', turned { 1, 2, 3, 4, 5 }, quarters ~= 0)
       same('one brick', turned { 1 }, false)
       same('one of a wrong colour', turned({ 1, 2, 3, 4, 5 }, { [2] = 3 }), false)
    end
    local builder = map_of_hook('+x', 0, { 1, 2, 3 })
-   same('nothing known', builder:has_turned(), false)
+   same('nothing known', builder.directions:has_turned(), false)
 end)
 
 case('a structure that is lost in a look is looked for, not built at', function()

@@ -1,0 +1,71 @@
+-- SPDX-License-Identifier: MIT
+-- What a robot expects of the rows of each side, by what it remembers: where it goes when there is nothing to do here.
+
+local DueRows = require 'mission.due_rows'
+
+-- in_vain: by side and v, rows that were looked at in vain since the last brick.
+local Prospects = {}
+Prospects.__index = Prospects
+
+function Prospects.new(map, sides, task)
+   return setmetatable({ map = map, sides = sides, task = task, in_vain = {} }, Prospects)
+end
+
+-- A row of a side was looked at in vain.
+function Prospects:note_in_vain(side, v)
+   self.in_vain[side] = self.in_vain[side] or {}
+   self.in_vain[side][v] = true
+end
+
+-- With every brick rows may ask for something new.
+function Prospects:forget()
+   self.in_vain = {}
+end
+
+-- Rows by v that the rules ask for from a side, as far as the robot remembers, and that were not looked at in vain.
+function Prospects:due_from(side)
+   local due, vain = DueRows.of(self.map, self.task, side), self.in_vain[side] or {}
+   for v in pairs(vain) do due[v] = nil end
+   return due
+end
+
+-- Rows by v of a side at which a brick is missing, as far as the robot remembers; nil where it can't know.
+function Prospects:unfinished_from(side)
+   return self.map.target and DueRows.unfinished(self.map, self.task, self.map.target, side)
+end
+
+-- Whether a row is due from a side.
+function Prospects:is_due(side)
+   return next(self:due_from(side)) ~= nil
+end
+
+-- Whether a brick is missing at one of a side's rows; false where the robot can't know.
+function Prospects:is_unfinished(side)
+   return next(self:unfinished_from(side) or {}) ~= nil
+end
+
+-- That of the robot's other sides that is nearest where there may be work, or nil: where a row is due, or else a brick
+-- missing, and it did not find somebody at work when it was last there, since whatever is due there by its memory is built
+-- by then; or else where it found somebody before the last change of sides.
+function Prospects:likely_side()
+   local sides = self.sides
+   local function nearest(counts, has_work)
+      return sides:nearest_other(function(side) return counts(side) and has_work(side) end)
+   end
+   local function due(side) return self:is_due(side) end
+   local function unfinished(side) return self:is_unfinished(side) end
+   local function unmanned(side) return sides.taken[side] ~= false end
+   local function left(side) return side ~= sides.worked end
+   return nearest(unmanned, due) or nearest(unmanned, unfinished) or nearest(left, due) or nearest(left, unfinished)
+end
+
+-- That of its other sides that is nearest where a row is due, and nobody was found at work, or nil; for one that keeps to its
+-- side, of those that it found free.
+function Prospects:due_side(keeps)
+   return self.sides:nearest_other(function(side)
+      local found = self.sides.taken[side]
+      return (keeps and found or not keeps and found ~= false) and self:is_due(side)
+   end)
+end
+
+return Prospects
