@@ -3,12 +3,12 @@
 
 local DueRows = require 'mission.due_rows'
 
--- in_vain: by side and v, rows that were looked at in vain since the last brick.
+-- in_vain: by side and v, rows that were looked at in vain since the last brick; left: by side, whether it has left it since.
 local Prospects = {}
 Prospects.__index = Prospects
 
 function Prospects.new(map, sides, task)
-   return setmetatable({ map = map, sides = sides, task = task, in_vain = {} }, Prospects)
+   return setmetatable({ map = map, sides = sides, task = task, in_vain = {}, left = {} }, Prospects)
 end
 
 -- A row of a side was looked at in vain.
@@ -17,9 +17,14 @@ function Prospects:note_in_vain(side, v)
    self.in_vain[side][v] = true
 end
 
+-- It leaves a side, since there is nothing to do.
+function Prospects:note_left(side)
+   self.left[side] = true
+end
+
 -- With every brick rows may ask for something new.
 function Prospects:forget()
-   self.in_vain = {}
+   self.in_vain, self.left = {}, {}
 end
 
 -- Rows by v that the rules ask for from a side, as far as the robot remembers, and that were not looked at in vain.
@@ -46,25 +51,28 @@ end
 
 -- That of the robot's other sides that is nearest where there may be work, or nil: where a row is due, or else a brick
 -- missing, and it did not find somebody at work when it was last there, since whatever is due there by its memory is built
--- by then; or else where it found somebody before the last change of sides.
+-- by then; or else where it found somebody before the last change of sides. Since memory may be wrong, it comes to no side for
+-- the second time before it was at all of them.
 function Prospects:likely_side()
    local sides = self.sides
    local function nearest(counts, has_work)
-      return sides:nearest_other(function(side) return counts(side) and has_work(side) end)
+      return sides:nearest_other(function(side) return not self.left[side] and counts(side) and has_work(side) end)
    end
    local function due(side) return self:is_due(side) end
    local function unfinished(side) return self:is_unfinished(side) end
    local function unmanned(side) return sides.taken[side] ~= false end
-   local function left(side) return side ~= sides.worked end
-   return nearest(unmanned, due) or nearest(unmanned, unfinished) or nearest(left, due) or nearest(left, unfinished)
+   local function before(side) return side ~= sides.worked end
+   local best = nearest(unmanned, due) or nearest(unmanned, unfinished) or nearest(before, due) or nearest(before, unfinished)
+   if not sides:nearest_other(function(side) return not self.left[side] end) then self.left = {} end
+   return best
 end
 
 -- That of its other sides that is nearest where a row is due, and nobody was found at work, or nil; for one that keeps to its
--- side, of those that it found free.
+-- side, of those that it found free. Likewise.
 function Prospects:due_side(keeps)
    return self.sides:nearest_other(function(side)
       local found = self.sides.taken[side]
-      return (keeps and found or not keeps and found ~= false) and self:is_due(side)
+      return not self.left[side] and (keeps and found or not keeps and found ~= false) and self:is_due(side)
    end)
 end
 

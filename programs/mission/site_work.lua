@@ -244,6 +244,7 @@ end
 
 -- Nothing of what it knew of who works on its side counts from now on.
 function SiteWork:leave_side()
+   if self.map.side then self.prospects:note_left(self.map.side) end
    self.fronts, self.at_home, self.contested = {}, false, false
    return false
 end
@@ -442,18 +443,24 @@ function SiteWork:see_to_faults(column)
    return 'nothing'
 end
 
+-- Sees the column from all places that its decision needs. Whether nobody is in the way.
+function SiteWork:look_at(column)
+   for _, look in ipairs(self.task.looks) do
+      if not self:look_from(column, look) then return false end
+      -- whoever is alone knows what stands beside the site without looking
+      if self.task.delay == 0 and self.map.known and column:decide() then break end
+   end
+   return true
+end
+
 function SiteWork:look()
    local machine, chosen = self.machine, self.row
    local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
-   for _, look in ipairs(self.task.looks) do
-      if not self:look_from(column, look) then
-         self.path:back_off(0.10)
-         self:set_aside(self.row.v)
-         self:give_up()
-         return 'unseen'
-      end
-      -- whoever is alone knows what stands beside the site without looking
-      if self.task.delay == 0 and self.map.known and column:decide() then break end
+   if not self:look_at(column) then
+      self.path:back_off(0.10)
+      self:set_aside(self.row.v)
+      self:give_up()
+      return 'unseen'
    end
    self.row = column.row
    self.fronts[column.row.v] = column.row.front

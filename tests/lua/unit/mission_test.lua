@@ -392,6 +392,19 @@ case('a robot goes first to a side where it did not find somebody at work', func
    same('the opposite', work.prospects:likely_side(), SIDES['-y'])
    sides.taken[SIDES['-y']], sides.worked = false, SIDES['-x']
    same('or back where somebody was before the last change', work.prospects:likely_side(), SIDES['+x'])
+   -- not twice before it was at all of them
+   sides.taken, sides.worked = {}, nil
+   for _, side in ipairs { '-x', '+x' } do
+      same('one after the other', work.prospects:likely_side(), SIDES[side])
+      work.prospects:note_left(SIDES[side])
+   end
+   same('the last', work.prospects:likely_side(), SIDES['-y'])
+   work.prospects:note_left(SIDES['-y'])
+   same('none', work.prospects:likely_side(), nil)
+   same('and anew', work.prospects:likely_side(), SIDES['-x'])
+   work.prospects:note_left(SIDES['-x'])
+   work.prospects:forget()
+   same('as after every brick', work.prospects:likely_side(), SIDES['-x'])
 end)
 
 case('the way to the opposite side leads past that where nobody was found at work', function()
