@@ -59,7 +59,8 @@ function Prospects:likely_side()
       return sides:nearest_other(function(side) return not self.left[side] and counts(side) and has_work(side) end)
    end
    local function due(side) return self:is_due(side) end
-   local function unfinished(side) return self:is_unfinished(side) end
+   -- where there is a robot for each side, all that have done their work would come to the one where it is late
+   local function unfinished(side) return not sides:are_manned() and self:is_unfinished(side) end
    local function unmanned(side) return sides.taken[side] ~= false end
    local function before(side) return side ~= sides.worked end
    local best = nearest(unmanned, due) or nearest(unmanned, unfinished) or nearest(before, due) or nearest(before, unfinished)
