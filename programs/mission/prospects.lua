@@ -49,18 +49,24 @@ function Prospects:is_unfinished(side)
    return next(self:unfinished_from(side) or {}) ~= nil
 end
 
--- That of the robot's other sides that is nearest where there may be work, or nil: where a row is due, or else a brick
--- missing, and it did not find somebody at work when it was last there, since whatever is due there by its memory is built
--- by then; or else where it found somebody before the last change of sides. Since memory may be wrong, it comes to no side for
--- the second time before it was at all of them.
+-- That of the robot's other sides that is nearest where there may be work, or nil. Where there is a robot for each side, that is
+-- where a row is due, but for one where it has just found somebody at work: all that have done their work would come to the
+-- side where a brick is missing.
 function Prospects:likely_side()
+   if self.sides:are_fewer() then return self:next_in_turn() end
+   return self:due_side()
+end
+
+-- Where robots are fewer than sides: where a row is due, or else a brick missing, and it did not find somebody at work when it
+-- was last there, since whatever is due there by its memory is built by then; or else where it found somebody before the last
+-- change of sides. Since memory may be wrong, it comes to no side for the second time before it was at all of them.
+function Prospects:next_in_turn()
    local sides = self.sides
    local function nearest(counts, has_work)
       return sides:nearest_other(function(side) return not self.left[side] and counts(side) and has_work(side) end)
    end
    local function due(side) return self:is_due(side) end
-   -- where there is a robot for each side, all that have done their work would come to the one where it is late
-   local function unfinished(side) return not sides:are_manned() and self:is_unfinished(side) end
+   local function unfinished(side) return self:is_unfinished(side) end
    local function unmanned(side) return sides.taken[side] ~= false end
    local function before(side) return side ~= sides.worked end
    local best = nearest(unmanned, due) or nearest(unmanned, unfinished) or nearest(before, due) or nearest(before, unfinished)
@@ -68,12 +74,22 @@ function Prospects:likely_side()
    return best
 end
 
--- That of its other sides that is nearest where a row is due, and nobody was found at work, or nil; for one that keeps to its
--- side, of those that it found free. Likewise.
-function Prospects:due_side(keeps)
-   return self.sides:nearest_other(function(side)
-      local found = self.sides.taken[side]
-      return not self.left[side] and (keeps and found or not keeps and found ~= false) and self:is_due(side)
+-- That of its other sides that is nearest where a row is due, but for one where it has just found somebody at work, or nil; with
+-- `free`, of those that it found free.
+function Prospects:due_side(free)
+   local sides = self.sides
+   return sides:nearest_other(function(side)
+      return side ~= sides.worked and (not free or sides.taken[side]) and self:is_due(side)
+   end)
+end
+
+-- Likewise to go there at once, since there is nothing to do here: where robots are fewer than sides, none that it has left since
+-- the last brick, or where somebody was at work when it was last there.
+function Prospects:due_at_once(keeps)
+   local sides = self.sides
+   if not sides:are_fewer() then return self:due_side(keeps) end
+   return sides:nearest_other(function(side)
+      return not self.left[side] and sides.taken[side] ~= false and self:is_due(side)
    end)
 end
 

@@ -56,6 +56,12 @@ function SideAllocation:are_manned()
    return self:are_shared() and (tonumber(self.robot.params.crew) or math.huge) >= #self.task.sides
 end
 
+-- Whether there are fewer than sides: each goes round them then. Where there is one for each, all that leave their own go to
+-- where one is missing.
+function SideAllocation:are_fewer()
+   return self:are_shared() and not self:are_manned()
+end
+
 -- As far from the face of the side of this index as its cache leaves room.
 function SideAllocation:room_before_cache(index)
    return self.map:room_to_cache(index) - Navigation.BEFORE_CACHE
@@ -95,7 +101,7 @@ function SideAllocation:is_worked(index, edge)
    local along, left = geometry.into(face, cache.x, cache.y)
    local x, y = geometry.out_of(face, along / 2, left)
    local across = { x = x, y = y, yaw = geometry.wrap(face.yaw - edge * math.pi / 2) }
-   return self:is_worked_across(across, edge > 0 and AT_ROW or AT_ROW + COMES_IN)
+   return self:is_worked_across(across, edge < 0 and self:are_fewer() and AT_ROW + COMES_IN or AT_ROW)
 end
 
 -- Whether a block was seen in another's hand on the way from a side's cache to the structure, half way or farther on.
@@ -147,14 +153,15 @@ function SideAllocation:next_side()
    return all[(here - 1 + self.way_round) % #all + 1]
 end
 
--- Index of that of the robot's other sides that is nearest and `is_wanted(index)`; nil for none. Of two as near the one on
--- its way round: robots that begin on opposite sides do not come to the same one.
+-- Index of that of the robot's other sides that is nearest and `is_wanted(index)`; nil for none. Of two as near, where robots
+-- are fewer than sides, the one on its way round: those that begin on opposite sides do not come to the same one.
 function SideAllocation:nearest_other(is_wanted)
    local best, least
+   local aside = self:are_fewer() and 0.5 or 0
    for _, name in ipairs(self.task.sides) do
       local index = StructureMap.SIDES[name]
       local quarters = (index - self.map.side) % 4
-      local way = math.min(quarters, 4 - quarters) + (quarters == self.way_round % 4 and 0 or 0.5)
+      local way = math.min(quarters, 4 - quarters) + (quarters == self.way_round % 4 and 0 or aside)
       if quarters > 0 and (not best or way < least) and is_wanted(index) then best, least = index, way end
    end
    return best
@@ -166,17 +173,18 @@ function SideAllocation:take(side)
    map.side, map.cache = side, map:cache_of(side) or map.cache
 end
 
--- To a side so many quarters on, the way round: to the left (1) or right (-1); to the opposite one, past that side of the two
--- between on which it did not find somebody at work.
+-- To a side so many quarters on, the way round: to the left (1) or right (-1); to the opposite one, where robots are fewer than
+-- sides, past that side of the two between on which it did not find somebody at work.
 function SideAllocation:way_to(quarters)
    if quarters ~= 2 then return quarters == 1 and 1 or -1 end
    local side, way = self.map.side, self.way_round
+   if not self:are_fewer() then return way end
    local function free(to) return self.taken[(side + to) % 4] ~= false end
    return (free(way) or not free(-way)) and way or -way
 end
 
--- To the next side. Where somebody works there, back to where it was, and the other way round the next
--- time, unless it is the opposite one, and nobody was on the way there. Says whether the side has changed.
+-- To the next side. Where somebody works there, back to where it was, and the other way round the next time; where robots are
+-- fewer than sides, not if it is the opposite one, and nobody was on the way there. Says whether the side has changed.
 function SideAllocation:change()
    local map, side = self.map, self.wanted or self:next_side()
    local quarters = (side - map.side) % 4
@@ -186,11 +194,12 @@ function SideAllocation:change()
    if self:are_shared() and map.cache_way then worked, on_the_way = self:is_worked(side, self.way_round) end
    local free = not worked
    self.worked = not free and side or nil
+   on_the_way = on_the_way and self:are_fewer()
    if not on_the_way then self.taken[side] = free end
    if free then
       self:take(side)
    else
-      if quarters ~= 2 or on_the_way then self.way_round = -self.way_round end
+      if quarters ~= 2 or on_the_way or not self:are_fewer() then self.way_round = -self.way_round end
       self.path:back_off(EDGE - INNER_EDGE)
    end
    local away = math.min(Navigation.CLEAR_OF, self:room_before_cache(map.side))

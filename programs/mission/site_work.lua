@@ -109,7 +109,7 @@ end
 
 -- Whether the robot goes to another of its sides at once, since a row is due there, and none here.
 function SiteWork:leaves_for_due()
-   self.sides.wanted = self.prospects:due_side(self:keeps_to_side())
+   self.sides.wanted = self.prospects:due_at_once(self:keeps_to_side())
    return self.sides.wanted ~= nil
 end
 
@@ -119,7 +119,7 @@ end
 function SiteWork:is_worked_by_others(rows)
    local others = self.contested
    for v, front in pairs(self.fronts) do others = others or rows[v] and rows[v].front > front end
-   return others and self.sides:are_shared() and not self.sides:are_manned()
+   return others and self.sides:are_fewer()
 end
 
 -- Leaves the side to whoever else builds from it, if there may be work at another.
@@ -133,8 +133,8 @@ end
 -- Whether a row is worth a look, of those that may be due: on the first way round sides that others build at, too, only where
 -- a brick is missing, as far as the robot remembers.
 function SiteWork:worth_a_look()
-   local unfinished = self.map.target and self:idle_rounds() == 0 and self.sides:are_shared() and
-                      not self.sides:are_manned() and self.prospects:unfinished_from(self.map.side)
+   local unfinished = self.map.target and self:idle_rounds() == 0 and self.sides:are_fewer() and
+                      self.prospects:unfinished_from(self.map.side)
    return function(v) return not unfinished or unfinished[v] ~= nil end
 end
 

@@ -884,7 +884,7 @@ case('a robot that finds nothing to do among others looks beyond the rows that i
    map:remember(map:in_memory())
    map:settle()
    local function shares() return true end
-   local sides = { are_shared = shares, are_manned = shares, nearest_other = function() end }
+   local sides = { are_shared = shares, are_manned = shares, are_fewer = function() end, nearest_other = function() end }
    local work = SiteWork.new(machine, map, nil, sides, nil, task)
    work.magnets = { holds = function() return true end }
    local rows = map:rows()
@@ -1396,7 +1396,8 @@ case('a robot with nothing to do looks beside its rows from the lift\'s top, rou
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local work, lifted = SiteWork.new(machine, map, nil, { withdraw = function() end, nearest_other = function() end }, nil, task), {}
+   local sides = { withdraw = function() end, are_fewer = function() end, nearest_other = function() end }
+   local work, lifted = SiteWork.new(machine, map, nil, sides, nil, task), {}
    work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
    work.process, work.rest = { wait = function() end }, function() end
    work.lift.to = function(_, height) table.insert(lifted, height) end
