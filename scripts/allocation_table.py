@@ -40,8 +40,8 @@ def cell(times, runs):
 def ratios(fixed, dynamic):
     if not fixed or not dynamic:
         return "–"
-    return " ".join(f"{of(dynamic) / of(fixed):.2f}" if of is statistics.mean else
-                    f"({of(dynamic) / of(fixed):.2f})" for of in (statistics.mean, statistics.median))
+    mean, median = (of(dynamic) / of(fixed) for of in (statistics.mean, statistics.median))
+    return f"{mean:.2f} ({median:.2f})"
 
 
 def main():

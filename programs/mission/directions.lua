@@ -6,13 +6,12 @@
 -- block there again.
 
 local geometry = require 'common.geometry'
-local Target = require 'mission.target'
 
 local wrap, wrap_quarter = geometry.wrap, geometry.wrap_quarter
 local TURNED = 0.35            -- rad, of a turn that odometry's errors do not make
 
--- map: StructureMap. target: the structure in which work ends, or nil. doubtful: the robot was lost, and its directions since
--- are not certain. before: the heading that faced the structure from params.side when it was lost.
+-- map: StructureMap. doubtful: the robot was lost, and its directions since are not certain. before: the heading that
+-- faced the structure from params.side when it was lost.
 local Directions = {}
 Directions.__index = Directions
 Directions.TURNED = TURNED
@@ -21,9 +20,7 @@ Directions.SIDES = { ['+x'] = 0, ['+y'] = 1, ['-x'] = 2, ['-y'] = 3 }
 local SIDES = Directions.SIDES
 
 function Directions.new(map, robot, odometry, task)
-   return setmetatable({
-      map = map, robot = robot, odometry = odometry, task = task, target = Target.of(task), doubtful = false,
-   }, Directions)
+   return setmetatable({ map = map, robot = robot, odometry = odometry, task = task, doubtful = false }, Directions)
 end
 
 -- '+x' ..., of the side of this index.
@@ -61,7 +58,7 @@ function Directions:colours_off(structure)
       local u, v, level = table.unpack(structure.cells[i])
       known[i] = { u = u, v = v, level = level, colour = block.colour }
    end
-   return self.target and self.target:least_off(known)
+   return self.map.target and self.map.target:least_off(known)
 end
 
 -- The number of quarter turns for which no brick is off, if for any other `least` are; or nil.
@@ -120,8 +117,8 @@ end
 -- Of the bricks that are known, how many are not as in the end, as above, and the number of turns that the robot takes for
 -- right; nil where every turn is.
 function Directions:known_off()
-   if not self.map.known or not self.target or self.task.turns then return nil end
-   return self.target:least_off(self.map:bricks_with {}), (self:first_side() + 2) % 4
+   if not self.map.known or not self.map.target or self.task.turns then return nil end
+   return self.map.target:least_off(self.map:bricks_with {}), (self:first_side() + 2) % 4
 end
 
 -- Whether the bricks that are known are as in the end for other directions than the robot takes for theirs, and two of them
@@ -135,7 +132,7 @@ function Directions:has_turned()
 end
 
 -- Names of the sides on which the robot may be: its own, and, while its directions are in doubt, those that the bricks that are
--- known leave possible.
+-- known leave possible. Where these are none, that ends the doubt.
 function Directions:possible_sides()
    local out = { self.map:side_name() }
    if not self.doubtful then return out end

@@ -56,8 +56,7 @@ function SideAllocation:are_manned()
    return self:are_shared() and (tonumber(self.robot.params.crew) or math.huge) >= #self.task.sides
 end
 
--- Whether there are fewer than sides: each goes round them then. Where there is one for each, all that leave their own go to
--- where one is missing.
+-- Whether others may work on its sides, and robots are fewer than sides, so that each goes from one side to another.
 function SideAllocation:are_fewer()
    return self:are_shared() and not self:are_manned()
 end

@@ -54,18 +54,17 @@ local TOO_FAR = 0.20           -- m, likewise, from where it looks
 local LOOKS_ASIDE, LOOKS_ASKEW = 0.004, 0.03
 local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is joined; so often at most
 
--- tried: rows of this side that asked for nothing;
--- explored: ways beside its rows that were gone, 1 to the left, -1 to the right. in_vain: how often all rows of a side were
--- tried since the last brick. news: when, s, there were last more bricks, or fewer, than the robot knew, and how many there
--- are. patience: s after that in which it keeps to its side, where sides are shared and manned; twice as long each time.
--- obstructed: how often somebody was in the way, or nothing to be done, since the last brick. standing: what stands near
--- sites, and may be robots: {x, y, since}. row: {v, front, frame, juts}, the one it stands before; unfound: v of the row at
--- which the last approach did not find its brick. wish: what is to be done there (Column:decide). approach_time: mean of the
--- last approaches to a site, s. yielded: it has just left a site to another. across: a place where the last look to both
--- sides found another before an adjoining site, or nil. fault: a brick of a wrong colour that was seen, and since when
--- (see_to_faults); mended: by cell, how often one was told its colour. fronts: by v, the front of rows of this side as they were
--- looked at since it last came to it. at_home: it has put a brick here since then; contested: it has not, and somebody was in
--- its way.
+-- tried: rows of this side that asked for nothing; explored: ways beside its rows that were gone, 1 to the left, -1 to
+-- the right. in_vain: how often all rows of a side were tried since the last brick. news: when, s, there were last more
+-- bricks, or fewer, than the robot knew, and how many there are. patience: s after that in which it keeps to its side,
+-- where sides are shared and manned; twice as long each time. obstructed: how often somebody was in the way, or nothing
+-- to be done, since the last brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front,
+-- frame, juts}, the one it stands before; unfound: v of the row at which the last approach did not find its brick. wish:
+-- what is to be done there (Column:decide). approach_time: mean of the last approaches to a site, s. yielded: it has just
+-- left a site to another. across: a place where the last look to both sides found another before an adjoining site, or
+-- nil. fault: a brick of a wrong colour that was seen, and since when (see_to_faults); mended: by cell, how often one was
+-- told its colour. fronts: by v, the front of rows of this side as they were looked at since it last came to it. at_home:
+-- it has put a brick here since then; contested: it has not, and somebody was in its way.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -246,7 +245,6 @@ end
 function SiteWork:leave_side()
    if self.map.side then self.prospects:note_left(self.map.side) end
    self.fronts, self.at_home, self.contested = {}, false, false
-   return false
 end
 
 -- All rows were tried, or somebody was in the way once too often. Whether the robot stays here for a
@@ -255,7 +253,8 @@ function SiteWork:stays()
    if self.sides.wanted then
       self:begin_side()
       self.sides:withdraw()
-      return self:leave_side()
+      self:leave_side()
+      return false
    end
    self.tried, self.explored, self.in_vain = {}, {}, self.in_vain + 1
    self.sides:withdraw()
@@ -268,7 +267,8 @@ function SiteWork:stays()
    end
    if self.sides:are_shared() then self.sides.wanted = self.prospects:likely_side() end
    self.obstructed, self.patience = 0, 2 * self.patience
-   return self:leave_side()
+   self:leave_side()
+   return false
 end
 
 -- Says whether another robot stands before the row, on the way in along a line, or beside it so that its arm may be there.

@@ -8,6 +8,7 @@
 local geometry = require 'common.geometry'
 local structures = require 'perception.structures'
 local Directions = require 'mission.directions'
+local Target = require 'mission.target'
 
 local SIDE = geometry.SIDE
 local apart, wrap, wrap_quarter = geometry.apart, geometry.wrap, geometry.wrap_quarter
@@ -38,9 +39,9 @@ local SIDES = StructureMap.SIDES
 function StructureMap.new(robot, odometry, tracker, task)
    local self = setmetatable({
       robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false, bricks = {}, caches = {},
+      target = Target.of(task),
    }, StructureMap)
    self.directions = Directions.new(self, robot, odometry, task)
-   self.target = self.directions.target
    return self
 end
 
