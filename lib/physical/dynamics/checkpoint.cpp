@@ -18,7 +18,7 @@ namespace stig::physics {
 namespace {
 
 // The last digits are the format: to be raised whenever the order of members changes.
-constexpr std::uint64_t kMagic = 0x32303050'47495453;  // "STIGP002"
+constexpr std::uint64_t kMagic = 0x33303050'47495453;  // "STIGP003"
 
 /// Appends numbers to a text.
 class Writer {
@@ -94,6 +94,11 @@ void visit_contact(Each& each, ContactType& contact) {
   for (auto& point : contact.points) {
     each(point.p_W), each(point.p_A), each(point.gap), each(point.push), each(point.friction);
   }
+}
+
+template <class Each, class Held>
+void visit_held(Each& each, Held& held) {
+  each(held.body), each(held.articulation), each(held.part), each(held.X_PB.p), each(held.X_PB.q);
 }
 
 template <class Each, class Def>
@@ -295,6 +300,72 @@ bool sound(const Contact& contact, std::size_t bodies) {
          contact.count >= 0 && contact.count <= 4;
 }
 
+// Without them a resumed world would solve contacts where the first had a joint.
+void write_grasps(Writer& out, const WorldState& world) {
+  out(static_cast<std::uint64_t>(world.grasps.size()));
+  for (const Grasp& grasp : world.grasps) {
+    visit_held(out, grasp);
+    out(grasp.impulse.v), out(grasp.impulse.w);
+    out(static_cast<std::uint64_t>(grasp.contacts.size()));
+    for (const Contact& contact : grasp.contacts) visit_contact(out, contact);
+  }
+  out(static_cast<std::uint64_t>(world.steady.size()));
+  for (const Steady& steady : world.steady) visit_held(out, steady), out(steady.ticks);
+}
+
+/// That the body is loose, and the part one of the world's.
+template <class Held>
+bool sound_held(const WorldState& world, const Held& held) {
+  if (held.body >= world.bodies.size() || held.articulation < 0) return false;
+  const auto number = static_cast<std::size_t>(held.articulation);
+  const Body& body = world.bodies[held.body];
+  const Quat& q = held.X_PB.q;
+  return body.articulation < 0 && !body.fixed && number < world.articulations.all.size() &&
+         held.part < world.articulations.all[number].parts.size() && is_finite(held.X_PB.p) &&
+         std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
+}
+
+/// That the contact is one of the body with the part that holds it.
+bool sound_within(const WorldState& world, const Grasp& grasp, const Contact& contact) {
+  if (!sound(contact, world.bodies.size()) || contact.b == kFloorBody) return false;
+  if (contact.a != grasp.body && contact.b != grasp.body) return false;
+  const Body& link = world.bodies[contact.a == grasp.body ? contact.b : contact.a];
+  return link.articulation == grasp.articulation && link.part == grasp.part;
+}
+
+/// Sorted, each body once.
+template <class List>
+bool rising(const List& list) {
+  return std::adjacent_find(list.begin(), list.end(), [](const auto& a, const auto& b) {
+           return a.body >= b.body;
+         }) == list.end();
+}
+
+bool read_grasps(WorldState& world, Taker& in) {
+  take_count(in, world.grasps, 80);
+  for (Grasp& grasp : world.grasps) {
+    visit_held(in, grasp);
+    in(grasp.impulse.v), in(grasp.impulse.w);
+    take_count(in, grasp.contacts, 80);
+    if (!in.good() || grasp.contacts.empty() || !sound_held(world, grasp)) return false;
+    for (Contact& contact : grasp.contacts) {
+      visit_contact(in, contact);
+      if (!in.good() || !sound_within(world, grasp, contact)) return false;
+    }
+    if (!is_finite(grasp.impulse.v) || !is_finite(grasp.impulse.w) || !complete(grasp)) {
+      return false;
+    }
+  }
+  take_count(in, world.steady, 60);
+  for (Steady& steady : world.steady) {
+    visit_held(in, steady), in(steady.ticks);
+    if (!in.good() || !sound_held(world, steady)) return false;
+  }
+  if (!rising(world.grasps) || !rising(world.steady)) return false;
+  number_grasps(world);
+  return in.good();
+}
+
 }  // namespace
 
 std::string write_checkpoint(const WorldState& world) {
@@ -313,6 +384,7 @@ std::string write_checkpoint(const WorldState& world) {
   // elsewhere.
   out(static_cast<std::uint64_t>(world.contacts.size()));
   for (const Contact& contact : world.contacts) visit_contact(out, contact);
+  write_grasps(out, world);
   write_grips(out, world);
   return out.take();
 }
@@ -387,7 +459,7 @@ bool read_checkpoint(WorldState& world, std::string_view bytes) {
     visit_contact(in, contact);
     if (!in.good() || !sound(contact, next.bodies.size())) return false;
   }
-  if (!read_grips(next, in)) return false;
+  if (!read_grasps(next, in) || !read_grips(next, in)) return false;
   next.events.clear();
   // Lists are made again in the next step.
   next.changed = true;

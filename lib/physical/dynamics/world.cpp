@@ -121,6 +121,7 @@ std::uint32_t diverged(const WorldState& world) {
 
 void leave(WorldState& world, std::uint32_t i) {
   Body& body = world.bodies[i];
+  end_grasps_of(world, i);
   body.left = true;
   body.awake = false;
   body.v = body.w = {};
@@ -159,6 +160,7 @@ void update_velocities(WorldState& world) {
     world.stock->solve(world);
   } else {
     solve_world(world);
+    follow_grasps(world);
   }
 }
 
@@ -175,6 +177,7 @@ void move_all(WorldState& world) {
     move(articulation, world.config.step);
     place_bodies(articulation, world.bodies);
   }
+  place_grasped(world);
 }
 
 void finish_step(WorldState& world) {
@@ -233,6 +236,7 @@ void append(WorldState& world, const std::vector<BodyDef>& bodies,
   std::size_t next = world.articulations.all.size();
   add_articulations(world.config, first_joint, world.articulations);
   while (next < world.articulations.all.size()) number_links(world, next++);
+  number_grasps(world);
   world.changed = true;
   world.stock.reset();
 }
@@ -287,6 +291,8 @@ std::size_t World::awake_count() const {
                                                 [](const Body& body) { return body.awake; }));
 }
 
+std::size_t World::grasp_count() const { return state_->grasps.size(); }
+
 BodyState World::state(BodyId id) const {
   return state_of(*state_, static_cast<std::uint32_t>(id));
 }
@@ -340,6 +346,7 @@ void World::set_velocity(BodyId id, const Vec3& velocity, const Vec3& spin) {
   Body& body = entry(state_->bodies, id);
   assert(body.articulation < 0);
   if (body.left) return;
+  end_grasps_of(*state_, static_cast<std::uint32_t>(id));
   body.v = velocity;
   body.w = spin;
   if (body.fixed) {
@@ -357,6 +364,7 @@ void World::set_grip(BodyId id, double factor) {
   double& now = entry(world.bodies, number).grip;
   if (now == factor) return;
   now = factor;
+  end_grasps_of(world, number);
   // DART has the coefficients from the beginning on.
   world.stock.reset();
   wake_early(world, id);

@@ -130,6 +130,8 @@ class World {
   double time() const;  ///< s
   std::size_t size() const;
   std::size_t awake_count() const;
+  /// Bodies that a mechanism holds by one joint now (grasp.h).
+  std::size_t grasp_count() const;
   BodyState state(BodyId id) const;
   /// Direction of a body's magnet, world frame.
   Vec3 magnet_direction(BodyId id, std::size_t magnet) const;

@@ -107,6 +107,7 @@ struct WorldConfig {
   SnapRule snap;
   int small_steps = 16;  ///< of the contact solver, in each step
   int sweeps = 1;        ///< in each of those
+  bool grasps = true;    ///< what a mechanism holds is one joint, see grasp.h
   SleepRules sleep;
   std::vector<BodyDef> bodies;
   std::vector<JointDef> joints;

@@ -183,6 +183,11 @@ void find_contacts(WorldState& world) {
   for (const auto& [a, b] : pairs) {
     for (; next != world.awake.end() && *next < a; ++next) add_floor_contact(world, *next, out);
     if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
+    if (within_grasp(world, a, b)) {
+      Contact contact;
+      if (grasped_contact(world, a, b, contact) != nullptr) out.push_back(contact);
+      continue;
+    }
     add_contact(world, a, b, touch_bodies(world, a, b), out);
   }
   for (; next != world.awake.end(); ++next) add_floor_contact(world, *next, out);
@@ -297,6 +302,7 @@ void update_contacts(WorldState& world) {
     }
     find_contacts(world);
   }
+  end_touched_grasps(world);
   merge_contacts(world);
 }
 

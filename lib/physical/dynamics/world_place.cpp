@@ -142,6 +142,7 @@ PlaceResult World::place(BodyId id, const Pose& X_WB) {
   // Their impulses belong to the place that was left.
   std::erase_if(world.contacts, [&](const Contact& one) { return moved(one.a) || moved(one.b); });
   for (const std::uint32_t i : bodies) {
+    end_grasps_of(world, i);
     set_down(world, i, shift * Pose{world.bodies[i].p, world.bodies[i].q});
   }
   if (it != nullptr) set_down(world, *it, shift);

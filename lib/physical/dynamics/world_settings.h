@@ -125,6 +125,10 @@ void visit_settings(auto&& each, EitherConfig auto& config) {
                   "Of the contact solver, in each of its small steps (default: 1)."),
        config.sweeps);
   visit_sleep_settings(each, config);
+  each(kKeys.truth("grasps",
+                   "false: what a robot holds is solved by its points of contact alone, never as "
+                   "one joint (default: true)."),
+       config.grasps);
 }
 
 }  // namespace stig::physics

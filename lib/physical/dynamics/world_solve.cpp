@@ -31,10 +31,12 @@ SolverBody solver_body(const Body& body) {
   return out;
 }
 
-/// A mechanism or a contact, by its number, and the island that it belongs to.
+enum class MemberKind : std::uint8_t { mechanism, grasp, contact };
+
+/// What the solver is given, by its number, and the island that it belongs to.
 struct IslandMember {
   std::uint32_t root = 0;
-  bool contact = false;
+  MemberKind kind = MemberKind::mechanism;
   std::uint32_t number = 0;
 
   friend auto operator<=>(const IslandMember&, const IslandMember&) = default;
@@ -59,11 +61,17 @@ std::vector<IslandMember> island_members(const WorldState& world) {
     // Two that do not give way need no solution.
     if (a == kFloorBody && b == kFloorBody) continue;
     if (a != kFloorBody && b != kFloorBody) islands.join(a, b);
-    out.push_back({a == kFloorBody ? b : a, true, c});
+    out.push_back({a == kFloorBody ? b : a, MemberKind::contact, c});
+  }
+  for (std::uint32_t k = 0; k < world.grasps.size(); ++k) {
+    const std::uint32_t body = world.grasps[k].body;
+    if (takes_part(world, body)) out.push_back({body, MemberKind::grasp, k});
   }
   const auto& all = world.articulations.all;
   for (std::uint32_t i = 0; i < all.size(); ++i) {
-    if (awake(world, all[i])) out.push_back({all[i].links[0].body, false, i});
+    if (awake(world, all[i])) {
+      out.push_back({all[i].links[0].body, MemberKind::mechanism, i});
+    }
   }
   // Roots are the smallest members, so the order of islands is that of body numbers.
   for (IslandMember& member : out) member.root = islands.root(member.root);
@@ -88,13 +96,16 @@ class TaskMaker {
     task_.mechanisms.clear();
     task_.links.clear();
     task_.axes.clear();
+    task_.grasps.clear();
     task_.contacts.clear();
     task_.slots.clear();
     task_.bodies.assign(1, {});  // the first: all that does not move
   }
   void add(const IslandMember& member) {
-    if (!member.contact) return add_mechanism(member.number);
+    if (member.kind == MemberKind::mechanism) return add_mechanism(member.number);
+    if (member.kind == MemberKind::grasp) return add_grasp(world_.grasps[member.number]);
     const Contact& contact = world_.contacts[member.number];
+    if (within_grasp(world_, contact.a, contact.b)) return;
     task_.contacts.push_back(contact);
     task_.slots.emplace_back(slot_of(contact.a), slot_of(contact.b));
   }
@@ -113,6 +124,13 @@ class TaskMaker {
     for (std::size_t i = 0; i < it.size(); ++i) it.v[i] -= it.kick[i];
     task_.mechanisms.push_back(
         {it.size(), it.inverse.data(), it.v.data(), it.kick.data(), it.way.data()});
+  }
+
+  void add_grasp(const Grasp& grasp) {
+    if (!holds(world_, grasp)) return;
+    const Contact& contact = grasp.contacts[0];
+    const std::uint32_t link = contact.a == grasp.body ? contact.b : contact.a;
+    task_.grasps.push_back({slot_of(link), slot_of(grasp.body), grasp.impulse});
   }
 
   /// Bodies of a part mostly come one after the other, and move as it does, whichever of them
@@ -223,8 +241,8 @@ std::size_t take_over(WorldState& world, Articulation& it, const SolverTask& tas
 
 using MemberIterator = std::vector<IslandMember>::const_iterator;
 
-void solve_island(WorldState& world, TaskMaker& maker, SolverTask& task, MemberIterator begin,
-                  MemberIterator end) {
+void solve_members(const WorldState& world, TaskMaker& maker, SolverTask& task,
+                   MemberIterator begin, MemberIterator end) {
   // In the order of members, which is fixed by their numbers.
   maker.clear();
   std::for_each(begin, end, [&](const IslandMember& member) { maker.add(member); });
@@ -232,13 +250,65 @@ void solve_island(WorldState& world, TaskMaker& maker, SolverTask& task, MemberI
   task.sweeps =
       world.config.sweeps * sweeps_for(storeys(task)) * (world.tick == 0 ? kFirstSweeps : 1);
   solve(task);
+}
+
+/// Velocities of the island's mechanisms, one after the other, with this step's forces.
+std::vector<double> mechanism_velocities(const WorldState& world, MemberIterator begin,
+                                         MemberIterator end) {
+  std::vector<double> out;
+  for (; begin != end && begin->kind == MemberKind::mechanism; ++begin) {
+    const std::vector<double>& v = world.articulations.all[begin->number].v;
+    out.insert(out.end(), v.begin(), v.end());
+  }
+  return out;
+}
+
+void set_mechanism_velocities(WorldState& world, const std::vector<double>& from,
+                              MemberIterator begin, MemberIterator end) {
+  for (std::size_t at = 0; begin != end && begin->kind == MemberKind::mechanism; ++begin) {
+    std::vector<double>& v = world.articulations.all[begin->number].v;
+    std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(at), v.size(), v.begin());
+    at += v.size();
+  }
+}
+
+/// Gives up each of the island's grasps whose contacts cannot bear what came out. False: one was.
+bool all_bear(WorldState& world, const SolverTask& task, MemberIterator begin, MemberIterator end) {
+  bool all = true;
+  std::size_t next = 0;
+  for (; begin != end; ++begin) {
+    if (begin->kind != MemberKind::grasp || !holds(world, world.grasps[begin->number])) continue;
+    all = bears(world, begin->number, task.grasps[next++].impulse) && all;
+  }
+  return all;
+}
+
+void solve_island(WorldState& world, TaskMaker& maker, SolverTask& task, MemberIterator begin,
+                  MemberIterator end) {
+  const bool grasps = std::any_of(
+      begin, end, [](const IslandMember& one) { return one.kind == MemberKind::grasp; });
+  const std::vector<double> before =
+      grasps ? mechanism_velocities(world, begin, end) : std::vector<double>{};
+  solve_members(world, maker, task, begin, end);
+  // The step begins anew where contacts take over: a joint holds for no moment longer.
+  while (grasps && !all_bear(world, task, begin, end)) {
+    set_mechanism_velocities(world, before, begin, end);
+    solve_members(world, maker, task, begin, end);
+  }
   take_over(world, maker, task);
   std::size_t axis = 0, contact = 0;
   for (auto member = begin; member != end; ++member) {
-    if (member->contact) {
-      world.contacts[member->number] = task.contacts[contact++];
-    } else {
-      axis = take_over(world, world.articulations.all[member->number], task, axis);
+    switch (member->kind) {
+      case MemberKind::mechanism:
+        axis = take_over(world, world.articulations.all[member->number], task, axis);
+        break;
+      case MemberKind::grasp:
+        break;  // bears() has kept what came out
+      case MemberKind::contact: {
+        Contact& own = world.contacts[member->number];
+        if (!within_grasp(world, own.a, own.b)) own = task.contacts[contact++];
+        break;
+      }
     }
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a World is inside, for the files that make its step: world.cpp, world_forces.cpp,
-// world_magnets.cpp, world_snaps.cpp, world_contacts.cpp, world_sleep.cpp, checkpoint.cpp and
-// stock_dart.cpp.
+// world_magnets.cpp, world_snaps.cpp, world_contacts.cpp, world_grasps.cpp, world_solve.cpp,
+// world_sleep.cpp, checkpoint.cpp and stock_dart.cpp.
 #pragma once
 
 #include <cstdint>
@@ -12,6 +12,7 @@
 
 #include "physical/collision/broad_phase.h"
 #include "physical/dynamics/articulation.h"
+#include "physical/dynamics/grasp.h"
 #include "physical/dynamics/stock_step.h"
 #include "physical/dynamics/uses.h"
 #include "physical/dynamics/world.h"
@@ -71,7 +72,10 @@ struct WorldState {
   std::vector<MagnetOwner> owners;  ///< one a body
   double magnet_radius = 0;         ///< largest distance of a magnet from its body's centre
   Articulations articulations;
-  std::vector<Contact> contacts;  ///< sorted by (a, b), the floor last
+  std::vector<Contact> contacts;       ///< sorted by (a, b), the floor last
+  std::vector<Grasp> grasps;           ///< sorted by their bodies
+  std::vector<std::int32_t> grasp_of;  ///< place in `grasps`, of each body; -1: none
+  std::vector<Steady> steady;          ///< sorted by their bodies
   /// Buffers of the search for contacts, kept for their memory alone: contacts are many and large.
   std::vector<Contact> found, merged;
   std::vector<Pull> pulls;      ///< of this step, sorted by (a, b)
@@ -125,6 +129,27 @@ inline std::pair<std::uint32_t, std::uint32_t> key(const Contact& contact) {
   return {contact.a, contact.b};
 }
 void solve_world(WorldState& world);
+
+/// Finds the grasp of each body: after the list was taken from elsewhere, or bodies were added.
+void number_grasps(WorldState& world);
+/// Whether one holds the other by a grasp, so that no point between them is to be solved.
+bool within_grasp(const WorldState& world, std::uint32_t a, std::uint32_t b);
+/// A contact within a grasp where the bodies are now: into `out`; null where the two do not touch.
+const Contact* grasped_contact(const WorldState& world, std::uint32_t a, std::uint32_t b,
+                               Contact& out);
+/// Those of bodies that something else touches in this step.
+void end_touched_grasps(WorldState& world);
+/// Whether it has not been given up in this step.
+bool holds(const WorldState& world, const Grasp& grasp);
+/// Keeps the impulse that the solver found for a grasp, and gives its contacts the forces that bear
+/// it. False: there are none, and the grasp is given up.
+bool bears(WorldState& world, std::size_t grasp, const Twist& impulse);
+/// Of what the body is, or its mechanism holds.
+void end_grasps_of(WorldState& world, std::uint32_t body);
+/// After the solver, before anything moves: ends those that were given up, begins others.
+void follow_grasps(WorldState& world);
+/// Puts what is held to its place in what holds it.
+void place_grasped(WorldState& world);
 void report_contacts(WorldState& world);
 void report_snaps(WorldState& world);
 void put_to_sleep(WorldState& world);

@@ -8,6 +8,7 @@
 #include <cassert>
 #include <tuple>
 
+#include "physical/solver/grasp_rows.h"
 #include "physical/solver/solver_rows.h"
 
 namespace stig::physics {
@@ -270,27 +271,33 @@ void solve(SolverTask& task) {
   // Kept from step to step for their memory alone: to take it anew costs more than to fill it.
   thread_local Patches patches;
   thread_local Rows rows;
+  thread_local GraspRows grasps;
   make_patches(task, 1 / parts, patches);
   make_rows(task, rows);
+  make_grasp_rows(task, grasps);
   // Before anything else, so that the shift knows no velocities.
   undo_overlaps(patches, rows, task);
   for (int step = 0; step < task.small_steps; ++step) {
     kick(task, 1 / parts);
     apply_last(patches, task.bodies);
     apply_last_rows(rows, task);
+    apply_last_grasps(grasps);
     // Another sweep as long as something changes and the count allows; impacts get a few more.
     double change = 1;
     for (int i = 0; change > kSettled; ++i) {
       if (i >= task.sweeps + (change > kImpact ? kMoreSweeps : 0)) break;
-      change = sweep_rows(rows, task, 1 / dt);
+      change = relax_grasps(grasps);
+      change = std::max(change, sweep_rows(rows, task, 1 / dt));
       change = std::max(change, sweep(patches, task.bodies, 1 / dt));
     }
+    add_up_grasps(grasps);
     go(task, 1 / parts);
     follow_gaps(patches, task.bodies, dt);
     follow_row_gaps(rows, task, dt);
   }
   keep_impulses(patches, task, parts);
   keep_row_impulses(rows, task);
+  keep_grasp_impulses(grasps, task);
 }
 
 }  // namespace stig::physics

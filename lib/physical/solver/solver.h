@@ -19,7 +19,7 @@
 // beginning lead along tangents, and what a robot carries through a bend would creep outwards.
 //
 // Bodies of a mechanism move by its generalised velocities; its motors and stops are rows
-// of the same solver.
+// of the same solver, and so is what one of its links holds.
 #pragma once
 
 #include <cstdint>
@@ -102,11 +102,18 @@ struct SolverAxis {
   double impulse = 0;  ///< in: last step's; out: this one's
 };
 
+/// A free body that a link holds as if it were a part of it.
+struct SolverGrasp {
+  std::uint32_t link = 0, body = 0;  ///< places in `bodies`
+  Twist impulse;  ///< on the body about its centre: N·s and N·m·s; in: last step's; out: this one's
+};
+
 struct SolverTask {
   std::vector<SolverBody> bodies;
   std::vector<SolverMechanism> mechanisms;
   std::vector<SolverLink> links;
   std::vector<SolverAxis> axes;
+  std::vector<SolverGrasp> grasps;
   std::vector<Contact> contacts;
   /// Places in `bodies` of each contact's two; the floor is an immovable one.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> slots;

@@ -126,6 +126,7 @@ angular_damping: 0.2
 magnets: {enabled: true, cutoff: 0.03, contact: 0.005, relaxation_time: 0.004, relaxation_sweeps: 3,
   model: quasi_static, bearing_damping: 0.1, snap_force: 2}
 small_steps: 8
+grasps: false
 sweeps: 2
 sleep: {enabled: true, time: 0.3, speed: 0.003, spin: 3, waking_speed: 0.02, waking_spin: 20, waking_force: 0.2}
 stop: {asleep: true, failed: true}

@@ -114,10 +114,10 @@ std::size_t count_of_all(const Values&... values) {
 std::size_t count_of(const WorldConfig& config) {
   const auto& [step, solver, gravity, floor, arena, friction, frictions, damping, angular_damping,
                magnet_cutoff, magnet_contact, magnets, relaxation, bearing_damping, snap,
-               small_steps, sweeps, sleep, bodies, joints] = config;
+               small_steps, sweeps, grasps, sleep, bodies, joints] = config;
   return count_of_all(step, solver, gravity, floor, arena, friction, frictions, damping,
                       angular_damping, magnet_cutoff, magnet_contact, magnets, relaxation,
-                      bearing_damping, snap, small_steps, sweeps, sleep);
+                      bearing_damping, snap, small_steps, sweeps, grasps, sleep);
 }
 
 }  // namespace
