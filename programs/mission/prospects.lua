@@ -2,6 +2,7 @@
 -- What a robot expects of the rows of each side, by what it remembers: where it goes when there is nothing to do here.
 
 local DueRows = require 'mission.due_rows'
+local StructureMap = require 'mission.structure_map'
 
 -- in_vain: by side and v, rows that were looked at in vain since the last brick; left: by side, whether it has left it since.
 local Prospects = {}
@@ -37,6 +38,28 @@ end
 -- Rows by v of a side at which a brick is missing, as far as the robot remembers; nil where it can't know.
 function Prospects:unfinished_from(side)
    return self.map.target and DueRows.unfinished(self.map, self.task, self.map.target, side)
+end
+
+-- Whether a brick that stands in a cell in the end, if known bricks lie so in the final structure, is in sight from one of the
+-- robot's sides then.
+function Prospects:shows(way, cell)
+   for _, name in ipairs(self.task.sides) do
+      if self.map.target:is_open(way, cell, self.map:step_to(StructureMap.SIDES[name])) then return true end
+   end
+   return false
+end
+
+-- Whether the robot has seen all bricks that are in sight from its sides in the end: nothing is left to do, as far as it can
+-- know.
+function Prospects:has_seen_all()
+   local map = self.map
+   local fits = map.target and map.known and map.target:fits(map:bricks_with({})) or {}
+   for _, way in ipairs(fits) do
+      for _, cell in ipairs(map.target:cells_in(way)) do
+         if not map:had_brick_in(cell.u, cell.v, cell.level) and self:shows(way, cell) then return false end
+      end
+   end
+   return #fits > 0
 end
 
 -- Whether a row is due from a side.

@@ -39,6 +39,7 @@ local LOOKS_ALONG, IN_PICTURE = 60, 0.25  -- s, between looks along the rows in 
 local AWAKE = 1                -- rounds in vain, after which it rests ever longer:
 local RESTS, SHARED_RESTS = { longer = 4, longest = 256 }, { longer = 2, longest = 64 }  -- so many times as long as before, up to
                                -- so many times the first, on a side of its own, and on one that is shared
+local WATCHES, NAP, GLANCE = 60, 4, 1  -- s, into a rest, from which on it pauses so long between looks of so long
 local FAULT_LASTS = 15         -- s, that a brick was seen to show a colour that it should not, before it is coloured anew
 local TELLINGS = 3             -- so often one is told at most: its LEDs may be dead
 local STAYS_OFF = 0.012        -- m, of the block from right over it meanwhile: a column behind would draw it off
@@ -221,19 +222,34 @@ function SiteWork:keeps_until()
    return self.news.time + self.patience
 end
 
+-- `seen()`, asked in each step of a rest since a time. In a long rest the robot looks but a moment every few seconds: soon
+-- enough for who has rested long, at a fraction of what perception takes.
+function SiteWork:glances(seen, since)
+   return function()
+      local dozed = self.odometry.time - since - WATCHES
+      self.machine.dozes = dozed > 0 and dozed % (NAP + GLANCE) < NAP
+      return not self.machine.dozes and seen()
+   end
+end
+
 -- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick that
 -- it had not seen before. On a side of its own it rests before the middle; where others may work, not so long, since it is
 -- in their way.
 function SiteWork:rest()
    local more, shared = math.max(0, self:idle_rounds() - AWAKE), self.sides:are_shared()
    local rests = shared and SHARED_RESTS or RESTS
-   local time = (2 + 4 * math.random()) * math.min(rests.longer ^ more, rests.longest)
-   if more == 0 then return self.process:wait(time) end
+   local done = self.prospects:has_seen_all()
+   local time = (2 + 4 * math.random()) * (done and rests.longest or math.min(rests.longer ^ more, rests.longest))
+   if not done and more == 0 then return self.process:wait(time) end
    if not shared then self.sides:stand_back() end
    self.lift:to(self.lift:top())
-   local seen, over = self.map:sees_new_brick(), math.min(self.odometry.time + time, self:keeps_until())
+   local seen, over = self.map:sees_new_brick(), self.odometry.time + time
+   if not done then over = math.min(over, self:keeps_until()) end
+   local glances = self:glances(seen, self.odometry.time)
    while self.odometry.time < over do
-      if self.process:wait_until(seen, math.min(LOOKS_ALONG, over - self.odometry.time)) then
+      local new = self.process:wait_until(glances, math.min(LOOKS_ALONG, over - self.odometry.time))
+      self.machine.dozes = false
+      if new then
          self.in_vain = 0
          return
       end

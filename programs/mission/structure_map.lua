@@ -501,6 +501,14 @@ function StructureMap:frame_of(index)
    return { x = origin.x, y = origin.y, yaw = self:heading_of(index) }
 end
 
+-- The step in cells that leads from the structure to who stands on the side of this index: du, dv.
+function StructureMap:step_to(index)
+   local of = { v = 0, front = 0, frame = self:frame_of(index) }
+   local u, v = self:cell_of(self.place_of(of, 1, 0))
+   local u0, v0 = self:cell_of(self.place_of(of, 0, 0))
+   return u - u0, v - v0
+end
+
 -- The cells with bricks that were ever seen, as rows of the side of this index are counted: by v and u.
 function StructureMap:cells_from(index)
    local frame, cells = self:frame_of(index), {}

@@ -49,6 +49,24 @@ function Target:ways(brick)
    return out
 end
 
+-- The cells {u, v, level} of a robot's in which bricks stand in the end, if these lie in a way.
+function Target:cells_in(way)
+   local out = {}
+   for _, own in ipairs(self.bricks) do
+      local u, v = TURNS[(4 - way.quarters) % 4 + 1](own[1] - way.dx, own[2] - way.dy)
+      table.insert(out, { u = u, v = v, level = own[3] })
+   end
+   return out
+end
+
+-- Whether in the end nothing stands before a cell on its level, seen from where `du`, `dv` lead.
+function Target:is_open(way, cell, du, dv)
+   for far = 1, #self.bricks do
+      if self:colour(way, cell.u + far * du, cell.v + far * dv, cell.level) then return false end
+   end
+   return true
+end
+
 -- How many of a robot's bricks {u, v, level, colour} are not as in the end, if they lie so; counted up to `most`.
 function Target:off_in(way, known, most)
    local off = 0

@@ -9,6 +9,7 @@ local DueRows = require 'mission.due_rows'
 local SideAllocation = require 'mission.side_allocation'
 local SiteWork = require 'mission.site_work'
 local StructureMap = require 'mission.structure_map'
+local Target = require 'mission.target'
 local geometry = require 'common.geometry'
 local machine_with = require 'machine_with'
 local unit = require 'unit'
@@ -365,6 +366,31 @@ case('rows at which a brick of the final structure is missing, as far as a robot
    for _, side in pairs(SIDES) do same('none when it stands', done.prospects:is_unfinished(side), false) end
    done.map.target = nil
    same('not known where the task does not have it', done.prospects:unfinished_from(0), nil)
+end)
+
+case('a robot knows when it has seen all that is in sight in the end', function()
+   local function sees_all(cells) return (work_at_bar(cells, '+y')).prospects:has_seen_all() end
+   local bar = { { 0, 0, 0, colour = 3 }, { 1, 0, 0, colour = 1 }, { 2, 0, 0, colour = 2 }, { -1, 0, 0, colour = 1 } }
+   same('all', sees_all(bar), true)
+   same('but for the last', sees_all { bar[1], bar[2], bar[3] }, false)
+   same('another structure', sees_all { bar[1], bar[2], { 1, 1, 0, colour = 2 } }, false)
+   local work = work_at_bar(bar, '+y')
+   work.map.target = nil
+   same('one without a target never does', work.prospects:has_seen_all(), false)
+   -- a plate whose middle nobody sees, of which each robot has seen the rim
+   local plate, rim = {}, {}
+   for u = -1, 1 do
+      for v = -1, 1 do
+         local middle = u == 0 and v == 0
+         table.insert(plate, { u, v, 0, middle and 3 or 1 })
+         if not middle then table.insert(rim, { u, v, 0, colour = 1 }) end
+      end
+   end
+   work = work_at_bar(rim, '+y')
+   work.map.target = Target.new(plate)
+   same('not what is hidden by others', work.prospects:has_seen_all(), true)
+   work.map.bricks[next(work.map.bricks)] = nil
+   same('one of the rim was not seen', work.prospects:has_seen_all(), false)
 end)
 
 case('on the first way round shared sides only rows where a brick is missing are looked at', function()
@@ -1449,7 +1475,17 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    same('shorter on a shared side', table.concat(waits, ' '), '4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0')
    same('where it is', stood, 5)
    shared = false
-   same('nothing new', begun(), false)
+   -- asked for five seconds, as it dozes for four of them
+   local function notices()
+      local seen, naps = false, 0
+      for _ = 1, 50 do
+         machine.odometry.time = machine.odometry.time + 0.1
+         seen, naps = begun() or seen, naps + (machine.dozes and 1 or 0)
+      end
+      same('naps', naps, 40)
+      return seen
+   end
+   same('nothing new', notices(), false)
    local turns = {}
    work.path = { turn_to = function(_, yaw) table.insert(turns, yaw) end }
    machine.odometry.pose = { x = 0.3, y = 0, yaw = 0 }
@@ -1464,7 +1500,7 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
       id = 2, x = 0.4 - SIDE, y = 0, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = 2, seen = 9, missed = 0,
       time = 0, top_time = 0,
    })
-   same('a new brick', begun(), true)
+   same('a new brick', notices(), true)
    waits = {}
    table.remove(machine.tracker.tracks)
    work.map.sees_new_brick = function() return function() return true end end
