@@ -53,6 +53,8 @@ local EFFECTOR_GAP = 0.0010    -- left between the effector and a column before 
 local HELD_OFF = 0.012         -- of a carried block's face from a column's, which would draw it off: the effector is 1 mm farther
                                -- from the column's middle then than one of 60 mm before an adjoining face is wide; from
                                -- 14 mm on blocks that are let down are no longer drawn into line
+local LONE_HELD_OFF = 0.010    -- m, likewise of a robot that meets nobody at an adjoining face: the less far a block jumps, the
+                               -- less it turns the column's top
 local SHORT = 0.015            -- m, by which a higher column behind may keep the effector off its place
 local CREEP_SPEED = 0.02       -- m/s
 local READINGS, MOST_READINGS = 6, 40  -- of what is ahead, before that, at least and at most
@@ -410,7 +412,7 @@ function states.dock(self, run)
    if came ~= 'there' or not stopped then return came end
    -- the column draws the block, which is held until it has been let down
    self.magnets:hold_fast(true)
-   self:creep(to - self.odometry:on_line(line), HELD_OFF)
+   self:creep(to - self.odometry:on_line(line), run.target.alone and HELD_OFF or LONE_HELD_OFF)
    -- so far before its place stands no column, but another robot
    return to - self.odometry:on_line(line) > SHORT and 'obstructed' or 'there'
 end

@@ -17,6 +17,8 @@ local DRAWN_OFF, FURTHER = 0.005, 0.003  -- ahead in the gripper, and than befor
 local REST = 0.0015            -- of a block over what it is put on, and less than 1 mm more, on its way in
 local LET_DOWN = 0.002         -- likewise when it is let go: on its way down it slides into line with its neighbours,
                                -- before what it comes to lie on holds it
+local FROM_OVER = 0.001        -- likewise of one that has come down from above: from 2 mm it may jump to a neighbour so high that
+                               -- its upper edge meets the brick over that, and turns it
 local SET_DOWN = 0.0003        -- likewise where it would be drawn aside on a longer way
 local DROP = 0.006             -- likewise over the floor, where the effector is kept off by KEPT_OFF or more: the floor's
 local KEPT_OFF = 0.004         -- friction would hold it against magnets that are so far
@@ -47,16 +49,17 @@ function Placement.new(parts)
    return self
 end
 
--- How high over what it is put on a block is let go.
+-- How high over what it is put on a block is let go; `short`: how far it is before its place, nil where it came from above.
 local function let_go_over(level, drawn, short)
-   if level == 0 and short > KEPT_OFF then return DROP end
-   return drawn and SET_DOWN or LET_DOWN
+   if level == 0 and short and short > KEPT_OFF then return DROP end
+   if drawn then return SET_DOWN end
+   return short and LET_DOWN or FROM_OVER
 end
 
 -- Puts the carried block down on `level`, over the gripping point; `colour` is set before. `drawn`: what stands about
--- the place would draw it aside; `short`: how far it is before its place.
+-- the place would draw it aside; `short`: how far it was slid in short of its place, nil where it came from above.
 function Placement:release(level, colour, drawn, short)
-   local over = SIDE * level + let_go_over(level, drawn, short or 0)
+   local over = SIDE * level + let_go_over(level, drawn, short)
    self.process:enter('release')
    -- first the colour: near its place magnets draw the block away from the radio
    if colour then self.gripper:colour(colour) end

@@ -274,7 +274,7 @@ function BlockSupply:lay_aside()
    local machine, home, block = self.machine, self.map.known or { x = 0, y = 0 }, self.block
    local out = math.atan(block.y - home.y, block.x - home.x)
    self.navigation:straight_to(block.x + LAID_ASIDE * math.cos(out), block.y + LAID_ASIDE * math.sin(out))
-   machine.placement:release(0)
+   machine.placement:release(0, nil, nil, 0)
    local pose = machine.odometry.pose
    local x, y = geometry.out_of(pose, machine.description.magnets.ahead + LAY_BACK, 0)
    table.insert(self.mute, { x = x, y = y })

@@ -230,29 +230,35 @@ local function with_block_before(machine, run)
 end
 
 case('before a column that keeps the effector off its place a block is let go higher over the floor', function()
-   local function let_go_over(level, kept_off)
+   local function let_go_over(level, kept_off, where)
       local machine, _, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
       local base = with_block_before(machine, run)
       machine.approach.mean_ahead = function(_, way) return kept_off and way - kept_off end
-      local height
+      local asked, height
+      local to = machine.lift.to
+      machine.lift.to = function(lift, where_to)
+         asked = where_to
+         return to(lift, where_to)
+      end
       machine.gripper.let_go = function()
-         height = machine.lift:height()
+         height = asked
          return true
       end
-      run(function() return machine.placement:place(base, 'extend', { colour = 2, level = level }) end)
+      run(function() return machine.placement:place(base, where or 'extend', { colour = 2, level = level }) end)
       return height - SIDE * level
    end
-   near('on to its place', let_go_over(0), 0.002, 1e-3)
-   near('a millimetre or two before it', let_go_over(0, 0.002), 0.002, 1e-3)
-   near('kept off', let_go_over(0, 0.0085), 0.006, 1e-3)
-   near('over a brick', let_go_over(1, 0.0085), 0.002, 1e-3)
+   near('on to its place', let_go_over(0), 0.002, 1e-9)
+   near('a millimetre or two before it', let_go_over(0, 0.002), 0.002, 1e-9)
+   near('kept off', let_go_over(0, 0.0085), 0.006, 1e-9)
+   near('over a brick', let_go_over(1, 0.0085), 0.002, 1e-9)
+   near('from above, lower', let_go_over(1, nil, 'raise'), 0.001, 1e-9)
 end)
 
 case('a column that ends the last way is crept up to, though the next reading may not tell of it', function()
    local machine, _, run = machine_with { { x = 0.40, y = 0 } }
    local block = run(function() return machine.search:find(dark) end)
-   local told, crept = false, nil
-   machine.approach.creep = function(_, way) crept = way end
+   local told, crept, off = false, nil, nil
+   machine.approach.creep = function(_, way, held_off) crept, off = way, held_off end
    local target = { block = block, lowest = 0.08 }
    function target.stop()
       local ahead = geometry.into(machine.odometry.pose, block.x, block.y)
@@ -263,6 +269,13 @@ case('a column that ends the last way is crept up to, though the next reading ma
    same('docked', run(function() return machine.approach:to(target) end), true)
    near('the rest of the way', crept, 0.012, 6e-3)
    same('told once', told, true)
+   same('so far off a column, of one that meets nobody', off, 0.010)
+   told, target.alone = false, function() return true end
+   run(function()
+      machine.path:back_off(0.15)
+      return machine.approach:to(target)
+   end)
+   same('and of one that may', off, 0.012)
 end)
 
 case('what is ahead is read as often as it takes to know it', function()
