@@ -88,10 +88,10 @@ TEST_CASE("what no such forces make is not borne, and leaves them as they were")
     CHECK(borne(grasp).sum.v.z == doctest::Approx(-0.04));
     CHECK(length(borne(grasp).sum.w) < 1e-12);
   };
-  refused({{0, 0, 0.01}, {}});  // pulled up, through nothing that pulls
-  refused({{kFriction * 0.041, 0, -0.04}, {}});  // beyond all friction
-  refused({{0, 0, -0.04}, {0.04 * 0.021, 0, 0}});                 // turned over an edge
-  refused({{0, 0, -0.04}, {0, 0, kFriction * 0.04 * 0.0285}});    // turned about the upright
+  refused({{0, 0, 0.01}, {}});                     // pulled up, through nothing that pulls
+  refused({{kFriction * 0.041, 0, -0.04}, {}});    // beyond all friction
+  refused({{0, 0, -0.04}, {0.04 * 0.021, 0, 0}});  // turned over an edge
+  refused({{0, 0, -0.04}, {0, 0, kFriction * 0.04 * 0.0285}});  // turned about the upright
 }
 
 TEST_CASE("points on a line make no grasp") {
