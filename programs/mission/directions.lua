@@ -131,8 +131,14 @@ function Directions:has_turned()
    return false
 end
 
+-- Ends the doubt where the bricks that are known leave no other direction possible.
+function Directions:settle_doubt()
+   local off, right = self:known_off()
+   if off and only_turn(off, 2) == right then self.doubtful = false end
+end
+
 -- Names of the sides on which the robot may be: its own, and, while its directions are in doubt, those that the bricks that are
--- known leave possible. Where these are none, that ends the doubt.
+-- known leave possible.
 function Directions:possible_sides()
    local out = { self.map:side_name() }
    if not self.doubtful then return out end
@@ -142,7 +148,6 @@ function Directions:possible_sides()
       local side = Directions.name_of((self.map.side + quarters - right) % 4)
       if quarters ~= right and off[quarters] == 0 then table.insert(out, side) end
    end
-   if only_turn(off, 2) == right then self.doubtful = false end
    return out
 end
 

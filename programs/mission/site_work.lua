@@ -483,6 +483,7 @@ function SiteWork:look()
    if not self.magnets:holds() then return 'dropped' end
    -- a structure that was pushed away meanwhile is looked for before anything is put to it
    if self.map.directions:has_turned() then self.map:lose() end
+   self.map.directions:settle_doubt()
    if not self.map.known then
       self.record:tally('aborted')
       return 'unseen'

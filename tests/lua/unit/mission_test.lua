@@ -780,6 +780,11 @@ case('in doubt of its directions a robot does what all that are possible want', 
    end
    same('of another colour', both(1, 2), nil)
    same('the same', both(1, 1) ~= nil, true)
+   map.directions:settle_doubt()
+   same('as long as both are possible', map.directions.doubtful, true)
+   map.directions.known_off = function() return { [0] = 0, 2, 2, 2 }, 0 end
+   map.directions:settle_doubt()
+   same('until the others are not', map.directions.doubtful, false)
 end)
 
 case('a robot that has been turned notices by the colours of bricks', function()
