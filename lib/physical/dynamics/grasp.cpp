@@ -11,7 +11,9 @@ namespace stig::physics {
 namespace {
 
 constexpr int kMostTurns = 24;
-constexpr double kInside = 0.9;  ///< of a cone's friction, that is aimed at, so that turns end
+constexpr double kTouching = 50e-6;   ///< m: what is farther apart bears nothing
+constexpr double kSameNormal = 0.99;  ///< cosine
+constexpr double kInside = 0.9;       ///< of a cone's friction, that is aimed at, so that turns end
 constexpr double kSlack = 2e-4;  ///< of all pushes together, that a point may pull or slip more
 
 /// A point, and the force that it gives the body.
@@ -21,13 +23,14 @@ struct Bearer {
   Vec3 force;  ///< N·s
 };
 
-/// Calls with each point's contact, and 1, or -1 where the contact is the body's as the second.
+/// Calls with each point that touches, its contact, and 1, or -1 where the contact is the body's as
+/// the second.
 template <class Contacts, class Each>
 void each_point(Contacts& contacts, std::uint32_t body, const Each& each) {
   for (auto& contact : contacts) {
     const double side = contact.a == body ? 1 : -1;
     for (std::size_t i = 0; i < static_cast<std::size_t>(contact.count); ++i) {
-      each(contact, contact.points[i], side);
+      if (contact.points[i].gap <= kTouching) each(contact, contact.points[i], side);
     }
   }
 }
@@ -90,6 +93,27 @@ bool is_inverse(const std::vector<double>& m, const std::vector<double>& inverse
   return true;
 }
 
+/// Whether there is a direction along which every force within the cones pushes. Otherwise points
+/// could clamp the body between them with any force, and so hold anything: contacts know how hard
+/// they press, but these forces are only looked for.
+bool cannot_clamp(const std::vector<Bearer>& bearers) {
+  std::vector<Vec3> normals;
+  Vec3 along;
+  for (const Bearer& one : bearers) {
+    if (std::any_of(normals.begin(), normals.end(),
+                    [&](const Vec3& other) { return dot(other, one.normal) > kSameNormal; })) {
+      continue;
+    }
+    normals.push_back(one.normal);
+    along += one.normal;
+  }
+  // A cone's farthest force from its normal is at the angle of friction.
+  return std::all_of(bearers.begin(), bearers.end(), [&](const Bearer& one) {
+    const double farthest = one.friction / std::sqrt(1 + one.friction * one.friction);
+    return dot(one.normal, along) > farthest * length(along);
+  });
+}
+
 /// Forces that add up to the impulse: of all such, the nearest.
 void make_up(const Grasp& grasp, const Twist& impulse, std::vector<Bearer>& bearers) {
   const Twist now = sum_of(bearers);
@@ -128,6 +152,7 @@ Vec3 into_cone(const Bearer& one) {
 bool complete(Grasp& grasp) {
   std::vector<Bearer> bearers;
   list_bearers(grasp, bearers);
+  if (!cannot_clamp(bearers)) return false;
   const std::vector<double> m = matrix_of(std::move(bearers));
   std::vector<double> inverse = m;
   invert_positive(inverse, 6);

@@ -3,11 +3,13 @@
 // effector, mostly. As long as contacts can bear what holds it where it is, the solver takes it for
 // a part of the mechanism, by one joint in place of all their points; that is all the difference.
 //
-// Contacts can bear a wrench if there are forces at their points that add up to it, none of which
-// pulls, and each within its cone of friction. They are looked for from those of the step before,
-// by turns: the nearest that add up, the nearest within the cones (alternating projections). Where
-// a few turns find none, the joint is given up, and what happens next is left to the contacts,
-// which begin with the forces of the step before. So a joint never holds what contacts would not.
+// No grasp begins where contacts could clamp the body between them, as walls on both sides do.
+// Elsewhere contacts can bear a wrench if there are forces at their points that add up to it, none
+// of which pulls, and each within its cone of friction. They are looked for from those of the step
+// before, by turns: the nearest that add up, the nearest within the cones (alternating
+// projections). Where a few turns find none, the joint is given up, and what happens next is left
+// to the contacts, which begin with the forces of the step before. So a joint never holds what
+// contacts would not.
 #pragma once
 
 #include <array>
@@ -32,7 +34,8 @@ struct Grasp {
   std::array<double, 36> spread{};
 };
 
-/// Works out what follows from the contacts. False: their points are too few, or on a line.
+/// Works out what follows from the contacts. False: the points that touch are too few, on a line,
+/// or could clamp the body.
 bool complete(Grasp& grasp);
 /// What the contacts' forces add up to, on the body about its centre, in its frame.
 Twist wrench_of(const Grasp& grasp);

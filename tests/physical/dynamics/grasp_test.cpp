@@ -94,6 +94,37 @@ TEST_CASE("what no such forces make is not borne, and leaves them as they were")
   refused({{0, 0, -0.04}, {0, 0, kFriction * 0.04 * 0.0285}});  // turned about the upright
 }
 
+TEST_CASE("points that do not touch bear nothing, and make no grasp") {
+  Grasp grasp = four_above();
+  for (std::size_t i = 0; i < 2; ++i) grasp.contacts[0].points[i].gap = 1e-4;
+  CHECK(!complete(grasp));
+}
+
+TEST_CASE(
+    "walls on both sides make no grasp, though they could clamp any load, nor steep friction") {
+  const auto with = [](const Vec3& normal, double friction) {
+    Grasp grasp = four_above();
+    Contact wall = grasp.contacts[0];
+    wall.a = 4;
+    wall.normal = normal;
+    for (std::size_t i = 0; i < 4; ++i) {
+      ContactPoint& point = wall.points[i];
+      point.p_W = {normal.x * 0.0275, i % 2 == 0 ? 0.02 : -0.02, i < 2 ? 0.02 : -0.02};
+    }
+    grasp.contacts.push_back(wall);
+    for (Contact& contact : grasp.contacts) contact.friction = friction;
+    return grasp;
+  };
+  Grasp one = with({1, 0, 0}, 0.4);
+  CHECK(complete(one));
+  Grasp steep = with({1, 0, 0}, 1.5);
+  CHECK(!complete(steep));
+  Grasp both = with({1, 0, 0}, 0.1);
+  const Grasp other = with({-1, 0, 0}, 0.1);
+  both.contacts.push_back(other.contacts[1]);
+  CHECK(!complete(both));
+}
+
 TEST_CASE("points on a line make no grasp") {
   Grasp grasp = four_above();
   for (std::size_t i = 0; i < 4; ++i) grasp.contacts[0].points[i].p_W.y = 0;
