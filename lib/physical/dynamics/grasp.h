@@ -9,7 +9,8 @@
 // before, by turns: the nearest that add up, the nearest within the cones (alternating
 // projections). Where a few turns find none, the joint is given up, and what happens next is left
 // to the contacts, which begin with the forces of the step before. So a joint never holds what
-// contacts would not.
+// contacts could not; what they would hold depends on how they share the load where more of them
+// carry than have to.
 #pragma once
 
 #include <array>
