@@ -240,11 +240,13 @@ bool sound(const Articulation& it) {
   return true;
 }
 
+bool is_turn(const Quat& q) {
+  return std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
+}
+
 bool sound(const Body& body) {
-  const Quat& q = body.q;
   return is_finite(body.p) && is_finite(body.v) && is_finite(body.w) && std::isfinite(body.rest) &&
-         is_finite(body.force) && is_finite(body.torque) &&
-         std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
+         is_finite(body.force) && is_finite(body.torque) && is_turn(body.q);
 }
 
 bool sound(const Magnet& magnet) {
@@ -319,10 +321,9 @@ bool sound_held(const WorldState& world, const Held& held) {
   if (held.body >= world.bodies.size() || held.articulation < 0) return false;
   const auto number = static_cast<std::size_t>(held.articulation);
   const Body& body = world.bodies[held.body];
-  const Quat& q = held.X_PB.q;
   return body.articulation < 0 && !body.fixed && number < world.articulations.all.size() &&
          held.part < world.articulations.all[number].parts.size() && is_finite(held.X_PB.p) &&
-         std::abs(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z - 1) < 1e-6;
+         is_turn(held.X_PB.q);
 }
 
 /// That the contact is one of the body with the part that holds it.

@@ -11,7 +11,6 @@ namespace stig::physics {
 namespace {
 
 constexpr int kMostTurns = 24;
-constexpr double kTouching = 50e-6;   ///< m: what is farther apart bears nothing
 constexpr double kSameNormal = 0.99;  ///< cosine
 constexpr double kInside = 0.9;       ///< of a cone's friction, that is aimed at, so that turns end
 constexpr double kSlack = 2e-4;  ///< of all pushes together, that a point may pull or slip more

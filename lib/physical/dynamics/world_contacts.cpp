@@ -17,7 +17,6 @@ constexpr double kMargin = 0.2e-3;     ///< m: contacts are seen from here on
 constexpr double kMostMargin = 50e-3;  ///< m: for fast bodies that are no boxes
 constexpr double kMostWay = 0.5;       ///< m, of a step, that is looked along
 constexpr double kSwept = 5e-3;        ///< m/s: faster boxes are followed along their way
-constexpr double kTouching = 50e-6;    ///< m: below, a contact has begun
 
 /// How far turning may bring the surface in a step, at most: as for a point at the radius.
 double turning_reach(const WorldState& world, const Body& body) {
@@ -184,8 +183,7 @@ void find_contacts(WorldState& world) {
     for (; next != world.awake.end() && *next < a; ++next) add_floor_contact(world, *next, out);
     if (world.bodies[a].fixed && world.bodies[b].fixed) continue;
     if (within_grasp(world, a, b)) {
-      Contact contact;
-      if (grasped_contact(world, a, b, contact) != nullptr) out.push_back(contact);
+      if (const auto contact = grasped_contact(world, a, b)) out.push_back(*contact);
       continue;
     }
     add_contact(world, a, b, touch_bodies(world, a, b), out);

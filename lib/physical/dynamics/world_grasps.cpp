@@ -171,17 +171,15 @@ bool within_grasp(const WorldState& world, std::uint32_t a, std::uint32_t b) {
   return grasp != nullptr && is_of_part(world, other, grasp->articulation, grasp->part);
 }
 
-const Contact* grasped_contact(const WorldState& world, std::uint32_t a, std::uint32_t b,
-                               Contact& out) {
+std::optional<Contact> grasped_contact(const WorldState& world, std::uint32_t a, std::uint32_t b) {
   const Grasp* grasp = grasp_of(world, a) != nullptr ? grasp_of(world, a) : grasp_of(world, b);
   assert(grasp != nullptr);
   for (const Contact& contact : grasp->contacts) {
     if (contact.a != a || contact.b != b) continue;
     const Body& body = world.bodies[grasp->body];
-    out = carried(contact, body.r, body.p);
-    return &out;
+    return carried(contact, body.r, body.p);
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 void end_touched_grasps(WorldState& world) {
@@ -230,7 +228,7 @@ void end_grasps_of(WorldState& world, std::uint32_t body) {
 }
 
 void follow_grasps(WorldState& world) {
-  if (!world.config.grasps) return;
+  if (!world.config.grasps || world.articulations.all.empty()) return;
   end_grasps(world, [&](const Grasp& grasp) { return !holds(world, grasp); });
   const std::size_t before = world.grasps.size();
   follow_steady(world);

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -134,9 +135,8 @@ void solve_world(WorldState& world);
 void number_grasps(WorldState& world);
 /// Whether one holds the other by a grasp, so that no point between them is to be solved.
 bool within_grasp(const WorldState& world, std::uint32_t a, std::uint32_t b);
-/// A contact within a grasp where the bodies are now: into `out`; null where the two do not touch.
-const Contact* grasped_contact(const WorldState& world, std::uint32_t a, std::uint32_t b,
-                               Contact& out);
+/// A contact within a grasp where the bodies are now; nothing where the two do not touch.
+std::optional<Contact> grasped_contact(const WorldState& world, std::uint32_t a, std::uint32_t b);
 /// Those of bodies that something else touches in this step.
 void end_touched_grasps(WorldState& world);
 /// Whether it has not been given up in this step.

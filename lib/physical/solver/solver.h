@@ -33,6 +33,9 @@ namespace stig::physics {
 /// The other side of a contact with the floor.
 inline constexpr std::uint32_t kFloorBody = 0xffffffff;
 
+/// m: points that are nearer touch; what is farther apart is seen ahead of time.
+inline constexpr double kTouching = 50e-6;
+
 struct ContactPoint {
   Vec3 p_W;
   Vec3 p_A;  ///< in a's frame: how the point is found again a step later
@@ -49,7 +52,7 @@ struct Contact {
   double friction = 0.5;
   Vec3 axle;                 ///< unit, world frame; zero: the same friction in all directions
   double axle_friction = 1;  ///< times `friction`, along the axle
-  bool touching = false;     ///< has been nearer than 50 µm since the contact began
+  bool touching = false;     ///< has been nearer than kTouching since the contact began
 };
 
 /// Takes over the impulses of the last step: from the nearest old point within 3 mm, when
