@@ -162,7 +162,7 @@ class Layout {
       const bool fixed = request_.allocation == Allocation::fixed;
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
                      own.front(), fixed && several_robots ? own : std::vector<ApproachSide>{},
-                     waits ? beyond : 0, !fixed && several_robots ? request_.robots : 0});
+                     waits ? beyond : 0, several_robots ? request_.robots : 0});
     }
     return out;
   }

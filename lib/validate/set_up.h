@@ -20,7 +20,7 @@
 //
 // Robots and sides are dealt out in turn; of fewer robots than sides each has sides that follow
 // each other, and begins at the first. Fixed allocation binds robots to their sides, unless there
-// is but one robot; under dynamic allocation each is told how many there are (params: crew: 2 ...).
+// is but one robot. Each of several is told how many there are (params: crew: 2 ...).
 //
 // Several structures of the same rules stand in a square of rows: each in the middle of an arena of
 // the size that it would have alone, with caches of its own. Robots are dealt out among them in
@@ -74,7 +74,7 @@ struct SetUpLayout {
     ApproachSide side = ApproachSide::plus_x;  ///< where it begins
     std::vector<ApproachSide> bound;           ///< to these sides for good; empty: to none
     int standby = 0;  ///< of those of its side that wait until they are needed; 0: it works
-    int crew = 0;     ///< robots at its structure, where they share its sides; 0: they do not
+    int crew = 0;     ///< robots at its structure, where they are several; 0: it is alone
   };
   struct Cache {
     Vec3 at;           ///< where blocks are dropped

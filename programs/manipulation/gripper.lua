@@ -5,7 +5,6 @@ local geometry = require 'common.geometry'
 local led_code = require 'common.led_code'
 
 local PULSE, LOWER = 0.006, 0.003  -- heights of the lift over a block on the floor
-local CARRY = 0.058
 local CARRY_FAR = 0.080        -- passes over a block without being drawn to it
 local LET_GO = 0.030           -- up from a block that was put down
 local PULSE_TIME, LOWER_TIME, SETTLE_TIME = 0.5, 0.5, 0.2  -- s
@@ -142,11 +141,10 @@ function Gripper:pull()
    lift:to(LOWER)
    self.process:wait(LOWER_TIME)
    magnets.carrying = true
-   lift:to(CARRY)
+   lift:to(CARRY_FAR)
    magnets:discharge('disable')
    self.process:wait(SETTLE_TIME)
-   if magnets:has_lifted() then lift:to(CARRY_FAR) end
-   return magnets.carrying
+   return magnets:has_lifted()
 end
 
 -- Lets the current flow against the magnets' own field until the two cancel, and goes up before it

@@ -50,7 +50,7 @@ Builder.BEHAVIOURS = {
 
 function Builder.new(robot, chart, task)
    local machine = Machine.new(robot)
-   task = setmetatable({ sides = SideAllocation.own(robot.params, task) }, { __index = task })
+   task = setmetatable({ sides = SideAllocation.own(robot.params, task), all_sides = task.sides }, { __index = task })
    local map = StructureMap.new(robot, machine.odometry, machine.tracker, task)
    local navigation = Navigation.new(machine, map)
    local sides = SideAllocation.new(machine, map, navigation, task)
@@ -105,7 +105,8 @@ end
 function Builder:wait()
    local longest, share, yielded = self.task.delay, FIRST_WAIT, self.work.yielded
    self.work.yielded = false
-   if yielded and self.work:feels_across() then
+   if self.work.obstructed == 0 and self.sides:take_turns() then return 'done' end
+   if yielded and self.work.way:feels_across() then
       if self.process:wait_until(self.map:sees_new_brick(), OTHERS_WORK) then self.process:wait(OTHERS_LEAVE) end
    else
       share = math.min(1, FIRST_WAIT * 2 ^ self.work.obstructed)

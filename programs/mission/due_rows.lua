@@ -24,7 +24,19 @@ local function top_of(cells, front, v, levels)
    return colour, top
 end
 
--- By v, rows as the map has them, {v, front}, seen from the side of this index.
+-- Whether two cells {u, v, level} are the same.
+function DueRows.is_same(cell, other)
+   return cell.u == other.u and cell.v == other.v and cell.level == other.level
+end
+
+-- The cell of the lattice into which a wish before a row's column, whose top is on a level, puts its brick.
+local function site_of(map, of, wish, top_level)
+   local u, v = map:cell_of(map.place_of(of, wish.what == 'extend' and 1 or 0, wish.left or 0))
+   return { u = u, v = v, level = wish.level or top_level + 1 }
+end
+
+-- By v, rows as the map has them, {v, front, site}, seen from the side of this index; site: the cell {u, v, level} of the
+-- lattice in which the brick is due.
 function DueRows.of(map, task, index)
    local cells, rows, due = map:cells_from(index), {}, {}
    for v, front in pairs(map.fronts_of(cells)) do rows[v] = { v = v, front = front } end
@@ -33,7 +45,10 @@ function DueRows.of(map, task, index)
       local function cell(du, dv, at) return colour_in(cells, of.front + du, v + dv, at) end
       local wish = map.room_before(rows, of) and
                    task.decide { top_colour = colour, top_level = level, side = map.name_of(index), cell = cell }
-      if wish then due[v] = of end
+      if wish then
+         of.frame = map:frame_of(index)
+         due[v] = { v = v, front = of.front, site = site_of(map, of, wish, level) }
+      end
    end
    return due
 end

@@ -56,6 +56,12 @@ function SideAllocation:are_manned()
    return self:are_shared() and (tonumber(self.robot.params.crew) or math.huge) >= #self.task.sides
 end
 
+-- Whether each of the task's sides has a robot: where all could do but the same, they take turns.
+function SideAllocation:take_turns()
+   local crew = tonumber(self.robot.params.crew)
+   return self.task.delay > 0 and crew ~= nil and crew >= #self.task.all_sides
+end
+
 -- Whether others may work on its sides, and robots are fewer than sides, so that each goes from one side to another.
 function SideAllocation:are_fewer()
    return self:are_shared() and not self:are_manned()

@@ -7,25 +7,11 @@ local Column = require 'mission.column'
 local ColourFaults = require 'mission.colour_faults'
 local Navigation = require 'motion.navigation'
 local Prospects = require 'mission.prospects'
+local RightOfWay = require 'mission.right_of_way'
+local Turns = require 'mission.turns'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
 local LOOK_TIME = 1.0          -- s, for each look
-local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
-local PEEK_RIM = 0.05          -- m/s, of that turn, at most: a robot stands across several measurements
-local PEEK_STOP = 0.2          -- rad, in which it ends
-local PEEK_TIME = 0.6          -- s
-local THROUGH = 10             -- s, from such a look, that another takes to put its block
-local ACROSS, ACROSS_FROM = 0.14, 0.02  -- m aside from a site, at most, and on from it, at least, of the effector of another that
-                               -- stands before an adjoining one
-local STAYS, STAY = 3, 3       -- looks more from there where it goes before those that it sees, and s between two
-local GOES_IN = 0.055          -- m, of a block from the nearest brick's edge, nearer than who stands to look to both sides
-local ON_LINE = 0.0275         -- m, from a line through a site, square to its cell, of the block in the hand of another that looks
-                               -- to both sides before it,
-local FELT_AT_SAME = { 0.12, 0.16 }  -- and, at least and at most from the site, of what rangefinders see of its chassis,
-local NEAR_EDGE = { 0.015, 0.060 }   -- or, farther off, of its near edge on this side of such a line
-local AT_SITE = 0.22           -- m, from a site, where others are in the way
-local COMES_UP = 0.03          -- m, before the effector, likewise on the way in along a row's line
-local OF_ONE, GOES = 0.03, 25  -- m, s: what is seen there again after so long stands for good
 local LATEST = 0.25            -- part of the last approach in their mean time
 local BUSY = 10                -- s, the longest wait where another robot is at a row
 local OBSTRUCTED = 6           -- a robot that was obstructed more often goes to another side
@@ -44,8 +30,6 @@ local FAULT_LASTS = 15         -- s, that a brick was seen to show a colour that
 local TELLINGS = 3             -- so often one is told at most: its LEDs may be dead
 local STAYS_OFF = 0.012        -- m, of the block from right over it meanwhile: a column behind would draw it off
 local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
-local NEXT_SITE = 0.20         -- m, likewise from the site that a robot goes to
-local PAST_LOOK = 0.11         -- m, and from the nearest brick's edge, nearer than who stands for a look holds his
 local QUEUE, QUEUES = 4, 5     -- s, the longest wait after another's work was seen to end; so often at most
 local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
 local ASIDE, ASKEW = 0.015, 0.5  -- m and rad off a row's line, beyond which it is driven to anew
@@ -59,13 +43,12 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- the right. in_vain: how often all rows of a side were tried since the last brick. news: when, s, there were last more
 -- bricks, or fewer, than the robot knew, and how many there are. patience: s after that in which it keeps to its side,
 -- where sides are shared and manned; twice as long each time. obstructed: how often somebody was in the way, or nothing
--- to be done, since the last brick. standing: what stands near sites, and may be robots: {x, y, since}. row: {v, front,
--- frame, juts}, the one it stands before; unfound: v of the row at which the last approach did not find its brick. wish:
--- what is to be done there (Column:decide). approach_time: mean of the last approaches to a site, s. yielded: it has just
--- left a site to another. across: a place where the last look to both sides found another before an adjoining site, or
--- nil. fault: a brick of a wrong colour that was seen, and since when (see_to_faults); mended: by cell, how often one was
--- told its colour. fronts: by v, the front of rows of this side as they were looked at since it last came to it. at_home:
--- it has put a brick here since then; contested: it has not, and somebody was in its way.
+-- to be done, since the last brick. row: {v, front, frame, juts}, the one it stands before; unfound: v of the row at which the
+-- last approach did not find its brick. wish: what is to be done there (Column:decide). approach_time: mean of the last
+-- approaches to a site, s. yielded: it has just left a site to another. fault: a brick of a wrong colour that was seen, and
+-- since when (see_to_faults); mended: by cell, how often one was told its colour. fronts: by v, the front of rows of this side
+-- as they were looked at since it last came to it. at_home: it has put a brick here since then; contested: it has not, and
+-- somebody was in its way.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 
@@ -75,13 +58,15 @@ local function patience_at_first()
 end
 
 function SiteWork.new(machine, map, navigation, sides, record, task)
+   local turns = Turns.new(machine, map, sides, task)
    return setmetatable({
       machine = machine, odometry = machine.odometry, process = machine.process, path = machine.path,
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
-      record = record, task = task, prospects = Prospects.new(map, sides, task),
+      record = record, task = task, prospects = Prospects.new(map, sides, task), turns = turns,
+      way = RightOfWay.new(machine, map, sides, turns, task),
       tried = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
-      obstructed = 0, standing = {}, fronts = {}, at_home = true, approach_time = 0, yielded = false, mended = {},
+      obstructed = 0, fronts = {}, at_home = true, approach_time = 0, yielded = false, mended = {},
    }, SiteWork)
 end
 
@@ -287,18 +272,10 @@ function SiteWork:stays()
    return false
 end
 
--- Says whether another robot stands before the row, on the way in along a line, or beside it so that its arm may be there.
-function SiteWork:in_between(line)
-   local function counts(point) return self:comes_and_goes(point) end
-   return function()
-      return self.clearance:between(-self.odometry:on_line(line)) or self.clearance:meets_arm_ahead(COMES_UP, counts)
-   end
-end
-
 -- Along the row's line, or what a function says of it in each step, up to a place `away` from its column.
 -- Whether nobody is in the way.
 function SiteWork:come_up(line, away, speed)
-   local in_between = self:in_between(type(line) == 'function' and line() or line)
+   local in_between = self.way:in_between(type(line) == 'function' and line() or line)
    self.path:follow(line, -away, speed, in_between)
    return not in_between()
 end
@@ -470,6 +447,7 @@ function SiteWork:look_at(column)
 end
 
 function SiteWork:look()
+   if self.turns:await(self.task.looks[1].lift) then self.process:enter('look') end
    local machine, chosen = self.machine, self.row
    local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
    if not self:look_at(column) then
@@ -508,131 +486,6 @@ function SiteWork:look()
    return 'unseen'
 end
 
--- Whether a point is no part of what stands there for good: robots leave after a while.
-function SiteWork:comes_and_goes(point)
-   for _, known in ipairs(self.standing) do
-      if apart(known, point) < OF_ONE then return self.odometry.time - known.since < GOES end
-   end
-   table.insert(self.standing, { x = point.x, y = point.y, since = self.odometry.time })
-   return true
-end
-
--- Whether another, whose block or chassis is at a place, looks at the same site, and is to leave. Robots at adjoining sites
--- are out of each other's pictures until they go in, so that neither knows when the other does.
-function SiteWork:goes_before(other, line)
-   local ahead, left = geometry.into(line, other.x, other.y)
-   local way, same = apart(line, other), other.opposite
-   if other.z then
-      same = math.min(math.abs(ahead), math.abs(left)) < ON_LINE
-   elseif not same then
-      same = way > FELT_AT_SAME[1] and (way < FELT_AT_SAME[2] or -ahead > NEAR_EDGE[1] and -ahead < NEAR_EDGE[2])
-   end
-   return same and self.map:goes_before(other)
-end
-
--- The block that somebody is seen to hold at work about a place; `first`: except of those that this robot goes before,
--- which have not gone in.
-function SiteWork:held_at_work(line, first)
-   return self.placement:held_near(line.x, line.y, NEXT_SITE, function(block)
-      local room = self.map:room_about(block.x, block.y)
-      return room < GOES_IN or room < PAST_LOOK and not (first and self:goes_before(block, line))
-   end)
-end
-
--- Likewise a place where rangefinders have seen a robot since a time.
-function SiteWork:felt_at_work(line, since, first)
-   for _, point in ipairs(self.machine.returns:near(line.x, line.y, AT_SITE, since)) do
-      if self:comes_and_goes(point) and not (first and self:goes_before(point, line)) then return point end
-   end
-end
-
--- Where the effector's rangefinder sees something, or nil.
-function SiteWork:felt_ahead()
-   local ahead = self.machine.ranges:range('front')
-   if not ahead then return nil end
-   local x, y = geometry.out_of(self.odometry.pose, self.machine.description.effector.front + ahead, 0)
-   return { x = x, y = y }
-end
-
--- Where somebody stands on the other side of the site: from the lift's top the effector's rangefinder looks over bricks,
--- and sees the other's effector or what carries it. No camera looks so high.
-function SiteWork:opposite()
-   self.lift:to(self.lift:top())
-   local place = self:felt_ahead()
-   if place then place.opposite = true end
-   return place
-end
-
--- Whether the effector's rangefinder reaches so far.
-function SiteWork:feels_across()
-   local front = self.machine.description.rangefinders.front
-   return front ~= nil and front.range > ACROSS
-end
-
--- Where somebody stands before an adjoining site, on another side of the corner: the effector's rangefinder sees that one's
--- in the turns of a look to both sides, while both lifts are at their tops.
-function SiteWork:felt_across(line)
-   local place = self:felt_ahead()
-   if not place then return nil end
-   local ahead, left = geometry.into(line, place.x, place.y)
-   return ahead > ACROSS_FROM and math.abs(left) > SIDE and math.abs(left) < ACROSS and place or nil
-end
-
--- A block that somebody holds near the structure, as a look over the column and to both sides tells: with
--- the lift at its top, since the picture's upper edge cuts off what another holds as high and as far away. What
--- is seen on the way counts at once: by the end of a slow turn it would be long ago.
-function SiteWork:sees_others_work(line, first)
-   local returns, busy = self.machine.returns, nil
-   local function held()
-      busy = busy or self:held_at_work(line, first)
-      self.across = self.across or self:felt_across(line)
-      return busy
-   end
-   local drive = self.machine.description.drive
-   local rim = math.min(PEEK_RIM, math.sqrt(PEEK_STOP * drive.acceleration * drive.track))
-   self.lift:to(self.lift:top())
-   self.process:wait_until(held, PEEK_TIME)
-   for _, angle in ipairs { -PEEK, PEEK } do
-      local turn = geometry.wrap(line.yaw + angle - self.odometry.pose.yaw)
-      if not held() and not returns:sweeps(turn, self.lift:height()) then
-         self.path:swing_to(line.yaw + angle, rim, held)
-      end
-   end
-   self.path:turn_to(line.yaw, rim, function()
-      held()
-      return false
-   end)
-   return held()
-end
-
--- Where another robot is seen at work about the end of a line, in a look to both sides, or nil.
--- Who passes here stays nearer than PEEK_FROM until it has put its block down, where the others
--- see it from the places from which they look in their turn: of two robots at work on adjoining
--- sides, the one that looks last sees the other.
-function SiteWork:other_at_work(line, first)
-   self.path:follow_back(line, -PEEK_FROM, 0.08)
-   local start = self.odometry.time
-   self.across = nil
-   return self:opposite() or self:sees_others_work(line, first) or self:felt_at_work(line, start, first)
-end
-
--- Whether nobody else is at work there. Of two that look at the same site and see each other the one leaves, and the other
--- looks again after a while, and then goes in, whoever has come meanwhile of those that it goes before. Of two before
--- adjoining sites, whose effectors would meet over the corner, the one waits until the other is through; that one looks
--- once more, too, as it may not have been noticed.
-function SiteWork:is_alone(line)
-   local first = false
-   for look = 0, STAYS do
-      local other = self:other_at_work(line, first)
-      local across = not other and self.across
-      local waits = across and self.map:waits_at_corner(across)
-      if not other and not waits and (not across or look > 0) then return true end
-      if other then first = self:goes_before(other, line) end
-      if look == STAYS or other and not first then return false end
-      self.process:wait(waits and THROUGH or STAY)
-   end
-end
-
 -- What leads to the site: a brick, how the site lies from it, and how far that is to its left, m. The highest of the
 -- column that is in the picture from where an approach begins; before one that hangs over, with none such below it, a
 -- brick next to the site.
@@ -648,16 +501,24 @@ function SiteWork:guide_of(wish)
    return wish.feet[1] or wish.top, wish.what, left
 end
 
+-- Whether another may be met at the site.
+function SiteWork:may_meet()
+   local x, y, level = self:place_of_wish()
+   local u, v = self.map:cell_of(x, y)
+   return self.task.delay > 0 and self.way:may_meet { u = u, v = v, level = level }
+end
+
 function SiteWork:approach_site()
    local wish, start = self.wish, self.odometry.time
+   local _, _, level = self:place_of_wish()
    local guide, where, left = self:guide_of(wish)
    local near, problem = self.placement:approach_site(guide, where, {
       heading = self.row.frame.yaw, level = wish.level, left = left,
       over = wish.what == 'beside' and self:stands_free(),
       before = wish.mends and STAYS_OFF, aside = wish.aside, open = wish.open, colour = wish.colour,
       clear = self.task.delay > 0 and self:is_clear(),
-      alone = self.task.delay > 0 and function(line) return self:is_alone(line) end or nil,
-      goes_before = function(place) return self.map:goes_before(place) end,
+      alone = self:may_meet() and function(line) return self.way:is_alone(line, level) end or nil,
+      goes_before = function(place) return self.map:goes_before(place, level) end,
    })
    local mean, took = self.approach_time, self.odometry.time - start
    self.approach_time = mean == 0 and took or mean + LATEST * (took - mean)
@@ -732,7 +593,7 @@ function SiteWork:attach()
       return 'failed'
    end
    self:leave(self.row)
-   self:note_placed()
+   self.turns:place(function() self:note_placed() end)
    -- of the row that it is in, and of that of the brick
    self.fronts[self.row.v], self.fronts[self.row.v + (self.wish.left or 0)] = nil, nil
    if self.wish.what == 'extend' then self.fronts[self.row.v] = self.row.front + 1 end

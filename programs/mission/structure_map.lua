@@ -273,9 +273,9 @@ function StructureMap:count_bricks()
    return count
 end
 
--- A function that says whether more bricks are known than at first, asked in each step.
-function StructureMap:sees_new_brick()
-   local before = self:count_bricks()
+-- A function that says whether more bricks are known than so many, or at first, asked in each step.
+function StructureMap:sees_new_brick(known)
+   local before = known or self:count_bricks()
    return function() return self:rows() ~= nil and self:count_bricks() > before end
 end
 
@@ -444,27 +444,42 @@ function StructureMap:side_name()
    return StructureMap.name_of(self.side)
 end
 
--- The robot's side in the order of sides, from 0 on, and that on which a place is.
+-- The side of this index in the order of sides, from 0 on, which is the same for all robots.
+function StructureMap:order_of_side(index)
+   return (index + (self.task.turns and self.directions:first_side() or 0)) % 4
+end
+
+-- The robot's side in that order, and the side on which a place is.
 function StructureMap:order_of(place)
-   local first = self.task.turns and self.directions:first_side() or 0
-   local own = (self.side + first) % 4
+   local own = self:order_of_side(self.side)
    local turn = wrap(geometry.angle_to(place, self.known) - self:heading_of(self.side))
    return own, (own + geometry.round(turn / (math.pi / 2))) % 4
 end
 
--- Whether a robot on this side goes before one that is at a place on another: the order of sides says. On the same side
--- chance does.
-function StructureMap:goes_before(place)
+-- Whether a robot on this side goes before one that is at a place on another: the order of sides says, one further on at each
+-- level. On the same side chance does.
+function StructureMap:goes_before(place, level)
    local own, other = self:order_of(place)
    if own == other then return math.random() < 0.5 end
-   return own < other
+   return (own - level) % 4 < (other - level) % 4
+end
+
+-- Whether a place is on a side that adjoins the robot's.
+function StructureMap:is_on_adjoining_side(place)
+   local own, other = self:order_of(place)
+   return (own - other) % 2 == 1
+end
+
+-- Whether its side is that of this number in the order of sides, or the opposite one.
+function StructureMap:is_along(number)
+   return (self:order_of_side(self.side) - number) % 2 == 0
 end
 
 -- Whether it waits at a corner for one that is at a place on an adjoining side: who works along y does, so that two at most
 -- wait, and those for whom they wait are on opposite sides.
 function StructureMap:waits_at_corner(place)
-   local own, other = self:order_of(place)
-   return own % 2 == 1 and other % 2 == 0
+   local _, other = self:order_of(place)
+   return self:is_along(1) and other % 2 == 0
 end
 
 -- The side among those allowed that a place is nearest to.

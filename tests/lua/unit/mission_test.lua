@@ -2,7 +2,6 @@
 -- What a robot that builds knows and decides, and a small structure that a fake one builds.
 
 local FakeRobot = require 'fake_robot'
-local Machine = require 'machine'
 local Builder = require 'mission.builder'
 local Column = require 'mission.column'
 local DueRows = require 'mission.due_rows'
@@ -12,28 +11,12 @@ local StructureMap = require 'mission.structure_map'
 local Target = require 'mission.target'
 local geometry = require 'common.geometry'
 local machine_with = require 'machine_with'
+local map_of = require 'map_of'
 local unit = require 'unit'
 local case, near, same = unit.case, unit.near, unit.same
 
 local ALL = { '+x', '+y', '-x', '-y' }
 local SIDE = geometry.SIDE
-
--- A map of a structure of these cells {along, across, level}, whose first is at a frame's origin, as a
--- robot remembers it.
-local function map_of(cells, frame, task, params)
-   local fake = FakeRobot.new()
-   fake.robot.params = params or {}
-   local machine = Machine.new(fake.robot)
-   local map = StructureMap.new(fake.robot, machine.odometry, machine.tracker, task)
-   for i, cell in ipairs(cells) do
-      local x, y = geometry.out_of(frame, SIDE * cell[1], SIDE * cell[2])
-      machine.tracker.tracks[i] = {
-         id = i, x = x, y = y, z = SIDE * (cell[3] + 0.5), level = cell[3], yaw = frame.yaw, turned = 1e-4,
-         colour = cell.colour or 1, seen = 9, missed = 0, time = 0, top_time = 0,
-      }
-   end
-   return map, machine
-end
 
 case('the structure is faced from the side that the robot begins on', function()
    local task = { transport = 4, sides = ALL, turns = false }
@@ -813,7 +796,7 @@ case('a structure that is lost in a look is looked for, not built at', function(
    map:remember(map:in_memory())
    map:settle()
    local aborted = 0
-   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   local work = SiteWork.new(machine, map, nil, { take_turns = function() end }, nil, task)
    work.record = { tally = function(_, what) if what == 'aborted' then aborted = aborted + 1 end end }
    work.magnets = { holds = function() return true end }
    work.row = map:rows()[0]
@@ -863,19 +846,6 @@ case('what comes before the effector on the way in is a robot, where no brick st
    same('a brick', is_clear(beside, 0), false)
    same('one as high as the effector', is_clear(beside, 1), false)
    same('one over that', is_clear(beside, 2), true)
-end)
-
-case('with the lift at its top a robot is seen on the other side of a site', function()
-   local machine, fake, run = machine_with {}
-   local work = SiteWork.new(machine, {}, nil, nil, nil, { delay = 30 })
-   machine.ranges.range = function(_, name)
-      return name == 'front' and fake.robot.lift_system.position > 0.13 and 0.12 or nil
-   end
-   local other = run(function() return work:opposite() end)
-   near('ahead', other.x, machine.description.effector.front + 0.12, 1e-3)
-   near('straight', other.y, 0, 1e-3)
-   machine.ranges.range = function() return nil end
-   same('nobody', run(function() return work:opposite() end), nil)
 end)
 
 case('what it has put down is remembered, and counts as a neighbour', function()
@@ -1210,7 +1180,7 @@ case('who is alone looks no more once it knows what to do, others look from ever
       local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
       map:remember(map:in_memory())
       map:settle()
-      local work, looks = SiteWork.new(machine, map, nil, nil, nil, task), 0
+      local work, looks = SiteWork.new(machine, map, nil, { take_turns = function() end }, nil, task), 0
       work.magnets, work.row = { holds = function() return true end }, map:rows()[0]
       work.record = { tell = function() end }
       work.look_from = function(_, column)
@@ -1221,139 +1191,6 @@ case('who is alone looks no more once it knows what to do, others look from ever
       same('decided', work:look(), 'decided')
       same('looks', looks, delay == 0 and 1 or 2)
    end
-end)
-
--- Lower, the picture's upper edge cuts off the tags of a block that another holds before an adjoining side.
-case('a robot looks to both sides for others with the lift at its top', function()
-   local machine, fake, run = machine_with {}
-   local work = SiteWork.new(machine, { known = { x = 0.3, y = 0, reach = 0.03 } }, nil, nil, nil, { delay = 30 })
-   local least, most, lowest = 0, 0, math.huge
-   local busy = run(function() return work:sees_others_work { x = 0.3, y = 0, yaw = 0 } end, function()
-      least, most = math.min(least, fake.pose.yaw), math.max(most, fake.pose.yaw)
-      if math.abs(fake.pose.yaw) > 0.1 then lowest = math.min(lowest, fake.robot.lift_system.position) end
-   end)
-   same('nobody', busy, nil)
-   same('to both sides', least < -0.7 and most > 0.7, true)
-   near('lift', lowest, machine.lift:top(), 0.001)
-   near('ahead again', fake.pose.yaw, 0, 0.02)
-end)
-
--- What a robot before a column at x = 0.3 finds that looks to both sides, where in the turn to the right it sees a block
--- in another's hand, so far aside; how far it turned; and where it faces in the end.
-local function look_aside(left)
-   local machine, fake, run = machine_with {}
-   local map = {
-      room_about = function(_, x, y) return geometry.apart({ x = x, y = y }, { x = 0.3, y = 0 }) - geometry.HALF end,
-   }
-   local work = SiteWork.new(machine, map, nil, nil, nil, { delay = 30 })
-   local furthest, seen = 0, false
-   local busy = run(function() return work:sees_others_work { x = 0.3, y = 0, yaw = 0 } end, function()
-      furthest = math.max(furthest, math.abs(fake.pose.yaw))
-      if fake.pose.yaw < -0.4 and not seen then
-         seen = true
-         table.insert(machine.tracker.tracks, {
-            id = 1, x = 0.3, y = left, z = 0.138, yaw = 0, turned = 0, colour = 4, seen = 9, missed = 0,
-            time = machine.odometry.time, top_time = 0, variance = 1e-6,
-         })
-      end
-   end)
-   return busy, furthest, fake.pose.yaw
-end
-
-case('what another holds counts as soon as it is seen in a turn aside', function()
-   local busy, furthest, yaw = look_aside(0.1)
-   near('somebody', busy.y, 0.1, 1e-9)
-   same('at once', furthest > 0.4 and furthest < 0.6, true)
-   near('ahead again', yaw, 0, 0.02)
-end)
-
-case('who stands farther off for a look of its own is not at work', function()
-   local busy, furthest = look_aside(0.17)
-   same('nobody', busy, nil)
-   same('to both sides', furthest > 0.7, true)
-end)
-
-case('of two robots that see each other the one goes before the other by their sides', function()
-   local task = { transport = 4, sides = ALL, turns = true }
-   -- each at its own side of a brick, which it sees ahead; places of others are to its left, opposite and to its right
-   local others = { { 0.3, 0.2 }, { 0.5, 0 }, { 0.3, -0.2 } }
-   local said = {}
-   for _, side in ipairs { '+x', '+y', '-x', '-y' } do
-      local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task, { side = side })
-      map:remember(map:in_memory())
-      map:settle()
-      for _, other in ipairs(others) do
-         table.insert(said, map:goes_before { x = other[1], y = other[2] } and 'first' or 'then')
-      end
-   end
-   -- who is to the left of +x is at -y, to the left of +y at +x, and so on
-   same('by the order of sides', table.concat(said, ' '),
-        'first first first then first first then then first then then then')
-   local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task, { side = '+x' })
-   map:remember(map:in_memory())
-   map:settle()
-   local count = 0
-   for _ = 1, 200 do count = count + (map:goes_before { x = 0.1, y = 0 } and 1 or 0) end
-   same('by chance on one side', count > 50 and count < 150, true)
-end)
-
-case('who goes first stays, looks again, and then goes in whoever comes; the other leaves at once', function()
-   local waits, looks = 0, {}
-   local work = setmetatable({
-      process = { wait = function() waits = waits + 1 end },
-      other_at_work = function(_, _, first)
-         table.insert(looks, first)
-         return not first and { x = 0, y = 0.1, z = 0.16 } or nil
-      end,
-   }, SiteWork)
-   work.map = { goes_before = function() return true end }
-   same('goes in', work:is_alone { x = 0, y = 0, yaw = 0 }, true)
-   same('looks', #looks, 2)
-   same('past who leaves', looks[2], true)
-   same('waits between', waits, 1)
-   work.map = { goes_before = function() return false end }
-   same('leaves', work:is_alone { x = 0, y = 0, yaw = 0 }, false)
-   same('after one look', #looks, 3)
-   work.map = { goes_before = function() return true end }
-   same('likewise where the other is at an adjoining site', work:is_alone { x = 0.05, y = 0.16, yaw = 0 }, false)
-   same('after one', #looks, 4)
-   work.other_at_work = function() return { x = 0.06, y = 0, opposite = true } end
-   same('not for ever', work:is_alone { x = 0, y = 0, yaw = 0 }, false)
-   same('waits', waits, 4)
-end)
-
-case('of two at a corner the one along y waits until the other is through, which looks once more', function()
-   local waits, across = {}, {}
-   local work = setmetatable({ process = { wait = function(_, seconds) table.insert(waits, seconds) end } }, SiteWork)
-   function work:other_at_work() self.across = table.remove(across, 1) or nil end
-   local function goes_in(along_y, ...)
-      waits, across = {}, { ... }
-      work.map = { waits_at_corner = function() return along_y end }
-      return work:is_alone { x = 0, y = 0, yaw = 0 }, table.concat(waits, ' ')
-   end
-   local place = { x = 0.06, y = 0.12 }
-   for along_y, said in pairs { [true] = '10 10', [false] = '3' } do
-      local goes, waited = goes_in(along_y, place, place, false)
-      same('goes in', goes, true)
-      same('waits', waited, said)
-   end
-   same('not for ever', (goes_in(true, place, place, place, place)), false)
-   same('nobody', select(2, goes_in(true)), '')
-
-   local machine, fake = machine_with {}
-   work = SiteWork.new(machine, { waits_at_corner = function() end }, nil, nil, nil, { delay = 30 })
-   local effector = machine.description.effector.front
-   local function felt(yaw, ahead)
-      machine.odometry.pose = { x = 0, y = 0, yaw = yaw }
-      fake.robot.rangefinders.front.proximity = ahead
-      return work:felt_across { x = 0.19, y = 0, yaw = 0 }
-   end
-   local place_seen = felt(0.5, 0.26 - effector)
-   near('ahead', place_seen.x, 0.26 * math.cos(0.5), 1e-9)
-   near('aside', place_seen.y, 0.26 * math.sin(0.5), 1e-9)
-   same('beyond the site', felt(0, 0.26 - effector), nil)
-   same('before the same site', felt(0.5, 0.21 - effector), nil)
-   same('nothing', felt(0.5, 0.2), nil)
 end)
 
 case('a block without a colour is in a hand where neither it nor one below was ever seen as a brick', function()
@@ -1374,53 +1211,15 @@ case('a block without a colour is in a hand where neither it nor one below was e
    end
 end)
 
-case('sides along y wait at a corner for those along x', function()
-   local task, said = { transport = 4, sides = ALL, turns = true }, {}
-   for _, side in ipairs { '+x', '+y', '-x', '-y' } do
-      local map = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task, { side = side })
-      map:remember(map:in_memory())
-      map:settle()
-      for _, other in ipairs { { 0.3, 0.2 }, { 0.5, 0 }, { 0.3, -0.2 } } do
-         table.insert(said, map:waits_at_corner { x = other[1], y = other[2] } and 'waits' or 'goes')
-      end
-   end
-   same('sides', table.concat(said, ' '),
-        'goes goes goes waits goes waits goes goes goes waits goes waits')
-end)
-
-case('a block far from the bricks does not count for who goes before its robot, but one that is going in does', function()
-   local machine = machine_with {}
-   local map = {
-      goes_before = function() return true end,
-      room_about = function(_, x, y) return geometry.apart({ x = x, y = y }, { x = 0.3, y = 0 }) - geometry.HALF end,
-   }
-   local work = SiteWork.new(machine, map, nil, nil, nil, { delay = 30 })
-   local line = { x = 0.3, y = 0, yaw = 0 }
-   local function holds(y, x)
-      machine.tracker.tracks = { { x = x or 0.3, y = y, z = 0.14, colour = 4, time = machine.odometry.time } }
-      return work:held_at_work(line, false) ~= nil, work:held_at_work(line, true) ~= nil
-   end
-   local counts, for_first = holds(0.096)
-   same('looks to both sides', counts, true)
-   same('is to leave', for_first, false)
-   counts, for_first = holds(0.06)
-   same('goes in', counts and for_first, true)
-   counts, for_first = holds(0.11, 0.355)
-   same('at an adjoining site', counts and for_first, true)
-   machine.returns.near = function() return { { x = 0.3, y = 0.145 } } end
-   same('felt', work:felt_at_work(line, 0, false).y, 0.145)
-   same('is to leave', work:felt_at_work(line, 0, true), nil)
-   machine.returns.near = function() return { { x = 0.3, y = 0.11 } } end
-   same('goes in', work:felt_at_work(line, 0, true).y, 0.11)
-end)
-
 case('a robot with nothing to do looks beside its rows from the lift\'s top, round after round', function()
    local task = { transport = 4, sides = { '+x' }, turns = true, levels = 1, asks = {}, delay = 30,
                   looks = { { distance = 0.2, lift = 0.06 } }, decide = function() end }
    local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.3, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
-   local sides = { withdraw = function() end, are_fewer = function() end, nearest_other = function() end }
+   local sides = {
+      withdraw = function() end, are_fewer = function() end, nearest_other = function() end, take_turns = function() end,
+   }
    local work, lifted = SiteWork.new(machine, map, nil, sides, nil, task), {}
    work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
    work.process, work.rest = { wait = function() end }, function() end
