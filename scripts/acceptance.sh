@@ -8,7 +8,8 @@
 #
 # Parts: against bench engines laws validate robots five viewer packages assembly fuzz sanitizers;
 # without one, all but robots and assembly, which take hours. `robots` lets robots build with the
-# seeds S, S + 1 … of N runs (20) a row; rows of `validate` and `robots` that stand in out/ for this
+# seeds S, S + 1 … of N runs (20) a row, of five or ten times as many where so many are asked for, and
+# says what their simulation costs; rows of `validate` and `robots` that stand in out/ for this
 # commit and these arguments are not done again; `assembly` draws N targets (10) of each kind.
 # `engines` sets what the lattice's engines do a second beside what is aimed at, in a few minutes;
 # `against` sets the speed against that of revision R (e10fcc8). Each fuzz target runs for N seconds
@@ -27,7 +28,7 @@ while [[ $# -gt 0 ]]; do
     --targets) targets=${2:?--targets needs a number}; shift ;;
     --against) against=${2:?--against needs a revision}; shift ;;
     against | bench | engines | laws | validate | robots | five | viewer | packages | assembly | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,17s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,18s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
@@ -239,6 +240,16 @@ five_part() {
     out/five/run.log
 }
 
+# set_up FOLDER ARGUMENT…: writes the set-up of stigc validate with these arguments to a folder. It does
+# not run for long enough to build anything, which ends with 1.
+set_up() {
+  local folder=$1
+  shift
+  rm -rf "$folder"
+  build/dev/stigc validate "$@" --duration 2 -o "$folder" --quiet >&2 || [[ $? -eq 1 ]] ||
+    failures=$((failures + 1))
+}
+
 # Sizes of pages, how large ones open and turn, and what looking costs a run.
 viewer_part() {
   printf '\n## The viewer\n\n| four robots at the pyramid for | trace, bytes | page, bytes |\n|---|---:|---:|\n'
@@ -247,9 +258,7 @@ viewer_part() {
   local dir=out/viewer seconds
   rm -rf "$dir"
   mkdir -p "$dir"
-  # 1 says that nothing is built in 5 s, which is meant: the scene is wanted.
-  build/dev/stigc validate rulesets/stepped-pyramid.yaml --robots 4 --duration 5 -o "$dir/four" \
-    --quiet >&2 || [[ $? -eq 1 ]] || failures=$((failures + 1))
+  set_up "$dir/four" rulesets/stepped-pyramid.yaml --robots 4
   for seconds in 400 2400; do
     build/dev/stigc simulate "$dir/four/scene.yaml" --duration "$seconds" --quiet \
       --trace "$dir/$seconds.stigp" >&2 || failures=$((failures + 1))
@@ -280,6 +289,24 @@ packages_part() {
   scripts/bare_debian.sh out/packages || failures=$((failures + 1))
 }
 
+# cost_row WHAT SECONDS SCENE: what so many simulated seconds of a scene cost of the processor.
+cost_row() {
+  local TIMEFORMAT='%U'
+  { time build/dev/stigc simulate "$3" --seed "$seed" --duration "$2" --quiet >&2; } \
+    2>"$rows/seconds" || failures=$((failures + 1))
+  awk -v what="$1" -v s="$2" '/^[0-9.]+$/ { core = $1 }
+    END { printf "| %s | %d s | %.1f s | %.1f |\n", what, s, core, s / core }' "$rows/seconds"
+}
+
+# What it costs to simulate four robots at work, and a crowd. With assertions, as robots were run above.
+cost_rows() {
+  printf '\n### What it costs, in time of the processor\n\n|  | simulated | cost | times real time |\n|---|---:|---:|---:|\n'
+  set_up "$rows/four" "$1" --robots 4
+  cost_row 'four robots build the pyramid' 200 "$rows/four/scene.yaml"
+  cost_row 'and go on for all of 2400 s' 2400 "$rows/four/scene.yaml"
+  cost_row '100 robots push among 1024 blocks' 9 scenes/crowd.yaml
+}
+
 robots_part() {
   # Twenty robots, and tables of their own, with five seeds at most.
   local seeds=(--runs "$runs" --seed "$seed") few=$((runs < 5 ? runs : 5))
@@ -288,9 +315,14 @@ robots_part() {
   scripts/install.sh build >&2
   configure_and_build dev stigc >&2
   begin_rows "out/robots-$seed"
-  validate_row pyramid-four "$pyramid" --robots 4 "${seeds[@]}"
-  validate_row staircase "$staircase" "${seeds[@]}"
-  validate_row staircase-later-robot "$staircase" --robot robots/builderbot.yaml "${seeds[@]}"
+  validate_row pyramid-four "$pyramid" --robots 4 --runs $((5 * runs)) --seed "$seed"
+  set_up "$rows/exact" "$pyramid" --robots 4
+  sed -i '/^noise:/d; s/^duration: .*/duration: 2400/' "$rows/exact/scene.yaml"
+  validate_row pyramid-four-without-noise "$pyramid" --scene "$rows/exact/scene.yaml" \
+    --runs $((5 * runs)) --seed "$seed"
+  validate_row staircase "$staircase" --runs $((10 * runs)) --seed "$seed"
+  validate_row staircase-later-robot "$staircase" --robot robots/builderbot.yaml \
+    --runs $((5 * runs / 2)) --seed "$seed"
   validate_row pyramid-four-later-robots "$pyramid" --robots 4 --robot robots/builderbot.yaml \
     "${seeds[@]}"
   shape_rows "${seeds[@]}"
@@ -304,6 +336,7 @@ robots_part() {
   printf '\n### More robots at one pyramid\n\n'
   STIGC=build/dev/stigc scripts/scaling.sh --seed "$seed" --runs "$few" ||
     failures=$((failures + 1))
+  cost_rows "$pyramid"
 }
 
 # Targets of every kind, drawn by the seed. What out/assembly-SEED has of them is not done again. And large ones.
