@@ -121,18 +121,22 @@ std::vector<Vec3> loose_blocks(const SetUpLayout& layout, std::size_t wanted) {
   return out;
 }
 
-std::string controller_of(const SetUpLayout::Robot& robot) {
-  return fmt::format("builder{}{}", to_string(robot.side),
-                     robot.standby > 0 ? fmt::format("-standby{}", robot.standby) : "");
+/// Robots that begin on one side are bound alike, and told the same, where all crews are as large.
+std::string controller_of(const SetUpLayout::Robot& robot, const SetUpLayout& layout) {
+  const bool even = std::all_of(layout.robots.begin(), layout.robots.end(),
+                                [&](const auto& other) { return other.crew == robot.crew; });
+  return fmt::format("builder{}{}{}", to_string(robot.side),
+                     robot.standby > 0 ? fmt::format("-standby{}", robot.standby) : "",
+                     even ? "" : fmt::format("-of{}", robot.crew));
 }
 
 std::string controllers(const SetUpLayout& layout, const ArgosScripts& scripts) {
   std::string out = "  <controllers>\n";
   // A controller configuration for each side, and for those that stand by there: ARGoS shares one
-  // among all robots that name it, and robots that begin on one side are bound alike.
+  // among all robots that name it.
   std::set<std::string> made;
   for (const SetUpLayout::Robot& robot : layout.robots) {
-    const std::string name = controller_of(robot);
+    const std::string name = controller_of(robot, layout);
     if (!made.insert(name).second) continue;
     std::string params = fmt::format(" side=\"{}\"", to_string(robot.side));
     const std::string bound = sides_text(robot.bound);
@@ -187,7 +191,7 @@ std::string arena(const RuleSet& rules, const SetUpLayout& layout, const SetUpRe
         "      <body position=\"{:g},{:g},0\" orientation=\"{},0,0\"/>\n"
         "      <controller config=\"{}\"/>\n"
         "    </builderbot>\n",
-        ++number, robot.at.x, robot.at.y, robot.heading, controller_of(robot));
+        ++number, robot.at.x, robot.at.y, robot.heading, controller_of(robot, layout));
   }
   return out + "  </arena>\n\n";
 }

@@ -105,10 +105,28 @@ TEST_CASE("robots are bound to the sides that validate binds them to") {
       }
       if (!layout.robots[i].bound.empty()) wanted += '"';
       if (i >= 4) wanted += " standby=\"1\"";
+      if (robots > 1) wanted += " crew=\"" + std::to_string(robots) + '"';
       wanted += "/>";
       const std::size_t params = xml.find("<params", at), end = xml.find("/>", params) + 2;
       CHECK(xml.substr(params, end - params) == "<params script=\"r\" " + wanted);
     }
+  }
+}
+
+TEST_CASE("crews of different sizes have controllers of their own") {
+  const CompiledSet set("stepped-pyramid");
+  SetUpRequest request;
+  request.robots = 5;
+  request.structures = 2;
+  const std::string xml = argos_experiment(set.rules, set.compiled, request, {"r", "b"});
+  for (const char* crew : {"3", "2"}) {
+    const std::string id = std::string("id=\"builder+x-of") + crew + '"';
+    const std::size_t at = xml.find("<lua_controller " + id);
+    REQUIRE(at != std::string::npos);
+    const std::size_t params = xml.find("<params", at), end = xml.find("/>", params);
+    CHECK(xml.substr(params, end - params).find(std::string("crew=\"") + crew + '"') !=
+          std::string::npos);
+    CHECK(xml.find("config=\"builder+x-of" + std::string(crew) + '"') != std::string::npos);
   }
 }
 

@@ -60,8 +60,8 @@ TEST_CASE("two robots share four sides that follow each other, or are bound to n
   SetUpRequest request;
   request.robots = 2;
   const std::string fixed = set_up_scene(set.rules, set.compiled, request);
-  CHECK(fixed.find("params: {side: \"+x\", sides: \"+x +y\"}") != std::string::npos);
-  CHECK(fixed.find("params: {side: \"-x\", sides: \"-x -y\"}") != std::string::npos);
+  CHECK(fixed.find("params: {side: \"+x\", sides: \"+x +y\", crew: 2}") != std::string::npos);
+  CHECK(fixed.find("params: {side: \"-x\", sides: \"-x -y\", crew: 2}") != std::string::npos);
   request.allocation = Allocation::dynamic_;
   const std::string dynamic = set_up_scene(set.rules, set.compiled, request);
   CHECK(dynamic.find("params: {side: \"+x\", crew: 2}") != std::string::npos);
@@ -109,7 +109,8 @@ TEST_CASE("robots beyond one a side stand by beside its cache") {
     CHECK(robot.standby == static_cast<int>(i / 4));
     CHECK(robot.bound == std::vector{robot.side});
     const auto& params = read.scene->robots[i].params;
-    CHECK((params.back().first == "standby") == (i >= 4));
+    CHECK(params.back().first == "crew");
+    CHECK((params[params.size() - 2].first == "standby") == (i >= 4));
     CHECK(std::max(std::abs(robot.at.x), std::abs(robot.at.y)) < layout.arena - 0.2);
     for (std::size_t j = 0; j < i; ++j) CHECK(length(robot.at - layout.robots[j].at) > 0.24);
     // Which direction its side's cache is in, as the robot's program takes it to be.
