@@ -229,6 +229,8 @@ function RightOfWay:is_alone(line, level)
          self.path:follow_back(line, -PEEK_FROM - BACK, 0.08)
          self.turns:await_brick(OTHERS_WORK)
          self.process:enter('approach')
+         -- the structure may have been lost meanwhile
+         if not self.map.side then return false end
          waited = true
       end
    end

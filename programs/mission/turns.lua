@@ -86,6 +86,8 @@ function Turns:await(height)
    self.process:enter('await turn')
    self.lift:to(height)
    local level = self:await_others()
+   -- the structure may have been lost meanwhile
+   if not self.map.side then return true end
    if not self:is_own() and (not level or self.map:is_along(level)) then
       self:await_brick(LASTS, not level and known or nil)
    end

@@ -136,6 +136,7 @@ local function answers(before, adjoins, waits)
       is_on_adjoining_side = function() return adjoins end,
       waits_at_corner = function() return waits end,
       room_about = function(_, x, y) return math.sqrt(x * x + y * y) - geometry.HALF end,
+      side = 0,
    }
 end
 
@@ -163,6 +164,9 @@ case('who sees another at work at an adjoining site waits until a new brick is i
    local in_there = { other = { x = 0.055, y = 0.055, z = 0.09 } }
    local goes, did = looks(answers(true, true, true), { in_there, false })
    same('goes in then', goes, true)
+   local lost = answers(true, true, true)
+   lost.side = nil
+   same('not where the structure is lost meanwhile', (looks(lost, { in_there, false })), false)
    same('in between', did, 'waits for a brick')
    goes, did = looks(answers(true, true, false), { in_there, in_there, false })
    same('likewise where the other is to wait at corners', goes, true)
@@ -342,6 +346,14 @@ case('after the last turn those on its side and opposite wait for a brick of the
          end,
       })), wanted)
    end
+   local lost, _, lost_map = at_tower('+x', 4, 2)
+   lost.would_see = function() return true end
+   same('the structure is lost meanwhile', (waits(lost, {
+      answer = function(done)
+         lost_map:lose()
+         return done()
+      end,
+   })), true)
    -- who has put it, too, when it comes back
    local turns, _, map = at_tower('-x', 4, 2)
    turns:place(function() map:note_brick(0.3, 0, 2, 3) end)
