@@ -106,7 +106,7 @@ function Builder:wait()
    local longest, share, yielded = self.task.delay, FIRST_WAIT, self.work.yielded
    self.work.yielded = false
    if self.work.obstructed == 0 and self.sides:take_turns() then return 'done' end
-   if yielded and self.work.way:feels_across() then
+   if yielded and self.work.right_of_way:feels_across() then
       if self.process:wait_until(self.map:sees_new_brick(), OTHERS_WORK) then self.process:wait(OTHERS_LEAVE) end
    else
       share = math.min(1, FIRST_WAIT * 2 ^ self.work.obstructed)

@@ -64,7 +64,7 @@ function SiteWork.new(machine, map, navigation, sides, record, task)
       lift = machine.lift, magnets = machine.magnets, clearance = machine.clearance,
       placement = machine.placement, map = map, navigation = navigation, sides = sides,
       record = record, task = task, prospects = Prospects.new(map, sides, task), turns = turns,
-      way = RightOfWay.new(machine, map, sides, turns, task),
+      right_of_way = RightOfWay.new(machine, map, sides, turns, task),
       tried = {}, explored = {}, in_vain = 0, news = { time = 0 }, patience = patience_at_first(),
       obstructed = 0, fronts = {}, at_home = true, approach_time = 0, yielded = false, mended = {},
    }, SiteWork)
@@ -275,7 +275,7 @@ end
 -- Along the row's line, or what a function says of it in each step, up to a place `away` from its column.
 -- Whether nobody is in the way.
 function SiteWork:come_up(line, away, speed)
-   local in_between = self.way:in_between(type(line) == 'function' and line() or line)
+   local in_between = self.right_of_way:in_between(type(line) == 'function' and line() or line)
    self.path:follow(line, -away, speed, in_between)
    return not in_between()
 end
@@ -505,7 +505,7 @@ end
 function SiteWork:may_meet()
    local x, y, level = self:place_of_wish()
    local u, v = self.map:cell_of(x, y)
-   return self.task.delay > 0 and self.way:may_meet { u = u, v = v, level = level }
+   return self.task.delay > 0 and self.right_of_way:may_meet { u = u, v = v, level = level }
 end
 
 function SiteWork:approach_site()
@@ -517,7 +517,7 @@ function SiteWork:approach_site()
       over = wish.what == 'beside' and self:stands_free(),
       before = wish.mends and STAYS_OFF, aside = wish.aside, open = wish.open, colour = wish.colour,
       clear = self.task.delay > 0 and self:is_clear(),
-      alone = self:may_meet() and function(line) return self.way:is_alone(line, level) end or nil,
+      alone = self:may_meet() and function(line) return self.right_of_way:is_alone(line, level) end or nil,
       goes_before = function(place) return self.map:goes_before(place, level) end,
    })
    local mean, took = self.approach_time, self.odometry.time - start
