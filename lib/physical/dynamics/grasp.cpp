@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physical/solver/six.h"
 #include "physical/solver/small_matrix.h"
 
 namespace stig::physics {
@@ -52,15 +53,10 @@ Twist sum_of(const std::vector<Bearer>& bearers) {
   return sum;
 }
 
-std::array<double, 6> numbers(const Twist& twist) {
-  return {twist.v.x, twist.v.y, twist.v.z, twist.w.x, twist.w.y, twist.w.z};
-}
-
 Twist unit(std::size_t k) {
-  Twist out;
-  Vec3& three = k < 3 ? out.v : out.w;
-  (k % 3 == 0 ? three.x : k % 3 == 1 ? three.y : three.z) = 1;
-  return out;
+  Six out{};
+  out[k] = 1;
+  return twist_of(out);
 }
 
 void change(std::vector<Bearer>& bearers, const Twist& yz) {
@@ -73,7 +69,7 @@ std::vector<double> matrix_of(std::vector<Bearer> bearers) {
   for (std::size_t k = 0; k < 6; ++k) {
     for (Bearer& one : bearers) one.force = {};
     change(bearers, unit(k));
-    const auto column = numbers(sum_of(bearers));
+    const Six column = six_of(sum_of(bearers));
     for (std::size_t i = 0; i < 6; ++i) out[i * 6 + k] = column[i];
   }
   return out;
@@ -116,12 +112,12 @@ bool cannot_clamp(const std::vector<Bearer>& bearers) {
 /// Forces that add up to the impulse: of all such, the nearest.
 void make_up(const Grasp& grasp, const Twist& impulse, std::vector<Bearer>& bearers) {
   const Twist now = sum_of(bearers);
-  const auto lacking = numbers({impulse.v - now.v, impulse.w - now.w});
-  std::array<double, 6> yz{};
+  const Six lacking = six_of({impulse.v - now.v, impulse.w - now.w});
+  Six yz{};
   for (std::size_t i = 0; i < 6; ++i) {
     for (std::size_t k = 0; k < 6; ++k) yz[i] += grasp.spread[i * 6 + k] * lacking[k];
   }
-  change(bearers, {{yz[0], yz[1], yz[2]}, {yz[3], yz[4], yz[5]}});
+  change(bearers, twist_of(yz));
 }
 
 bool all_within(const std::vector<Bearer>& bearers) {

@@ -13,17 +13,12 @@ namespace {
 
 constexpr double kReach = 0.03;  ///< m: at which spins count as velocities
 
-Six six(const Vec3& first, const Vec3& last) {
-  return {first.x, first.y, first.z, last.x, last.y, last.z};
-}
-Vec3 first(const Six& six) { return {six[0], six[1], six[2]}; }
-Vec3 last(const Six& six) { return {six[3], six[4], six[5]}; }
-
 /// J: how the link moves where the body's centre is.
 void fill_j(const SolverLink& link, const Vec3& p, GraspRow& row) {
   const Vec3 arm = p - link.p;
   for (std::size_t i = 0; i < row.dofs; ++i) {
-    const Six column = six(link.columns[i].v + cross(link.columns[i].w, arm), link.columns[i].w);
+    const Six column =
+        six_of({link.columns[i].v + cross(link.columns[i].w, arm), link.columns[i].w});
     for (std::size_t k = 0; k < 6; ++k) row.j[k * row.dofs + i] = column[k];
   }
 }
@@ -68,8 +63,9 @@ void fill_mass(GraspRow& row) {
 
 /// On the body; the mechanism takes the opposite.
 void push(GraspRow& row, const Six& impulse) {
-  row.body->v += first(impulse) * row.body->inverse_mass;
-  row.body->w += row.body->inverse_inertia * last(impulse);
+  const Twist twist = twist_of(impulse);
+  row.body->v += twist.v * row.body->inverse_mass;
+  row.body->w += row.body->inverse_inertia * twist.w;
   for (std::size_t k = 0; k < 6; ++k) {
     const double* w = &row.w[k * row.dofs];
     for (std::size_t i = 0; i < row.dofs; ++i) row.v[i] -= w[i] * impulse[k];
@@ -78,7 +74,7 @@ void push(GraspRow& row, const Six& impulse) {
 
 /// The link's twist at the body's centre, less the body's.
 Six lag(const GraspRow& row) {
-  Six out = six(row.body->v * -1, row.body->w * -1);
+  Six out = six_of({row.body->v * -1, row.body->w * -1});
   for (std::size_t k = 0; k < 6; ++k) {
     const double* j = &row.j[k * row.dofs];
     for (std::size_t i = 0; i < row.dofs; ++i) out[k] += j[i] * row.v[i];
@@ -120,8 +116,8 @@ void make_grasp_rows(SolverTask& task, GraspRows& rows) {
     fill_j(link, row.body->p, row);
     fill_w(mechanism.inverse, row);
     fill_mass(row);
-    row.impulse =
-        six(grasp.impulse.v * (1.0 / task.small_steps), grasp.impulse.w * (1.0 / task.small_steps));
+    row.impulse = six_of(
+        {grasp.impulse.v * (1.0 / task.small_steps), grasp.impulse.w * (1.0 / task.small_steps)});
     row.sum = {};
   }
 }
@@ -144,7 +140,7 @@ void add_up_grasps(GraspRows& rows) {
 
 void keep_grasp_impulses(const GraspRows& rows, SolverTask& task) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    task.grasps[k].impulse = {first(rows[k].sum), last(rows[k].sum)};
+    task.grasps[k].impulse = twist_of(rows[k].sum);
   }
 }
 

@@ -6,12 +6,10 @@
 #include <array>
 #include <vector>
 
+#include "physical/solver/six.h"
 #include "physical/solver/solver.h"
 
 namespace stig::physics {
-
-/// Force and torque, or velocity and spin, of which the first three go first.
-using Six = std::array<double, 6>;
 
 struct GraspRow {
   double* v = nullptr;  ///< of the mechanism
