@@ -449,7 +449,12 @@ function StructureMap:order_of_side(index)
    return (index + (self.task.turns and self.directions:first_side() or 0)) % 4
 end
 
--- The robot's side in that order, and the side on which a place is.
+-- Where the side of this index is in the order of turns at a level, from 0 on: that of sides, from one further on at each level.
+function StructureMap:rank_of(index, level)
+   return (self:order_of_side(index) - level) % 4
+end
+
+-- The robot's side in the order of sides, and the side on which a place is.
 function StructureMap:order_of(place)
    local own = self:order_of_side(self.side)
    local turn = wrap(geometry.angle_to(place, self.known) - self:heading_of(self.side))

@@ -10,7 +10,8 @@ local SIDE = geometry.SIDE
 local LASTS = 28               -- s, of a turn
 local LEAVES = 1.5             -- s, after its brick was seen, in which another is about to be out of the way
 
--- site: the only cell {u, v, level, since} in which a brick is due, as this robot knew when it last looked, and since when, s.
+-- site: the only cell {u, v, level, since, first} in which a brick is due, as this robot knew when it last looked; since when, s;
+-- and the side of whoever goes first, by its number in the order of sides.
 -- known: how many bricks it knew right after it had put one in its turn, until it looks at a row again.
 local Turns = {}
 Turns.__index = Turns
@@ -22,26 +23,41 @@ function Turns.new(machine, map, sides, task)
    }, Turns)
 end
 
--- How many robots go before this one, and the only cell in which a brick is due, as far as the robot remembers: they go by the
--- order of their sides, one further on at each level. 0 and nil where rules ask for several bricks, or for none, or not every
--- side has its robot.
-function Turns:order()
-   local map, only, before = self.map, nil, 0
-   if not map.side or not map.known or not self.sides:take_turns() then return 0 end
-   local own = map:order_of_side(map.side)
+-- The only cell {u, v, level} in which a brick is due, as far as the robot remembers, and indices of the sides from which it is;
+-- nil where rules ask for several bricks, or for none.
+function Turns:only_due()
+   local map, only, sides = self.map, nil, {}
    for _, name in ipairs(self.task.all_sides) do
       local side = StructureMap.SIDES[name]
       for _, due in pairs(DueRows.of(map, self.task, side)) do
-         local site = due.site
-         only = only or site
-         if not DueRows.is_same(site, only) then return 0 end
-         if (map:order_of_side(side) - site.level) % 4 < (own - site.level) % 4 then before = before + 1 end
+         only = only or due.site
+         if not DueRows.is_same(due.site, only) then return nil end
+         if sides[#sides] ~= side then table.insert(sides, side) end
       end
    end
-   if only and not (self.site and DueRows.is_same(only, self.site)) then
-      self.site, only.since = only, self.odometry.time
+   return only, sides
+end
+
+-- How many robots go before this one, and the only cell in which a brick is due: those from whose sides it is go by the order of
+-- sides, one further on at each level, and before those who cannot do it. 0 where it is not the only one, or not every side has
+-- its robot.
+function Turns:order()
+   local map = self.map
+   if not map.side or not map.known or not self.sides:take_turns() then return 0 end
+   local only, sides = self:only_due()
+   if not only then return 0 end
+   local before, own, least = 0, math.huge, math.huge
+   for _, side in ipairs(sides) do
+      if side == map.side then own = map:rank_of(side, only.level) end
    end
-   return before, only and self.site
+   for _, side in ipairs(sides) do
+      local rank = map:rank_of(side, only.level)
+      if rank < own then before = before + 1 end
+      if rank < least then only.first, least = map:order_of_side(side), rank end
+   end
+   only.since = self.site and DueRows.is_same(only, self.site) and self.site.since or self.odometry.time
+   self.site = only
+   return before, only
 end
 
 -- Whether all could do but one and the same, and it is this robot's turn.
@@ -57,23 +73,23 @@ function Turns:would_see(site)
    return self.camera:farthest_in_sight(self.lift.highest, place) > self.odometry:distance_to(place)
 end
 
--- Until those have built who go first, as far as that is in sight from here, or else the next of them should have. The level
--- of the last site for which it was another's turn, or nil.
+-- Until those have built who go first, as far as that is in sight from here, or else the next of them should have. The side of
+-- whoever had the last turn of another's, by its number in the order of sides, or nil.
 function Turns:await_others()
    local before, site = self:order()
-   local level = before > 0 and site.level or nil
+   local last = before > 0 and site.first or nil
    while before > 0 do
       local now = before
       local over = site.since + LASTS * (self:would_see(site) and before or 1)
       local changed = self.process:wait_until(function()
          self.map:rows()
          now, site = self:order()
-         level = site and site.level or level
+         last = site and site.first or last
          return now ~= before
       end, over - self.odometry.time)
       before = changed and now or 0
    end
-   return level
+   return last
 end
 
 -- Until it is this robot's turn, with the lift at a height from which it sees the structure. After the last turn all would set
@@ -85,11 +101,11 @@ function Turns:await(height)
    if not known and self:order() == 0 then return false end
    self.process:enter('await turn')
    self.lift:to(height)
-   local level = self:await_others()
+   local last = self:await_others()
    -- the structure may have been lost meanwhile
    if not self.map.side then return true end
-   if not self:is_own() and (not level or self.map:is_along(level)) then
-      self:await_brick(LASTS, not level and known or nil)
+   if not self:is_own() and (not last or self.map:is_along(last)) then
+      self:await_brick(LASTS, not last and known or nil)
    end
    return true
 end

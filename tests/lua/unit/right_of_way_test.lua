@@ -3,6 +3,7 @@
 
 local RightOfWay = require 'mission.right_of_way'
 local SideAllocation = require 'mission.side_allocation'
+local StructureMap = require 'mission.structure_map'
 local Turns = require 'mission.turns'
 local geometry = require 'common.geometry'
 local machine_with = require 'machine_with'
@@ -354,6 +355,24 @@ case('after the last turn those on its side and opposite wait for a brick of the
          return done()
       end,
    })), true)
+   -- whoever has the last turn, at whatever level: here it is +y alone from where the tower is to be raised
+   for side, wanted in pairs { ['-x'] = '28', ['-y'] = '28 28' } do
+      local turns, _, map, _, task = at_tower(side, 4, 2)
+      local decide, raises = task.decide, StructureMap.name_of((1 - map:order_of_side(0)) % 4)
+      task.decide = function(column)
+         return (column.top_colour ~= 3 or column.top_level == 2 or column.side == raises) and decide(column) or nil
+      end
+      turns.would_see = function() return true end
+      local last
+      same('not at its level, ' .. side, select(2, waits(turns, {
+         answer = function(done)
+            if last then return false end
+            last = true
+            map:note_brick(0.3, 0, 2, 3)
+            return done()
+         end,
+      })), wanted)
+   end
    -- who has put it, too, when it comes back
    local turns, _, map = at_tower('-x', 4, 2)
    turns:place(function() map:note_brick(0.3, 0, 2, 3) end)
