@@ -74,13 +74,14 @@ function Turns:would_see(site)
 end
 
 -- Until those have built who go first, as far as that is in sight from here, or else the next of them should have. The side of
--- whoever had the last turn of another's, by its number in the order of sides, or nil.
+-- the last for whom it has waited, by its number in the order of sides, or nil.
 function Turns:await_others()
    local before, site = self:order()
-   local last = before > 0 and site.first or nil
+   local last
    while before > 0 do
-      local now = before
-      local over = site.since + LASTS * (self:would_see(site) and before or 1)
+      local now, over = before, site.since + LASTS * (self:would_see(site) and before or 1)
+      if over <= self.odometry.time then break end
+      last = site.first
       local changed = self.process:wait_until(function()
          self.map:rows()
          now, site = self:order()
@@ -104,9 +105,9 @@ function Turns:await(height)
    local last = self:await_others()
    -- the structure may have been lost meanwhile
    if not self.map.side then return true end
-   if not self:is_own() and (not last or self.map:is_along(last)) then
-      self:await_brick(LASTS, not last and known or nil)
-   end
+   -- what it has put itself counts where others have built nothing since
+   if last then known = nil end
+   if not self:is_own() and (known or last and self.map:is_along(last)) then self:await_brick(LASTS, known) end
    return true
 end
 

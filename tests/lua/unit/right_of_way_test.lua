@@ -321,6 +321,8 @@ case('a robot waits for its turn as long as others\' turns last, and until it se
    turns = at_tower('+x', 4, 1)
    turns.would_see = function() return false end
    same('one, where it would not', select(2, waits(turns, { answer = function() return false end })), '28')
+   turns.odometry.time = 28
+   same('not where that is over', select(2, waits(turns, { answer = error })), '')
 
    local others, _, map = at_tower('-x', 4, 1)
    others.would_see = function() return true end
