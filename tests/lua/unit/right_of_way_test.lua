@@ -335,19 +335,24 @@ case('a robot waits for its turn as long as others\' turns last, and until it se
    same('its turn has come', (waits(others, { answer = error })), false)
 end)
 
+-- Of a robot that sees the tower's top put in its first wait, and nothing in others.
+local function sees_top_once(map)
+   local seen = false
+   return {
+      answer = function(done)
+         if seen then return false end
+         seen = true
+         map:note_brick(0.3, 0, 2, 3)
+         return done()
+      end,
+   }
+end
+
 case('after the last turn those on its side and opposite wait for a brick of the others', function()
    for side, wanted in pairs { ['+x'] = '56 28', ['+y'] = '84', ['-y'] = '28' } do
       local turns, _, map = at_tower(side, 4, 2)
       turns.would_see = function() return true end
-      local last
-      same(side, select(2, waits(turns, {
-         answer = function(done)
-            if last then return false end
-            last = true
-            map:note_brick(0.3, 0, 2, 3)
-            return done()
-         end,
-      })), wanted)
+      same(side, select(2, waits(turns, sees_top_once(map))), wanted)
    end
    local lost, _, lost_map = at_tower('+x', 4, 2)
    lost.would_see = function() return true end
@@ -365,15 +370,7 @@ case('after the last turn those on its side and opposite wait for a brick of the
          return (column.top_colour ~= 3 or column.top_level == 2 or column.side == raises) and decide(column) or nil
       end
       turns.would_see = function() return true end
-      local last
-      same('not at its level, ' .. side, select(2, waits(turns, {
-         answer = function(done)
-            if last then return false end
-            last = true
-            map:note_brick(0.3, 0, 2, 3)
-            return done()
-         end,
-      })), wanted)
+      same('not at its level, ' .. side, select(2, waits(turns, sees_top_once(map))), wanted)
    end
    -- who has put it, too, when it comes back
    local turns, _, map = at_tower('-x', 4, 2)
