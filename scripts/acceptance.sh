@@ -330,6 +330,11 @@ robots_part() {
   fault_rows "${seeds[@]}"
   validate_row pyramid-eight "$pyramid" --robots 8 "${seeds[@]}"
   validate_row five-pyramids-twenty "$pyramid" --structures 5 --robots 20 --runs "$few" --seed "$seed"
+  # A plate of 6×6 by ten robots, of rules that are synthesised for it.
+  printf 'a a a a a a\n%.0s' {1..6} >"$rows/large-plate.txt"
+  build/dev/stigc synth "$rows/large-plate.txt" --floor --robot robots/bebot.yaml --robots 10 \
+    -o "$rows/large-plate.yaml" --quiet >&2 || failures=$((failures + 1))
+  validate_row large-plate-ten "$rows/large-plate.yaml" --robots 10 --runs "$few" --seed "$seed"
   head_on "${seeds[@]:1}"
   printf '\n### Allocation where work is uneven\n\n'
   scripts/allocation_table.py "$rows" || failures=$((failures + 1))
