@@ -102,6 +102,7 @@ end
 -- For a random while, which is short as long as nobody is met, and twice as long each time that somebody was:
 -- robots that came at the same time come one after the other. Where it has left a site to another, only until that one's
 -- brick is seen, or might be there, and a short while: all that see it come then, and at corners they have to feel each other.
+-- Not at all where robots take turns, as long as nobody is met.
 function Builder:wait()
    local longest, share, yielded = self.task.delay, FIRST_WAIT, self.work.yielded
    self.work.yielded = false

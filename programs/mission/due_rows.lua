@@ -31,23 +31,23 @@ end
 
 -- The cell of the lattice into which a wish before a row's column, whose top is on a level, puts its brick.
 local function site_of(map, of, wish, top_level)
-   local u, v = map:cell_of(map.place_of(of, wish.what == 'extend' and 1 or 0, wish.left or 0))
+   local u, v = map:cell_of(map.place_for(of, wish))
    return { u = u, v = v, level = wish.level or top_level + 1 }
 end
 
--- By v, rows as the map has them, {v, front, site}, seen from the side of this index; site: the cell {u, v, level} of the
+-- By v, rows as the map has them, {v, front, frame, site}, seen from the side of this index; site: the cell {u, v, level} of the
 -- lattice in which the brick is due.
 function DueRows.of(map, task, index)
-   local cells, rows, due = map:cells_from(index), {}, {}
-   for v, front in pairs(map.fronts_of(cells)) do rows[v] = { v = v, front = front } end
+   local cells, frame, rows, due = map:cells_from(index), map:frame_of(index), {}, {}
+   for v, front in pairs(map.fronts_of(cells)) do rows[v] = { v = v, front = front, frame = frame } end
    for v, of in pairs(rows) do
       local colour, level = top_of(cells, of.front, v, task.levels)
       local function cell(du, dv, at) return colour_in(cells, of.front + du, v + dv, at) end
       local wish = map.room_before(rows, of) and
                    task.decide { top_colour = colour, top_level = level, side = map.name_of(index), cell = cell }
       if wish then
-         of.frame = map:frame_of(index)
-         due[v] = { v = v, front = of.front, site = site_of(map, of, wish, level) }
+         of.site = site_of(map, of, wish, level)
+         due[v] = of
       end
    end
    return due

@@ -543,7 +543,7 @@ end
 -- Where the block goes, and on which level.
 function SiteWork:place_of_wish()
    local wish = self.wish
-   local x, y = self.map.place_of(self.row, wish.what == 'extend' and 1 or 0, wish.left or 0)
+   local x, y = self.map.place_for(self.row, wish)
    return x, y, wish.level or geometry.level_of(wish.top.z) + 1
 end
 

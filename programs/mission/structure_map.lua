@@ -449,9 +449,13 @@ function StructureMap:order_of_side(index)
    return (index + (self.task.turns and self.directions:first_side() or 0)) % 4
 end
 
--- Where the side of this index is in the order of turns at a level, from 0 on: that of sides, from one further on at each level.
-function StructureMap:rank_of(index, level)
-   return (self:order_of_side(index) - level) % 4
+-- Where a side, by its number in the order of sides, is in the order of turns at a level, from 0 on: that of sides, from one
+-- further on at each level.
+local function rank_of(number, level) return (number - level) % 4 end
+
+-- Likewise for the side of this index.
+function StructureMap:rank_of_side(index, level)
+   return rank_of(self:order_of_side(index), level)
 end
 
 -- The robot's side in the order of sides, and the side on which a place is.
@@ -461,12 +465,12 @@ function StructureMap:order_of(place)
    return own, (own + geometry.round(turn / (math.pi / 2))) % 4
 end
 
--- Whether a robot on this side goes before one that is at a place on another: the order of sides says, one further on at each
--- level. On the same side chance does.
+-- Whether a robot on this side goes before one that is at a place on another: the order of turns at a level says. On the same
+-- side chance does.
 function StructureMap:goes_before(place, level)
    local own, other = self:order_of(place)
    if own == other then return math.random() < 0.5 end
-   return (own - level) % 4 < (other - level) % 4
+   return rank_of(own, level) < rank_of(other, level)
 end
 
 -- Whether a place is on a side that adjoins the robot's.
@@ -570,6 +574,11 @@ end
 -- Place of a cell, du and dv from the foremost of a row.
 function StructureMap.place_of(of, du, dv)
    return geometry.out_of(of.frame, -SIDE * (of.front + du), SIDE * (of.v + dv))
+end
+
+-- Place of the brick that a decision before a row's column wants.
+function StructureMap.place_for(of, wish)
+   return StructureMap.place_of(of, wish.what == 'extend' and 1 or 0, wish.left or 0)
 end
 
 -- The line on which the robot faces a row; its end is the middle of the foremost column.

@@ -48,10 +48,10 @@ function Turns:order()
    if not only then return 0 end
    local before, own, least = 0, math.huge, math.huge
    for _, side in ipairs(sides) do
-      if side == map.side then own = map:rank_of(side, only.level) end
+      if side == map.side then own = map:rank_of_side(side, only.level) end
    end
    for _, side in ipairs(sides) do
-      local rank = map:rank_of(side, only.level)
+      local rank = map:rank_of_side(side, only.level)
       if rank < own then before = before + 1 end
       if rank < least then only.first, least = map:order_of_side(side), rank end
    end
