@@ -79,12 +79,14 @@ end
 
 -- Whether it is a brick that somebody lost, and that lies where a block may come from: a cache drops no other on it. One
 -- that stands alone, of a colour that no structure begins with, and that several looks have shown so; nobody takes one as long
--- as a block is found.
+-- as a block is found. What of its colour was seen beside it before, and not since it was seen itself, was the same, before it
+-- was pushed.
 function BlockSupply:is_lost(known)
    if self.in_vain == 0 or known.level ~= 0 or known.seen < STILL or not self.map:is_brick(known) or
       not self.map:may_be_lost { known } or self.map:room_about(known.x, known.y) < LOST_FROM then return false end
    for _, other in ipairs(self.tracker:blocks()) do
-      if other.id ~= known.id and geometry.apart(other, known) < LOST_FROM then return false end
+      local before = other.colour == known.colour and other.time < known.first
+      if other.id ~= known.id and not before and geometry.apart(other, known) < LOST_FROM then return false end
    end
    return true
 end

@@ -30,7 +30,6 @@ local StructureMap = require 'mission.structure_map'
 
 local LOOK_TIME = 1.0          -- s
 local LEGS = 12                -- of a search for the structure
-local BEHIND = { x = -0.2, y = 0 }  -- where it is most likely, as robots begin with their backs to it
 local FIRST_WAIT = 0.125       -- of the longest wait, since the last brick
 local TURNS = 2                -- approaches that the longest wait lasts at least, of those that take long
 local OTHERS_WORK = 15         -- s, that another takes from where it was seen at a site until its block is there
@@ -63,6 +62,7 @@ function Builder.new(robot, chart, task)
       work = SiteWork.new(machine, map, navigation, sides, record, task),
    }, Builder)
    self.builder = self
+   if self.standby.number > 0 then map.expected = self.standby.structure end
    machine.placement.transport, machine.clearance.transport = task.transport, task.transport
    machine.placement.floats = function(block) return map:floats(block) end
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
@@ -132,8 +132,7 @@ function Builder:find_structure()
    end
    local found = in_memory()
    if not found and (map.known or not map.lost) then
-      local there = self.standby.number > 0 and self.standby.structure or BEHIND
-      self.navigation:look_again(self:nearest_brick() or there, in_memory)
+      self.navigation:look_again(self:nearest_brick() or map.expected, in_memory)
       if not map.known then self.process:wait(LOOK_TIME) end
       found = in_memory()
    end

@@ -15,6 +15,8 @@ local apart, wrap, wrap_quarter = geometry.apart, geometry.wrap, geometry.wrap_q
 local FAR_LINKED = 2.3 * SIDE
 local STRAYED = 0.40           -- m, by which the structure is farther off than odometry errs
 local OF_BRICK, OF_CACHE = 0.012, 0.07  -- m, from a brick's edge and from a cache's middle, of what is no robot
+local BEHIND = { x = -0.2, y = 0 }  -- where it is most likely, as robots begin with their backs to it
+local OF_FIRST = 0.08          -- m, from there, of its first brick
 local GONE = 12                -- steps, more than of two looks, in which a brick would be seen, and is not: it is not there;
                                -- another robot hides it for one look, but hardly in the next
 local LEAST_TO_CACHE = 0.36    -- m, from a side's foremost brick to its cache, wherever that is
@@ -27,6 +29,7 @@ local ABOUT = 2                -- cells, from a column, of bricks that matter to
 -- first: {u, v}, the structure's middle as first seen, in cells: what grows moves `known`, but no cache.
 -- cache: {x, y}, where the last block came from; cache_way: its distance from `first`; caches: by side, where
 -- blocks were found there, in the lattice's frame. side: index of the side that the robot works from.
+-- expected: where the structure is before it was seen.
 -- bearing: of the cache from `first`, against known.yaw; kept when lost. lost: it was known once. target: the structure in which
 -- work ends, or nil.
 local StructureMap = {}
@@ -39,7 +42,7 @@ local SIDES = StructureMap.SIDES
 function StructureMap.new(robot, odometry, tracker, task)
    local self = setmetatable({
       robot = robot, odometry = odometry, tracker = tracker, task = task, lost = false, bricks = {}, caches = {},
-      target = Target.of(task),
+      target = Target.of(task), expected = BEHIND,
    }, StructureMap)
    self.directions = Directions.new(self, robot, odometry, task)
    return self
@@ -370,11 +373,11 @@ function StructureMap:nearest_brick(place)
    return best or self.known
 end
 
--- Whether what stands at a place is a brick, or the cache.
+-- Whether what stands at a place is a brick, or the cache; before the structure was seen, what it begins with.
 function StructureMap:explains(x, y)
    if self:room_about(x, y) < OF_BRICK then return true end
    if self.cache and apart(self.cache, { x = x, y = y }) < OF_CACHE then return true end
-   if not self.known then return false end
+   if not self.known then return not self.lost and apart(self.expected, { x = x, y = y }) < OF_FIRST end
    local along, left = geometry.into(self:lattice(), x, y)
    for _, cache in pairs(self.caches) do
       if (cache.along - along) ^ 2 + (cache.left - left) ^ 2 < OF_CACHE ^ 2 then return true end

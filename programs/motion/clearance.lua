@@ -21,6 +21,7 @@ local PATIENCE = 8             -- s, the longest random wait for a robot to go i
 local FREE = 1                 -- m, more than any rangefinder sees
 local SEES_FAR = 0.1           -- m, of rangefinders that see another robot before its arm touches
 local SEEN_LATELY = 2          -- s, that a place counts where another robot's chassis was seen, in a turn
+local STAYS = 6                -- s, likewise, of who may wait for the same
 local STANDS = 10              -- s, likewise ahead: who stands there is passed by, and out of the rangefinders' lines
 local OF_HELD = 0.05           -- m, from the middle of a block that another robot holds
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
@@ -175,6 +176,23 @@ function Clearance:await_room()
       return not self:has_company()
    end
    return room() or self.process:wait_until(room, PATIENCE * math.random())
+end
+
+-- Whether a turn on the spot by `angle` comes so near another robot's chassis that its arm, wherever that points, may be touched.
+function Clearance:turns_into_company(angle)
+   local pose, pivot = self.odometry.pose, self.odometry:pivot()
+   for _, point in ipairs(self.returns:near(pivot.x, pivot.y, self.sweep.reach + EFFECTOR, self.odometry.time - STAYS)) do
+      local x, y = geometry.into(pose, point.x, point.y)
+      if not self.explained(point.x, point.y) and self.sweep:touches(x, y, angle, EFFECTOR) then return true end
+   end
+   return false
+end
+
+-- For a random while, until it does not. Whether it does not.
+function Clearance:await_leave(angle)
+   if self.alone or self.short_sighted or not self.explained then return true end
+   local function left() return not self:turns_into_company(angle) end
+   return left() or self.process:wait_until(left, PATIENCE * math.random())
 end
 
 -- For a random while, until nothing is met with `left()` m to go. Whether it has gone.

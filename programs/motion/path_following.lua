@@ -9,6 +9,8 @@ local STRAIGHT = 0.04          -- m, in which a line is joined
 local TURN_RIM = 0.10          -- m/s, of the rims in a turn on the spot
 local BACK_SPEED = 0.1         -- m/s
 local OUT = 0.1                -- m, back from another robot
+local ROUNDS = 4               -- so often it waits at most, before it turns anyway
+local FAR = 0.3                -- rad, of a turn that sweeps more than is beside the robot
 local STOP_TIME = 0.5          -- s, two steps and some more
 local SWUNG = 0.05             -- rad, before its end, at which a swing is over
 local LONGEST_TURN, LONGEST_DRIVE = 20, 60  -- s
@@ -79,9 +81,15 @@ function PathFollower:turn_until(ends, yaw, rim, gentle)
    end
 end
 
--- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow.
--- Whether it faces there.
+-- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow. Before it turns far
+-- it waits for who was seen in its reach. Whether it faces there.
 function PathFollower:turn_to(yaw, rim, each)
+   self:await_company(geometry.wrap(yaw - self.odometry.pose.yaw))
+   return self:turn(yaw, rim, each)
+end
+
+-- Likewise, at once.
+function PathFollower:turn(yaw, rim, each)
    local first, close = self:way_to_face(yaw), FACES
    self:turn_until(function(left, now)
       if first * left < 0 then close = NEARLY end
@@ -150,8 +158,9 @@ function PathFollower:go_to(x, y, speed, each)
    local dx, dy = x - pivot.x, y - pivot.y
    if dx * dx + dy * dy < 1e-4 then return true end
    local yaw = math.atan(dy, dx)
-   if math.abs(geometry.wrap(yaw - odometry.pose.yaw)) > 0.3 then self:clear_round() end
-   self:turn_to(yaw)
+   local angle = geometry.wrap(yaw - odometry.pose.yaw)
+   if math.abs(angle) > FAR then self:clear_round(angle) end
+   self:turn(yaw)
    return self:follow({ x = x, y = y, yaw = yaw }, -odometry.ahead, speed or self.cruise, each)
 end
 
@@ -165,9 +174,21 @@ function PathFollower:back_off(way)
    return self:follow_back(self.odometry:line_ahead(), -way, BACK_SPEED)
 end
 
--- Waits for who stands where a turn on the spot sweeps, and then backs out, unless that may be a wall.
-function PathFollower:clear_round()
-   if not self.clearance:await_room() and self.clearance.explained then self:back_off(OUT) end
+-- Waits for who stands where a turn on the spot sweeps, and then backs out, unless that may be a wall; then for others, in a
+-- turn by `angle`, or once round.
+function PathFollower:clear_round(angle)
+   if self.clearance:await_room() or not self.clearance.explained then return end
+   self:back_off(OUT)
+   self:await_company(angle)
+end
+
+-- Waits for others to leave whom a turn on the spot by `angle` may touch, or one once round; those that wait likewise turn one
+-- after the other.
+function PathFollower:await_company(angle)
+   if angle and math.abs(angle) < FAR then return end
+   for _ = 1, ROUNDS do
+      if self.clearance:await_leave(angle or 2 * math.pi) then return end
+   end
 end
 
 -- Waits for who stands below the effector, and then backs out from above. Whether the lift may go down.

@@ -25,8 +25,19 @@ function Search.new(odometry, process, tracker, magnets, lift, clearance, path)
    }, Search)
 end
 
+-- How far a turn on the spot would reach into blocks that are known, m; negative where none is so near.
+function Search:reaches_into_blocks()
+   local pivot, most = self.odometry:pivot(), -math.huge
+   for _, known in ipairs(self.tracker:blocks()) do
+      most = math.max(most, self.clearance.sweep.from_block - geometry.apart(pivot, known))
+   end
+   return most
+end
+
 -- Once round on the spot, until `found()` is something.
 function Search:look_round(found)
+   local off = self:reaches_into_blocks()
+   if off > 0 then self.path:back_off(off) end
    self.path:clear_round()
    local turned, before = 0, self.odometry.pose.yaw
    local block
@@ -61,7 +72,9 @@ function Search:look_ahead(wanted, way)
    self.process:enter('search')
    self.lift:to(self.lift:top())
    self.process:wait_until(found, GLANCE)
-   self.path:follow(self.odometry:line_ahead(), way, LEG_SPEED, function() return found() or self.clearance:blocked() end)
+   self.path:follow(self.odometry:line_ahead(), way, LEG_SPEED, function()
+      return found() or self.clearance:blocked() or self:reaches_into_blocks() > 0
+   end)
    return found()
 end
 

@@ -3,8 +3,8 @@
 -- frame, which is a mean weighted with its and the detection's variance.
 --
 -- A track is a detection (block_detector.lua) with id, votes (of colours), dark (pictures in turn that showed none), jumped
--- (likewise in which it was elsewhere), seen and missed (how often), time (when last), top_time (when its top was seen
--- last, -1 for never).
+-- (likewise in which it was elsewhere), seen and missed (how often), first and time (when, at first and last), top_time (when
+-- its top was seen last, -1 for never).
 
 local geometry = require 'common.geometry'
 
@@ -78,7 +78,7 @@ function BlockTracker:appear(block)
    block.votes, block.dark = {}, 0
    for one = 1, self.detector.kinds do block.votes[one] = 0 end
    vote(block, block.colour)
-   block.seen, block.missed, block.time, block.jumped = 1, 0, self.odometry.time, 0
+   block.seen, block.missed, block.jumped, block.first, block.time = 1, 0, 0, self.odometry.time, self.odometry.time
    block.top_time = block.top and self.odometry.time or -1
    table.insert(self.tracks, block)
 end

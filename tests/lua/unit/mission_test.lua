@@ -1535,7 +1535,7 @@ case('after a search in vain a robot takes a brick that lies where no structure 
    local supply = Builder.new(fake.robot, CHART, task).supply
    local function brick(id, x, y, colour)
       return { id = id, x = x, y = y, z = SIDE / 2, level = 0, yaw = 0, turned = 1e-4, colour = colour, seen = 20, missed = 0,
-               time = 0, top_time = -1 }
+               first = 0, time = 0, top_time = -1 }
    end
    local lost = brick(1, 0.4, 0, 1)
    local tracks = { lost, brick(2, 0.3, 0.3, 3) }
@@ -1546,6 +1546,10 @@ case('after a search in vain a robot takes a brick that lies where no structure 
    same('one with which structures begin', supply:is_lost(tracks[2]), false)
    tracks[3] = brick(3, 0.4, 0.07, 2)
    same('one beside another', supply:is_lost(lost), false)
+   tracks[3].colour, lost.first = 1, 1
+   same('where it was itself before it was pushed', supply:is_lost(lost), true)
+   tracks[3].time = 1
+   same('beside its like', supply:is_lost(lost), false)
    tracks[3] = nil
    supply.map.room_about = function() return 0.1 end
    same('one near the structure', supply:is_lost(lost), false)

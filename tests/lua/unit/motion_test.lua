@@ -260,6 +260,46 @@ case('a robot backs out of the reach of who stays beside it before it turns', fu
    near('back', fake.pose.x, -0.1, 2e-3)
 end)
 
+case('it waits for another robot where a turn may touch its arm, and not for what is known', function()
+   local machine, fake, run = machine_with()
+   local clearance = machine.clearance
+   -- right behind it
+   fake.robot.rangefinders['8'].proximity = 0.08
+   clearance.explained = function() return false end
+   local function waited(angle)
+      local start = machine.odometry.time
+      run(function() machine.path:await_company(angle) end)
+      return machine.odometry.time - start
+   end
+   run(function() machine.process:wait(0.4) end)
+   assert(waited(2) > 0.5)
+   near('a turn that sweeps little', waited(0.2), 0, 0.3)
+   clearance.explained = function() return true end
+   near('a brick', waited(2), 0, 0.3)
+   clearance.explained = function() return false end
+   clearance.alone = true
+   near('nobody else is there', waited(2), 0, 0.3)
+   clearance.alone = false
+   fake.robot.rangefinders['8'].proximity = 0.2
+   run(function() machine.process:wait(8) end)
+   near('gone', waited(2), 0, 0.3)
+end)
+
+case('a look round does not push a block that is known', function()
+   local machine, _, run = machine_with()
+   local known = { id = 1, x = 0.15, y = 0, z = 0.0275, level = 0, yaw = 0, colour = 1, seen = 3, missed = 0, first = 0, time = 0,
+                   top_time = -1, variance = 1e-6, turned = 1e-4 }
+   local off
+   run(function()
+      machine.tracker.tracks = { known }
+      machine.search:look_round(function()
+         off = off or geometry.apart(machine.odometry:pivot(), known)
+         return true
+      end)
+   end)
+   assert(off >= machine.sweep.from_block - 2e-3, off)
+end)
+
 case('it backs into no remembered brick', function()
    local machine, fake, run = machine_with()
    local back = fake.robot.description.body.back
