@@ -72,6 +72,12 @@ function Prospects:is_unfinished(side)
    return next(self:unfinished_from(side) or {}) ~= nil
 end
 
+-- Whether no brick is missing at any; false where the robot can't know.
+function Prospects:is_finished(side)
+   local unfinished = self:unfinished_from(side)
+   return unfinished and next(unfinished) == nil or false
+end
+
 -- That of the robot's other sides that is nearest where there may be work, or nil. Where there is a robot for each side, that is
 -- where a row is due, but for one where it has just found somebody at work: all that have done their work would come to the
 -- side where a brick is missing.

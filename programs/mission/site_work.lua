@@ -118,8 +118,7 @@ end
 -- Whether a row is worth a look, of those that may be due: on the first way round sides that others build at, too, only where
 -- a brick is missing, as far as the robot remembers.
 function SiteWork:worth_a_look()
-   local unfinished = self.map.target and self:idle_rounds() == 0 and self.sides:are_fewer() and
-                      self.prospects:unfinished_from(self.map.side)
+   local unfinished = self:idle_rounds() == 0 and self.sides:are_shared() and self.prospects:unfinished_from(self.map.side)
    return function(v) return not unfinished or unfinished[v] ~= nil end
 end
 
@@ -217,15 +216,20 @@ function SiteWork:glances(seen, since)
    end
 end
 
+-- Whether the robot keeps to a side, of several that others work at, too, where every brick stands, as far as it remembers.
+function SiteWork:is_done_here()
+   return self.sides:are_manned() and self.prospects:is_finished(self.map.side)
+end
+
 -- Waits before it tries its rows again: a moment, or, after several rounds in vain, ever longer, until it sees a brick that
 -- it had not seen before. On a side of its own it rests before the middle; where others may work, not so long, since it is
 -- in their way.
 function SiteWork:rest()
    local more, shared = math.max(0, self:idle_rounds() - AWAKE), self.sides:are_shared()
    local rests = shared and SHARED_RESTS or RESTS
-   local done = self.prospects:has_seen_all()
-   local time = (2 + 4 * math.random()) * (done and rests.longest or math.min(rests.longer ^ more, rests.longest))
-   if not done and more == 0 then return self.process:wait(time) end
+   local done, here = self.prospects:has_seen_all(), self:is_done_here()
+   local time = (2 + 4 * math.random()) * ((done or here) and rests.longest or math.min(rests.longer ^ more, rests.longest))
+   if not (done or here) and more == 0 then return self.process:wait(time) end
    if not shared then self.sides:stand_back() end
    self.lift:to(self.lift:top())
    local seen, over = self.map:sees_new_brick(), self.odometry.time + time

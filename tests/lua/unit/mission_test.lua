@@ -1218,7 +1218,7 @@ case('a robot with nothing to do looks beside its rows from the lift\'s top, rou
    map:remember(map:in_memory())
    map:settle()
    local sides = {
-      withdraw = function() end, are_fewer = function() end, nearest_other = function() end, take_turns = function() end,
+      withdraw = function() end, are_fewer = function() end, are_shared = function() end, nearest_other = function() end, take_turns = function() end,
    }
    local work, lifted = SiteWork.new(machine, map, nil, sides, nil, task), {}
    work.magnets, work.record = { holds = function() return true end }, { tell = function() end }
@@ -1250,6 +1250,7 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    local shared, stood = false, 0
    local sides = {
       withdraw = function() end, stand_back = function() stood = stood + 1 end, are_shared = function() return shared end,
+      are_manned = function() return shared end,
    }
    local work, waits, begun = SiteWork.new(machine, map, nil, sides, nil, task), {}, nil
    local random, rested, looks = math.random, 0, 0
@@ -1278,6 +1279,9 @@ case('a robot with nothing to do rests ever longer, until it sees a brick that i
    for _ = 1, 8 do stay() end
    same('shorter on a shared side', table.concat(waits, ' '), '4.0 8.0 16.0 32.0 64.0 128.0 256.0 256.0')
    same('where it is', stood, 5)
+   work.prospects.is_finished, waits, work.in_vain = function() return true end, {}, 0
+   stay()
+   same('for long at once where every brick of the side stands', table.concat(waits, ' '), '256.0')
    shared = false
    -- asked for five seconds, as it dozes for four of them
    local function notices()
