@@ -53,12 +53,18 @@ function Clearance.new(robot, description, process, ranges, magnets, sweep, retu
       end
       if ray.to.x < -STEEP then table.insert(self.behind, ray.name) end
    end
+   returns.hidden = function(name) return not self.beside[name] and self:is_hidden_ahead() end
    return self
+end
+
+-- Whether a carried block hides what is before the chassis.
+function Clearance:is_hidden_ahead()
+   return self.magnets.carrying and self.robot.lift_system.position < SIDE
 end
 
 -- How far away something stands before the chassis, as far as a carried block does not hide it.
 function Clearance:before_chassis()
-   if self.magnets.carrying and self.robot.lift_system.position < SIDE then return FREE end
+   if self:is_hidden_ahead() then return FREE end
    return self.ranges:nearest(self.ahead)
 end
 

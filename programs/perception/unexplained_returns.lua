@@ -3,7 +3,7 @@
 --
 -- The chassis' rangefinders see along straight lines. What they saw is kept for a while as points on
 -- a grid, in the odometry frame, until one looks through it again. A point on a known block is the
--- block's; any other is unexplained.
+-- block's; any other is unexplained. Those that see but a block in the robot's own hand tell nothing.
 
 local geometry = require 'common.geometry'
 
@@ -28,6 +28,7 @@ function UnexplainedReturns.new(odometry, ranges, tracker, sweep)
       odometry = odometry, ranges = ranges, tracker = tracker, sweep = sweep,
       points = {},                   -- by place on the grid: {x, y, time}
       rays = rays,                   -- {name, x, y, way_x, way_y}: place and direction in the robot's frame
+      hidden = function() return false end,  -- set by who knows: whether a rangefinder sees but the block in hand
    }, UnexplainedReturns)
 end
 
@@ -75,7 +76,9 @@ function UnexplainedReturns:sense()
          table.insert(places, { x = x, y = y })
       end
    end
-   for _, ray in ipairs(self.rays) do self:trace(ray, places) end
+   for _, ray in ipairs(self.rays) do
+      if not self.hidden(ray.name) then self:trace(ray, places) end
+   end
 end
 
 function UnexplainedReturns:is_of_block(point)

@@ -219,6 +219,18 @@ case('an arm may reach out from where another robot was seen, though no rangefin
    same('of one that is alone', clearance:backed(), false)
 end)
 
+case('a block in its own hand, held low, is no other robot ahead', function()
+   local machine, fake, run = machine_with()
+   machine.clearance.explained = function() return false end
+   fake.robot.rangefinders['2'].proximity = 0.03
+   machine.magnets.carrying, fake.robot.lift_system.position = true, 0.03
+   run(function() machine.process:wait(0.4) end)
+   same('held low', machine.clearance:meets_arm_ahead(0.08), false)
+   fake.robot.lift_system.position = 0.08
+   run(function() machine.process:wait(0.4) end)
+   same('held above', machine.clearance:meets_arm_ahead(0.08), true)
+end)
+
 case('a block that another robot was seen to hold is in the way', function()
    local machine = machine_with()
    local clearance, tracker = machine.clearance, machine.tracker
