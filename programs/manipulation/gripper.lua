@@ -12,7 +12,7 @@ local READY, EMPTY = 1.12, 1.06    -- of the charge at which the field vanishes
 local CHARGE_TIME, EMPTY_TIME = 8, 6  -- s, at most
 local BEHIND_BLOCK = 0.025     -- m, of the rangefinders behind a block that see it
 local FINDERS_APART = 0.040    -- m
-local SLIPPED = 0.005          -- m, off what was read before: the block hangs otherwise by now
+local SLIPPED, SURELY = 0.005, 3  -- m, off what was read before, in so many readings in turn: the block hangs otherwise by now
 local REMEMBERED = 50          -- readings of a carried block's back, at most
 local FIRST_CHARACTER = 48     -- '0', of colours as the radio sends them
 local WORD = 119               -- 'w', before the four of a code word
@@ -43,7 +43,7 @@ function Gripper:back_of_block()
 end
 
 -- Call it once a step: the mean of what they said of a block that is carried, since a reading may be
--- off by a millimetre, which is two degrees.
+-- off by a millimetre, which is two degrees. One that is far off counts only where the next ones are, too.
 function Gripper:sense()
    local left, right = self:back_of_block()
    if not left or not self.magnets.carrying then
@@ -51,10 +51,13 @@ function Gripper:sense()
       return
    end
    local felt = self.felt
-   if not felt or math.abs(left - felt.left) > SLIPPED or math.abs(right - felt.right) > SLIPPED then
-      felt = { left = left, right = right, count = 0 }
+   local off = felt and (math.abs(left - felt.left) > SLIPPED or math.abs(right - felt.right) > SLIPPED)
+   if off then
+      felt.off = felt.off + 1
+      if felt.off < SURELY then return end
    end
-   felt.count = math.min(felt.count + 1, REMEMBERED)
+   if off or not felt then felt = { left = left, right = right, count = 0 } end
+   felt.count, felt.off = math.min(felt.count + 1, REMEMBERED), 0
    felt.left = felt.left + (left - felt.left) / felt.count
    felt.right = felt.right + (right - felt.right) / felt.count
    self.felt = felt
