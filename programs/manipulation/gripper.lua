@@ -85,12 +85,15 @@ function Gripper:drawn_off(most, further)
 end
 
 -- A function that says, once a step, whether the carried block has been pushed back by more than `most` from where it
--- hangs now: it has caught on something.
+-- hangs now, by the mean of two steps: it has caught on something.
 function Gripper:pushed_back(most)
-   local nearest = self:seat() + self.gap - most
+   local nearest, before = self:seat() + self.gap - most, nil
    return function()
       local left, right = self.ranges:range('left'), self.ranges:range('right')
-      return left ~= nil and right ~= nil and (left + right) / 2 < nearest
+      local now = left and right and (left + right) / 2
+      local pushed = now and before and (now + before) / 2 < nearest or false
+      before = now
+      return pushed
    end
 end
 
