@@ -95,8 +95,8 @@ function Clearance:meets_arm(first, last, counts)
       local ahead, beside = geometry.into(self.odometry.pose, point.x, point.y)
       local dx = math.max(math.abs(ahead - (first + last) / 2) - half, 0)
       local dy = math.max(math.abs(beside) - self.body.half_width, 0)
-      -- what stands beside the body is passed already
-      local passed = ahead < self.body.front and ahead > -self.body.back
+      -- what stands beside the body is passed already; on the way back what stands beside its front
+      local passed = ahead < self.body.front and ahead > (last < 0 and 0 or -self.body.back)
       return not passed and dx * dx + dy * dy < reach * reach
    end
    for _, block in ipairs(self:held_by_others()) do

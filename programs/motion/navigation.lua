@@ -14,6 +14,7 @@ local FAR_LOOK = 0.36          -- m, from a remembered place, to look at it from
 local NEAR_LOOK = 0.23         -- m, likewise at least: what is nearer than 0.18 m is below the picture
 local OFF = 0.02               -- m, from a place, where it is reached
 local ASIDE = 0.15             -- m, out of another's way
+local OUT_OF_REACH = 0.08      -- m, back from another that is near
 local TRIES = 6                -- to drive straight to a place
 local ARCS, ARC = 8, math.pi / 4  -- of a way round the structure
 local VIEWS, VIEW_TURN = 12, math.pi / 6  -- of a place, to be chosen from
@@ -52,7 +53,7 @@ end
 
 -- Back, and aside.
 function Navigation:give_way()
-   self.path:back_off(0.08)
+   self.path:back_off(OUT_OF_REACH)
    self.path:clear_round()
    local pose, known = self.odometry.pose, self.map.known
    local turn = math.random() < 0.5 and 1 or -1
@@ -66,7 +67,8 @@ function Navigation:give_way()
    self.path:follow(self.odometry:line_ahead(), way, 0.1, function() return self.clearance:meets(0) end)
 end
 
--- Straight to a place. Where something stands in the way: waits for it to go, then gives way, `tries` times at most.
+-- Straight to a place. Where something stands in the way: waits for it to go, out of its reach, then gives way, `tries` times at
+-- most.
 function Navigation:straight_to(x, y, tries)
    if not self.magnets.carrying and (self.lift:is_below(DRIVE_LOW) or self.path:clear_below()) then
       self.lift:to(DRIVE_LOW)
@@ -77,6 +79,8 @@ function Navigation:straight_to(x, y, tries)
    for try = 1, tries or TRIES do
       self.path:go_to(x, y, nil, meets)
       if left() < OFF then return true end
+      -- one that goes back or turns would touch who waits right beside it
+      if self.clearance:has_company() then self.path:back_off(OUT_OF_REACH) end
       if not self.clearance:await_way(left) and try ~= tries then self:give_way() end
    end
    return false

@@ -208,8 +208,11 @@ case('an arm may reach out from where another robot was seen, though no rangefin
    same('none that counts', clearance:meets_arm_ahead(0.08, function() return false end), false)
    saw(machine, 0.25, 0.14)
    same('too far aside', clearance:meets(1), false)
-   saw(machine, 0, 0.08)
+   saw(machine, 0.02, 0.08)
    same('beside', clearance:meets(1) or clearance:backed(), false)
+   saw(machine, -0.03, 0.08)
+   same('beside, on the way on', clearance:meets(1), false)
+   same('beside, on the way back', clearance:backed(), true)
    saw(machine, -0.16, -0.08)
    same('behind', clearance:backed(), true)
    machine.odometry.time = machine.odometry.time + 11
