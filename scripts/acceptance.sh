@@ -8,9 +8,10 @@
 #
 # Parts: against bench engines laws validate robots five viewer packages assembly fuzz sanitizers;
 # without one, all but robots and assembly, which take hours. `robots` lets robots build with the
-# seeds S, S + 1 … of N runs (20) a row, of five or ten times as many where so many are asked for, and
-# says what their simulation costs; rows of `validate` and `robots` that stand in out/ for this
-# commit and these arguments are not done again; `assembly` draws N targets (10) of each kind.
+# seeds S, S + 1 … of N runs (20) a row, of five or ten times as many where so many are asked for, says
+# what their simulation costs, and lets one robot and two build N / 5 drawn targets of each kind; rows of
+# `validate` and `robots` that stand in out/ for this commit and these arguments are not done again;
+# `assembly` draws N targets (10) of each kind.
 # `engines` sets what the lattice's engines do a second beside what is aimed at, in a few minutes;
 # `against` sets the speed against that of revision R (e10fcc8). Each fuzz target runs for N seconds
 # (600), J of them at a time (as many as there are cores). S is the seed of the laws' random cases,
@@ -28,7 +29,7 @@ while [[ $# -gt 0 ]]; do
     --targets) targets=${2:?--targets needs a number}; shift ;;
     --against) against=${2:?--against needs a revision}; shift ;;
     against | bench | engines | laws | validate | robots | five | viewer | packages | assembly | fuzz | sanitizers) parts+=("$1") ;;
-    -h | --help) sed -n '3,18s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,19s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) die "unknown argument '$1'; see --help" ;;
   esac
   shift
@@ -307,6 +308,16 @@ cost_rows() {
   cost_row '100 robots push among 1024 blocks' 9 scenes/crowd.yaml
 }
 
+# drawn_targets COUNT FOLDER: so many targets of each kind, drawn by the seed, each built by one robot and by two. What the
+# folder has of them is not done again.
+drawn_targets() {
+  scripts/install.sh build bench >&2
+  configure_and_build release stigc bench_assembly >&2
+  local command=(build/release/bench_assembly --build build/release/stigc -o "$2" "$1" "$seed")
+  printf '`%s`\n\n' "${command[*]}"
+  fenced "${command[@]}" || failures=$((failures + 1))
+}
+
 robots_part() {
   # Twenty robots, and tables of their own, with five seeds at most.
   local seeds=(--runs "$runs" --seed "$seed") few=$((runs < 5 ? runs : 5))
@@ -342,17 +353,16 @@ robots_part() {
   STIGC=build/dev/stigc scripts/scaling.sh --seed "$seed" --runs "$few" ||
     failures=$((failures + 1))
   cost_rows "$pyramid"
+  printf '\n### Targets that are drawn by the seed, by one robot and by two\n\n'
+  drawn_targets $((runs < 10 ? 1 : runs / 5)) "$rows/drawn-$(git rev-parse --short HEAD)"
 }
 
 # Targets of every kind, drawn by the seed. What out/assembly-SEED has of them is not done again. And large ones.
 assembly_part() {
   printf '\n## Drawn targets, built by one robot and by two\n\n'
-  scripts/install.sh build bench >&2
+  local command
+  drawn_targets "$targets" "out/assembly-$seed"
   configure_and_build release >&2
-  local command drawn=(build/release/bench_assembly --build build/release/stigc -o "out/assembly-$seed"
-    "$targets" "$seed")
-  printf '`%s`\n\n' "${drawn[*]}"
-  fenced "${drawn[@]}" || failures=$((failures + 1))
   printf '\n## Large targets\n'
   for command in 'build/release/bench_assembly_sizes named' build/release/bench_assembly_sizes; do
     printf '\n`%s`\n\n' "$command"
