@@ -162,7 +162,7 @@ function Placement:target(block, where, level, back, options, caught)
       stop = over and function() return self.approach:column_ahead() end or nil,
       -- a block that another robot is putting there hides the top
       free = function(line, top)
-         return self:is_free(line.x, line.y, level) and
+         return self:is_free(line.x, line.y, level) and not (options.outdated and options.outdated()) and
                 (not raise or self.odometry.time - top.top_time < SEEN_NOW)
       end,
       alone = options.alone,
@@ -193,7 +193,8 @@ end
 -- Brings the carried block before its place next to `block`. True, or false and why not. options:
 -- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
--- way in, whether nobody else is at work there; goes_before(place), whether one who is met there is to leave; clear,
+-- way in, whether nobody else is at work there; outdated(): asked before the last way, whether something else is wanted
+-- by now; goes_before(place), whether one who is met there is to leave; clear,
 -- whether no brick stands behind the place; open,
 -- whether no neighbour stands on either side; colour, which it will have; before, by how much, m, it stays before the place,
 -- over which it is not to be let go; over, whether it is let down from above as

@@ -28,14 +28,14 @@ end
 
 -- bricks and empty by "u v level", cells as rows are counted, since the row's front may be found to be another
 -- in the midst of a look: the block there; how often it would have been seen. watched: {du, dv, level} of cells
--- that are counted as empty where no brick is seen. told: what the last decision was told, in words.
+-- that are counted as empty where no brick is seen. looked: when, s, last. told: what the last decision was told, in words.
 local Column = {}
 Column.__index = Column
 
 function Column.new(odometry, tracker, sight, map, task, row)
    return setmetatable({
       odometry = odometry, tracker = tracker, sight = sight, map = map, task = task, row = row,
-      bricks = {}, empty = {}, watched = watched_cells(task),
+      bricks = {}, empty = {}, watched = watched_cells(task), looked = odometry.time,
    }, Column)
 end
 
@@ -65,6 +65,7 @@ end
 -- Once in each step, for as long as the robot stands: bricks by colour, cells that are empty since a
 -- brick there would be seen.
 function Column:watch()
+   self.looked = self.odometry.time
    local rows = self.map:rows()
    self.row = rows and rows[self.row.v] or self.row
    for _, known in ipairs(self.tracker.tracks) do
@@ -209,6 +210,31 @@ function Column:decide()
    wish.aside, wish.open = self:room_beside(wish)
    wish.clear = wish.what == 'raise' and self:cell(-1, 0, geometry.level_of(wish.top.z) + 1) == 'empty'
    return wish, top ~= nil
+end
+
+-- The brick that is in sight in a cell which was empty at the look, as far as it was seen since; or nil.
+function Column:come_since(cell)
+   if self:cell(cell.du, cell.dv, cell.level) ~= 'empty' then return nil end
+   local x, y = self.map.place_of(self.row, cell.du, cell.dv)
+   for _, known in ipairs(self.tracker.tracks) do
+      if known.level == cell.level and known.seen >= OFTEN and known.time > self.looked and
+         self.map:is_brick(known) and geometry.near(known, { x = x, y = y, z = SIDE * (cell.level + 0.5) }, geometry.HALF) then
+         return known
+      end
+   end
+end
+
+-- Whether the rules want something else by now, since another's brick has come into a cell that was empty at the look.
+function Column:is_outdated(wish)
+   local changed = false
+   for _, cell in ipairs(self.watched) do
+      local brick = self:come_since(cell)
+      if brick then
+         local key = self:key(cell.du, cell.dv, cell.level)
+         self.bricks[key], self.empty[key], changed = brick, nil, true
+      end
+   end
+   return changed and not is_same(self:decide(), wish)
 end
 
 return Column

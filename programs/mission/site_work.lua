@@ -44,7 +44,7 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- bricks, or fewer, than the robot knew, and how many there are. patience: s after that in which it keeps to its side,
 -- where sides are shared and manned; twice as long each time. obstructed: how often somebody was in the way, or nothing
 -- to be done, since the last brick. row: {v, front, frame, juts}, the one it stands before; unfound: v of the row at which the
--- last approach did not find its brick. wish: what is to be done there (Column:decide). approach_time: mean of the last
+-- last approach did not find its brick. column: as it looked at it; wish: what is to be done there (Column:decide). approach_time: mean of the last
 -- approaches to a site, s. yielded: it has just left a site to another. fault: a brick of a wrong colour that was seen, and
 -- since when (see_to_faults); mended: by cell, how often one was told its colour. fronts: by v, the front of rows of this side
 -- as they were looked at since it last came to it. at_home: it has put a brick here since then; contested: it has not, and
@@ -454,6 +454,7 @@ function SiteWork:look()
    if self.turns:await(self.task.looks[1].lift) then self.process:enter('look') end
    local machine, chosen = self.machine, self.row
    local column = Column.new(self.odometry, machine.tracker, machine.sight, self.map, self.task, self.row)
+   self.column = column
    if not self:look_at(column) then
       self.path:back_off(0.10)
       self:set_aside(self.row.v)
@@ -523,6 +524,7 @@ function SiteWork:approach_site()
       clear = self.task.delay > 0 and self:is_clear(),
       alone = self:may_meet() and function(line) return self.right_of_way:is_alone(line, level) end or nil,
       goes_before = function(place) return self.map:goes_before(place, level) end,
+      outdated = function() return self.column:is_outdated(wish) end,
    })
    local mean, took = self.approach_time, self.odometry.time - start
    self.approach_time = mean == 0 and took or mean + LATEST * (took - mean)

@@ -543,6 +543,37 @@ case('what a decision asks for is noted once each, with the answer', function()
    same('told', table.concat(column.told, '; '), 'top not seen; 1, 0, 0: empty; 1, 1, 0: not seen')
 end)
 
+case('what was decided at a look does not hold once another brick has come that matters to it', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 2, asks = { { 0, 1, 0 } } }
+   local map, machine = map_of({ { 0, 0, 0 } }, { x = 0.4, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   -- a brick before the column, or one on it where another stands beside that
+   task.decide = function(seen)
+      if seen.cell(0, 1, 0) == 'empty' then return { what = 'extend', colour = 1 } end
+      return { what = 'raise', colour = 1 }
+   end
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[0])
+   machine.sight.would_see = function() return true end
+   for _ = 1, 3 do column:watch() end
+   local wish = column:decide()
+   same('wished for', wish.what, 'extend')
+   same('nothing has come', column:is_outdated(wish), false)
+   local function comes(dv, level, changes)
+      local x, y = map.place_of(column.row, 0, dv)
+      local brick = { id = 9, x = x, y = y, z = SIDE * (level + 0.5), yaw = 0, turned = 1e-4, level = level, colour = 2, seen = 9,
+                      missed = 0, first = 1, time = 1, top_time = 0 }
+      for name, value in pairs(changes or {}) do brick[name] = value end
+      machine.tracker.tracks[2] = brick
+      return column:is_outdated(wish)
+   end
+   same('in somebody\'s hand', comes(1, 0, { colour = 4 }), false)
+   same('hardly seen', comes(1, 0, { seen = 1 }), false)
+   same('seen at the look, though not there', comes(1, 0, { time = 0 }), false)
+   same('one that no rule asks for', comes(-1, 0), false)
+   same('beside the column', comes(1, 0), true)
+end)
+
 -- As the front of a row that was known too coarsely before it.
 case('a brick in front that is seen in the midst of a look leaves what was seen where it is', function()
    local task = { transport = 4, sides = ALL, turns = true, levels = 1, asks = { { 0, 1, 0 }, { 0, -1, 0 } } }
