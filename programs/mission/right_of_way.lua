@@ -7,6 +7,8 @@ local DueRows = require 'mission.due_rows'
 local StructureMap = require 'mission.structure_map'
 
 local SIDE, apart = geometry.SIDE, geometry.apart
+local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
+local BUSY, QUEUE, QUEUES = 10, 4, 5  -- s, the longest waits while another is seen at work and after that; so often at most
 local PEEK_FROM, PEEK = 0.19, 0.8  -- m from a site, rad to each side
 local PEEK_RIM = 0.05          -- m/s, of that turn, at most: a robot stands across several measurements
 local PEEK_STOP = 0.2          -- rad, in which it ends
@@ -40,6 +42,21 @@ function RightOfWay.new(machine, map, sides, turns, task)
       lift = machine.lift, clearance = machine.clearance, placement = machine.placement, map = map, sides = sides,
       turns = turns, task = task, standing = {}, level = 0,
    }, RightOfWay)
+end
+
+-- Whether somebody is seen to hold a block near the structure.
+function RightOfWay:sees_held()
+   local known = self.map.known
+   return known ~= nil and self.placement:held_near(known.x, known.y, known.reach + AT_WORK) ~= nil
+end
+
+-- Before it looks at a row, stays while somebody is seen at work, and a random while longer: whoever else waits has seen the same.
+function RightOfWay:queue()
+   for _ = 1, QUEUES do
+      if not self.process:wait_until(function() return self:sees_held() end, 0.2) then return end
+      self.process:wait_until(function() return not self:sees_held() end, BUSY)
+      self.process:wait(QUEUE * math.random())
+   end
 end
 
 -- Whether a point is no part of what stands there for good: robots leave after a while.

@@ -29,8 +29,6 @@ local WATCHES, NAP, GLANCE = 60, 4, 1  -- s, into a rest, from which on it pause
 local FAULT_LASTS = 15         -- s, that a brick was seen to show a colour that it should not, before it is coloured anew
 local TELLINGS = 3             -- so often one is told at most: its LEDs may be dead
 local STAYS_OFF = 0.012        -- m, of the block from right over it meanwhile: a column behind would draw it off
-local AT_WORK = 0.12           -- m, from the structure, that blocks in others' hands are counted
-local QUEUE, QUEUES = 4, 5     -- s, the longest wait after another's work was seen to end; so often at most
 local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
 local ASIDE, ASKEW = 0.015, 0.5  -- m and rad off a row's line, beyond which it is driven to anew
 local TOO_FAR = 0.20           -- m, likewise, from where it looks
@@ -346,25 +344,10 @@ function SiteWork:stand_for(column, look)
    return true
 end
 
--- Whether somebody is seen to hold a block near the structure.
-function SiteWork:sees_held()
-   local known = self.map.known
-   return known ~= nil and self.placement:held_near(known.x, known.y, known.reach + AT_WORK)
-end
-
--- Stays while somebody is seen at work, and a random while longer: whoever else waits has seen the same.
-function SiteWork:queue()
-   for _ = 1, QUEUES do
-      if not self.process:wait_until(function() return self:sees_held() end, 0.2) then return end
-      self.process:wait_until(function() return not self:sees_held() end, BUSY)
-      self.process:wait(QUEUE * math.random())
-   end
-end
-
 -- Sees the column from one place. Whether nobody is in the way.
 function SiteWork:look_from(column, look)
    if not self:stand_for(column, look) then return false end
-   if self.task.delay > 0 then self:queue() end
+   if self.task.delay > 0 then self.right_of_way:queue() end
    local start = self.odometry.time
    while self.odometry.time - start < LOOK_TIME do
       coroutine.yield()
