@@ -18,7 +18,7 @@ namespace {
 
 // Caches drop blocks from a little above the floor: 2.3 block sides, clear of one that lies there.
 constexpr double kCacheWay = 0.5, kCacheWayReach = 0.11, kCacheClear = 0.47, kCacheDrop = 0.125;
-constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20, kRobotsApart = 0.25;
+constexpr double kRobotWay = 0.15, kRobotWaySeveral = 0.20;
 // Beside the cache, clear of robots that fetch from it (programs/mission/standby.lua has the
 // first).
 constexpr double kStandbyBeyond = 0.06, kStandbyAside = 0.32, kStandbyRows = 0.30;
@@ -98,19 +98,16 @@ class Layout {
     const double far = reach(out, false);
     return far < kCacheWayReach + 1e-6 ? kCacheWay : far + kCacheClear;
   }
-  /// Do robots beyond one a side wait until they are needed? Robots that are bound to no side find
-  /// another.
-  bool stand_by() const { return request_.allocation == Allocation::fixed; }
   /// Of the robot that is the so many-th to stand by on its side, from the cache on outwards, m.
   static double standby_behind(int number) {
     return kStandbyBeyond + (number - 1) / 2 * kStandbyRows;
   }
   double arena() const {
     const auto sides = static_cast<int>(compiled_.sides.size());
-    // Of one side: a row to the left of the first, or rows behind its cache.
+    // Of one side: rows behind its cache.
     const int most = (request_.robots - 1) / sides;
-    double far = stand_by() ? 0 : most * kRobotsApart;
-    const double behind = stand_by() && most > 0 ? standby_behind(most) : 0;
+    const double behind = most > 0 ? standby_behind(most) : 0;
+    double far = 0;
     for (const ApproachSide side : compiled_.sides) {
       const Direction out = direction_of(side);
       far = std::max({far, std::abs(out.x * (cache_way(out) + behind) - origin_.x),
@@ -151,18 +148,16 @@ class Layout {
     for (int i = 0; i < request_.robots; ++i) {
       const std::vector<ApproachSide> own = sides_of(i);
       const Direction d = direction_of(own.front());
-      const int beyond = i / sides;  // that many of its side are before it
-      const bool waits = stand_by() && beyond > 0;
-      const double way = waits ? cache_way(d) + standby_behind(beyond) : robot_way(d);
-      const double left = !waits            ? beyond * kRobotsApart
-                          : beyond % 2 == 1 ? kStandbyAside
-                                            : -kStandbyAside;
+      // That many of its side are before it, and it waits until it is needed.
+      const int beyond = i / sides;
+      const double way = beyond > 0 ? cache_way(d) + standby_behind(beyond) : robot_way(d);
+      const double left = beyond == 0 ? 0 : beyond % 2 == 1 ? kStandbyAside : -kStandbyAside;
       // A robot alone goes where there is work.
       const bool several_robots = request_.robots > 1;
       const bool fixed = request_.allocation == Allocation::fixed;
       out.push_back({place(d.x * way - d.y * left, d.y * way + d.x * left, 0), d.degrees,
                      own.front(), fixed && several_robots ? own : std::vector<ApproachSide>{},
-                     waits ? beyond : 0, several_robots ? request_.robots : 0});
+                     beyond, several_robots ? request_.robots : 0});
     }
     return out;
   }

@@ -14,8 +14,7 @@
 //     robots    at s + 0.15 m, or s + 0.20 m where they work on several sides, in turn on each side
 //     further   robots of a side, beyond its first, are to stand by (params: standby: 1, 2 ...):
 //               0.06 m farther out than the cache, the first 0.32 m to its left and the second as
-//               far to its right, further pairs 0.30 m farther out; under dynamic allocation none
-//               waits, and further ones begin 0.25 m to the left of the last on that side
+//               far to its right, further pairs 0.30 m farther out
 //     the arena to 1.5 m, or 0.7 m beyond the farthest of these
 //
 // Robots and sides are dealt out in turn; of fewer robots than sides each has sides that follow

@@ -124,8 +124,11 @@ TEST_CASE("robots beyond one a side stand by beside its cache") {
     }
   }
   request.allocation = Allocation::dynamic_;
-  for (const SetUpLayout::Robot& robot : lay_out(set.rules, set.compiled, request).robots) {
-    CHECK(robot.standby == 0);
+  const SetUpLayout shared = lay_out(set.rules, set.compiled, request);
+  for (std::size_t i = 0; i < 13; ++i) {
+    CHECK(shared.robots[i].standby == layout.robots[i].standby);
+    CHECK(length(shared.robots[i].at - layout.robots[i].at) < 1e-9);
+    CHECK(shared.robots[i].bound.empty());
   }
 }
 
