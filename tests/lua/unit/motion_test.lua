@@ -421,6 +421,21 @@ case('what cannot be come near to be looked at is given up at once by who asks f
    assert(turned < 0.1)  -- nor is it given way to
 end)
 
+case('who is met is waited for out of its reach', function()
+   local machine, fake, run = machine_with()
+   local navigation = Navigation.new(machine, {})
+   local clearance = machine.clearance
+   clearance.explained = function() return false end
+   fake.robot.rangefinders['1'].proximity = 0.05
+   local waits
+   clearance.await_way = function()
+      waits = waits or fake.pose.x
+      return false
+   end
+   run(function() return navigation:straight_to(0.5, 0, 1) end)
+   near('back from it', waits, -0.08, 2e-3)
+end)
+
 case('something in the way is waited for, and then given way to', function()
    local machine, fake, run = machine_with()
    local navigation = Navigation.new(machine, {})
