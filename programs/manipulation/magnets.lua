@@ -7,9 +7,9 @@ local JUST_LIFTED = 0.005      -- m, likewise of one that has come along
 local Magnets = {}
 Magnets.__index = Magnets
 
--- carrying: a block was lifted, and seen there when it was last looked for.
+-- carrying: a block was lifted, and seen there when it was last looked for; lost: the last one fell.
 function Magnets.new(robot, ranges)
-   return setmetatable({ robot = robot, ranges = ranges, carrying = false }, Magnets)
+   return setmetatable({ robot = robot, ranges = ranges, carrying = false, lost = false }, Magnets)
 end
 
 -- Whether current flows that makes the magnets hold harder, until their charge has sunk.
@@ -32,13 +32,15 @@ end
 
 -- Whether the block that was lifted has come along.
 function Magnets:has_lifted()
-   self.carrying = self.ranges:underneath_within(JUST_LIFTED)
+   self.carrying, self.lost = self.ranges:underneath_within(JUST_LIFTED), false
    return self.carrying
 end
 
 -- Whether the carried block is still there.
 function Magnets:holds()
-   self.carrying = self.carrying and self:feels_block()
+   local carried = self.carrying
+   self.carrying = carried and self:feels_block()
+   self.lost = self.lost or carried and not self.carrying
    return self.carrying
 end
 

@@ -172,6 +172,11 @@ function BlockSupply:at_others_caches()
    map.cache = own
 end
 
+-- Whether it is to find a block that it has lost, rather than wait for the next: one that is alone, and in nobody's way.
+function BlockSupply:searches_for_lost()
+   return self.machine.magnets.lost and self.task.delay == 0
+end
+
 -- Where the last block came from, about the robot, and there again: an empty cache is filled after a while.
 function BlockSupply:look_at_cache()
    local map = self.map
@@ -186,7 +191,8 @@ function BlockSupply:look_at_cache()
    end
    self.last_cache = nil
    block = block or self:at_others_caches() or self.machine.search:look_about(self:wanted())
-   if block then return block end
+   -- one that fell lies somewhere about, where the cache may drop no other as long as it does
+   if block or self:searches_for_lost() then return block end
    -- what lies nearer than it should is below the picture
    local nearer = SURE_VIEW - self.machine.odometry:distance_to(map.cache)
    if nearer > 0 then self.machine.path:back_off(nearer) end
@@ -211,7 +217,9 @@ function BlockSupply:search_elsewhere()
       if not block and not map.cache then self.process:wait(self:patience()) end
       return block
    end
-   if map.cache and self.in_vain < SEARCHES then return nil end
+   if map.cache and self.in_vain < SEARCHES and not self:searches_for_lost() then return nil end
+   -- what fell may lie so near that it is in no picture from here
+   if self:searches_for_lost() then self.machine.path:back_off(STEP_BACK) end
    local block = search:find(self:wanted(), LEGS * self.in_vain, self:wander())
    local home = map.cache or map.known or { x = 0, y = 0 }
    if not block then self.navigation:straight_to(home.x, home.y) end

@@ -1564,6 +1564,48 @@ case('a column of two with one in front is built', function()
    near('its y', third.y, 0, 2e-3)
 end)
 
+case('one that is alone searches for a block that it has lost, rather than wait for the next', function()
+   local fake = FakeRobot.new {}
+   local task = { sides = ALL, turns = true, transport = 4, delay = 0 }
+   local builder = Builder.new(fake.robot, CHART, task)
+   local supply, magnets = builder.supply, builder.machine.magnets
+   local waited, searched = 0, 0
+   supply.at_cache = function(_, time)
+      waited = waited + time
+      return nil
+   end
+   supply.machine.search.look_about = function() return nil end
+   supply.machine.search.find = function()
+      searched = searched + 1
+      return nil
+   end
+   supply.navigation.straight_to = function() end
+   supply.map.cache = { x = 0.4, y = 0 }
+   local seen = true
+   magnets.ranges = { underneath_within = function() return seen end }
+   local function searches()
+      waited, searched, supply.in_vain = 0, 0, 0
+      builder.machine:start(function() supply:search_block() end)
+      for _ = 1, 200 do
+         if not builder.machine:step() then break end
+         fake:step()
+      end
+      return searched
+   end
+   same('lifted', magnets:has_lifted(), true)
+   same('waits for the next one', searches(), 0)
+   assert(waited > 5, waited)
+   seen = false
+   same('fallen', magnets:holds(), false)
+   same('searches', searches(), 1)
+   near('a look at the cache', waited, 1, 1e-9)
+   supply.task.delay = 30
+   same('not among others', searches(), 0)
+   seen = true
+   magnets:has_lifted()
+   same('found', magnets.lost, false)
+end)
+
 case('after a search in vain a robot takes a brick that lies where no structure can be', function()
    local fake = FakeRobot.new {}
    local task = { sides = ALL, turns = true, transport = 4, delay = 0, starts = { 3 } }
