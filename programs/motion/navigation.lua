@@ -79,8 +79,8 @@ function Navigation:straight_to(x, y, tries)
    for try = 1, tries or TRIES do
       self.path:go_to(x, y, nil, meets)
       if left() < OFF then return true end
-      -- one that goes back or turns would touch who waits right beside it
-      if self.clearance:has_company() then self.path:back_off(OUT_OF_REACH) end
+      -- one that goes back or turns would touch who waits right beside it; a wall would not
+      if self.clearance.explained and self.clearance:has_company() then self.path:back_off(OUT_OF_REACH) end
       if not self.clearance:await_way(left) and try ~= tries then self:give_way() end
    end
    return false
