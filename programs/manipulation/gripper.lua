@@ -71,13 +71,19 @@ function Gripper:seat()
    return (left + right) / 2 - self.gap, math.atan((right - left) / FINDERS_APART)
 end
 
+-- From those rangefinders to the back of a block, m, as they say now; nil where they see none.
+function Gripper:way_to_back()
+   local left, right = self.ranges:range('left'), self.ranges:range('right')
+   return left and right and (left + right) / 2
+end
+
 -- A function that says, once a step, whether the carried block has been drawn ahead by more than `most`, and by
 -- `further` than it hangs now, or those finders see nothing: for two steps, since readings may be off.
 function Gripper:drawn_off(most, further)
    local farthest, before = math.max(most, self:seat() + further) + self.gap, false
    return function()
-      local left, right = self.ranges:range('left'), self.ranges:range('right')
-      local now = not left or not right or (left + right) / 2 > farthest
+      local back = self:way_to_back()
+      local now = not back or back > farthest
       local drawn = now and before
       before = now
       return drawn
@@ -89,8 +95,7 @@ end
 function Gripper:pushed_back(most)
    local nearest, before = self:seat() + self.gap - most, nil
    return function()
-      local left, right = self.ranges:range('left'), self.ranges:range('right')
-      local now = left and right and (left + right) / 2
+      local now = self:way_to_back()
       local pushed = now and before and (now + before) / 2 < nearest or false
       before = now
       return pushed

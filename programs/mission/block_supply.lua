@@ -256,11 +256,9 @@ end
 
 -- Whether neither a block nor a brick is where the robot's turn on the spot would sweep it.
 function BlockSupply:has_room_to_turn()
-   local pivot, sweep = self.machine.odometry:pivot(), self.machine.sweep
-   for _, known in ipairs(self.tracker:blocks()) do
-      if geometry.apart(pivot, known) < sweep.from_block then return false end
-   end
-   return self.map:room_about(pivot.x, pivot.y) > sweep.room
+   local machine = self.machine
+   local pivot = machine.odometry:pivot()
+   return machine.search:reaches_into_blocks() <= 0 and self.map:room_about(pivot.x, pivot.y) > machine.sweep.room
 end
 
 function BlockSupply:pick_up()

@@ -42,11 +42,11 @@ local REJOIN, REJOINS = 0.10, 2  -- m, back and up again, in which the line is j
 -- bricks, or fewer, than the robot knew, and how many there are. patience: s after that in which it keeps to its side,
 -- where sides are shared and manned; twice as long each time. obstructed: how often somebody was in the way, or nothing
 -- to be done, since the last brick. row: {v, front, frame, juts}, the one it stands before; unfound: v of the row at which the
--- last approach did not find its brick. column: as it looked at it; wish: what is to be done there (Column:decide). approach_time: mean of the last
--- approaches to a site, s. yielded: it has just left a site to another. fault: a brick of a wrong colour that was seen, and
--- since when (see_to_faults); mended: by cell, how often one was told its colour. fronts: by v, the front of rows of this side
--- as they were looked at since it last came to it. at_home: it has put a brick here since then; contested: it has not, and
--- somebody was in its way.
+-- last approach did not find its brick. column: as it looked at it; wish: what is to be done there (Column:decide).
+-- approach_time: mean of the last approaches to a site, s. yielded: it has just left a site to another. fault: a brick of a
+-- wrong colour that was seen, and since when (see_to_faults); mended: by cell, how often one was told its colour. fronts: by v,
+-- the front of rows of this side as they were looked at since it last came to it. at_home: it has put a brick here since then;
+-- contested: it has not, and somebody was in its way.
 local SiteWork = {}
 SiteWork.__index = SiteWork
 

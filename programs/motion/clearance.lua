@@ -156,19 +156,24 @@ function Clearance:room_ahead()
    return math.max(0, room)
 end
 
--- Whether another robot's chassis was seen so near that its arm, wherever that points, and what a turn on the
--- spot sweeps may touch, or a block that it holds.
+-- Places {x, y} of others' chassis, seen in the last `age` s, so near that the arm of one, wherever that points, and what a turn
+-- on the spot sweeps may touch; of walls, too, where nothing tells them apart.
+function Clearance:others_in_reach(age)
+   local pivot, out = self.odometry:pivot(), {}
+   for _, point in ipairs(self.returns:near(pivot.x, pivot.y, self.sweep.reach + EFFECTOR, self.odometry.time - age)) do
+      if not self.explained or not self.explained(point.x, point.y) then table.insert(out, point) end
+   end
+   return out
+end
+
+-- Whether there are any, or a block that another holds is as near.
 function Clearance:has_company()
    if self.alone then return false end
    local pivot = self.odometry:pivot()
    for _, block in ipairs(self:held_by_others()) do
       if geometry.apart(pivot, block) < self.sweep.reach + OF_HELD then return true end
    end
-   for _, point in ipairs(self.returns:near(pivot.x, pivot.y, self.sweep.reach + EFFECTOR,
-                                            self.odometry.time - SEEN_LATELY)) do
-      if not self.explained or not self.explained(point.x, point.y) then return true end
-   end
-   return false
+   return #self:others_in_reach(SEEN_LATELY) > 0
 end
 
 -- Waits a while for those to go whom the effector would sweep in a turn on the spot. Whether there is nobody.
@@ -184,12 +189,11 @@ function Clearance:await_room()
    return room() or self.process:wait_until(room, PATIENCE * math.random())
 end
 
--- Whether a turn on the spot by `angle` comes so near another robot's chassis that its arm, wherever that points, may be touched.
+-- Whether a turn on the spot by `angle` comes so near one of them that its arm may be touched.
 function Clearance:turns_into_company(angle)
-   local pose, pivot = self.odometry.pose, self.odometry:pivot()
-   for _, point in ipairs(self.returns:near(pivot.x, pivot.y, self.sweep.reach + EFFECTOR, self.odometry.time - STAYS)) do
-      local x, y = geometry.into(pose, point.x, point.y)
-      if not self.explained(point.x, point.y) and self.sweep:touches(x, y, angle, EFFECTOR) then return true end
+   for _, point in ipairs(self:others_in_reach(STAYS)) do
+      local x, y = geometry.into(self.odometry.pose, point.x, point.y)
+      if self.sweep:touches(x, y, angle, EFFECTOR) then return true end
    end
    return false
 end
