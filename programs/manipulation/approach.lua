@@ -11,6 +11,7 @@
 -- is said; lowest, the least height of the lift (it is higher where the block is seen only from there);
 -- short, by how much to stop before the target; stop(), asked on the last way, ends it before a column;
 -- apart, whether the block is none of the structure, and so to be come to from where there is room to turn;
+-- brisk, whether nothing can stand ahead on the last way;
 -- clear, whether no brick stands ahead of the place, so that what comes before the effector is another robot;
 -- free(line, seen) and alone(line), whether the place is free, and nobody else at work there; contested(line), another's
 -- block there; goes_before(place), whether that other is to leave; caught(), whether what is carried has caught on
@@ -29,12 +30,15 @@ local FARTHER = 0.02           -- m, by which it begins farther off after each a
 local NEAREST_TURN = 0.22      -- m, from a block, out of its reach for a robot that turns
 local FACES_IT, ON_LINE = 0.2, 0.02  -- rad, m, of a robot that faces the block already
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
+local FOLLOWED = 0.03          -- rad off the line, that need no turn before it is followed
 local THERE = 0.05             -- m, from the stand-off, near enough
 local SPEED = 0.12             -- m/s, while it watches the block
 local SLOW = 0.05              -- m/s, close to blocks
+local BRISK = 0.08             -- m/s, likewise, where nothing can stand ahead
 local LAST_STRAIGHT = 0.025    -- m, in which the line is joined on the last, blind 50 to 85 mm
 local NEAREST_LOOK = 0.170     -- m, from a target, for the last look
 local FIRST_SIGHTINGS, LAST_SIGHTINGS = 3, 6
+local LOOSE_SIGHTINGS = 3      -- the last ones of a block that is loose: magnets draw it into line
 local SEEN_LONG = 6            -- sightings after which a block in the picture needs no first look
 local SETTLE_TIME = 0.6        -- s, before the first look
 local BACKS, BACK = 2, 0.02    -- times, m, back from a block that is out of the picture after a turn
@@ -324,7 +328,7 @@ function Approach:is_in_view(block)
 end
 
 function states.acquire(self, run)
-   self.path:turn_to(run.line.yaw)
+   if math.abs(geometry.wrap(run.line.yaw - self.odometry.pose.yaw)) > FOLLOWED then self.path:turn_to(run.line.yaw) end
    self:watch(run.block, run.lowest)
    if self:is_in_view(run.block) then return 'seen' end
    self.process:wait_until(function() return self:in_picture(run.block) ~= nil end, SETTLE_TIME)
@@ -347,7 +351,7 @@ function states.align(self, run)
    end
    if not there then return 'unseen' end
    self.lift:to(height)
-   run.seen = self:look_aside(run.block, LAST_SIGHTINGS)
+   run.seen = self:look_aside(run.block, run.target.apart and LOOSE_SIGHTINGS or LAST_SIGHTINGS)
    return run.seen and 'seen' or 'unseen'
 end
 
@@ -388,17 +392,18 @@ end
 -- is to leave, it waits for that, once.
 function Approach:follow_last(run, line, to)
    local target, met, caught, stopped = run.target, nil, false, false
+   local speed = target.brisk and BRISK or SLOW
    local function ends()
       met, caught = self:met_at(run, line), target.caught and target.caught() or false
       -- told once: of what is as far as that, every other reading says that it is farther
       stopped = stopped or target.stop and target.stop()
       return met or caught or stopped
    end
-   self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)
+   self.path:follow(line, to, speed, ends, LAST_STRAIGHT)
    if met and not caught and target.goes_before and target.goes_before(met) and
       self:await_leaving(run, line, met) then
       stopped = false
-      self.path:follow(line, to, SLOW, ends, LAST_STRAIGHT)
+      self.path:follow(line, to, speed, ends, LAST_STRAIGHT)
    end
    return caught and 'caught' or met and 'obstructed' or 'there', stopped
 end

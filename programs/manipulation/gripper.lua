@@ -8,7 +8,7 @@ local PULSE, LOWER = 0.006, 0.003  -- heights of the lift over a block on the fl
 local CARRY_FAR = 0.080        -- passes over a block without being drawn to it
 local LET_GO = 0.030           -- up from a block that was put down
 local PULSE_TIME, LOWER_TIME, SETTLE_TIME = 0.5, 0.5, 0.2  -- s
-local READY, EMPTY = 1.12, 1.06    -- of the charge at which the field vanishes
+local READY, EMPTY = 1.09, 1.06    -- of the charge at which the field vanishes
 local CHARGE_TIME, EMPTY_TIME = 8, 6  -- s, at most
 local BEHIND_BLOCK = 0.025     -- m, of the rangefinders behind a block that see it
 local FINDERS_APART = 0.040    -- m
@@ -142,8 +142,8 @@ function Gripper:colour_below(colour)
    return self:ask({ PASS, table.unpack(message) }, message, PASS_TIME)
 end
 
--- Takes the block that lies below the magnets. Whether it came along.
-function Gripper:pull()
+-- Takes the block that lies below the magnets, and colours it on its way up. Whether it came along, and whether it answered.
+function Gripper:pull(colour)
    local magnets, lift = self.magnets, self.lift
    self.process:enter('pull')
    lift:to(PULSE)
@@ -152,10 +152,12 @@ function Gripper:pull()
    lift:to(LOWER)
    self.process:wait(LOWER_TIME)
    magnets.carrying = true
-   lift:to(CARRY_FAR)
+   local arrive = lift:set_out(CARRY_FAR)
+   local answered = self:colour(colour)
+   arrive()
    magnets:discharge('disable')
    self.process:wait(SETTLE_TIME)
-   return magnets:has_lifted()
+   return magnets:has_lifted(), answered
 end
 
 -- Lets the current flow against the magnets' own field until the two cancel, and goes up before it

@@ -19,7 +19,7 @@ end
 -- seen. `heading`, from which to come, is optional.
 function Pickup:approach_block(block, heading)
    local near, seen = self.approach:to {
-      block = block, heading = heading, lowest = self.lift.OVER_BLOCK, apart = true,
+      block = block, heading = heading, lowest = self.lift.OVER_BLOCK, apart = true, brisk = true,
    }
    if not near then return false, seen end
    -- what odometry and camera left over along the way, by touch
@@ -31,9 +31,10 @@ end
 
 -- Lifts the block that lies below the magnets, and colours it. True and whether it answered, or false and why not.
 function Pickup:grip_block(block, colour)
-   if self.gripper:pull() then
+   local holds, answered = self.gripper:pull(colour or IN_TRANSPORT)
+   if holds then
       self.tracker:forget(block)
-      return true, self.gripper:colour(colour or IN_TRANSPORT)
+      return true, answered
    end
    self.gripper:let_go()
    return false, 'it does not hold'

@@ -68,7 +68,7 @@ function Placement:release(level, colour, drawn, short)
    for _ = 1, RELEASES do
       if self.gripper:let_go() then
          self.process:enter('reverse')
-         self.path:go_by(-0.15, 0.12)
+         self.path:go_by(-0.15, 0.15)
          return true
       end
       self.lift:to(over)
@@ -143,10 +143,12 @@ local function comes_down(where, options)
 end
 
 -- What is to be done right before the last way to a place, or nil. On top, beside a neighbour, that may
--- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then.
+-- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then. Elsewhere the
+-- magnets hold harder on the way: the charge that this takes is one that need not go when they let go.
 function Placement:before_docking(over, options)
-   if not over or not options.colour or (options.aside or 0) == 0 then return nil end
-   return function() self.gripper:colour(options.colour) end
+   if not over then return nil end
+   if (options.aside or 0) == 0 then return function() self.magnets:hold_fast(true) end end
+   return options.colour and function() self.gripper:colour(options.colour) end
 end
 
 -- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper; `caught`: how often it has
@@ -167,7 +169,8 @@ function Placement:target(block, where, level, back, options, caught)
       end,
       alone = options.alone,
       contested = options.alone and function(line) return self:contested_by(line.x, line.y, level) end or nil,
-      clear = options.clear, goes_before = options.goes_before, begin = self:before_docking(over, options),
+      brisk = over and options.brisk, clear = options.clear, goes_before = options.goes_before,
+      begin = self:before_docking(over, options),
    }
 end
 
@@ -194,11 +197,10 @@ end
 -- heading, left, level (of the place; default: over the block, or on the floor), aside (1 or -1: a
 -- little to the left or right, since a neighbour stands on the other side), alone(line): asked on the
 -- way in, whether nobody else is at work there; outdated(): asked before the last way, whether something else is wanted
--- by now; goes_before(place), whether one who is met there is to leave; clear,
--- whether no brick stands behind the place; open,
--- whether no neighbour stands on either side; colour, which it will have; before, by how much, m, it stays before the place,
--- over which it is not to be let go; over, whether it is let down from above as
--- when raised, and not slid in.
+-- by now; goes_before(place), whether one who is met there is to leave; brisk, whether nothing can come before the effector;
+-- clear, whether no brick stands behind the place; open, whether no neighbour stands on either side; colour, which it
+-- will have; before, by how much, m, it stays before the place, over which it is not to be let go; over, whether it is let
+-- down from above as when raised, and not slid in.
 function Placement:approach_site(block, where, options)
    options = options or {}
    if not self.magnets:holds() then return false, 'the block was lost' end

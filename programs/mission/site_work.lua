@@ -335,9 +335,15 @@ function SiteWork:stand_for(column, look)
    end
    for attempt = 1, REJOINS + 1 do
       if attempt > 1 then self.path:follow_back(line(), -away - REJOIN, 0.08) end
-      if not self:come_up(attempt > 1 and line or line(), away, 0.12) then return false end
-      if not self.lift:is_below(look.lift) and not self.clearance:await_room_below() then return false end
-      self.lift:to(look.lift)
+      -- up on the way there
+      local arrive = self.lift:is_below(look.lift) and self.lift:set_out(look.lift, self.lift.WORTH)
+      local came = self:come_up(attempt > 1 and line or line(), away, 0.12)
+      if arrive then arrive() end
+      if not came then return false end
+      if not arrive then
+         if not self.clearance:await_room_below() then return false end
+         self.lift:to(look.lift)
+      end
       local _, aside, angle = self.odometry:on_line(line())
       if math.abs(aside) < LOOKS_ASIDE and math.abs(angle) < LOOKS_ASKEW then break end
    end
@@ -504,7 +510,7 @@ function SiteWork:approach_site()
       heading = self.row.frame.yaw, level = wish.level, left = left,
       over = wish.what == 'beside' and self:stands_free(),
       before = wish.mends and STAYS_OFF, aside = wish.aside, open = wish.open, colour = wish.colour,
-      clear = self.task.delay > 0 and self:is_clear(),
+      brisk = self.task.delay == 0 and self:is_clear(), clear = self.task.delay > 0 and self:is_clear(),
       alone = self:may_meet() and function(line) return self.right_of_way:is_alone(line, level) end or nil,
       goes_before = function(place) return self.map:goes_before(place, level) end,
       outdated = function() return self.column:is_outdated(wish) end,

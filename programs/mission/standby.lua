@@ -53,7 +53,7 @@ function Standby:watch_cache(patience)
    self.process:enter('stand by')
    local pivot = self.odometry:pivot()
    self.path:turn_to(math.atan(self.cache.y - pivot.y, self.cache.x - pivot.x))
-   self.lift:look_to(self.camera, geometry.apart(pivot, self.cache) + self.odometry.ahead)
+   self.lift:look_to(self.camera, geometry.apart(pivot, self.cache) + self.odometry.ahead)()
    local function lies_there(known)
       return geometry.apart(known, self.cache) < OFF and self.supply:is_unused(known)
    end

@@ -179,8 +179,9 @@ function Navigation:look_again(place, found, time, tries)
       away = FAR_LOOK
    end
    local pivot = odometry:pivot()
-   if self.path:clear_below() then self.lift:look_to(self.camera, math.max(away, NEAR_LOOK)) end
+   local arrive = self.path:clear_below() and self.lift:look_to(self.camera, math.max(away, NEAR_LOOK))
    self.path:turn_to(math.atan(place.y - pivot.y, place.x - pivot.x))
+   if arrive then arrive() end
    if away < NEAR_LOOK - 0.02 then self.path:back_off(NEAR_LOOK - away) end
    return self.process:wait_until(found, time or LOOK_TIME)
 end
