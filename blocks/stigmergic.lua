@@ -5,9 +5,10 @@
 -- face one by one, as a code word for more kinds of brick than four. Nor did they answer, as ours do: an
 -- 'a' and the message tell whoever sent it that it came. Neighbours hear that too, and do nothing. What comes after a
 -- 'p' is passed on by the lowest face, and one answer to it back: a robot reaches a brick by way of the block that it
--- holds over it. Blocks stand as they were laid out, with their top up.
+-- holds over it, and one below that by way of both. Blocks stand as they were laid out, with their top up.
 
 local FACES, LEDS = 6, 4
+local LONGEST = LEDS + 3  -- bytes of a message: a code word by way of two blocks
 local ANSWER, PASS = string.byte("a"), string.byte("p")
 
 -- The face by which the next answer goes on that is heard at the lowest one.
@@ -34,7 +35,7 @@ local function hear(face, message)
    local radios = robot.simple_radios
    if message[1] == PASS then
       asks = face
-      radios.bottom.send({ table.unpack(message, 2, LEDS + 2) })
+      radios.bottom.send({ table.unpack(message, 2, LONGEST) })
    elseif message[1] ~= ANSWER then
       show(message)
       radios[face].send({ ANSWER, table.unpack(message, 1, LEDS + 1) })

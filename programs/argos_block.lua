@@ -7,6 +7,7 @@
 local COLOURS = { [49] = 'magenta', [50] = 'orange', [51] = 'green', [52] = 'blue' }
 local WORD, ANSWER, PASS = 119, 97, 112
 local FACES, LEDS = 6, 4
+local LONGEST = LEDS + 3  -- bytes of a message: a code word by way of two blocks
 
 local function show(message)
    robot.directional_leds.set_all_colors(COLOURS[message[1]] or 'black')
@@ -20,7 +21,7 @@ local asks
 
 -- What was heard, from a byte on, after others: bytes come in as numbers with a fraction, and go out as whole ones.
 local function after(out, message, from)
-   for i = from, math.min(#message, LEDS + from) do table.insert(out, math.floor(message[i])) end
+   for i = from, math.min(#message, LONGEST) do table.insert(out, math.floor(message[i])) end
    return out
 end
 

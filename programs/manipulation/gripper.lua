@@ -18,8 +18,8 @@ local FIRST_CHARACTER = 48     -- '0', of colours as the radio sends them
 local WORD = 119               -- 'w', before the four of a code word
 local ANSWER = 97              -- 'a', before what a block says to have heard
 local ANSWER_TIME = 0.3        -- s, since the step after it was sent: it hears in that, and is heard in the next
-local PASS = 112               -- 'p', before what the carried block is to pass on to the one below it
-local PASS_TIME = 1.0          -- s, likewise, that the answer takes by way of the carried block
+local PASS = 112               -- 'p', before what a block is to pass on to the one below it
+local PASS_TIME, HOP_TIME = 1.0, 0.4  -- s, likewise, that the answer takes by way of one such block, and of each further one
 local SENDS = 2
 
 -- neutral: the charge at which a current takes the magnets' field away. gap: from the rangefinders
@@ -136,10 +136,12 @@ function Gripper:colour(colour)
    return false
 end
 
--- Colours the block right below the carried one, which passes the message on. Whether it answered.
-function Gripper:colour_below(colour)
-   local message = message_of(colour)
-   return self:ask({ PASS, table.unpack(message) }, message, PASS_TIME)
+-- Colours the block so many blocks below the carried one, which passes the message on, as those in between do. Whether it
+-- answered.
+function Gripper:colour_below(colour, blocks)
+   local message, sent = message_of(colour), {}
+   for hop = 1, blocks do sent[hop] = PASS end
+   return self:ask(table.move(message, 1, #message, blocks + 1, sent), message, PASS_TIME + HOP_TIME * (blocks - 1))
 end
 
 -- Takes the block that lies below the magnets, and colours it on its way up. Whether it came along, and whether it answered.

@@ -235,8 +235,8 @@ function Placement:attach(colour, drawn)
 end
 
 -- Over the top brick of a column, or nearly, where approach_site has brought the carried block: gives that brick a colour,
--- by way of the block, and goes back. Whether it answered.
-function Placement:recolour_below(colour)
+-- by way of the block, or one so many `blocks` below the carried one, by way of those in between, and goes back. Whether it answered.
+function Placement:recolour_below(colour, blocks)
    self.process:enter('recolour')
    local answered = false
    -- that brick draws the block harder than magnets hold it without a current
@@ -244,7 +244,7 @@ function Placement:recolour_below(colour)
    for _, over in ipairs(PASSES) do
       self.lift:to(SIDE * self.site_level + over)
       self.magnets:hold_fast(true)
-      answered = self.gripper:colour_below(colour)
+      answered = self.gripper:colour_below(colour, blocks)
       if answered then break end
    end
    -- one that knows nothing of passing on has taken it for another colour

@@ -3,11 +3,13 @@
 -- program has begun anew, or somebody has told it so.
 local truth = require 'truth'
 
--- `from`: m, the world's x of the lattice's cell (0, 0, 0).
-return function(x, y, z, colour, from)
+-- `from`: m, the world's x of the lattice's cell (0, 0, 0). `under`: whether the ten seconds begin only when a brick stands on it.
+return function(x, y, z, colour, from, under)
    local since, done
+   local u = x + (from or 0) / 0.055
    return function(world)
-      local brick = not done and truth.brick(world, x + (from or 0) / 0.055, y, z)
+      local brick = not done and truth.brick(world, u, y, z)
+      if under and not truth.brick(world, u, y, z + 1) then brick = nil end
       since = brick and (since or world.time())
       if not brick or world.time() - since < 10 then return end
       world.set_color(brick.name, colour)

@@ -71,7 +71,8 @@ TEST_CASE("our block passes on by its lowest face what follows a p, and one answ
   BlockCommands commands;
   REQUIRE(controller.init(commands).ok);
   for (const std::size_t asked : {0, 3, 4}) {
-    for (const std::string word : {"2", "w1234"}) {
+    // The last of these to be passed on once more.
+    for (const std::string word : {"2", "w1234", "pw1234"}) {
       std::vector<std::vector<Message>> radios(6);
       radios[asked] = {"p" + word};
       const BlockCommands passed = step(controller, radios);

@@ -1688,5 +1688,65 @@ case('a brick of a wrong colour before the robot is coloured when it has been so
    work.mended = {}
    table.insert(machine.tracker.tracks, { id = 9, x = 0.3, y = SIDE, z = 1.5 * SIDE, level = 1, yaw = 0, turned = 1e-4, colour = 2,
                                           seen = 30, missed = 0, time = 0, top_time = -1 })
-   same('not beside a higher one', work:mending_of(column, fault), nil)
+   near('a little off a higher one to the left', work:mending_of(column, fault).away, -0.012, 1e-9)
+   table.insert(machine.tracker.tracks, { id = 10, x = 0.3, y = -SIDE, z = 1.5 * SIDE, level = 1, yaw = 0, turned = 1e-4, colour = 2,
+                                          seen = 30, missed = 0, time = 0, top_time = -1 })
+   same('not between two', work:mending_of(column, fault), nil)
+end)
+
+case('a brick of a wrong colour under another is coloured by way of that one', function()
+   local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 },
+                  structure = { { 0, 0, 0, 3 }, { 0, 0, 1, 3 }, { 1, 0, 0, 2 }, { 1, 0, 1, 2 }, { 2, 0, 0, 1 } } }
+   local map, machine = map_of({ { 0, 0, 0, colour = 1 }, { 0, 0, 1, colour = 2 }, { 1, 0, 0, colour = 3 } },
+                               { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   work.placement = { reaches = function() return true end }
+   work.row = map:rows()[0]
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, work.row)
+   for _, known in ipairs(machine.tracker.tracks) do
+      known.seen = 30
+      column:note(known)
+   end
+   local fault = work:fault_seen_at(column)
+   same('the lower one', fault and fault.level, 0)
+   same('its colour', fault.right, 2)
+   local wish = work:mending_of(column, fault)
+   same('over the upper one', wish.top.level, 1)
+   work.wish = wish
+   local told
+   work.placement.recolour_below = function(_, colour, blocks)
+      told = colour .. ' ' .. blocks
+      return true
+   end
+   work.record, work.leave = { tally = function() end }, function() end
+   work.magnets = { holds = function() return true end }
+   same('coloured', work:recolour(), 'done')
+   same('two blocks below', told, '2 2')
+   column.bricks[column:key(0, 0, 1)] = nil
+   machine.tracker.recall = function() return {} end
+   same('not where the upper one is out of sight', work:mending_of(column, fault), nil)
+end)
+
+case('a fault is seen by what is shown alone where memory has another', function()
+   local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 },
+                  structure = { { 0, 0, 0, 3 }, { 0, 0, 1, 4 }, { 1, 0, 0, 2 }, { 2, 0, 0, 1 }, { 0, 1, 0, 2 } } }
+   local map, machine = map_of({ { 0, 0, 0, colour = 3 }, { 0, 0, 1, colour = 4 }, { 1, 0, 0, colour = 2 }, { 2, 0, 0, colour = 3 } },
+                               { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local work = SiteWork.new(machine, map, nil, nil, nil, task)
+   local shown = {}
+   for _, known in ipairs(machine.tracker.tracks) do
+      local u, v = map:cell_of(known.x, known.y)
+      table.insert(shown, { u = u, v = v, level = known.level, colour = known.colour, block = known })
+   end
+   local column = { shown = function() return shown end }
+   same('one fault', work:fault_seen_at(column).right, 1)
+   map.bricks_with = function(_, seen)
+      local out = { { u = seen[1].u, v = seen[1].v + 1, level = 0, colour = 4 } }
+      return table.move(seen, 1, #seen, 2, out)
+   end
+   same('with a stale one', work:fault_seen_at(column).right, 1)
 end)
