@@ -144,11 +144,12 @@ end
 
 -- What is to be done right before the last way to a place, or nil. On top, beside a neighbour, that may
 -- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then. Elsewhere the
--- magnets hold harder on the way: the charge that this takes is one that need not go when they let go.
+-- magnets hold harder on the way: the charge that this takes is one that need not go when they let go. Where they are not to
+-- let go, they need it longer.
 function Placement:before_docking(over, options)
-   if not over then return nil end
+   if not over or not options.colour then return nil end
    if (options.aside or 0) == 0 then return function() self.magnets:hold_fast(true) end end
-   return options.colour and function() self.gripper:colour(options.colour) end
+   return function() self.gripper:colour(options.colour) end
 end
 
 -- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper; `caught`: how often it has

@@ -365,6 +365,28 @@ case('on top, beside a neighbour, a block has its colour before it comes near', 
    same('on its way again', fake.held.colour, 4)
 end)
 
+case('on the last way to a top magnets hold harder where the block is to stay there', function()
+   local machine, _, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
+   local base = with_block_before(machine, run)
+   local begin
+   machine.approach.to = function(_, target)
+      begin = target.begin
+      return false, 'busy'
+   end
+   local function begins(where, options)
+      options.heading = math.pi / 2
+      run(function() return machine.placement:approach_site(base, where, options) end)
+      return begin ~= nil
+   end
+   same('on top', begins('raise', { colour = 2 }), true)
+   local held
+   machine.magnets.hold_fast = function(_, on) held = on end
+   begin()
+   same('held', held, true)
+   same('in front', begins('extend', { colour = 2 }), false)
+   same('only over it, to tell it its colour', begins('raise', {}), false)
+end)
+
 case('a block that hangs askew is brought so far aside as the turn that squares it will take it', function()
    local machine, _, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
    local base, left = with_block_before(machine, run), nil
