@@ -143,13 +143,13 @@ local function comes_down(where, options)
 end
 
 -- What is to be done right before the last way to a place, or nil. On top, beside a neighbour, that may
--- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then. Elsewhere the
--- magnets hold harder on the way: the charge that this takes is one that need not go when they let go. Where they are not to
--- let go, they need it longer.
+-- snatch the block off the gripper and into its place as soon as it is near: it has its colour by then. Where no neighbour
+-- is to draw it into line, magnets hold harder on the way: the charge that this takes is one that need not go when they let
+-- go. Where they are not to let go, they need it longer.
 function Placement:before_docking(over, options)
-   if not over or not options.colour then return nil end
+   if not options.colour then return nil end
    if (options.aside or 0) == 0 then return function() self.magnets:hold_fast(true) end end
-   return function() self.gripper:colour(options.colour) end
+   return over and function() self.gripper:colour(options.colour) end or nil
 end
 
 -- Where to bring the block, as Approach:to has it; `back`: how far it hangs ahead in the gripper; `caught`: how often it has
@@ -236,7 +236,8 @@ function Placement:attach(colour, drawn)
 end
 
 -- Over the top brick of a column, or nearly, where approach_site has brought the carried block: gives that brick a colour,
--- by way of the block, or one so many `blocks` below the carried one, by way of those in between, and goes back. Whether it answered.
+-- by way of the block, or the one that is so many `blocks` below the carried one, by way of those in between, and goes back.
+-- Whether it answered.
 function Placement:recolour_below(colour, blocks)
    self.process:enter('recolour')
    local answered = false

@@ -28,7 +28,7 @@ local RESTS, SHARED_RESTS = { longer = 4, longest = 256 }, { longer = 2, longest
 local WATCHES, NAP, GLANCE = 60, 4, 1  -- s, into a rest, from which on it pauses so long between looks of so long
 local FAULT_LASTS = 15         -- s, that a brick was seen to show a colour that it should not, before it is coloured anew
 local TELLINGS = 3             -- so often one is told at most: its LEDs may be dead
-local STAYS_OFF = 0.012        -- m, of the block from right over it meanwhile: a column behind or beside would draw it off
+local STAYS_OFF = 0.012        -- m, of the block from right over it meanwhile: a column behind would draw it off
 local TURN_HEIGHT = 0.070      -- of the lift, to turn near the structure
 local ASIDE, ASKEW = 0.015, 0.5  -- m and rad off a row's line, beyond which it is driven to anew
 local TOO_FAR = 0.20           -- m, likewise, from where it looks
@@ -405,21 +405,19 @@ end
 -- Under which it is counted how often a brick was told its colour.
 local function mended_key(fault) return fault.u .. ' ' .. fault.v .. ' ' .. fault.level end
 
--- What is to be done before a column at which a brick of a wrong colour was seen: {what, top, mends, fault, away} with feet,
--- next_to, aside, open and clear, as a decision has them, and how far to the left of right over the top, m, if nothing is in the
--- way there; or nil. One that is dark counts as none where rows begin, and may stand before the column.
+-- What is to be done before a column at which a brick of a wrong colour was seen: {what, top, mends, fault} with feet, next_to,
+-- aside, open and clear, as a decision has them, if nothing is in the way to its top from there; or nil. One that is dark counts
+-- as none where rows begin, and may stand before the column.
 function SiteWork:mending_of(column, fault)
    local du, dv = column:cell_of(fault.block)
    if dv ~= 0 or du < 0 or du > 1 or (self.mended[mended_key(fault)] or 0) >= TELLINGS then return nil end
    local level = fault.level
    while level < self.task.levels and column:stands(du, 0, level + 1) do level = level + 1 end
    local top, over = level == fault.level and fault.block or column:brick(du, 0, level), level + 1
-   local left, right = column:stands(du, 1, over), column:stands(du, -1, over)
-   if not top or not self.placement:reaches(over) or column:stands(du, 0, over + 1) or left and right or
-      (left or right) and column:stands(du - 1, 0, over) then return nil end
+   if not top or not self.placement:reaches(over) or column:stands(du, 0, over + 1) or column:stands(du, 1, over) or
+      column:stands(du, -1, over) then return nil end
    return { top = top, what = 'raise', feet = { top }, next_to = {}, aside = 0, open = true,
-            clear = column:cell(du - 1, 0, over) == 'empty', mends = fault.right, fault = fault,
-            away = left and -STAYS_OFF or right and STAYS_OFF or 0 }
+            clear = column:cell(du - 1, 0, over) == 'empty', mends = fault.right, fault = fault }
 end
 
 -- Sees to a brick of a wrong colour that a look has shown: the event with which that ends, or nil where none was seen.
@@ -513,9 +511,9 @@ function SiteWork:approach_site()
    local _, _, level = self:place_of_wish()
    local guide, where, left = self:guide_of(wish)
    local near, problem = self.placement:approach_site(guide, where, {
-      heading = self.row.frame.yaw, level = wish.level, left = left + (wish.away or 0),
+      heading = self.row.frame.yaw, level = wish.level, left = left,
       over = wish.what == 'beside' and self:stands_free(),
-      before = wish.mends and wish.away == 0 and STAYS_OFF, aside = wish.aside, open = wish.open, colour = wish.colour,
+      before = wish.mends and STAYS_OFF, aside = wish.aside, open = wish.open, colour = wish.colour,
       brisk = self.task.delay == 0 and self:is_clear(), clear = self.task.delay > 0 and self:is_clear(),
       alone = self:may_meet() and function(line) return self.right_of_way:is_alone(line, level) end or nil,
       goes_before = function(place) return self.map:goes_before(place, level) end,

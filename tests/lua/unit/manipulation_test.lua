@@ -365,7 +365,7 @@ case('on top, beside a neighbour, a block has its colour before it comes near', 
    same('on its way again', fake.held.colour, 4)
 end)
 
-case('on the last way to a top magnets hold harder where the block is to stay there', function()
+case('on the last way magnets hold harder where the block is to stay and no neighbour draws it', function()
    local machine, _, run = machine_with { { x = 0.40, y = 0 }, { x = 0.5, y = 0.35, colour = 3 } }
    local base = with_block_before(machine, run)
    local begin
@@ -383,7 +383,8 @@ case('on the last way to a top magnets hold harder where the block is to stay th
    machine.magnets.hold_fast = function(_, on) held = on end
    begin()
    same('held', held, true)
-   same('in front', begins('extend', { colour = 2 }), false)
+   same('in front, beside a neighbour', begins('extend', { colour = 2, aside = 1 }), false)
+   same('in front of one alone', begins('extend', { colour = 2 }), true)
    same('only over it, to tell it its colour', begins('raise', {}), false)
 end)
 
