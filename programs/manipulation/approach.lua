@@ -27,6 +27,7 @@ local LOOSE_STAND_OFF = 0.24   -- m, likewise from one that is loose: at 0.30 ro
 local NEARER = 0.02            -- m, by which it begins nearer where there is no room, down to NEAREST_TURN
 local RUN_UP = 0.02            -- m, of one from a robot that faces its line already, farther than the nearest that it begins
 local FARTHER = 0.02           -- m, by which it begins farther off after each attempt
+local RETREAT = 0.10           -- m, back from one that missed its line
 local NEAREST_TURN = 0.22      -- m, from a block, out of its reach for a robot that turns
 local FACES_IT, ON_LINE = 0.2, 0.02  -- rad, m, of a robot that faces the block already
 local PATIENCE = 8             -- s, the longest random wait for a robot to go its way
@@ -179,6 +180,15 @@ function Approach:farthest_beginning(run)
    if run.target.apart then return LOOSE_STAND_OFF + farther end
    local in_sight = self.camera:farthest_in_sight(self.lift.highest, run.block) + (run.target.ahead or 0)
    return math.max(NEAREST_TURN, math.min(STAND_OFF + farther, in_sight))
+end
+
+-- How far back it has room to turn, m, up to `most`; 0 where it has nowhere.
+function Approach:way_back_to_turn(most)
+   local line = self.odometry:line_ahead()
+   for back = most, NEARER, -NEARER do
+      if self.clearance.room(self.odometry:pivot_on(line, -back)) >= self.sweep.room then return back end
+   end
+   return 0
 end
 
 -- How far from a block, on a line to it, its approach begins, m, and how much room there is about the robot that
@@ -424,7 +434,7 @@ end
 
 function states.retreat(self, run)
    self.process:enter('back off')
-   self.path:back_off(0.10)
+   self.path:back_off(run.target.apart and self:way_back_to_turn(RETREAT) or RETREAT)
    run.block = self.tracker:again(run.block) or run.block
    run.attempt = run.attempt + 1
    return run.attempt <= ATTEMPTS and 'again' or 'exhausted'

@@ -92,6 +92,18 @@ case('an approach begins where there is room to turn', function()
    near('where there is room nowhere', approach:heading_to(block, run), 0)
 end)
 
+case('from a loose block that was missed a robot goes back no farther than it has room to turn', function()
+   local machine = machine_with()
+   local approach = machine.approach
+   same('all the way', approach:way_back_to_turn(0.10), 0.10)
+   -- a brick behind
+   local behind = machine.odometry.ahead - 0.05 - machine.sweep.room
+   machine.clearance.room = function(x) return x - behind end
+   near('as far as that leaves', approach:way_back_to_turn(0.10), 0.04, 1e-9)
+   machine.clearance.room = function() return 0.05 end
+   same('nowhere', approach:way_back_to_turn(0.10), 0)
+end)
+
 case('an approach to a brick high up begins where it is in the picture', function()
    local machine = machine_with()
    local approach, camera, highest = machine.approach, machine.camera, machine.lift.highest
