@@ -25,7 +25,8 @@ local LAID_ASIDE = 0.36        -- m, from where it was found, of the robot that 
 local LAY_BACK = 0.15          -- m, by which it has gone back from there
 local MUTE = 0.10              -- m, about where one was laid down
 local MUTES = 3                -- so many one after the other that do not answer: its own radio is dead
-local ASLEEP = 600             -- s, of a robot that can do nothing, until it tries again
+local ASLEEP = 1800            -- s, of a robot that can do nothing, until it tries again
+local ASLEEP_AWAY = 1.7        -- of its cache's distance from the structure, meanwhile
 local STEP_BACK = 0.12         -- m, from a block that is none to be taken
 local LOST_FROM = 0.165        -- m, from the structure and other blocks, of a brick that somebody lost
 local ELSEWHERE = 2            -- searches in vain after which a robot that is bound to a side takes others' blocks
@@ -289,8 +290,14 @@ function BlockSupply:lay_aside()
    return self.silent < MUTES and 'done' or 'useless'
 end
 
--- Out there, where others do the work.
+-- Out of the others' way, who do the work: between its cache and the next side's, farther out.
 function BlockSupply:sleep()
+   local home, cache = self.map.known or { x = 0, y = 0 }, self.map.cache
+   if cache then
+      local out = math.atan(cache.y - home.y, cache.x - home.x) + math.pi / 4
+      local away = ASLEEP_AWAY * geometry.apart(home, cache)
+      self.navigation:to(home.x + away * math.cos(out), home.y + away * math.sin(out))
+   end
    self.process:wait(ASLEEP)
    return 'done'
 end

@@ -141,12 +141,17 @@ function Column:stands(du, dv, level)
 end
 
 -- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to its left,
--- so that the block goes in a little off and does not catch on it; and whether none does on either side.
+-- so that the block goes in a little off and does not catch on it; and whether none does on either side. What seems to be one
+-- where none stands in the end is in another robot's hand.
 function Column:room_beside(wish)
    local du, dv = wish.what == 'extend' and 1 or 0, wish.left or 0
    -- on an overhang there is no brick from the floor up
    local level = wish.level or geometry.level_of(wish.top.z) + 1
-   local right, left = self:stands(du, dv - 1, level), self:stands(du, dv + 1, level)
+   local function beside(left)
+      local u, v = self.row.front + du, self.row.v + dv + left
+      return self:stands(du, dv + left, level) and self.map:may_stand(u, v, level)
+   end
+   local right, left = beside(-1), beside(1)
    return (right and 1 or 0) - (left and 1 or 0), not right and not left
 end
 

@@ -309,6 +309,20 @@ function StructureMap:bricks_with(shown)
    return table.move(shown, 1, #shown, #out + 1, out)
 end
 
+-- Whether a brick stands in a cell in the end, if the others that are known lie in one of the ways in which they fit into the
+-- final structure, all but one, which may have been misread in another robot's hand; true where the robot can't know.
+function StructureMap:may_stand(u, v, level)
+   local others = {}
+   for _, brick in ipairs(self.target and self:bricks_with({}) or {}) do
+      if brick.u ~= u or brick.v ~= v or brick.level ~= level then table.insert(others, brick) end
+   end
+   local fits = self.target and self.target:fits_but_one(others) or {}
+   for _, way in ipairs(fits) do
+      if self.target:colour(way, u, v, level) then return true end
+   end
+   return #fits == 0
+end
+
 -- Whether a brick was ever seen in a cell.
 function StructureMap:had_brick_in(u, v, level)
    local brick = self.bricks[key_of(u, v)]

@@ -86,6 +86,18 @@ function Target:fits(known)
    return out
 end
 
+-- The ways in which all of them are, or all but one.
+function Target:fits_but_one(known)
+   local out = {}
+   -- the first may be the one that is off
+   for i = 1, math.min(2, #known) do
+      for _, way in ipairs(self:ways(known[i])) do
+         if self:off_in(way, known, 2) < 2 then table.insert(out, way) end
+      end
+   end
+   return out
+end
+
 -- By the number of quarter turns, from 0 on, how many are not, at least, counted up to 2. One that is off may have a wrong
 -- colour, or have been misread; two hardly.
 function Target:least_off(known)

@@ -900,6 +900,30 @@ case('what it has put down is remembered, and counts as a neighbour', function()
    same('in front', column:stands(1, 0, 0), true)
 end)
 
+case('what stands in no cell of the final structure is no neighbour of a site', function()
+   local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 },
+                  structure = { { 0, 0, 0, 3 }, { 0, 0, 1, 3 }, { 0, 1, 0, 2 }, { 1, 0, 0, 2 }, { 2, 0, 0, 1 } } }
+   local map, machine = map_of({ { 0, 0, 0, colour = 3 }, { 0, 0, 1, colour = 3 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[0])
+   local site = { what = 'extend', level = 0 }
+   local function seen(u, v, colour)
+      local x, y = map.place_of(column.row, u, v)
+      map:note_brick(x, y, 0, colour)
+   end
+   same('none is seen', column:room_beside(site), 0)
+   -- another robot's block, before it is in its place
+   seen(1, 1, 2)
+   same('in another hand', column:room_beside(site), 0)
+   -- where a misread one lies in memory, too
+   seen(-2, 0, 1)
+   same('and another', column:room_beside(site), 0)
+   task.structure[6] = { 1, 1, 0, 2 }
+   map.target = require('mission.target').of(task)
+   same('one that may stand there', column:room_beside(site), -1)
+end)
+
 -- Behind an arm that juts out nothing is seen from before it, and before the row beside it there is no room.
 case('a robot that finds nothing to do among others looks beyond the rows that it knows', function()
    local task = {
@@ -1007,6 +1031,19 @@ case('a robot to which no block answers gives up', function()
    same('one', events[1], 'done')
    same('two', events[2], 'done')
    same('three', events[3], 'useless')
+end)
+
+case('a robot that can do nothing sleeps out of the others\' way', function()
+   local fake = FakeRobot.new {}
+   local supply = Builder.new(fake.robot, CHART, { sides = ALL, turns = true, transport = 4, delay = 30 }).supply
+   local went, slept
+   supply.navigation = { to = function(_, x, y) went = { x = x, y = y } end }
+   supply.process = { wait = function(_, time) slept = time end }
+   supply.map.known, supply.map.cache = { x = -0.2, y = 0 }, { x = 0.3, y = 0 }
+   same('ends', supply:sleep(), 'done')
+   assert(slept > 600)
+   near('between its cache and the next side\'s', math.atan(went.y, went.x + 0.2), math.pi / 4, 1e-9)
+   assert(math.sqrt((went.x + 0.2) ^ 2 + went.y ^ 2) > 0.8, 'farther out than both')
 end)
 
 case('a robot finds a cache that it does not see from where it begins straight ahead', function()
