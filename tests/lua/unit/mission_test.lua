@@ -1689,17 +1689,21 @@ case('a lone brick of a colour that none begins with is no structure where anoth
    same('for want of another', map:in_memory().blocks[1].colour, 1)
 end)
 
-case('a brick of a wrong colour before the robot is coloured when it has been so for a while', function()
-   local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 },
-                  structure = { { 0, 0, 0, 3 }, { 1, 0, 0, 2 }, { 2, 0, 0, 1 } } }
-   local map, machine = map_of({ { 0, 0, 0, colour = 4 }, { 1, 0, 0, colour = 2 }, { 2, 0, 0, colour = 3 } },
-                               { x = 0.3, y = 0, yaw = 0 }, task)
+-- A robot at a structure of these blocks, before the column of its middle row: work, column, machine.
+local function before_column(blocks, task)
+   local map, machine = map_of(blocks, { x = 0.3, y = 0, yaw = 0 }, task)
    map:remember(map:in_memory())
    map:settle()
    local work = SiteWork.new(machine, map, nil, nil, nil, task)
    work.placement = { reaches = function() return true end }
    work.row = map:rows()[0]
-   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, work.row)
+   return work, Column.new(machine.odometry, machine.tracker, machine.sight, map, task, work.row), machine
+end
+
+case('a brick of a wrong colour before the robot is coloured when it has been so for a while', function()
+   local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 },
+                  structure = { { 0, 0, 0, 3 }, { 1, 0, 0, 2 }, { 2, 0, 0, 1 } } }
+   local work, column, machine = before_column({ { 0, 0, 0, colour = 4 }, { 1, 0, 0, colour = 2 }, { 2, 0, 0, colour = 3 } }, task)
    for _, known in ipairs(machine.tracker.tracks) do
       known.seen, known.colour = 30, known.id == 1 and 0 or known.colour
       column:note(known)
@@ -1731,14 +1735,7 @@ end)
 case('a brick of a wrong colour under another is coloured by way of that one', function()
    local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 },
                   structure = { { 0, 0, 0, 3 }, { 0, 0, 1, 3 }, { 1, 0, 0, 2 }, { 1, 0, 1, 2 }, { 2, 0, 0, 1 } } }
-   local map, machine = map_of({ { 0, 0, 0, colour = 1 }, { 0, 0, 1, colour = 2 }, { 1, 0, 0, colour = 3 } },
-                               { x = 0.3, y = 0, yaw = 0 }, task)
-   map:remember(map:in_memory())
-   map:settle()
-   local work = SiteWork.new(machine, map, nil, nil, nil, task)
-   work.placement = { reaches = function() return true end }
-   work.row = map:rows()[0]
-   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, work.row)
+   local work, column, machine = before_column({ { 0, 0, 0, colour = 1 }, { 0, 0, 1, colour = 2 }, { 1, 0, 0, colour = 3 } }, task)
    for _, known in ipairs(machine.tracker.tracks) do
       known.seen = 30
       column:note(known)
