@@ -278,11 +278,17 @@ function BlockSupply:pick_up()
    return 'failed'
 end
 
+-- The heading from the structure, or where the robot began, out to a place, and where that is.
+function BlockSupply:heading_out_to(place)
+   local home = self.map.known or { x = 0, y = 0 }
+   return math.atan(place.y - home.y, place.x - home.x), home
+end
+
 -- One that no radio reaches would be built in without its colour: farther out, where it keeps no other from coming.
 function BlockSupply:lay_aside()
-   local machine, home, block = self.machine, self.map.known or { x = 0, y = 0 }, self.block
-   local out = math.atan(block.y - home.y, block.x - home.x)
-   self.navigation:straight_to(block.x + LAID_ASIDE * math.cos(out), block.y + LAID_ASIDE * math.sin(out))
+   local machine, block = self.machine, self.block
+   local out = { x = block.x, y = block.y, yaw = self:heading_out_to(block) }
+   self.navigation:straight_to(geometry.out_of(out, LAID_ASIDE, 0))
    machine.placement:release(0, nil, nil, 0)
    local pose = machine.odometry.pose
    local x, y = geometry.out_of(pose, machine.description.magnets.ahead + LAY_BACK, 0)
@@ -292,11 +298,11 @@ end
 
 -- Out of the others' way, who do the work: between its cache and the next side's, farther out.
 function BlockSupply:sleep()
-   local home, cache = self.map.known or { x = 0, y = 0 }, self.map.cache
+   local cache = self.map.cache
    if cache then
-      local out = math.atan(cache.y - home.y, cache.x - home.x) + math.pi / 4
-      local away = ASLEEP_AWAY * geometry.apart(home, cache)
-      self.navigation:to(home.x + away * math.cos(out), home.y + away * math.sin(out))
+      local heading, home = self:heading_out_to(cache)
+      local between = { x = home.x, y = home.y, yaw = heading + math.pi / 4 }
+      self.navigation:to(geometry.out_of(between, ASLEEP_AWAY * geometry.apart(home, cache), 0))
    end
    self.process:wait(ASLEEP)
    return 'done'

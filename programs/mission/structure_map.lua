@@ -312,11 +312,12 @@ end
 -- Whether a brick stands in a cell in the end, if the others that are known lie in one of the ways in which they fit into the
 -- final structure, all but one, which may have been misread in another robot's hand; true where the robot can't know.
 function StructureMap:may_stand(u, v, level)
+   if not self.target then return true end
    local others = {}
-   for _, brick in ipairs(self.target and self:bricks_with({}) or {}) do
+   for _, brick in ipairs(self:bricks_with({})) do
       if brick.u ~= u or brick.v ~= v or brick.level ~= level then table.insert(others, brick) end
    end
-   local fits = self.target and self.target:fits_but_one(others) or {}
+   local fits = self.target:fits(others, 1)
    for _, way in ipairs(fits) do
       if self.target:colour(way, u, v, level) then return true end
    end

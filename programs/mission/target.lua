@@ -77,22 +77,13 @@ function Target:off_in(way, known, most)
    return off
 end
 
--- The ways in which all of them are.
-function Target:fits(known)
-   local out = {}
-   for _, way in ipairs(known[1] and self:ways(known[1]) or {}) do
-      if self:off_in(way, known, 1) == 0 then table.insert(out, way) end
-   end
-   return out
-end
-
--- The ways in which all of them are, or all but one.
-function Target:fits_but_one(known)
-   local out = {}
-   -- the first may be the one that is off
-   for i = 1, math.min(2, #known) do
+-- The ways in which all of them are, but for `off` at most (default: none); some more than once.
+function Target:fits(known, off)
+   local out, most = {}, (off or 0) + 1
+   -- the first ones may be those that are off
+   for i = 1, math.min(most, #known) do
       for _, way in ipairs(self:ways(known[i])) do
-         if self:off_in(way, known, 2) < 2 then table.insert(out, way) end
+         if self:off_in(way, known, most) < most then table.insert(out, way) end
       end
    end
    return out
