@@ -130,8 +130,8 @@ void work(const ValidationReport& report, const std::vector<ProgressCurve>& curv
   // The share is that of summed times: a long run counts more than a short one.
   page.add(
       "<p>Of all robots' time {:.1f} % idle: neither wheels nor lift in motion and no current in "
-      "the electromagnets, for more than {:g} s in a row. {} attempts were aborted since another "
-      "robot was in the way, {:.2f} for each brick placed.</p>\n",
+      "the electromagnets, for more than {:g} s in a row. Attempts aborted since another robot "
+      "was in the way: {}, {:.2f} for each brick placed.</p>\n",
       100 * all.idle_share(), kIdleAfter, all.busy, all.busy_per_brick());
   page.add(
       "<p>Efficiency {:.2f}: {:.0f} s of robots' time for what {:.0f} s are ideal for, by straight "
