@@ -15,6 +15,13 @@ TEST_CASE("build refuses a folder of the user's, and says why nothing can be bui
   CHECK(mine.exit_code == 2);
   CHECK(mine.err.find("no earlier build wrote it") != std::string::npos);
   CHECK(place.file("mine/rules.yaml") == "kept\n");
+  // What only the last of its steps writes is refused before the first.
+  CHECK(place.shell("mkdir staged && echo kept > staged/scene.yaml").exit_code == 0);
+  const Outcome staged = place.stigc({"build", "line.txt", "-o", "staged"});
+  CHECK(staged.exit_code == 2);
+  CHECK(staged.err.find("'staged/scene.yaml' is there already") != std::string::npos);
+  CHECK(place.file("staged/scene.yaml") == "kept\n");
+  CHECK_FALSE(place.has("staged/rules.yaml"));
   CHECK(place.shell("mkdir piped && mkfifo piped/rules.yaml").exit_code == 0);
   CHECK(place.stigc({"build", "line.txt", "-o", "piped"}).exit_code != 0);
   const Outcome apart = place.stigc({"build", "apart.txt", "-o", "out"});

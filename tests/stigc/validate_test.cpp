@@ -314,8 +314,12 @@ TEST_CASE("validate writes over its own earlier results, and over no others") {
   }
   REQUIRE(place.shell("mkdir out; echo kept > out/notes.txt").exit_code == 0);
   CHECK(place.shell(command + "out").exit_code == 1);
-  CHECK(place.shell(command + "out --seed 2").exit_code == 1);
+  const Outcome second = place.shell(command + "out --seed 2");
+  CHECK(second.exit_code == 1);
   CHECK(place.has("out/run-2.stigp"));
+  CHECK(second.err.find("of an earlier validation, and not in the report: run-1.stigp\n") !=
+        std::string::npos);
+  CHECK(place.has("out/run-1.stigp"));
   CHECK(place.file("out/notes.txt") == "kept\n");
 }
 

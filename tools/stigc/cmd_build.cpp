@@ -16,7 +16,8 @@
 #include "outputs.h"
 #include "robot_input.h"
 #include "synth_words.h"
-#include "validate_runs.h"
+#include "validate/set_up.h"
+#include "validation_folder.h"
 
 namespace stig::cli {
 namespace {
@@ -59,8 +60,14 @@ class BuildWork {
     made_folder_ = !fs::exists(options_.output, ignored);
     // The rules are the first file that a build writes, and say near their begin by whom.
     earlier_ = has_words(in_folder(kRules), {kMadeBySynth});
-    return prepare_folder(
+    const int code = prepare_folder(
         {options_.output, {kRules, kDecisions, kTarget, kBuilt}, earlier_, "build"}, app_);
+    if (code != kOk) return code;
+    // The last step would refuse as well, after all the work before it.
+    std::vector<std::string> scene = {kSceneFile, std::string(kControllerFile)};
+    if (options_.robot) scene.emplace_back(kGivenRobot);
+    return prepare_validation(
+        options_.output, validation_files(std::move(scene), options_.seed, options_.runs), app_);
   }
 
   /// Nothing was built: what is in the folder then is of an earlier build, if anything.

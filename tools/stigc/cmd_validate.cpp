@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -16,6 +15,7 @@
 #include "base/file_io.h"
 #include "base/hash.h"
 #include "base/left_behind.h"
+#include "base/text.h"
 #include "commands.h"
 #include "compile_report.h"
 #include "compiler/compile.h"
@@ -40,17 +40,12 @@
 #include "validate/set_up.h"
 #include "validate_report.h"
 #include "validate_runs.h"
+#include "validation_folder.h"
 
 namespace stig::cli {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Names within the output folder are fixed, so that a validation can be repeated into it.
-constexpr const char* kSceneFile = "scene.yaml";
-constexpr const char* kReport = "report.json";
-constexpr std::array kReportFiles = {"progress.csv", "progress.svg", kReport, "report.html"};
-constexpr const char* kGivenRobot = "robot.yaml";  ///< what the scene calls the user's robot
 
 /// One validation, from the rules to the report.
 class Validation {
@@ -64,7 +59,10 @@ class Validation {
     }
     if (const int code = compile(); code != kOk) return code;
     if (const int code = load(); code != kOk) return code;
-    if (const int code = options_.output ? prepare_folder() : kOk; code != kOk) return code;
+    if (const int code =
+            options_.output ? prepare_validation(*options_.output, output_names(), app_) : kOk;
+        code != kOk)
+      return code;
     // The report plays the runs; without the viewer it has pictures of them.
     const auto player = options_.output ? shipped_page_template() : std::nullopt;
     const bool pictures = options_.output && !player;
@@ -248,14 +246,9 @@ class Validation {
 
   /// Every file that is written into the folder.
   std::vector<std::string> output_names() const {
-    std::vector<std::string> names(kReportFiles.begin(), kReportFiles.end());
-    names.push_back(kTrialJournal);
+    std::vector<std::string> names;
     for (const SceneFile* file : written_scene_files()) names.push_back(written_name(*file));
-    // Traces are named by their seeds.
-    for (int run = 0; run < options_.runs; ++run) {
-      names.push_back(trace_name(options_.seed + static_cast<std::uint64_t>(run)));
-    }
-    return names;
+    return validation_files(std::move(names), options_.seed, options_.runs);
   }
 
   /// Is every robot of the scene bound to sides that no other works from?
@@ -316,16 +309,6 @@ class Validation {
     return combine(sum, hash_text(rest));
   }
 
-  int prepare_folder() const {
-    // An earlier report or journal marks the folder as this command's own; of another's journal
-    // its reader says so.
-    std::error_code ignored;
-    const bool ours =
-        has_words(*options_.output + "/" + kReport, {"{\n  \"rules\": ", "\n  \"complete\": "}) ||
-        fs::exists(*options_.output + "/" + kTrialJournal, ignored);
-    return cli::prepare_folder({*options_.output, output_names(), ours, "validation"}, app_);
-  }
-
   bool write_one(const std::string& name, const std::string& text) const {
     const fs::path path = fs::path(*options_.output) / name;
     std::error_code ignored;  // what it means, the next line says
@@ -352,10 +335,21 @@ class Validation {
     for (std::size_t i = 0; i < kReportFiles.size(); ++i) {
       good = write_one(kReportFiles[i], texts[i]) && good;
     }
-    if (good)
+    if (good) {
       app_.say(
           fmt::format("wrote {}/report.html and what belongs to it", printable(*options_.output)));
+      say_what_is_older();
+    }
     return good ? kOk : kRunFailed;
+  }
+
+  void say_what_is_older() const {
+    const auto others = other_traces(*options_.output, output_names());
+    if (others.empty()) return;
+    app_.say(fmt::format("of an earlier validation, and not in the report: {}{}", others.front(),
+                         others.size() == 1
+                             ? ""
+                             : fmt::format(" and {}", counted(others.size() - 1, "other trace"))));
   }
 
   const ValidateOptions& options_;

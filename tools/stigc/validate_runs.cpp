@@ -15,6 +15,7 @@
 #include "progress.h"
 #include "trace_file.h"
 #include "trace_rules.h"
+#include "validation_folder.h"
 
 namespace stig::cli {
 namespace {
@@ -157,8 +158,6 @@ class Batch {
 };
 
 }  // namespace
-
-std::string trace_name(std::uint64_t seed) { return fmt::format("run-{}.stigp", seed); }
 
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
                       double duration, bool pictures, TrialJournal& journal, const App& app) {

@@ -23,9 +23,6 @@ struct TrialBatch {
   bool journalled = true;               ///< all that are over are in the journal, if there is one
 };
 
-/// The name that a run's trace has in the folder.
-std::string trace_name(std::uint64_t seed);
-
 /// Traces go to the folder of `options` as run-SEED.stigp, when there is one. Pictures are drawn
 /// only where they are wanted. Runs that an open journal has are not done again.
 TrialBatch run_trials(const BuildTarget& target, const Scene& scene, const ValidateOptions& options,
