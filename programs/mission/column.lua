@@ -148,7 +148,7 @@ function Column:room_beside(wish)
    -- on an overhang there is no brick from the floor up
    local level = wish.level or geometry.level_of(wish.top.z) + 1
    local function beside(left)
-      local u, v = self.row.front + du, self.row.v + dv + left
+      local u, v = self.map:cell_of(self.map.place_of(self.row, du, dv + left))
       return self:stands(du, dv + left, level) and self.map:may_stand(u, v, level)
    end
    local right, left = beside(-1), beside(1)

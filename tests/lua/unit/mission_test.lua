@@ -924,6 +924,27 @@ case('what stands in no cell of the final structure is no neighbour of a site', 
    same('one that may stand there', column:room_beside(site), -1)
 end)
 
+case('a neighbour of a site is one from whichever side the robot works', function()
+   for side, pose in ipairs { { x = 0.3, y = 0 }, { x = 0, y = 0.3 }, { x = -0.3, y = 0 }, { x = 0, y = -0.3 } } do
+      pose.yaw = 0
+      local task = { transport = 4, sides = ALL, turns = true, delay = 0, levels = 2, asks = {}, starts = { 3 } }
+      local map, machine = map_of({ { 0, 0, 0, colour = 3 }, { 0, 0, 1, colour = 3 } }, pose, task)
+      map:remember(map:in_memory())
+      map:settle()
+      local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[0])
+      local bricks = { { 0, 0, 0, 3 }, { 0, 0, 1, 3 } }
+      -- to the left of the site, and what that stands next to
+      for du, colour in pairs { [0] = 1, 2 } do
+         local x, y = map.place_of(column.row, du, 1)
+         map:note_brick(x, y, 0, colour)
+         local u, v = map:cell_of(x, y)
+         table.insert(bricks, { u, v, 0, colour })
+      end
+      map.target = require('mission.target').new(bricks)
+      same('side ' .. side, column:room_beside { what = 'extend', level = 0 }, -1)
+   end
+end)
+
 -- Behind an arm that juts out nothing is seen from before it, and before the row beside it there is no room.
 case('a robot that finds nothing to do among others looks beyond the rows that it knows', function()
    local task = {
