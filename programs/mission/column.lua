@@ -196,6 +196,9 @@ end
 -- would find the place, or while the robot is not certain of its directions and they want something else for others. The second
 -- result says whether the column's top was seen.
 function Column:decide()
+   self.told = {}
+   -- the structure may have been lost meanwhile
+   if not self.map.side then return nil, false end
    local top = self:top()
    self.told = { top and string.format('top Q%d, level %d', top.colour, top.level) or 'top not seen' }
    local wish

@@ -24,15 +24,23 @@ local function top_of(cells, front, v, levels)
    return colour, top
 end
 
+-- Level of a column's highest brick, whatever is below: what is raised on an overhang goes on that.
+local function highest_of(cells, front, v, levels)
+   for level = levels, 0, -1 do
+      if colour_in(cells, front, v, level) ~= 'empty' then return level end
+   end
+   return -1
+end
+
 -- Whether two cells {u, v, level} are the same.
 function DueRows.is_same(cell, other)
    return cell.u == other.u and cell.v == other.v and cell.level == other.level
 end
 
--- The cell of the lattice into which a wish before a row's column, whose top is on a level, puts its brick.
-local function site_of(map, of, wish, top_level)
+-- The cell of the lattice into which a wish before a row's column, whose highest brick is on a level, puts its brick.
+local function site_of(map, of, wish, highest)
    local u, v = map:cell_of(map.place_for(of, wish))
-   return { u = u, v = v, level = wish.level or top_level + 1 }
+   return { u = u, v = v, level = wish.level or highest + 1 }
 end
 
 -- By v, rows as the map has them, {v, front, frame, site}, seen from the side of this index; site: the cell {u, v, level} of the
@@ -46,7 +54,7 @@ function DueRows.of(map, task, index)
       local wish = map.room_before(rows, of) and
                    task.decide { top_colour = colour, top_level = level, side = map.name_of(index), cell = cell }
       if wish then
-         of.site = site_of(map, of, wish, level)
+         of.site = site_of(map, of, wish, highest_of(cells, of.front, v, task.levels))
          due[v] = of
       end
    end

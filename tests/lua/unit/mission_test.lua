@@ -236,6 +236,37 @@ case('rows are due where the rules ask for them in what is remembered', function
    same('nor where a colour is not known', due('-x'), '')
 end)
 
+case('what is raised on an overhang is due over its highest brick', function()
+   local task = {
+      transport = 4, sides = ALL, turns = false, levels = 3,
+      decide = function(column)
+         return not column.top_level and column.cell(0, 0, 1) == 2 and { what = 'raise', colour = 1 } or nil
+      end,
+   }
+   local map = map_of({ { 0, 0, 0 }, { 0, 0, 1 }, { 0, 1, 1, colour = 2 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   map:note_brick(0.3, SIDE, 1, 2)
+   local site = DueRows.of(map, task, StructureMap.SIDES['+x'])[1].site
+   same('level', site.level, 2)
+   same('column', site.v, 1)
+end)
+
+case('a robot that has lost the structure wants nothing at a column', function()
+   local task = { transport = 4, sides = ALL, turns = false, levels = 2, asks = {}, decide = decides, structure = { { 0, 0, 0, 2 } } }
+   local map, machine = map_of({ { 0, 0, 0, colour = 2 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[0])
+   local known = map.known
+   map:lose()
+   -- found again, before it knows on which side of it it is
+   map.known, map.directions.doubtful = known, true
+   local wish, seen = column:decide()
+   same('wish', wish, nil)
+   same('top', seen, false)
+end)
+
 case('a robot goes to a row that is due before others, and at once to the side where there is one', function()
    local task = {
       transport = 4, sides = ALL, turns = false, levels = 2, asks = {}, delay = 0, decide = decides,
