@@ -546,9 +546,9 @@ function SiteWork:place_of_wish()
    return x, y, wish.level or geometry.level_of(wish.top.z) + 1
 end
 
--- Whether a brick was ever seen behind the place beside a column, on a level.
+-- Whether a brick was ever seen behind the place on or beside a column, on a level.
 function SiteWork:had_behind(level)
-   local x, y = self.map.place_of(self.row, -1, self.wish.left)
+   local x, y = self.map.place_of(self.row, -1, self.wish.left or 0)
    return self.map:had_brick(x, y, level)
 end
 
@@ -562,8 +562,9 @@ end
 -- effector is over the block.
 function SiteWork:is_clear()
    local wish = self.wish
-   if wish.what ~= 'beside' then return wish.clear end
-   return not self:had_behind(wish.level) and not self:had_behind(wish.level + 1)
+   local _, _, level = self:place_of_wish()
+   local free = wish.what == 'beside' and not self:had_behind(level) or wish.what ~= 'beside' and wish.clear
+   return free and not self:had_behind(level + 1)
 end
 
 -- The map has what the robot has put down, though no look may show it.

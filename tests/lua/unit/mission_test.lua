@@ -897,12 +897,14 @@ case('what comes before the effector on the way in is a robot, where no brick st
       map:settle()
       local work = SiteWork.new(machine, map, nil, nil, nil, task)
       work.row, work.wish = map:rows()[0], wish
-      local x, y = map.place_of(work.row, -1, -1)
+      local x, y = map.place_of(work.row, -1, wish.left or 0)
       if behind then map:note_brick(x, y, behind) end
       return work:is_clear()
    end
-   same('a raise as it was seen', is_clear { what = 'raise', clear = true }, true)
-   same('likewise', is_clear { what = 'extend', clear = false }, false)
+   local raise = { what = 'raise', clear = true, top = { z = SIDE / 2 } }
+   same('a raise as it was seen', is_clear(raise), true)
+   same('over an empty cell, as high as the effector', is_clear(raise, 2), false)
+   same('likewise', is_clear { what = 'extend', clear = false, top = { z = SIDE / 2 } }, false)
    local beside = { what = 'beside', left = -1, level = 0 }
    same('nothing behind', is_clear(beside), true)
    same('a brick', is_clear(beside, 0), false)
