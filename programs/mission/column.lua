@@ -107,12 +107,26 @@ function Column:top()
    return top
 end
 
--- The highest of its bricks, whatever is below.
-function Column:highest()
-   for level = self.task.levels, 0, -1 do
-      local known = self:brick(0, 0, level)
+-- A brick in a cell as it was seen on the way here.
+function Column:recalled(du, dv, level)
+   local place = { z = SIDE * (level + 0.5) }
+   place.x, place.y = self.map.place_of(self.row, du, dv)
+   return self.tracker:recall(function(known)
+      return self.map:is_brick(known) and geometry.near(known, place, geometry.HALF) ~= nil
+   end)
+end
+
+local function highest_of(levels, brick_on)
+   for level = levels, 0, -1 do
+      local known = brick_on(level)
       if known then return known end
    end
+end
+
+-- The highest of its bricks, whatever is below: of those that were in the picture from here, or else on the way.
+function Column:highest()
+   return highest_of(self.task.levels, function(level) return self:brick(0, 0, level) end) or
+          highest_of(self.task.levels, function(level) return self:recalled(0, 0, level) end)
 end
 
 -- Bricks as they show themselves from here, {u, v, level, colour, block}, in cells of the map: those that stand, whatever
@@ -133,11 +147,8 @@ end
 function Column:stands(du, dv, level)
    local seen = self:brick(du, dv, level)
    if seen then return self.map:is_brick(seen) or du == 0 and dv == 0 end
-   local place = { z = SIDE * (level + 0.5) }
-   place.x, place.y = self.map.place_of(self.row, du, dv)
-   return self.map:had_brick(place.x, place.y, level) or self.tracker:recall(function(known)
-      return self.map:is_brick(known) and geometry.near(known, place, geometry.HALF) ~= nil
-   end) ~= nil
+   local x, y = self.map.place_of(self.row, du, dv)
+   return self.map:had_brick(x, y, level) or self:recalled(du, dv, level) ~= nil
 end
 
 -- Where a neighbour stands beside the site that is wished for: 1 when to its right, -1 when to its left,

@@ -252,6 +252,18 @@ case('what is raised on an overhang is due over its highest brick', function()
    same('column', site.v, 1)
 end)
 
+case('a column that is below the picture of a look is the one that was seen on the way', function()
+   local task = { transport = 4, sides = ALL, turns = true, levels = 2, asks = { { 0, 0, 1 } },
+                  decide = function() return { what = 'raise', colour = 1 } end }
+   local map, machine = map_of({ { 0, 0, 0, colour = 2 }, { 0, 1, 0, colour = 3 } }, { x = 0.3, y = 0, yaw = 0 }, task)
+   map:remember(map:in_memory())
+   map:settle()
+   local column = Column.new(machine.odometry, machine.tracker, machine.sight, map, task, map:rows()[1])
+   local wish = column:decide()
+   same('top', wish.top.colour, 3)
+   near('height', wish.top.z, SIDE / 2, 1e-9)
+end)
+
 case('a robot that has lost the structure wants nothing at a column', function()
    local task = { transport = 4, sides = ALL, turns = false, levels = 2, asks = {}, decide = decides, structure = { { 0, 0, 0, 2 } } }
    local map, machine = map_of({ { 0, 0, 0, colour = 2 } }, { x = 0.3, y = 0, yaw = 0 }, task)
