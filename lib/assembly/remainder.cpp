@@ -16,7 +16,7 @@ namespace {
 bool bars(const ReachResult& result) {
   return result.obstruction != Obstruction::none &&
          result.obstruction != Obstruction::unsupported &&
-         result.obstruction != Obstruction::overhang;
+         result.obstruction != Obstruction::overhang && result.obstruction != Obstruction::held_off;
 }
 
 /// What bars the brick among `others`, whatever holds it.

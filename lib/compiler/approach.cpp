@@ -123,6 +123,11 @@ ReachResult support(const View3& view, SideCell site, const Abilities& robot) {
   if (!view.filled(site.u - 1, site.v, site.z) && !view.filled(site.u, site.v, site.z - 1)) {
     return {Obstruction::unsupported, below, moment, 0};
   }
+  // A higher column behind keeps effector and block off it. What stands on something is drawn to
+  // its place from there; what has nothing below falls.
+  if (!view.filled(site.u, site.v, site.z - 1) && view.filled(site.u - 1, site.v, site.z + 1)) {
+    return {Obstruction::held_off, cell_from(view.side, {site.u - 1, site.v, site.z + 1}), 0, 0};
+  }
   // Let down against the face behind it, or on what hangs so, it hangs on a joint: half of
   // the magnets near the upper edge, half near the lower; friction must bear it too. A
   // joint opens about an edge, so the magnets' moments about that edge are what holds it.
@@ -317,6 +322,11 @@ std::string explain(const ReachResult& result) {
     case Obstruction::overhang:
       return fmt::format("magnets hold {:.2f} N m, and what would hang on them asks for {:.2f} N m",
                          result.limit, result.figure);
+    case Obstruction::held_off:
+      return fmt::format(
+          "nothing is below it, and the brick at {} keeps the block off the one that it is to hang "
+          "on: let go there it would fall",
+          cell_text(result.where));
     case Obstruction::unsupported:
       if (result.limit == 0) {
         return fmt::format("nothing is below it at {} nor behind it to hang on",

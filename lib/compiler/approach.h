@@ -53,6 +53,7 @@ enum class Obstruction : std::uint8_t {
   covered,           ///< a brick lies on the site
   unsupported,       ///< nothing below, and no joint of magnets that would hold it
   overhang,          ///< it would hang on a joint that does not bear it and what hangs there
+  held_off,  ///< it would hang, and is let go off the face that bears it, before a brick over that
 };
 
 struct ReachResult {

@@ -32,13 +32,15 @@ void add_never(const Rule& rule, Cell at, Code code, const std::vector<std::stri
 
 /// Does nothing hold the brick, as things stand? More may come that does.
 bool unheld(Obstruction obstruction) {
-  return obstruction == Obstruction::unsupported || obstruction == Obstruction::overhang;
+  return obstruction == Obstruction::unsupported || obstruction == Obstruction::overhang ||
+         obstruction == Obstruction::held_off;
 }
 
 /// The brick that keeps a robot of this side from a site; nothing where it is none that does.
 std::optional<RefusalMark> mark_of(const ReachResult& result, ApproachSide side) {
   const bool stands = result.obstruction == Obstruction::body_blocked ||
                       result.obstruction == Obstruction::effector_blocked ||
+                      result.obstruction == Obstruction::held_off ||
                       result.obstruction == Obstruction::covered;
   if (!stands) return std::nullopt;
   return RefusalMark{RefusalMark::Kind::in_the_way, result.where,
