@@ -15,6 +15,9 @@ TEST_CASE("build refuses a folder of the user's, and says why nothing can be bui
   CHECK(mine.exit_code == 2);
   CHECK(mine.err.find("no earlier build wrote it") != std::string::npos);
   CHECK(place.file("mine/rules.yaml") == "kept\n");
+  // A file of the name that the usual robot has is none that was asked for.
+  place.write("bebot.yaml", "no robot\n");
+  CHECK(place.stigc({"build", "apart.txt", "-o", "shadow"}).out.starts_with("impossible: "));
   // What only the last of its steps writes is refused before the first.
   CHECK(place.shell("mkdir staged && echo kept > staged/scene.yaml").exit_code == 0);
   const Outcome staged = place.stigc({"build", "line.txt", "-o", "staged"});

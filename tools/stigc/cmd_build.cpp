@@ -110,8 +110,10 @@ class BuildWork {
     SynthOptions wanted;
     wanted.target = options_.target;
     wanted.mesh = options_.mesh;
-    // Rules depend on the robot: without one named it is the paper's.
+    // Rules depend on the robot: without one named it is the paper's, as in the steps that follow,
+    // and no file of that name in the working folder.
     wanted.robot = options_.robot.value_or(kPaperRobot);
+    wanted.shipped_robot = !options_.robot;
     wanted.sides = options_.sides;
     wanted.robots = options_.robots.value_or(1);
     wanted.kinds = options_.kinds;

@@ -322,6 +322,7 @@ struct SynthOptions {
   std::vector<Cell> start;
   bool floor = false;
   std::optional<std::string> robot;  ///< that has to be able to follow the rules
+  bool shipped_robot = false;        ///< the one of that name that came with the program
   std::optional<std::string> block;  ///< that it builds with; otherwise the paper's
   std::vector<std::string> sides;    ///< that it works from; empty: chosen
   std::optional<int> robots;         ///< that work at once; otherwise as many as may be

@@ -201,7 +201,10 @@ int synth_for_robot(const SynthOptions& options, App& app) {
     app.complain(problem);
     return kFailed;
   }
-  const auto robot = read_abilities({options.robot, options.block}, app);
+  const auto robot =
+      options.shipped_robot
+          ? read_abilities({std::nullopt, options.block, options.robot->c_str()}, app)
+          : read_abilities({options.robot, options.block}, app);
   if (!robot) return kFailed;
   if (const int code = check_outputs(robot_output_names(options), app); code != kOk) return code;
   stop_on_signals();
