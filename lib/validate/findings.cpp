@@ -120,6 +120,9 @@ void of_end(const BuildTarget& target, const Trial& trial, std::vector<std::stri
     case TrialEnd::script:
       out.push_back("the scene's script ended the run: " + trial.message);
       break;
+    case TrialEnd::script_failed:
+      out.push_back("the scene's script failed: " + trial.message);
+      break;
     case TrialEnd::diverged:
       out.push_back(trial.message);
       break;

@@ -314,7 +314,7 @@ bool all_complete(const ValidationReport& report) {
   return !report.trials.empty() &&
          std::all_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
            return trial.verdict() == BuildVerdict::complete && trial.end != TrialEnd::interrupted &&
-                  trial.end != TrialEnd::diverged;
+                  trial.end != TrialEnd::diverged && trial.end != TrialEnd::script_failed;
          });
 }
 

@@ -201,6 +201,8 @@ class TrialRun {
   }
 
   TrialEnd end_of(RunEnd end) const {
+    const bool interrupted = end == RunEnd::interrupted && end_ == TrialEnd::interrupted;
+    if (run_.script_failed() && !interrupted) return TrialEnd::script_failed;
     switch (end) {
       case RunEnd::interrupted:
         return end_;
@@ -238,8 +240,8 @@ class TrialRun {
 }  // namespace
 
 std::string_view to_string(TrialEnd end) {
-  constexpr std::string_view kNames[] = {"built",  "out of time", "spoilt",     "stuck",
-                                         "script", "diverged",    "interrupted"};
+  constexpr std::string_view kNames[] = {"built",  "out of time", "spoilt",      "stuck",
+                                         "script", "diverged",    "interrupted", "script failed"};
   return kNames[static_cast<std::size_t>(end)];
 }
 

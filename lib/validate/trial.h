@@ -24,7 +24,16 @@
 
 namespace stig::validate {
 
-enum class TrialEnd : std::uint8_t { built, time, spoilt, stuck, script, diverged, interrupted };
+enum class TrialEnd : std::uint8_t {
+  built,
+  time,
+  spoilt,
+  stuck,
+  script,
+  diverged,
+  interrupted,
+  script_failed,  ///< the scene's script, of which robots know nothing
+};
 std::string_view to_string(TrialEnd end);
 
 /// Where a robot's energy went, J: work of its motors, forward and braking alike. Electromagnets

@@ -107,7 +107,7 @@ void each_member(auto& each, EitherWay<TrialLine> auto& l) {
 }
 void each_member(auto& each, EitherWay<TrialPicture> auto& p) { each(p.time), each(p.png); }
 void each_member(auto& each, EitherWay<Trial> auto& t) {
-  each(t.seed), each(t.hash), each.choice(t.end, TrialEnd::interrupted), each(t.message);
+  each(t.seed), each(t.hash), each.choice(t.end, TrialEnd::script_failed), each(t.message);
   each(t.time), each.list(t.judgements), each.list(t.events), each.list(t.hauls);
   each.list(t.robots), each.list(t.loose), each_member(each, t.blocks), each.list(t.broken);
   each.list(t.caches);

@@ -299,6 +299,39 @@ TEST_CASE("a program without its viewer writes reports with pictures, and says s
   CHECK(report.find("<script") == std::string::npos);
 }
 
+TEST_CASE("a scene's script that fails is no failure of the robots") {
+  const Workplace place;
+  const std::string command = "stigc validate " STIG_SOURCE_DIR "/rulesets/staircase.yaml ";
+  REQUIRE(place.shell(command + "--duration 1 -o out").exit_code == 1);
+  const auto with_script = [&](const std::string& script) {
+    place.write("out/script.lua", script);
+    return place.shell(command + "--duration 1 --scene out/scene.yaml");
+  };
+  REQUIRE(
+      place.shell("rm out/controller.lua; echo 'script: script.lua' >> out/scene.yaml").exit_code ==
+      0);
+  const Outcome failed = with_script("function on_step(world) local x = nil + 1 end\n");
+  CHECK(failed.exit_code == 3);
+  CHECK(failed.out.find("the scene's script failed: script.lua:1: ") != std::string::npos);
+  const Outcome late = with_script("function on_end(world) local x = nil + 1 end\n");
+  CHECK(late.exit_code == 3);
+  const Outcome stopped = with_script("function on_step(world) world.stop('enough') end\n");
+  CHECK(stopped.exit_code == 1);
+  CHECK(stopped.out.find("the scene's script ended the run: enough") != std::string::npos);
+}
+
+TEST_CASE("validate says where a scene's robots are others than the program is compiled for") {
+  const Workplace place;
+  const std::string command = "stigc validate " STIG_SOURCE_DIR "/rulesets/staircase.yaml ";
+  REQUIRE(place.shell(command + "--duration 1 -o out").exit_code == 1);
+  REQUIRE(place.shell("rm out/controller.lua").exit_code == 0);
+  const std::string again = command + "--duration 1 --scene out/scene.yaml";
+  CHECK(place.shell(again).err.find("compiled for") == std::string::npos);
+  const Outcome other = place.shell(again + " --robot " STIG_SOURCE_DIR "/robots/builderbot.yaml");
+  CHECK(other.err.find("'robot 1' is a 'bebot', and its program is compiled for a 'builderbot'") !=
+        std::string::npos);
+}
+
 TEST_CASE("validate writes over its own earlier results, and over no others") {
   const Workplace place;
   const std::string command =

@@ -219,6 +219,8 @@ void stop_on_signals() {
   if (signals_are_others) return;
   handle(SIGINT, on_signal);
   handle(SIGTERM, on_signal);
+  // A terminal that is closed, unless nohup keeps it off.
+  if (!is_ignored(SIGHUP)) handle(SIGHUP, on_signal);
 }
 
 void leave_signals_alone() { signals_are_others = true; }

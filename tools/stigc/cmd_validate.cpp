@@ -18,6 +18,7 @@
 #include "base/text.h"
 #include "commands.h"
 #include "compile_report.h"
+#include "compiler/block_figures.h"
 #include "compiler/compile.h"
 #include "compiler/conflict_text.h"
 #include "compiler/decision_text.h"
@@ -94,7 +95,8 @@ class Validation {
     const int written = options_.output ? write(report, batch) : kOk;
     const bool broken =
         std::any_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
-          return trial.end == TrialEnd::interrupted || trial.end == TrialEnd::diverged;
+          return trial.end == TrialEnd::interrupted || trial.end == TrialEnd::diverged ||
+                 trial.end == TrialEnd::script_failed;
         });
     // 3 where a run broke off or a file is missing, 1 where robots have built something else.
     if (stop_requested() || written != kOk || !batch.journalled ||
@@ -112,8 +114,10 @@ class Validation {
     rules_ = app_.read_rules(options_.file);
     if (!rules_) return kFailed;
     rules_ = worked_from_own(std::move(*rules_), options_.sides);
-    robot_ = read_abilities({options_.robot, std::nullopt}, app_);
-    if (!robot_) return kFailed;
+    const auto builder = read_builder({options_.robot, std::nullopt}, app_);
+    if (!builder) return kFailed;
+    robot_name_ = builder->robot.name;
+    robot_ = abilities_of(builder->robot, figures_of(builder->block));
     stop_on_signals();
     CompileOptions settings;
     settings.verify.stop = settings.limits.stop = &stop_requested();
@@ -212,6 +216,7 @@ class Validation {
     if (!target_.sites.empty()) check_programs(*scene_, *placed, diagnostics);
     app_.report(diagnostics);
     if (target_.sites.empty() || app_.invalid(diagnostics)) return kFailed;
+    say_who_is_another();
     duration_ = options_.duration.value_or(scene_->duration);
     return kOk;
   }
@@ -280,12 +285,25 @@ class Validation {
       diagnostics
           .add(Code::V802, robot.range,
                fmt::format("'{}' is {}", robot.name,
-                           begins ? "bound to sides that nobody works from"
-                                  : "not told on which side it begins"))
+                           begins            ? "bound to sides that nobody works from"
+                           : side != nullptr ? "to begin on a side that nobody works from"
+                                             : "not told on which side it begins"))
           .note(fmt::format("`params: {{side: \"{}\"}}`, or another that robots work from",
                             to_string(compiled_.sides.front())));
     }
     return count;
+  }
+
+  /// A robot of the scene that is none of those for which the program is compiled, the first one:
+  /// it may be one that was changed a little, for which the program is good enough.
+  void say_who_is_another() const {
+    for (const RobotSpawn& robot : scene_->robots) {
+      const std::string& model = scene_->robot_models[robot.model].name;
+      if (!is_builder(*scene_, robot) || model == robot_name_) continue;
+      app_.say(fmt::format("'{}' is a '{}', and its program is compiled for a '{}': see --robot",
+                           printable(robot.name), printable(model), printable(robot_name_)));
+      return;
+    }
   }
 
   /// A scene of several robots, whatever the file says.
@@ -356,6 +374,7 @@ class Validation {
   App& app_;
   std::optional<RuleSet> rules_;
   std::optional<Abilities> robot_;
+  std::string robot_name_;
   CompiledRules compiled_;
   std::optional<Scene> scene_;
   BuildTarget target_;
