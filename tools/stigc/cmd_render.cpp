@@ -111,8 +111,11 @@ int write_picture_or_glb(const RenderOptions& options, const std::string& ending
                                                kMostSvgFaces)
                                          : "the picture cannot be drawn";
   if (ending != ".glb") {
-    // Beyond the end is the end.
     const double time = std::min(options.time.value_or(film.end), film.end);
+    if (options.time && *options.time > time) {
+      app.say(fmt::format("the end is drawn, {:g} {}", film.end,
+                          film.time == FilmTime::seconds ? "s" : "bricks"));
+    }
     return write_one(options, film.picture(time, 0), problem, app);
   }
   const std::string bytes = film.glb(times, problem);
