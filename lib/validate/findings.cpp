@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // What a user should read first after a run that did not end well: each finding is one sentence,
-// with the figures that decide, in the order of how much they explain. First what was against the
-// rules, then what ended the run and where each robot was, then the bricks.
+// with the figures that decide, in the order of how much they explain. First what was pushed out
+// and what was against the rules, then what ended the run and where each robot was, then the
+// bricks.
 #include "validate/findings.h"
 
 #include <fmt/format.h>
@@ -50,6 +51,26 @@ std::vector<std::string> of_bricks(const RuleSet& rules, const Judgement& judgem
                                               length(stray.off) * 1e3, stray.yaw / kDegree));
   }
   return out;
+}
+
+/// The bricks that left their places together, the first time that any did: what came after may
+/// have its cause there. Empty: none has.
+std::string first_to_leave(const Trial& trial, std::size_t structure) {
+  constexpr double kTogether = 1;  // s
+  std::vector<BrickEvent> gone;
+  for (const BrickEvent& event : trial.events) {
+    if (event.kind != BrickEvent::Kind::left || event.structure != structure) continue;
+    if (gone.empty() || event.time <= gone.front().time + kTogether) gone.push_back(event);
+  }
+  if (gone.empty()) return {};
+  std::string cells;
+  for (const BrickEvent& event : gone) {
+    cells += (cells.empty() ? "" : &event == &gone.back() ? " and " : ", ") + cell_text(event.cell);
+  }
+  return gone.size() == 1
+             ? fmt::format("the brick at {} left its place at {:.0f} s", cells, gone.front().time)
+             : fmt::format("the bricks at {} left their places at {:.0f} s", cells,
+                           gone.front().time);
 }
 
 /// The nearest place that a brick is missing from, as seen from above, where that is so near that
@@ -157,6 +178,11 @@ std::vector<std::string> findings_of(const BuildTarget& target, const Trial& tri
   const auto number = [&](std::size_t i) {
     return trial.judgements.size() > 1 ? fmt::format("structure {}: ", i + 1) : "";
   };
+  for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
+    if (trial.judgements[i].verdict == BuildVerdict::complete) continue;
+    const std::string gone = first_to_leave(trial, i);
+    if (!gone.empty()) out.push_back(number(i) + gone);
+  }
   for (std::size_t i = 0; i < trial.judgements.size(); ++i) {
     const auto& against = trial.judgements[i].against;
     if (against) out.push_back(number(i) + "against the rules: " + against->reason);

@@ -17,7 +17,7 @@ namespace {
 constexpr double kHair = 0.01;         ///< m, of motion that counts
 constexpr double kStillSpeed = 0.1;    ///< rad/s of wheels
 constexpr double kStillLift = 0.0005;  ///< m/s
-constexpr double kUpright = 0.5;       ///< cosine of the tilt of a robot that stands
+constexpr double kUpright = 0.8;       ///< cosine of the tilt of a robot that stands, on its wheels
 
 }  // namespace
 

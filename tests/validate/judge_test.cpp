@@ -50,6 +50,25 @@ TEST_CASE("a block elsewhere in the arena does not matter") {
   CHECK(judged(stairs).verdict == BuildVerdict::complete);
 }
 
+TEST_CASE("what was pushed out first is told first") {
+  Staircase stairs;
+  std::erase_if(stairs.blocks, [&](const WatchedBlock& block) {
+    return block.block == stairs.at({2, 0, 0}).block;
+  });
+  Trial trial;
+  trial.judgements = {judged(stairs)};
+  const auto leaves = [&](double time, Cell cell) {
+    trial.events.push_back({BrickEvent::Kind::left, time, 3, cell, Led::q1});
+  };
+  leaves(50, {2, 0, 0});
+  CHECK(findings_of(stairs.target, trial).front() ==
+        "the brick at (2, 0, 0) left its place at 50 s");
+  leaves(50.6, {1, 0, 0});
+  leaves(80, {1, 0, 1});
+  CHECK(findings_of(stairs.target, trial).front() ==
+        "the bricks at (2, 0, 0) and (1, 0, 0) left their places at 50 s");
+}
+
 TEST_CASE("a missing brick") {
   Staircase stairs;
   std::erase_if(stairs.blocks, [&](const WatchedBlock& block) {
