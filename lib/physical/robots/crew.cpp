@@ -257,6 +257,8 @@ void Crew::say(const CrewLine& about, const std::vector<std::string>& lines,
   CrewLine line = about;
   for (const std::string& text : lines) {
     line.text = text;
+    // print puts a tab between what it is given, and a traceback before its lines.
+    std::replace(line.text.begin(), line.text.end(), '\t', ' ');
     log_.push_back(line);
   }
   if (status.ok) return;
