@@ -214,9 +214,7 @@ end
 function RightOfWay:other_at_work(line, first)
    local ends = self.odometry:on_line(line) < -PEEK_FROM and self:in_between(line) or
                 function() return self.clearance:backed() end
-   local arrive = self.lift:set_out(self.lift:top())
    self.path:follow(line, -PEEK_FROM, 0.08, ends)
-   arrive()
    local start = self.odometry.time
    self.across = nil
    return self:opposite() or self:sees_others_work(line, first) or self:felt_at_work(line, start, first)
