@@ -8,7 +8,8 @@ local PULSE, LOWER = 0.006, 0.003  -- heights of the lift over a block on the fl
 local CARRY_FAR = 0.080        -- passes over a block without being drawn to it
 local LET_GO = 0.030           -- up from a block that was put down
 local PULSE_TIME, LOWER_TIME, SETTLE_TIME = 0.5, 0.5, 0.2  -- s
-local READY, EMPTY = 1.03, 1.06    -- of the charge without a field: at least, to let go, and down to which current flows
+local READY, EMPTY = 1.065, 1.06   -- of the charge without a field: at least, to let go, and down to which current flows, for a
+                               -- step at least: a block comes to rest farther aside where the effector rises as it falls
 local CHARGE_TIME, EMPTY_TIME = 8, 6  -- s, at most
 local BEHIND_BLOCK = 0.025     -- m, of the rangefinders behind a block that see it
 local FINDERS_APART = 0.040    -- m
