@@ -563,7 +563,8 @@ end
 function SiteWork:is_clear()
    local wish = self.wish
    local _, _, level = self:place_of_wish()
-   local free = wish.what == 'beside' and not self:had_behind(level) or wish.what ~= 'beside' and wish.clear
+   local free = wish.clear
+   if wish.what == 'beside' then free = not self:had_behind(level) end
    return free and not self:had_behind(level + 1)
 end
 
