@@ -14,9 +14,7 @@ namespace {
 /// What bears a brick is granted, see remainder.h: what is missing below or beside a brick bars
 /// nothing.
 bool bars(const ReachResult& result) {
-  return result.obstruction != Obstruction::none &&
-         result.obstruction != Obstruction::unsupported &&
-         result.obstruction != Obstruction::overhang && result.obstruction != Obstruction::held_off;
+  return result.obstruction != Obstruction::none && !is_unheld(result.obstruction);
 }
 
 /// What bars the brick among `others`, whatever holds it.

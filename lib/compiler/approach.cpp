@@ -181,6 +181,11 @@ std::optional<ApproachSide> parse_side(std::string_view text) {
   return static_cast<ApproachSide>(found - kSideNames.begin());
 }
 
+bool is_unheld(Obstruction obstruction) {
+  return obstruction == Obstruction::unsupported || obstruction == Obstruction::overhang ||
+         obstruction == Obstruction::held_off;
+}
+
 /// A robot at +x looks along -x: its left is -y. The four cases are the quarter turns about
 /// the vertical; cell_from inverts each.
 SideCell seen_from(ApproachSide side, Cell c) {

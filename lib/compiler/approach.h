@@ -56,6 +56,9 @@ enum class Obstruction : std::uint8_t {
   held_off,  ///< it would hang, and is let go off the face that bears it, before a brick over that
 };
 
+/// Does nothing hold the brick, as things stand? More may come that does.
+bool is_unheld(Obstruction obstruction);
+
 struct ReachResult {
   Obstruction obstruction = Obstruction::none;
   Cell where;         ///< the brick in the way

@@ -30,12 +30,6 @@ void add_never(const Rule& rule, Cell at, Code code, const std::vector<std::stri
   for (const std::string& note : notes) diagnostic.note(note);
 }
 
-/// Does nothing hold the brick, as things stand? More may come that does.
-bool unheld(Obstruction obstruction) {
-  return obstruction == Obstruction::unsupported || obstruction == Obstruction::overhang ||
-         obstruction == Obstruction::held_off;
-}
-
 /// The brick that keeps a robot of this side from a site; nothing where it is none that does.
 std::optional<RefusalMark> mark_of(const ReachResult& result, ApproachSide side) {
   const bool stands = result.obstruction == Obstruction::body_blocked ||
@@ -122,7 +116,7 @@ class Explainer {
     Blocked out;
     for (const ApproachSide side : compiled_.sides) {
       const ReachResult result = reach(target_, stuck(), target_.cell(brick), side, robot_);
-      out.unsupported = out.unsupported && unheld(result.obstruction);
+      out.unsupported = out.unsupported && is_unheld(result.obstruction);
       const bool alone = result.obstruction == Obstruction::none && !faced(brick, side);
       out.notes.push_back(fmt::format(
           "from {}: {}", to_string(side),
@@ -332,7 +326,7 @@ bool report_shut_in(const RuleSet& rules, const Abilities& robot, CompiledRules&
     std::vector<RefusalMark> marks;
     for (const ApproachSide side : compiled.sides) {
       const ReachResult result = reach(target, start, target.cell(i), side, robot);
-      if (result.obstruction == Obstruction::none || unheld(result.obstruction)) break;
+      if (result.obstruction == Obstruction::none || is_unheld(result.obstruction)) break;
       notes.push_back(fmt::format("from {}: {}", to_string(side), explain(result)));
       if (const auto mark = mark_of(result, side)) marks.push_back(*mark);
     }
