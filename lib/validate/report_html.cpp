@@ -310,11 +310,9 @@ void trial_part(const ValidationReport& report, std::size_t number, Page& page) 
 }  // namespace
 
 bool all_complete(const ValidationReport& report) {
-  // An interrupted or diverged run proves nothing, whatever stood at that moment.
   return !report.trials.empty() &&
          std::all_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
-           return trial.verdict() == BuildVerdict::complete && trial.end != TrialEnd::interrupted &&
-                  trial.end != TrialEnd::diverged && trial.end != TrialEnd::script_failed;
+           return trial.verdict() == BuildVerdict::complete && !broke_off(trial.end);
          });
 }
 

@@ -245,6 +245,11 @@ std::string_view to_string(TrialEnd end) {
   return kNames[static_cast<std::size_t>(end)];
 }
 
+bool broke_off(TrialEnd end) {
+  return end == TrialEnd::interrupted || end == TrialEnd::diverged ||
+         end == TrialEnd::script_failed;
+}
+
 BuildVerdict Trial::verdict() const {
   assert(!judgements.empty());
   // In the order of their gravity.

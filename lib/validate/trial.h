@@ -35,6 +35,9 @@ enum class TrialEnd : std::uint8_t {
   script_failed,  ///< the scene's script, of which robots know nothing
 };
 std::string_view to_string(TrialEnd end);
+/// Whether the run was cut short by something that is none of the robots' doing: it proves nothing,
+/// whatever stood at that moment.
+bool broke_off(TrialEnd end);
 
 /// Where a robot's energy went, J: work of its motors, forward and braking alike. Electromagnets
 /// have no resistance in the model; for how long current flowed, in s.

@@ -93,11 +93,8 @@ class Validation {
       report.player = report_player(*player, batch.written, app_);
     }
     const int written = options_.output ? write(report, batch) : kOk;
-    const bool broken =
-        std::any_of(report.trials.begin(), report.trials.end(), [](const Trial& trial) {
-          return trial.end == TrialEnd::interrupted || trial.end == TrialEnd::diverged ||
-                 trial.end == TrialEnd::script_failed;
-        });
+    const bool broken = std::any_of(report.trials.begin(), report.trials.end(),
+                                    [](const Trial& trial) { return broke_off(trial.end); });
     // 3 where a run broke off or a file is missing, 1 where robots have built something else.
     if (stop_requested() || written != kOk || !batch.journalled ||
         report.trials.size() < static_cast<std::size_t>(options_.runs)) {
