@@ -66,6 +66,7 @@ function Builder.new(robot, chart, task)
    machine.placement.transport, machine.clearance.transport = task.transport, task.transport
    machine.placement.floats = function(block) return map:floats(block) end
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
+   machine.clearance.bricks = function() return map:all_bricks() end
    machine.clearance.explained = function(x, y) return map:explains(x, y) end
    machine.clearance.alone = task.delay == 0
    machine.sight.remembered = function() return map:all_bricks() end

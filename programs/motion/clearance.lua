@@ -23,11 +23,12 @@ local SEES_FAR = 0.1           -- m, of rangefinders that see another robot befo
 local SEEN_LATELY = 2          -- s, that a place counts where another robot's chassis was seen, in a turn
 local STAYS = 6                -- s, likewise, of who may wait for the same
 local STANDS = 10              -- s, likewise ahead: who stands there is passed by, and out of the rangefinders' lines
+local OF_BRICK = 0.005        -- m, about a brick, that a turn does not sweep
 local OF_HELD = 0.05           -- m, from the middle of a block that another robot holds
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
 
--- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m. explained:
--- likewise: whether what stands at a place is no robot; nil where nothing tells robots from walls. alone: set by who knows
+-- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m. bricks: likewise:
+-- all of them, {x, y, z, yaw}. explained: likewise: whether what stands at a place is no robot; nil where nothing tells robots from walls. alone: set by who knows
 -- that there is no other robot. transport: the colour of a block in a robot's hand.
 -- ahead, behind: names of the chassis' rangefinders that look there; beside: those that look elsewhere than
 -- ahead, with how far each has to see so that a turn is free; front: where the foremost of them are, m ahead.
@@ -40,7 +41,8 @@ function Clearance.new(robot, description, process, ranges, magnets, sweep, retu
       robot = robot, process = process, ranges = ranges, magnets = magnets, body = description.body,
       effector = description.effector,
       sweep = sweep, returns = returns,
-      odometry = process.odometry, room = function() return math.huge end, alone = false,
+      odometry = process.odometry, room = function() return math.huge end,
+      bricks = function() return {} end, alone = false,
       transport = 4,
       short_sighted = ranges:reach() < SEES_FAR, front = 0, ahead = {}, behind = {}, beside = {},
    }, Clearance)
@@ -196,6 +198,41 @@ function Clearance:turns_into_company(angle)
       if self.sweep:touches(x, y, angle, EFFECTOR) then return true end
    end
    return false
+end
+
+-- Places {x, y} all along the edge of a brick, as seen from above.
+local function edge_of(brick)
+   local out = {}
+   for along = -1, 1 do
+      for left = -1, 1 do
+         if along ~= 0 or left ~= 0 then
+            local x, y = geometry.out_of(brick, geometry.HALF * along, geometry.HALF * left)
+            table.insert(out, { x = x, y = y })
+         end
+      end
+   end
+   return out
+end
+
+-- Whether a turn on the spot by `angle` sweeps a brick that is remembered. The effector passes over lower ones.
+function Clearance:turns_into_bricks(angle)
+   local pivot, over = self.odometry:pivot(), self.robot.lift_system.position
+   for _, brick in ipairs(self.bricks()) do
+      if geometry.apart(pivot, brick) < self.sweep.from_block then
+         local parts = brick.z + geometry.HALF < over and self.sweep.chassis or nil
+         for _, point in ipairs(edge_of(brick)) do
+            local x, y = geometry.into(self.odometry.pose, point.x, point.y)
+            if self.sweep:touches(x, y, angle, OF_BRICK, parts) then return true end
+         end
+      end
+   end
+   return false
+end
+
+-- 1 where a robot that goes ahead comes away from bricks, -1 where one does that goes back.
+function Clearance:way_from_bricks()
+   local pose = self.odometry.pose
+   return self.room(geometry.out_of(pose, SIDE, 0)) < self.room(geometry.out_of(pose, -SIDE, 0)) and -1 or 1
 end
 
 -- For a random while, until it does not. Whether it does not.

@@ -9,6 +9,7 @@ local STRAIGHT = 0.04          -- m, in which a line is joined
 local TURN_RIM = 0.10          -- m/s, of the rims in a turn on the spot
 local BACK_SPEED = 0.1         -- m/s
 local OUT = 0.1                -- m, back from another robot
+local HERE = 0.01              -- m, from a place, where it is reached
 local ROUNDS = 4               -- so often it waits at most, before it turns anyway
 local FAR = 0.3                -- rad, of a turn that sweeps more than is beside the robot
 local STOP_TIME = 0.5          -- s, two steps and some more
@@ -84,7 +85,9 @@ end
 -- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow. Before it turns far
 -- it waits for who was seen in its reach. Whether it faces there.
 function PathFollower:turn_to(yaw, rim, each)
-   self:await_company(geometry.wrap(yaw - self.odometry.pose.yaw))
+   local angle = geometry.wrap(yaw - self.odometry.pose.yaw)
+   self:leave_bricks(angle)
+   self:await_company(angle)
    return self:turn(yaw, rim, each)
 end
 
@@ -153,12 +156,14 @@ end
 
 -- With the pivot to a place of the odometry frame: turns to it, and drives; `each` as with follow.
 function PathFollower:go_to(x, y, speed, each)
-   local odometry = self.odometry
-   local pivot = odometry:pivot()
-   local dx, dy = x - pivot.x, y - pivot.y
-   if dx * dx + dy * dy < 1e-4 then return true end
-   local yaw = math.atan(dy, dx)
-   local angle = geometry.wrap(yaw - odometry.pose.yaw)
+   local odometry, place = self.odometry, { x = x, y = y }
+   local function turn_there()
+      local yaw = geometry.angle_to(odometry:pivot(), place)
+      return geometry.wrap(yaw - odometry.pose.yaw), yaw
+   end
+   if geometry.apart(odometry:pivot(), place) < HERE then return true end
+   self:leave_bricks(turn_there())
+   local angle, yaw = turn_there()
    if math.abs(angle) > FAR then self:clear_round(angle) end
    self:turn(yaw)
    return self:follow({ x = x, y = y, yaw = yaw }, -odometry.ahead, speed or self.cruise, each)
@@ -172,6 +177,16 @@ end
 -- Back by so much, or as far as there is room.
 function PathFollower:back_off(way)
    return self:follow_back(self.odometry:line_ahead(), -way, BACK_SPEED)
+end
+
+-- Away from bricks, ahead or back, until a turn on the spot by `angle` sweeps none, as far as there is room.
+function PathFollower:leave_bricks(angle)
+   local clearance = self.clearance
+   if math.abs(angle) < FAR or not clearance:turns_into_bricks(angle) then return end
+   local way = clearance:way_from_bricks()
+   self:go_by(way * OUT, BACK_SPEED, function()
+      return not clearance:turns_into_bricks(angle) or (way > 0 and clearance:meets(0)) or (way < 0 and clearance:backed())
+   end)
 end
 
 -- Waits for who stands where a turn on the spot sweeps, and then backs out, unless that may be a wall; then for others, in a

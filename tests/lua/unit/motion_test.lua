@@ -254,6 +254,24 @@ case('a block that another robot was seen to hold is in the way', function()
    same('hardly seen', clearance:has_company(), false)
 end)
 
+case('before a turn that sweeps a brick it goes away from that', function()
+   local machine, fake, run = machine_with()
+   local clearance, brick = machine.clearance, { x = -0.02, y = -0.085, z = 0.0275, yaw = 0 }
+   clearance.bricks = function() return { brick } end
+   clearance.room = function(x, y) return geometry.apart(brick, { x = x, y = y }) end
+   same('to the left', clearance:turns_into_bricks(1.5), true)
+   same('a little', clearance:turns_into_bricks(0.05), false)
+   run(function() return machine.path:turn_by(1.5) end)
+   same('ahead', fake.pose.x > 0.005, true)
+   near('and turned', fake.pose.yaw, 1.5, 0.01)
+   same('from there', clearance:turns_into_bricks(-1.5), false)
+   brick.x, brick.y = geometry.out_of(machine.odometry.pose, 0.11, -0.075)
+   fake.robot.lift_system.position = 0.02
+   same('with the effector', clearance:turns_into_bricks(-1.5), true)
+   fake.robot.lift_system.position = 0.07
+   same('over it', clearance:turns_into_bricks(-1.5), false)
+end)
+
 case('the lift does not come down on who stands below it', function()
    local machine, fake, run = machine_with()
    run(function() machine.lift:to(0.12) end)
