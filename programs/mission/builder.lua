@@ -66,10 +66,10 @@ function Builder.new(robot, chart, task)
    machine.placement.transport, machine.clearance.transport = task.transport, task.transport
    machine.placement.floats = function(block) return map:floats(block) end
    machine.clearance.room = function(x, y) return map:room_about(x, y) end
-   machine.clearance.bricks = function() return map:all_bricks() end
    machine.clearance.explained = function(x, y) return map:explains(x, y) end
    machine.clearance.alone = task.delay == 0
-   machine.sight.remembered = function() return map:all_bricks() end
+   local function bricks() return map:all_bricks() end
+   machine.clearance.bricks, machine.sight.remembered = bricks, bricks
    if task.widest then machine.sight:reads_up_to(task.widest) end
    if task.kinds then machine.tracker.detector.kinds = task.kinds end
    machine:start(function() self:follow_chart() end)

@@ -23,13 +23,13 @@ local SEES_FAR = 0.1           -- m, of rangefinders that see another robot befo
 local SEEN_LATELY = 2          -- s, that a place counts where another robot's chassis was seen, in a turn
 local STAYS = 6                -- s, likewise, of who may wait for the same
 local STANDS = 10              -- s, likewise ahead: who stands there is passed by, and out of the rangefinders' lines
-local OF_BRICK = 0.005        -- m, about a brick, that a turn does not sweep
+local OF_BRICK = 0.005         -- m, about a brick, that a turn does not sweep
 local OF_HELD = 0.05           -- m, from the middle of a block that another robot holds
 local STEEP = 0.8              -- of a direction, along the robot's: it looks ahead or back
 
 -- room: set by who knows a structure: how far a place of the odometry frame is from its nearest brick, m. bricks: likewise:
--- all of them, {x, y, z, yaw}. explained: likewise: whether what stands at a place is no robot; nil where nothing tells robots from walls. alone: set by who knows
--- that there is no other robot. transport: the colour of a block in a robot's hand.
+-- all of them, {x, y, z, yaw}. explained: likewise: whether what stands at a place is no robot; nil where nothing tells robots
+-- from walls. alone: set by who knows that there is no other robot. transport: the colour of a block in a robot's hand.
 -- ahead, behind: names of the chassis' rangefinders that look there; beside: those that look elsewhere than
 -- ahead, with how far each has to see so that a turn is free; front: where the foremost of them are, m ahead.
 local Clearance = {}

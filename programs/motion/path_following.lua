@@ -83,11 +83,10 @@ function PathFollower:turn_until(ends, yaw, rim, gentle)
 end
 
 -- On the spot, to a heading of the odometry frame; `rim` is the speed of the rims; `each` as with follow. Before it turns far
--- it waits for who was seen in its reach. Whether it faces there.
+-- it goes away from bricks, and waits for who was seen in its reach. Whether it faces there.
 function PathFollower:turn_to(yaw, rim, each)
-   local angle = geometry.wrap(yaw - self.odometry.pose.yaw)
-   self:leave_bricks(angle)
-   self:await_company(angle)
+   self:leave_bricks(yaw)
+   self:await_company(geometry.wrap(yaw - self.odometry.pose.yaw))
    return self:turn(yaw, rim, each)
 end
 
@@ -157,13 +156,10 @@ end
 -- With the pivot to a place of the odometry frame: turns to it, and drives; `each` as with follow.
 function PathFollower:go_to(x, y, speed, each)
    local odometry, place = self.odometry, { x = x, y = y }
-   local function turn_there()
-      local yaw = geometry.angle_to(odometry:pivot(), place)
-      return geometry.wrap(yaw - odometry.pose.yaw), yaw
-   end
    if geometry.apart(odometry:pivot(), place) < HERE then return true end
-   self:leave_bricks(turn_there())
-   local angle, yaw = turn_there()
+   self:leave_bricks(geometry.angle_to(odometry:pivot(), place))
+   local yaw = geometry.angle_to(odometry:pivot(), place)
+   local angle = geometry.wrap(yaw - odometry.pose.yaw)
    if math.abs(angle) > FAR then self:clear_round(angle) end
    self:turn(yaw)
    return self:follow({ x = x, y = y, yaw = yaw }, -odometry.ahead, speed or self.cruise, each)
@@ -179,9 +175,9 @@ function PathFollower:back_off(way)
    return self:follow_back(self.odometry:line_ahead(), -way, BACK_SPEED)
 end
 
--- Away from bricks, ahead or back, until a turn on the spot by `angle` sweeps none, as far as there is room.
-function PathFollower:leave_bricks(angle)
-   local clearance = self.clearance
+-- Away from bricks, ahead or back, until a turn on the spot to a heading sweeps none, as far as there is room.
+function PathFollower:leave_bricks(yaw)
+   local clearance, angle = self.clearance, geometry.wrap(yaw - self.odometry.pose.yaw)
    if math.abs(angle) < FAR or not clearance:turns_into_bricks(angle) then return end
    local way = clearance:way_from_bricks()
    self:go_by(way * OUT, BACK_SPEED, function()
